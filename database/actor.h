@@ -12,15 +12,16 @@ using PersonId = std::int64_t;
 using SessionId = std::int64_t;
 
 enum class ActorKind : std::uint8_t {
-    anonymous,   ///< nobody logged in: may log in, and read simulated sessions
+    anonymous,   ///< without a login: may log in, and read simulated sessions
     simulated,   ///< the built-in account of scripted operators
-    maintenance, ///< the program itself: recovers sessions that a crash left open, nothing else
-    person,      ///< somebody who logged in
+    /// The program itself: recovers sessions that a crash left open, and does nothing else.
+    maintenance,
+    person,      ///< a person who logged in
 };
 
-/// On whose behalf something is done. A person's actor can only come from a login; what it may do is looked
-/// up in the database at every call (roles, enabled, password to be changed), so a disabled account stops at
-/// once. A value.
+/// On whose behalf something is done. A person's actor can only come from a login. Its rights are looked up
+/// in the database at every call (roles, enabled, password to be changed), so that disabling an account takes
+/// effect at once. A value type.
 class Actor {
 public:
     static Actor anonymous() { return Actor(ActorKind::anonymous, 0, {}, {}, false); }
@@ -33,9 +34,9 @@ public:
     const RoleSet& roles() const noexcept { return m_roles; } ///< as they were at login; for display only
     bool mustChangePassword() const noexcept {
         return m_mustChange;
-    } ///< until then only changePassword is permitted
+    } ///< until it is changed, only changePassword is permitted
 
-    static constexpr PersonId kSimulatedPerson = 1; ///< the row that every database is created with
+    static constexpr PersonId kSimulatedPerson = 1; ///< id of a row that every new database has
 
 private:
     friend class AccountRepository;

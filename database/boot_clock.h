@@ -6,14 +6,14 @@
 
 namespace chiron::database {
 
-/// Time that nobody can set back: nanoseconds since this boot (CLOCK_BOOTTIME, suspend included) and which
-/// boot it is.
+/// A time that nobody can set back: nanoseconds since this boot (CLOCK_BOOTTIME, suspend included), and the
+/// id of the boot.
 struct BootTime {
     std::string bootId;
     std::int64_t now_ns = 0;
 };
 
-/// Where the throttle takes its time from; replaced in tests.
+/// The source of time for the throttle; replaced in tests.
 class IBootClock {
 public:
     virtual ~IBootClock() = default;

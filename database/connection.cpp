@@ -15,8 +15,9 @@ namespace chiron::database {
 namespace {
 
 std::string uniqueName() {
+    // Qt's registry of connections is global, so the names must differ.
     static std::atomic<unsigned long long> counter{
-        0}; // Qt's registry of connections is global: names must differ
+        0};
     return "chiron-" + std::to_string(++counter);
 }
 
@@ -88,8 +89,8 @@ core::Result<void> Connection::openQt(const std::string& connectOptions) {
 }
 
 core::Result<void> Connection::configure(bool useWal) {
-    // A schema from a damaged or foreign file must not run code or be trusted; damaged cells are looked for
-    // on reading.
+    // A schema from a damaged or foreign file must not run code or be trusted, and damaged cells are detected
+    // when they are read.
     auto done = execute("PRAGMA foreign_keys=ON; PRAGMA trusted_schema=OFF; PRAGMA cell_size_check=ON;"
                         "PRAGMA synchronous=FULL;");
     if (done) {

@@ -14,8 +14,9 @@ namespace chiron::database {
 
 class SiteKey;
 
-/// One connection, used and destroyed on the thread that opened it. Repositories work on one; those that
-/// write need the writer's (WriteContext). foreign_keys on, trusted_schema off, synchronous FULL, WAL.
+/// One connection to a database. Repositories work on a connection; those that write need the writer's
+/// (WriteContext). Settings: foreign_keys on, trusted_schema off, synchronous FULL, WAL.
+/// Thread: used and destroyed on the thread that opened it.
 class Connection {
 public:
     enum class Mode { readOnly, readWrite };
@@ -24,15 +25,17 @@ public:
     Connection& operator=(const Connection&) = delete;
     ~Connection();
 
-    /// Opens an existing file. Failure: storage, naming the file and SQLite's words.
+    /// Opens an existing file.
+    /// Errors: storage, naming the file and SQLite's message.
     static core::Result<std::unique_ptr<Connection>> open(const std::string& file, Mode mode);
-    /// Opens, creating the file if it does not exist (new databases, snapshots); no WAL.
+    /// Opens a file, creating it if it does not exist (new databases, snapshots); without WAL.
     static core::Result<std::unique_ptr<Connection>> create(const std::string& file);
 
     bool isWritable() const noexcept { return m_mode == Mode::readWrite; }
     const std::string& file() const noexcept { return m_file; }
 
-    /// Runs SQL text of any number of statements without results. Failure: storage.
+    /// Runs SQL text with any number of statements that return no results.
+    /// Errors: storage.
     core::Result<void> execute(const std::string& sql);
     core::Result<void> begin() { return execute("BEGIN IMMEDIATE"); }
     core::Result<void> commit();
@@ -42,7 +45,7 @@ public:
     QSqlDatabase& qt() noexcept { return *m_database; }
     sqlite3* handle() noexcept { return m_handle; } ///< for backup and multi-statement text only
 
-    /// Needed to append to the audit chain; the writer's connection has it.
+    /// Needed to append to the audit chain. The writer's connection has it.
     void setSite(const SiteKey* key, const IBootClock* clock) noexcept {
         m_siteKey = key;
         m_clock = clock;

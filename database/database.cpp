@@ -54,17 +54,17 @@ core::Result<void> fillNew(Connection& connection, const DatabaseOptions& option
     return connection.commit();
 }
 
-// A whole new database under a name of its own.
+// Makes a complete new database in a file of another name.
 core::Result<void> fillFile(const std::string& file, const SiteKey& key, const DatabaseOptions& options) {
     auto connection = Connection::create(file);
     if (!connection) {
         return tl::unexpected(connection.error());
     }
     (*connection)->setSite(&key, options.clock.get());
-    const auto isPrivate = keepPrivate(file); // the log beside it gets the same permissions from SQLite
+    const auto isPrivate = keepPrivate(file); // SQLite gives the log beside it the same permissions
     auto migrated = isPrivate ? MigrationRunner().migrate(**connection) : tl::unexpected(isPrivate.error());
     auto done = migrated ? fillNew(**connection, options) : tl::unexpected(migrated.error());
-    // In WAL mode from birth: a rollback journal left by a kill would shut out readers.
+    // The file is in WAL mode from the start: a rollback journal left by a kill would lock out readers.
     done = done ? (*connection)->execute("PRAGMA journal_mode=WAL") : done;
     const auto head = done ? auditHead(**connection) : tl::unexpected(done.error());
     return head ? writeHeadFile(key, *head) : tl::unexpected(head.error());
@@ -103,7 +103,8 @@ core::Result<std::unique_ptr<Database>> Database::create(const std::string& file
         return tl::unexpected(key.error());
     }
     database->m_siteKey = *std::move(key);
-    const QString fresh = QString::fromStdString(file + ".new"); // complete or not there
+    const QString fresh = QString::fromStdString(file + ".new"); // a file with its final name is always
+                                                                 // complete
     QFile::remove(fresh);
     auto done = fillFile(fresh.toStdString(), *database->m_siteKey, database->m_options);
     if (done && !QFile::rename(fresh, QString::fromStdString(file))) {

@@ -15,39 +15,39 @@ namespace chiron::database {
 
 class SiteKey;
 
-/// One database file. Needs a QCoreApplication (Qt loads the SQLite driver as a plugin). Opened for writing
-/// it holds
-/// "<database>.lock" and owns the writer thread with the only read-write connection; opened read-only it
-/// works beside a writer in this or another process, and never checkpoints. Blocking; thread-safe except
-/// construction and destruction.
+/// One database file. It needs a QCoreApplication, because Qt loads the SQLite driver as a plugin. Opened for
+/// writing, it holds "<database>.lock" and owns the writer thread with the only read-write connection. Opened
+/// read-only, it works beside a writer in this or another process, and never checkpoints.
+/// Thread: any, except for construction and destruction; blocks.
 class Database {
 public:
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
-    ~Database(); ///< the writer drains its sources, runs what is queued, and closes
+    ~Database(); ///< the writer drains its sources, runs the queued jobs, and closes
 
-    /// A new file with schema, site key and the simulated account, then opened for writing. Failure: badInput
-    /// if the file exists (it is left as it is), locked, storage.
+    /// Creates a new file with schema, site key and the simulated account, and opens it for writing.
+    /// Errors: badInput if the file exists (it is not changed); locked; storage.
     static core::Result<std::unique_ptr<Database>> create(const std::string& file,
                                                           const DatabaseOptions& options = {});
 
-    /// An existing file; an older one is migrated (backed up first). Failure: locked within 1 s, naming
-    /// program and pid; notFound; storage if it is damaged, foreign, or newer than this program (left
-    /// unchanged, byte for byte).
+    /// Opens an existing file; an older one is migrated, after a backup.
+    /// Errors: locked within 1 s, naming program and pid; notFound; storage if it is damaged, foreign, or
+    /// newer than this program (it is left unchanged, byte for byte).
     static core::Result<std::unique_ptr<Database>> openForWriting(const std::string& file,
                                                                   const DatabaseOptions& options = {});
 
-    /// An existing file of this version; never waits for the writer. Failure as openForWriting, but never
-    /// locked.
+    /// Opens an existing file of this version; it never waits for the writer.
+    /// Errors: as openForWriting, but never locked.
     static core::Result<std::unique_ptr<Database>> openReadOnly(const std::string& file,
                                                                 const DatabaseOptions& options = {});
 
-    /// A new read-only connection for the calling thread (use and destroy it there).
+    /// Opens a new read-only connection for the calling thread, which has to use and destroy it.
     core::Result<std::unique_ptr<Connection>> openReader() const;
 
     bool isWritable() const noexcept { return m_writer != nullptr; }
-    /// Runs a job on the writer thread in one transaction and waits. Failure: wrongUse when opened read-only;
-    /// the job's own error (everything it did is undone); storage when the commit fails.
+    /// Runs a job on the writer thread in one transaction and waits for it.
+    /// Errors: wrongUse if opened read-only; the job's own error (everything it did is undone); storage if
+    /// the commit fails.
     template <class F> auto write(F&& job) -> std::invoke_result_t<F, WriteContext&> {
         if (!m_writer) {
             return core::fail(core::ErrorCode::wrongUse, m_file + ": opened read-only, cannot write");
@@ -60,7 +60,7 @@ public:
     const std::string& siteFolder() const noexcept { return m_siteFolder; }
     const DatabaseOptions& options() const noexcept { return m_options; }
     int schemaVersion() const noexcept { return m_schemaVersion; }
-    const std::string& uuid() const noexcept { return m_uuid; } ///< the crash ring's header carries it
+    const std::string& uuid() const noexcept { return m_uuid; } ///< the header of the crash ring contains it
     bool isDemonstration() const noexcept { return m_demonstration; }
 
 private:

@@ -9,18 +9,19 @@
 
 namespace chiron::database {
 
-/// How a database is opened.
+/// Options for opening a database.
 struct DatabaseOptions {
-    /// Folder of the site key (0600), the audit chain's head and the list of erasures; empty:
+    /// Folder of the site key (0600), the head of the audit chain and the list of erasures; empty:
     /// "<database>.site".
     std::string siteFolder;
-    bool demonstration = false; ///< used by create only: marks the database and everything in it
+    bool demonstration = false; ///< used only by create: marks the database and everything in it
     PasswordCost passwordCost = PasswordCost::production();
+    /// Shared, because the throttles of every connection read it; null: SystemBootClock.
     std::shared_ptr<const IBootClock>
-        clock; ///< shared: throttles of every connection read it; null: SystemBootClock
+        clock;
 };
 
-/// The site folder that belongs to a database file.
+/// Returns the site folder that belongs to a database file.
 std::string siteFolderFor(const std::string& databaseFile, const DatabaseOptions& options);
 
 } // namespace chiron::database

@@ -5,9 +5,10 @@
 
 namespace chiron::database {
 
-/// A live source (the drain of a crash ring) that the writer empties every 20 ms. Called on the writer thread
-/// only; writes through its recording::TrialSink. After an error it is asked again, so it must have kept what it
-/// could not write; an error that stays is handed out by WriterThread::removeSource.
+/// A live source (the drain of a crash ring) that the writer empties every 20 ms. It writes through its
+/// recording::TrialSink. After an error it is called again, so it must have kept what it could not write;
+/// WriterThread::removeSource reports an error that persists.
+/// Thread: only the writer thread.
 class IDrainable {
 public:
     virtual ~IDrainable() = default;

@@ -7,12 +7,13 @@
 
 namespace chiron::database {
 
-/// Whether somebody asked to stop; null: nobody can.
+/// Returns whether cancellation was requested; null: it cannot be requested.
 inline bool isSet(const std::atomic<bool>* cancel) noexcept {
     return cancel != nullptr && cancel->load(std::memory_order_relaxed);
 }
 
-/// While it lives, SQLite breaks off what this connection does once `cancel` is set. On the connection's thread.
+/// While this object lives, SQLite interrupts this connection's work once `cancel` is set.
+/// Thread: that of the connection.
 class Interruptible {
 public:
     Interruptible(Connection& connection, const std::atomic<bool>* cancel);

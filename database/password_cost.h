@@ -5,8 +5,9 @@
 
 namespace chiron::database {
 
-/// Cost of one Argon2id hash (libsodium crypto_pwhash). Production is fixed (architecture.md, Dependencies);
-/// the minimal cost exists for tests, can be chosen in code only, and no option or file reaches it.
+/// Cost of one Argon2id hash (libsodium crypto_pwhash). The production cost is fixed (architecture.md,
+/// Dependencies). The minimal cost exists for tests: it can be chosen only in code, not by any option or
+/// file.
 struct PasswordCost {
     unsigned long long passes = 3;        ///< t
     std::size_t memory_bytes = 64u << 20; ///< 64 MiB

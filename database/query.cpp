@@ -17,7 +17,8 @@ core::Result<QVariant> textToQt(const std::string& text) {
     QStringDecoder decoder(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
     QString string = decoder.decode(QByteArrayView(text.data(), static_cast<qsizetype>(text.size())));
     const bool altered = text.starts_with("\xef\xbb\xbf") || text.find('\0') != std::string::npos;
-    if (decoder.hasError() || altered) { // SQLite would drop a byte order mark: the digest would not fit
+    if (decoder.hasError() || altered) { // SQLite would drop a byte order mark, and the digest would not
+                                         // match
         return core::fail(
             core::ErrorCode::badInput,
             "a text to be stored is not valid UTF-8, begins with a byte order mark or holds a NUL");

@@ -13,16 +13,17 @@
 
 namespace chiron::database {
 
-/// One prepared statement with its values bound, forward only. Every value is bound, none is ever pasted into
+/// One prepared statement with its values bound, forward only. Every value is bound; none is ever pasted into
 /// SQL.
 class Query {
 public:
-    /// Prepares, binds and runs. Failure: storage with SQLite's words; badInput for text that is not UTF-8
-    /// and for NaN or infinity.
+    /// Prepares, binds and runs.
+    /// Errors: storage with SQLite's message; badInput for text that is not UTF-8 and for NaN or infinity.
     static core::Result<Query> run(Connection& connection, const std::string& sql,
                                    const std::vector<Value>& values = {});
 
-    /// Steps to the next row; false after the last. Failure: storage.
+    /// Steps to the next row; false after the last one.
+    /// Errors: storage.
     core::Result<bool> next();
 
     bool isNull(int column) const;
@@ -32,7 +33,7 @@ public:
     Blob blob(int column) const;
     Value value(int column) const;
 
-    /// Rows that the statement changed.
+    /// Returns the number of rows that the statement changed.
     int rowsChanged() const { return m_query.numRowsAffected(); }
 
 private:
@@ -41,14 +42,15 @@ private:
     std::string m_file;
 };
 
-/// First column of the first row as an integer; nothing if there is no row or it is NULL.
+/// Returns the first column of the first row as an integer; none if there is no row or it is NULL.
 core::Result<std::optional<std::int64_t>> selectInteger(Connection& connection, const std::string& sql,
                                                         const std::vector<Value>& values = {});
-/// First column of the first row as text; nothing if there is no row or it is NULL.
+/// Returns the first column of the first row as text; none if there is no row or it is NULL.
 core::Result<std::optional<std::string>> selectText(Connection& connection, const std::string& sql,
                                                     const std::vector<Value>& values = {});
 
-/// Error{storage} with the file, what was done, and SQLite's words; a full disk is called so.
+/// Returns Error{storage} with the file, what was done, and SQLite's message; a full disk is reported as
+/// such.
 core::Error storageError(const std::string& file, const std::string& what, int extendedCode,
                          const std::string& words);
 

@@ -10,17 +10,17 @@
 
 namespace chiron::database {
 
-/// What a person may be; one person may hold several. Stored as tokens (trainee, trainer, researcher, admin).
+/// The role of a person; one person may have several. Stored as tokens (trainee, trainer, researcher, admin).
 enum class Role : std::uint8_t { trainee, trainer, researcher, admin };
 
 inline constexpr std::array<Role, 4> kAllRoles{Role::trainee, Role::trainer, Role::researcher, Role::admin};
 
-/// The stored word of a role.
+/// Returns the stored word of a role.
 std::string_view token(Role role) noexcept;
-/// The role of a stored word; nothing if there is no such role.
+/// Returns the role of a stored word; none if there is no such role.
 std::optional<Role> roleFromToken(std::string_view word) noexcept;
 
-/// A set of roles; a value.
+/// A set of roles. A value type.
 class RoleSet {
 public:
     RoleSet() = default;
@@ -43,8 +43,8 @@ private:
     std::uint8_t m_bits = 0;
 };
 
-/// Roles from "trainee,trainer" as the command line and CSV files write them; nothing if a word is unknown or
-/// none is given.
+/// Returns roles from "trainee,trainer" as on the command line and in CSV files; none if a word is unknown or
+/// there is no word.
 std::optional<RoleSet> rolesFromList(std::string_view commaSeparated);
 
 } // namespace chiron::database

@@ -11,7 +11,7 @@ namespace chiron::database {
 
 using Blob = std::vector<std::uint8_t>;
 
-/// What a column holds: NULL, INTEGER, REAL, TEXT (UTF-8) or BLOB. A value.
+/// The value of a column: NULL, INTEGER, REAL, TEXT (UTF-8) or BLOB. A value type.
 class Value {
 public:
     enum class Type : std::uint8_t {
@@ -31,7 +31,7 @@ public:
     Type type() const noexcept { return m_type; }
     std::int64_t integer() const noexcept { return m_integer; }
     double real() const noexcept { return m_real; }
-    const std::string& bytes() const noexcept { return m_bytes; } ///< of a text or a blob
+    const std::string& bytes() const noexcept { return m_bytes; } ///< bytes of a text or a blob
 
 private:
     Type m_type = Type::null;
@@ -46,13 +46,13 @@ struct Column {
     Value value;
 };
 
-/// Lower-case hexadecimal of bytes.
+/// Returns the lower-case hexadecimal form of bytes.
 std::string hex(const std::uint8_t* bytes, std::size_t count);
 inline std::string hex(const Blob& bytes) {
     return hex(bytes.data(), bytes.size());
 }
 
-/// A 64-bit seed or counter as SQLite keeps it (same bits, signed), and back.
+/// Convert a 64-bit seed or counter to the form that SQLite stores (same bits, signed), and back.
 inline std::int64_t storedFromUnsigned(std::uint64_t value) {
     return static_cast<std::int64_t>(value);
 }

@@ -5,8 +5,8 @@
 
 namespace chiron::database {
 
-/// What a job on the writer thread works with: the only read-write connection, inside the job's transaction.
-/// Valid during the job only.
+/// Gives a job on the writer thread the only read-write connection, inside the job's transaction. Valid only
+/// during the job.
 class WriteContext {
 public:
     explicit WriteContext(Connection& connection) : m_connection(connection) {}

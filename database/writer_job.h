@@ -10,18 +10,18 @@
 
 namespace chiron::database {
 
-/// A queued piece of work of the writer thread; which kind of transaction it wants.
+/// A job in the writer thread's queue, and whether it needs a transaction.
 class IWriterJob {
 public:
     virtual ~IWriterJob() = default;
-    /// Does the work; false: undo it.
+    /// Does the work; false: the transaction is rolled back.
     virtual bool execute(WriteContext& context) = 0;
-    /// Hands the outcome to whoever waits: the job's own, or this error where begin or commit failed.
+    /// Passes the outcome to the waiting thread: the job's own, or this error if begin or commit failed.
     virtual void finish(std::optional<core::Error> transactionError) = 0;
     virtual bool wantsTransaction() const = 0;
 };
 
-/// A job made of a function that returns a core::Result.
+/// A job made from a function that returns a core::Result.
 template <class F> class WriterJob final : public IWriterJob {
 public:
     using Outcome = std::invoke_result_t<F, WriteContext&>;

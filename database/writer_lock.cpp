@@ -6,7 +6,7 @@ namespace chiron::database {
 core::Result<std::unique_ptr<QLockFile>> takeWriterLock(const std::string& file) {
     const QString name = QString::fromStdString(file + ".lock");
     auto lock = std::make_unique<QLockFile>(name);
-    lock->setStaleLockTime(0); // age never makes a lock stale; only the death of its holder does
+    lock->setStaleLockTime(0); // a lock becomes stale only through the death of its holder
     if (lock->tryLock(300)) {
         return lock;
     }
@@ -18,8 +18,8 @@ core::Result<std::unique_ptr<QLockFile>> takeWriterLock(const std::string& file)
     QString host;
     QString program;
     if (!lock->getLockInfo(&pid, &host, &program)) {
-        // Killed between making the file and signing it. A live holder also keeps it flocked, so this removes
-        // dead ones only.
+        // The program was killed between creating the file and signing it. A live holder also keeps it
+        // flocked, so this removes only the files of dead holders.
         lock->removeStaleLockFile();
         if (lock->tryLock(300)) {
             return lock;

@@ -9,8 +9,9 @@
 
 namespace chiron::database {
 
-/// Takes "<file>.lock", held until destroyed. Age never makes it stale, only the death of its holder.
-/// Failure: locked, within 1 s, naming program and pid; storage when the lock file cannot be made.
+/// Takes "<file>.lock", which is held until the result is destroyed. A lock becomes stale only through the
+/// death of its holder, never through age.
+/// Errors: locked, within 1 s, naming program and pid; storage if the lock file cannot be made.
 core::Result<std::unique_ptr<QLockFile>> takeWriterLock(const std::string& file);
 
 } // namespace chiron::database

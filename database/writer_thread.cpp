@@ -55,7 +55,7 @@ void WriterThread::loop(Connection& connection) {
             std::unique_lock lock(m_mutex);
             const auto ready = [this] { return m_stop || !m_jobs.empty(); };
             if (m_sourceCount == 0) {
-                m_wake.wait(lock, ready); // nothing live: sleep until somebody wants something
+                m_wake.wait(lock, ready); // no live source: sleep until there is a job
             } else {
                 m_wake.wait_until(lock, nextDrain, ready);
             }
@@ -107,8 +107,8 @@ void WriterThread::runJob(Connection& connection, IWriterJob& job) {
         job.finish(committed.error());
         return;
     }
-    // After the commit: a crash in between leaves the file one step behind, which verify allows (never
-    // ahead).
+    // Written after the commit: a crash in between leaves the file one step behind, which verify allows
+    // (never ahead).
     const auto after = auditHead(connection);
     if (connection.siteKey() != nullptr && before && after && *before != *after) {
         if (auto written = writeHeadFile(*connection.siteKey(), *after); !written) {
@@ -120,8 +120,8 @@ void WriterThread::runJob(Connection& connection, IWriterJob& job) {
 
 void WriterThread::drainAll() {
     for (Source& source : m_sources) {
-        // A source that failed keeps its samples (crash ring) and is asked again: a disk that was full for a
-        // moment costs nothing, and only what stays wrong is told at the end.
+        // A source that failed keeps its samples (crash ring) and is called again. A disk that was briefly
+        // full therefore loses nothing, and only an error that persists is reported at the end.
         auto drained = source.drainable->drain();
         source.error = drained ? std::nullopt : std::optional<core::Error>(drained.error());
     }

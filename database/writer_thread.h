@@ -18,18 +18,19 @@
 
 namespace chiron::database {
 
-/// Owns the only read-write connection. Every 20 ms it drains the registered live sources; between drains it
+/// Owns the only read-write connection. Every 20 ms it drains the registered live sources. Between drains it
 /// runs queued jobs one at a time, each in one transaction: all or nothing. A job should take less than 50
-/// ms; longer work (Argon2id, scoring, replay) belongs on a worker that hands in a short job. All functions
-/// are thread-safe and, except submit, block; none but the jobs' own code may be called from the writer
-/// thread itself.
+/// ms; longer work (Argon2id, scoring, replay) belongs on a worker that submits a short job.
+/// Thread: any, except that only the jobs' own code may call these functions from the writer thread itself;
+/// all but submit block.
 class WriterThread {
 public:
     WriterThread(const WriterThread&) = delete;
     WriterThread& operator=(const WriterThread&) = delete;
-    ~WriterThread(); ///< drains, runs what is queued, closes the connection
+    ~WriterThread(); ///< drains, runs the queued jobs, closes the connection
 
-    /// Opens the connection on the new thread. site and clock outlive the thread. Failure: storage.
+    /// Opens the connection on the new thread. site and clock must outlive the thread.
+    /// Errors: storage.
     static core::Result<std::unique_ptr<WriterThread>> start(const std::string& file, const SiteKey& site,
                                                              const IBootClock& clock);
 
@@ -37,15 +38,16 @@ public:
     template <class F> auto submit(F job) -> std::future<std::invoke_result_t<F, WriteContext&>> {
         return enqueue(std::move(job), true);
     }
-    /// Queues a job and waits for its outcome. From the writer thread itself: Error{wrongUse}.
+    /// Queues a job and waits for its outcome.
+    /// Errors: wrongUse if called from the writer thread itself.
     template <class F> auto run(F job) -> std::invoke_result_t<F, WriteContext&> {
         if (onWriterThread()) {
             return core::fail(core::ErrorCode::wrongUse, "a writer job cannot wait for another one");
         }
         return enqueue(std::move(job), true).get();
     }
-    /// As run, but outside any transaction (VACUUM, checkpoint); may take long, so refused (wrongUse) while a
-    /// source is live.
+    /// The same outside any transaction (VACUUM, checkpoint). It may take long.
+    /// Errors: wrongUse while a source is live.
     template <class F> auto runMaintenance(F job) -> std::invoke_result_t<F, WriteContext&> {
         if (onWriterThread() || hasSources()) {
             return core::fail(core::ErrorCode::wrongUse, "storage upkeep waits until no session is running");
@@ -54,10 +56,11 @@ public:
     }
 
     void addSource(IDrainable& source);
-    /// Drains once more, forgets the source, returns the error of that last drain. After this it may be
-    /// destroyed.
+    /// Drains once more, removes the source and returns the error of that last drain. Afterwards the source
+    /// may be destroyed.
     core::Result<void> removeSource(IDrainable& source);
-    /// Drains every source now and waits: as-fast-as-possible sessions call it before their ring is full.
+    /// Drains every source now and waits. Sessions that run faster than real time call it before their ring
+    /// is full.
     core::Result<void> flush();
     bool onWriterThread() const noexcept { return std::this_thread::get_id() == m_thread.get_id(); }
     bool hasSources() const;
@@ -87,7 +90,7 @@ private:
     mutable std::mutex m_mutex;
     std::condition_variable m_wake;
     std::deque<std::unique_ptr<IWriterJob>> m_jobs;
-    std::vector<Source> m_sources; ///< touched by the writer thread only, counted under the mutex
+    std::vector<Source> m_sources; ///< used only by the writer thread; counted under the mutex
     std::size_t m_sourceCount = 0;
     bool m_stop = false;
     std::thread m_thread;

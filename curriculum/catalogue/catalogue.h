@@ -13,13 +13,13 @@
 
 namespace chiron::catalogue {
 
-/// Everything in curriculum/content, checked against its schema and against what the code knows.
-///
-/// Failure (badInput): `file:line:column: $.json.path: value: expected ...`, one line for each fault found.
-/// Thread: load on any thread; afterwards read-only.
+/// Holds everything in curriculum/content, checked against its schemas and against what the code knows.
+/// Thread: load on any thread; read-only afterwards.
+/// Errors: badInput, one line `file:line:column: $.json.path: value: expected ...` for each fault found.
 class Catalogue {
 public:
-    /// Reads `directory` (with exercises/ and schema/ in it), whose texts may be in `languages`, English first.
+    /// Reads `directory`, which contains exercises/ and schema/. `languages` lists the languages that the
+    /// texts may be in, English first.
     static core::Result<Catalogue> load(const std::string& directory, const std::vector<std::string>& languages = core::languageIds());
 
     const std::vector<Exercise>& exercises() const { return m_exercises; }
@@ -32,7 +32,8 @@ public:
     const ContentMesh* findMesh(std::string_view id) const;
     const ContentTissue* findTissue(std::string_view id) const;
     const std::string& directory() const { return m_directory; }
-    /// Texts of exercises, objects, meshes and tissues that a language lacks: no fault, English is shown.
+    /// Texts of exercises, objects, meshes and tissues that a language lacks. This is not a fault: English is
+    /// shown instead.
     const std::vector<MissingText>& missingTexts() const { return m_missingTexts; }
 
 private:
@@ -44,24 +45,32 @@ private:
     std::vector<MissingText> m_missingTexts;
 };
 
-/// The content folder: `explicitDirectory` if not empty, else the environment's CHIRON_CONTENT, else the
-/// installed share folder, else the source tree. Failure: notFound, naming every place looked at.
+/// Returns the content folder: `explicitDirectory` if it is not empty, else CHIRON_CONTENT from the
+/// environment, else the installed share folder, else the source tree.
+/// Errors: notFound, naming every place that was searched.
 core::Result<std::string> findContentDirectory(const std::string& explicitDirectory = {});
 
-/// A level from the canonical JSON that a session stored. Reads no file: editing a level later changes no old
-/// score and no old replay. The result's resolvedJson and resolvedSha256 are those of the bytes given. Types
-/// are checked, ranges not: today's schema must not refuse yesterday's session. A parameter made since then
-/// is absent and leaves the struct's default. Failure (badInput): not JSON, another format number, an unknown
-/// parameter (a newer program's), or a key missing or of the wrong type, with its path. Thread: any.
+/// Reads a level from the canonical JSON that a session stored. It reads no file, so that editing a level
+/// later changes no old score and no old replay. The result's resolvedJson and resolvedSha256 are those of
+/// the bytes given. Types are checked but ranges are not, because today's schema must not refuse yesterday's
+/// session. A parameter that was added since then is absent and keeps the struct's default.
+/// Thread: any.
+/// Errors: badInput, with the path: not JSON, another format number, an unknown parameter (from a newer
+/// program), or a key that is missing or has the wrong type.
 core::Result<ExerciseLevel> fromResolvedJson(std::string_view json);
 
-/// The level with no more than so many trials (at least 1): to be tried. Unchanged where it has no more, or has no trials to count. Failure:
-/// as fromResolvedJson. Thread: any.
+/// Returns the level with at most `most` trials (at least 1), for trying it out. A level that has no more
+/// trials than that, or no trials to count, is returned unchanged.
+/// Thread: any.
+/// Errors: as fromResolvedJson.
 core::Result<ExerciseLevel> withTrials(const ExerciseLevel& level, int most);
 
-/// The task's digest: SHA-256 (lower-case hex) of a level's canonical JSON without its titles and other texts. Two levels with the same one feel
-/// the same and are judged alike, whatever their texts say in whichever languages. `resolvedJson` may be of any version, for a session stores its
-/// own: what was stored when texts stood in the level files has the task's digest of today's files. Empty: not the JSON of a level. Thread: any.
+/// Returns the digest of the task: the SHA-256 (lower-case hex) of a level's canonical JSON without its
+/// titles and other texts. Two levels with the same digest feel the same and are judged alike, whatever their
+/// texts say in any language. `resolvedJson` may be of any version, because a session stores its own: JSON
+/// that was stored while the level files still held the texts has the same task digest as today's files. The
+/// result is empty if `resolvedJson` is not the JSON of a level.
+/// Thread: any.
 std::string taskSha256(std::string_view resolvedJson);
 
 } // namespace chiron::catalogue

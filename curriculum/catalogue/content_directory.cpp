@@ -10,7 +10,7 @@ namespace chiron::catalogue {
 
 namespace {
 
-/// `share/chiron/content` beside the program's own prefix first, then in the system's data folders.
+/// Looks for `share/chiron/content` under the program's own prefix first, then in the system's data folders.
 QStringList installedPlaces() {
     QStringList places;
     if (QCoreApplication::instance() != nullptr)
@@ -29,7 +29,7 @@ bool isContent(const QString& folder) {
 core::Result<std::string> findContentDirectory(const std::string& explicitDirectory) {
     QStringList places;
     if (!explicitDirectory.empty()) {
-        places << QString::fromStdString(explicitDirectory); // asked for: no other will do
+        places << QString::fromStdString(explicitDirectory); // explicitly requested: use no other
     } else if (qEnvironmentVariableIsSet("CHIRON_CONTENT")) {
         places << qEnvironmentVariable("CHIRON_CONTENT");
     } else {

@@ -37,7 +37,7 @@ void checkName(const QJsonObject& json, const QString& expected, Problems& probl
                             QStringLiteral("the name of its file or folder, %1").arg(quoted(expected))});
 }
 
-/// The parameter that names a preset.
+/// Returns the name of the parameter that names a preset.
 QString presetKeyOf(const ExerciseContent& content) {
     return QString::fromUtf8(content.presetKey.data(), static_cast<qsizetype>(content.presetKey.size()));
 }
@@ -197,7 +197,8 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
         reader.eachObject("legend", [&](const ObjectReader& entry) { out.legend.push_back({entry.text("mark"), entry.translated("text")}); });
     if (!problems.empty())
         return tl::unexpected(json->error(problems));
-    QJsonObject stored = resolved; // with a session; words about it are not part of what was done
+    QJsonObject stored = resolved; // as stored with a session, without advice and legend: they are not part
+                                   // of what was done
     stored.remove(QStringLiteral("advice"));
     stored.remove(QStringLiteral("legend"));
     if (auto presets = checkPresets(folder + "/presets", *content, *texts); !presets)

@@ -25,13 +25,13 @@ QString languagesOf(const std::vector<std::string>& languages, std::size_t from)
 
 bool isText(const Schema& schema) { return schema.translated; }
 
-/// Whether a value of this schema has a text to be translated in it.
+/// Returns whether a value of this schema contains a text to be translated.
 bool hasTexts(const Schema& schema) {
     return isText(schema) || (schema.items && hasTexts(*schema.items)) ||
            std::any_of(schema.properties.begin(), schema.properties.end(), [](const auto& property) { return hasTexts(*property.second); });
 }
 
-/// The member by which an element of a list is known, whatever its place in the list.
+/// Returns the member that identifies an element of a list independently of its position.
 QString nameKey(const Schema& element) {
     for (const char* key : {"id", "metric", "mark"})
         if (element.properties.contains(QLatin1String(key)))
@@ -47,7 +47,7 @@ QString kindOf(const QJsonValue& value) {
     return value.isString() ? quoted(value.toString()) : QStringLiteral("another type");
 }
 
-/// A text by language, whichever way it was written.
+/// Returns a text as an object by language, whichever way it was written.
 QJsonValue byLanguage(const QJsonValue& value) { return value.isString() ? QJsonValue(QJsonObject{{kSource, value}}) : value; }
 
 } // namespace
@@ -120,7 +120,7 @@ QJsonValue ContentTexts::laidOver(const QJsonValue& value, const Schema& schema,
         }
         validated(given, schema, path, file.problems);
         if (!value.isString() && !value.isObject())
-            return value; // no text at all: told of the content file
+            return value; // not a text at all: reported for the content file
         QJsonObject texts = byLanguage(value).toObject();
         const QString language = QString::fromStdString(file.language);
         if (texts.contains(language))

@@ -16,49 +16,57 @@
 
 namespace chiron::catalogue {
 
-/// A text that a language lacks. English is shown in its place.
+/// A text that a language lacks, so that English is shown in its place.
 struct MissingText {
     std::string language;
-    std::string file; ///< of the content, which has the text in English
-    std::string path; ///< JSON path in it
+    std::string file; ///< content file that has the text in English
+    std::string path; ///< JSON path in that file
 
     bool operator==(const MissingText&) const = default;
 };
 
-/// The translations of one folder of content: `texts/<language>.json` beside the files that have the texts in English.
+/// The translations of one folder of content: `texts/<language>.json` beside the files that hold the texts in
+/// English.
 ///
-/// A language's file has the keys of the content: an object's text stands under the same key, that of an element of a list under the element's id
-/// (metric, mark), and a list of texts is a list again. Content files may also have a text in all languages themselves, `{"en": ..., "de": ...}`:
-/// that is how they were written before there were files of languages.
+/// A language file has the same keys as the content. The text of an object stands under the same key; the
+/// text of an element of a list stands under the element's id (metric, mark); a list of texts is again a
+/// list. A content file may also hold a text in all languages itself, `{"en": ..., "de": ...}`, which is how
+/// texts were written before there were language files.
 ///
-/// Read the folder, lay() the translations over each of its documents, and finish(): what is wrong with the language files is told there, with
-/// file and place.
+/// Call read() for the folder, laid() for each of its documents, and then finish(), which reports what is
+/// wrong with the language files, with file and place.
 class ContentTexts {
 public:
     ContentTexts() = default;
 
-    /// `languages` of the content, English first. A folder without texts/ has no translations. Failure (badInput, notFound): a file of a language
-    /// that is not on the list, or of English, whose place is the content; not JSON.
+    /// Reads the language files of `folder`. `languages` lists the languages of the content, English first. A
+    /// folder without texts/ has no translations.
+    /// Errors: badInput or notFound: a file of a language that is not on the list; a file for English, whose
+    /// texts belong in the content itself; not JSON.
     static core::Result<ContentTexts> read(const QString& folder, const std::vector<std::string>& languages);
 
-    /// Content's schema of this name, for laid(): it says which keys are texts. None where the folder has no translations, so that nothing is to be
-    /// laid over its documents. Failure: as readSchema().
+    /// Returns the content's schema of this name, for use with laid(): it says which keys are texts. Returns
+    /// none if the folder has no translations, because then there is nothing to lay over its documents.
+    /// Errors: as readSchema().
     core::Result<std::optional<Schema>> schemaOfTexts(const QString& contentDirectory, const QString& name) const;
 
-    /// `document`, a part of the content file `file` at `path` in it, with each of its texts as an object by language. Its translations stand in
-    /// the language files below the keys `place`: {"levels", "bend"}. What is wrong with the document itself goes to `problems`.
+    /// Returns `document`, which is the part of the content file `file` at `path`, with each of its texts
+    /// turned into an object by language. Its translations stand in the language files below the keys
+    /// `place`, for example {"levels", "bend"}. Faults of the document itself are added to `problems`.
     QJsonObject laid(const QJsonObject& document, const Schema& schema, const QStringList& place, const QString& file, const QString& path,
                      Problems& problems);
 
-    /// Failure (badInput): every text that is for nothing, is given twice, or is no text, and every entry below which nothing was laid.
+    /// Errors: badInput for every text that belongs to nothing, is given twice or is not a text, and for
+    /// every entry below which nothing was laid over a document.
     core::Result<void> finish();
 
     const std::vector<MissingText>& missing() const { return m_missing; }
-    /// SHA-256 of the texts in each language that has any, lower-case hex. Says nothing of the form they were written in.
+    /// Returns the SHA-256 (lower-case hex) of the texts in each language that has any. It does not depend on
+    /// the form in which the texts were written.
     std::map<std::string, std::string> digests() const;
 
 private:
-    /// The translations into one language, and what is wrong with them.
+    /// The translations into one language, and the faults found in them.
     struct File {
         std::string language;
         JsonFile json;
@@ -77,7 +85,7 @@ private:
 
     std::vector<std::string> m_languages = core::languageIds();
     std::vector<File> m_files;
-    std::set<QString> m_claimed; ///< places below which something was laid: "levels/bend"
+    std::set<QString> m_claimed; ///< places below which translations were laid: "levels/bend"
     std::vector<MissingText> m_missing;
     std::map<std::string, QJsonObject> m_texts; ///< by language: place and path → text
 };

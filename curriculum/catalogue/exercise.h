@@ -12,10 +12,10 @@
 
 namespace chiron::catalogue {
 
-/// A text in the languages the content has ("en" always), UTF-8.
+/// A text by language ("en" is always present), UTF-8.
 using Translated = std::map<std::string, std::string>;
 
-/// The text in `language` ("de", "el", ...), else in English.
+/// Returns the text in `language` ("de", "el", ...) or, if it is missing, in English.
 const std::string& textIn(const Translated& text, const std::string& language);
 
 using core::ExerciseParameters;
@@ -25,8 +25,8 @@ struct MetricChoice {
     int version = 1;
 };
 
-/// How a level that needs a device with force is offered on one without: the force is shown, not felt, by
-/// these cues, and its scores are a series of their own.
+/// How a level that needs a device with force is offered on a device without it: these cues show the force
+/// instead of rendering it, and the scores form a series of their own.
 struct ShownForceVariant {
     std::vector<std::string> cues;
     Translated note;
@@ -40,30 +40,32 @@ struct ExerciseLevel {
     Translated objective;
     Translated measured; ///< what is measured, in words
     std::vector<std::string>
-        cues;                ///< object, tool, arrow, bars, numbers, plots, sound, coverage: all else is off
-    bool feedback = false;   ///< after an answer the scene tells how good it was: for training, not for assessment
+        cues;                ///< which of object, tool, arrow, bars, numbers, plots, sound, coverage are on
+    bool feedback = false;   ///< after an answer the scene shows how good it was: for training, not for
+                             ///< assessment
     bool needsForce = false; ///< no visible object: needs a device that renders force
     std::optional<ShownForceVariant> shownForce;
     ExerciseParameters parameters;
-    /// How the base of each instrument's device stands, in the order of the instruments, beside where the exercise puts it; those left out
-    /// stand there. A person or a command line may mount them otherwise.
+    /// Where the base of each instrument's device stands relative to where the exercise puts it, in the order
+    /// of the instruments. Instruments that are left out stand where the exercise puts them. A person or a
+    /// command line may mount them differently.
     std::vector<core::BaseMounting> mounting;
-    std::vector<MetricChoice> metrics; ///< in the order shown
+    std::vector<MetricChoice> metrics; ///< in display order
     std::vector<scoring::Gate> gates;
     std::string exercise; ///< id of the exercise
     int exerciseVersion = 1;
     std::string
         resolvedJson; ///< canonical JSON of the level with every default filled in: what a session stores
-    std::string resolvedSha256; ///< of those bytes, lower-case hex
+    std::string resolvedSha256; ///< SHA-256 of resolvedJson, lower-case hex
 };
 
-/// What something drawn in the scene means.
+/// Explains something that is drawn in the scene.
 struct LegendLine {
-    std::string mark; ///< which one; told on levels whose scene may draw it
+    std::string mark; ///< which drawn mark; explained on levels whose scene may draw it
     Translated text;
 };
 
-/// What to do otherwise when a metric's gate did not hold.
+/// What to do differently if the gate of a metric was not met.
 struct Advice {
     std::string metric;
     Translated text;
@@ -76,10 +78,13 @@ struct Exercise {
     int version = 1;
     Translated title;
     Translated objective;
-    std::vector<Advice> advice; ///< as written: what causes other misses comes before them; each metric once, may lack some
-    std::vector<LegendLine> legend; ///< in the order told
+    /// In the order written: advice on a cause of other misses comes before advice on those misses. Each
+    /// metric occurs at most once; some may have no advice.
+    std::vector<Advice> advice;
+    std::vector<LegendLine> legend; ///< in display order
     std::vector<ExerciseLevel> levels; ///< by number, 1..n without a gap
-    std::map<std::string, std::string> textsSha256; ///< by language: SHA-256 of its texts and those of its levels and presets, lower-case hex
+    /// By language: SHA-256 of the texts of the exercise, its levels and its presets, lower-case hex.
+    std::map<std::string, std::string> textsSha256;
 };
 
 } // namespace chiron::catalogue

@@ -23,14 +23,15 @@ int toolsOf(const ExerciseParameters& parameters) {
 } // namespace
 
 std::span<const ExerciseContent> exerciseContents() {
-    // One line an exercise, in the order in which people are shown them.
+    // One line per exercise, in the order in which people see them.
     static constexpr auto kContents = std::to_array<ExerciseContent>({
         {"sphere_apex", "sphere_apex_parameters", readSphereApex, checkSphereApex},
         {"urethra_insertion", "urethra_insertion_parameters", readUrethraInsertion, checkUrethraInsertion, "tissue"},
         {"elastic_tube", "elastic_tube_parameters", readElasticTube, checkElasticTube, "", toolsOf<simulation::ElasticTubeParameters>},
         {"object_handling", "object_handling_parameters", readObjectHandling, checkObjectHandling, "", toolsOf<simulation::ObjectHandlingParameters>},
         {"palpation", "palpation_parameters", readPalpation, checkPalpation, "", toolsOf<simulation::PalpationParameters>},
-        {"comparison", "comparison_parameters", readComparison, checkComparison}, // studies: no file of content has one
+        // Used by studies: no content file has such an exercise.
+        {"comparison", "comparison_parameters", readComparison, checkComparison},
     });
     return kContents;
 }

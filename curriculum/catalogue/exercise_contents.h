@@ -9,19 +9,22 @@
 
 namespace chiron::catalogue {
 
-/// How the content of an exercise is read: which schema its levels' parameters follow and how they become a struct.
+/// Describes how the content of an exercise is read: which schema its levels' parameters follow and how they
+/// become a struct.
 struct ExerciseContent {
     std::string_view id;
     std::string_view parametersSchema; ///< file in content/schema, without .json
-    /// From the level's `parameters` with every default filled in. A key that is not there (content stored
-    /// before the key was made) leaves the struct's own default, which must mean what the code did before.
+    /// Reads the level's `parameters`, with every default filled in. A key that is absent (the content was
+    /// stored before the key existed) keeps the struct's own default, which must mean what the code did
+    /// before.
     ExerciseParameters (*read)(const ObjectReader& parameters, const std::vector<std::string>& cues);
-    /// What no single key's range can say.
+    /// Checks what the range of a single key cannot express.
     void (*check)(const ExerciseParameters& parameters, const QString& path, Problems& problems);
-    /// The parameter that names a preset of the exercise (exercises/<id>/presets/<name>.json), whose parameters hold where the
-    /// level gives none of its own; "" where it has none.
+    /// The parameter that names a preset of the exercise (exercises/<id>/presets/<name>.json). The preset's
+    /// parameters apply where the level gives none of its own. "" if the exercise has no presets.
     std::string_view presetKey = "";
-    /// How many instruments a level may say the mounting of: those of an exercise whose hands know where their device stands; null: none.
+    /// Returns for how many instruments a level may state the mounting. It is set for exercises whose
+    /// scripted operators distinguish the device's frame D from W; null means none.
     int (*mountable)(const ExerciseParameters& parameters) = nullptr;
 };
 

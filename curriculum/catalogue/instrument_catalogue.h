@@ -10,16 +10,20 @@
 
 namespace chiron::catalogue {
 
-/// A questionnaire that others have published, as it is put into a study.
+/// A published questionnaire in the form in which it is put into a study.
 struct Instrument {
     psychophysics::Questionnaire questionnaire; ///< its id is the file's name
-    std::string source;     ///< whom to cite
-    std::string permission; ///< why its words may be used, and which of them are the program's own
+    std::string source;     ///< the publication to cite
+    std::string permission; ///< why its wording may be used, and which parts of the wording are the program's
+                            ///< own
 };
 
-/// The instruments that come with the program (content/instruments/*.json), by name of file; the enrolment fields among them. From this
-/// content folder, or (empty) the one that findContentDirectory() finds; a folder without instruments has none. Their texts are in `languages`,
-/// English first; one that a language lacks is shown in English. Any thread. Failure: notFound, badInput with every fault.
+/// Loads the instruments that come with the program (content/instruments/*.json), ordered by file name and
+/// including the enrolment fields. They come from `contentDirectory` or, if it is empty, from the folder that
+/// findContentDirectory() finds. A folder without instruments yields none. `languages` lists the languages of
+/// the texts, English first; a text that a language lacks is shown in English.
+/// Thread: any.
+/// Errors: notFound; badInput naming every fault.
 core::Result<std::vector<Instrument>> loadInstruments(const std::string& contentDirectory = {},
                                                       const std::vector<std::string>& languages = core::languageIds());
 

@@ -30,19 +30,20 @@ bool isUtf8(const QByteArray& bytes, QStringDecoder::Flag flag) {
     return !decoder.hasError();
 }
 
-/// Offset of the first byte that is no UTF-8, or -1.
+/// Returns the offset of the first byte that is not valid UTF-8, or -1.
 qsizetype firstBadByte(const QByteArray& bytes) {
     if (isUtf8(bytes, QStringDecoder::Flag::Stateless))
         return -1;
     qsizetype good =
-        0; // bisect: prefixes are good up to the fault; a sequence cut by the prefix's end is no fault
+        0; // bisection: every prefix is valid up to the fault; a sequence that the prefix's end cuts is not a
+           // fault
     qsizetype bad = bytes.size() + 1;
     while (bad - good > 1) {
         const qsizetype middle = (good + bad) / 2;
         (isUtf8(bytes.left(middle), QStringDecoder::Flag::Default) ? good : bad) = middle;
     }
     while (good > 0 && !isUtf8(bytes.left(good), QStringDecoder::Flag::Stateless))
-        --good; // back to the start of the sequence that goes wrong
+        --good; // back to the start of the invalid sequence
     return good;
 }
 

@@ -11,24 +11,27 @@
 
 namespace chiron::catalogue {
 
-/// A JSON file of the content: parsed strictly, with the place of every value, so that faults found later can
-/// name line and column.
+/// A strictly parsed JSON file of the content. It remembers the place of every value, so that faults found
+/// later can name line and column.
 ///
-/// Strict beyond Qt's parser: UTF-8 only, an object at the top, no key twice in one object, numbers and
-/// escapes of RFC 8259 only, at most 16 levels deep and 1 MiB long (more where a caller says so).
+/// It is stricter than Qt's parser: UTF-8 only, an object at the top, no key twice in one object, only
+/// numbers and escapes of RFC 8259, at most 16 levels deep and at most 1 MiB long (more if the caller says
+/// so).
 class JsonFile {
 public:
-    /// Failure (notFound, badInput): `file:line:column: ...: expected ...`.
+    /// Errors: notFound; badInput as `file:line:column: ...: expected ...`.
     static core::Result<JsonFile> read(const QString& path, qsizetype mebibytes = 1);
     static core::Result<JsonFile> parse(const QByteArray& bytes, const QString& name, qsizetype mebibytes = 1);
-    /// So large is a mesh of as many vertices and triangles as content may hold (simulation::kMostStoredTriangles), or a level with one.
+    /// Size limit for a mesh with as many vertices and triangles as content may hold
+    /// (simulation::kMostStoredTriangles), or for a level with such a mesh.
     static constexpr qsizetype kMeshMebibytes = 8;
 
     const QJsonObject& root() const { return m_root; }
     const QString& name() const { return m_name; }
 
-    /// All problems as one Error, a line each (at most 20): `file:line:column: $.path: found: expected ...`.
-    /// The place of something missing is that of what should hold it.
+    /// Returns all problems as one Error, one line per problem (at most 20): `file:line:column: $.path:
+    /// found: expected ...`. The place of something missing is that of the object or array that should hold
+    /// it.
     core::Error error(const Problems& problems) const;
 
 private:

@@ -12,7 +12,7 @@ bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// RFC 8259's number: -? (0 | [1-9][0-9]*) (\\. [0-9]+)? ([eE] [+-]? [0-9]+)?
+/// Number of RFC 8259: -? (0 | [1-9][0-9]*) (\\. [0-9]+)? ([eE] [+-]? [0-9]+)?
 bool isNumber(const QByteArray& text) {
     qsizetype i = text.startsWith('-') ? 1 : 0;
     const auto digits = [&] {
@@ -99,7 +99,7 @@ void JsonScanner::object(const QString& path, int depth) {
         if (at(','))
             ++m_pos;
         skipSpace();
-        if (m_pos == keyAt) // not JSON after all: never stand still
+        if (m_pos == keyAt) // the text is not JSON after all: always advance
             ++m_pos;
     }
     ++m_pos;
@@ -135,7 +135,7 @@ QString JsonScanner::string(const QString& path) {
                 {path, QStringLiteral("an unknown escape"), QStringLiteral("an escape of JSON")});
         ++m_pos;
     }
-    m_pos = qMin(m_pos + 1, m_text.size()); // Qt has refused a text without its end
+    m_pos = qMin(m_pos + 1, m_text.size()); // Qt has already refused unterminated strings
     const QByteArray text = m_text.mid(start, m_pos - start);
     if (!escaped)
         return QString::fromUtf8(text.mid(1, text.size() - 2));

@@ -10,9 +10,9 @@
 
 namespace chiron::catalogue {
 
-/// Finds where in a JSON text each value is, and what QJsonDocument lets pass: keys given twice, deep
-/// nesting, numbers such as .5, 1. or 01 and escapes that JSON has not.
-/// For text that QJsonDocument has accepted already; stays inside the text whatever it holds.
+/// Finds the place of every value in a JSON text, and the faults that QJsonDocument accepts: keys given
+/// twice, deep nesting, numbers such as .5, 1. or 01, and escapes that JSON does not have. It is meant for
+/// text that QJsonDocument has already accepted, but never reads outside the text, whatever that holds.
 class JsonScanner {
 public:
     static constexpr int kDeepest = 16;
@@ -40,7 +40,7 @@ private:
     Problems m_problems;
 };
 
-/// 1-based line and column (in bytes) of an offset.
+/// The line and column of an offset, both counted from 1. The column counts bytes.
 struct TextPlace {
     qsizetype line = 1;
     qsizetype column = 1;

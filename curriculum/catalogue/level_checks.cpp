@@ -71,7 +71,8 @@ void checkGates(const ExerciseLevel& level, const QJsonArray& json, Problems& pr
     }
 }
 
-/// Hands that take the device's frame for the field cannot be mounted anywhere else.
+/// Checks the mounting. If the scripted operators of an exercise take the device's frame D for W, its devices
+/// cannot be mounted anywhere else.
 void checkMounting(const ExerciseLevel& level, Problems& problems) {
     if (level.mounting.empty())
         return;

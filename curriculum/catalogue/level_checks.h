@@ -8,9 +8,10 @@ class QJsonObject;
 
 namespace chiron::catalogue {
 
-/// What a level of any exercise must keep beyond its keys' ranges: metrics that exist, gates on the level's
-/// own metrics in their units, force where nothing is seen, a shown-force variant only there. Paths are those
-/// of the level's file.
+/// Checks the rules for a level of any exercise that the ranges of its keys cannot express: every metric
+/// exists, gates use the level's own metrics in their units, a level that does not show the object needs
+/// force, and only such a level may have a shown-force variant. Paths in `problems` are those of the level's
+/// file.
 void checkLevel(const ExerciseLevel& level, const QJsonObject& json, Problems& problems);
 
 } // namespace chiron::catalogue

@@ -27,7 +27,8 @@ constexpr Key kKeys[] = {
     {"bump_height_mm", &MeshSource::bumpHeight_m},      {"bump_wavelength_mm", &MeshSource::bumpWavelength_m},
 };
 
-constexpr std::array<const char*, 4> kShapes{"none", "dome", "ellipsoid", "stored"}; ///< in MeshSource::Shape's order
+/// In the order of MeshSource::Shape.
+constexpr std::array<const char*, 4> kShapes{"none", "dome", "ellipsoid", "stored"};
 
 void readShape(const ObjectReader& json, MeshSource& out) {
     const QString name = QString::fromStdString(json.text("shape"));
@@ -65,14 +66,15 @@ template <class Whole> void readWholes(const ObjectReader& json, const char* key
 
 namespace {
 
-/// What an import puts right without changing the surface; anything else it would have to change is refused here.
+/// Returns whether an import repairs this problem without changing the surface. Anything else that it would
+/// have to change is refused here.
 bool isHarmless(simulation::MeshProblem problem) {
     using simulation::MeshProblem;
     return problem == MeshProblem::duplicateVertices || problem == MeshProblem::unusedVertices ||
            problem == MeshProblem::nonManifoldVertex || problem == MeshProblem::severalShells;
 }
 
-/// The triangles as a surface: closed, one way round, each with an area.
+/// Checks that the triangles form a surface: closed, consistently oriented, each with an area.
 void checkSurface(const MeshSource& mesh, const QString& path, Problems& problems) {
     const QString at = memberPath(path, "triangles");
     const auto shape = simulation::makeMeshShape(mesh);

@@ -20,12 +20,12 @@ Problem unknownName(const QString& path, const QString& name, const std::map<QSt
 
 } // namespace
 
-/// One kind of thing that has a name in content.
+/// Describes one type of content that parameters can name.
 struct NamedContent::Kind {
-    const char* key;           ///< by which parameters name it, and its file's schema
-    const char* folder;        ///< of content
-    const char* member;        ///< of its file: where its numbers stand
-    const char* contentSchema; ///< of those
+    const char* key;           ///< with which parameters name it; also the name of its file's schema
+    const char* folder;        ///< in the content folder
+    const char* member;        ///< member of its file that holds the numbers
+    const char* contentSchema; ///< schema of those numbers
 };
 
 core::Result<NamedContent> NamedContent::read(const QString& directory, const std::vector<std::string>& languages) {
@@ -116,12 +116,13 @@ QJsonObject NamedContent::filledIn(const QJsonObject& parameters, const Schema& 
             else
                 at = memberPath(at, key);
             if (!given.isObject() || !given.toObject()[key].isString())
-                continue; // left out, refused by its own schema, or all numbers its own
+                continue; // left out, refused by its own schema, or entirely its own numbers
             const QString name = given.toObject()[key].toString();
             const auto found = named.find(name);
             if (found == named.end()) {
                 problems.push_back(unknownName(at, name, named));
-                out[member] = QJsonObject{{key, QStringLiteral("unknown")}}; // told once, not again by its schema
+                out[member] = QJsonObject{{key, QStringLiteral("unknown")}}; // reported once, not again by
+                                                                             // its schema
                 continue;
             }
             QJsonObject full = found->second;

@@ -14,16 +14,18 @@
 
 namespace chiron::catalogue {
 
-/// What parameters may name: the objects of content/objects, the meshes of content/meshes and the tissues of content/tissues, read
-/// once, each checked in its own file. A folder that is not there has none.
+/// The content that parameters may name: the objects of content/objects, the meshes of content/meshes and the
+/// tissues of content/tissues. Each file is read once and checked by itself. A missing folder counts as
+/// empty.
 class NamedContent {
 public:
-    /// Failure (badInput): a fault in one of the files, with its place.
+    /// Errors: badInput for a fault in one of the files, with its place.
     static core::Result<NamedContent> read(const QString& directory, const std::vector<std::string>& languages = core::languageIds());
 
-    /// `parameters` with every one of them filled in: a member whose schema has a key "object" ("mesh", "tissue"), given as a
-    /// name or as an object with that key, becomes the named one's numbers with the given ones over them. A member that is not
-    /// given takes its schema's default, and is filled in alike. Paths of problems are below `path`.
+    /// Returns `parameters` with every named item filled in. A member whose schema has a key "object"
+    /// ("mesh", "tissue") may be given as a name or as an object with that key; it becomes the numbers of the
+    /// named item, overridden by the numbers given. A member that is not given takes its schema's default,
+    /// which is filled in the same way. Paths in `problems` are below `path`.
     QJsonObject filledIn(const QJsonObject& parameters, const Schema& schema, const QString& path, Problems& problems) const;
 
     const std::vector<ContentObject>& objects() const { return m_objects; }
@@ -32,7 +34,7 @@ public:
     const std::vector<MissingText>& missing() const { return m_missing; }
 
 private:
-    struct Kind; ///< objects, meshes or tissues: folder, schemas, keys
+    struct Kind; ///< describes objects, meshes or tissues: folder, schemas, keys
     using Named = std::map<QString, QJsonObject>;
 
     core::Result<void> readFolder(const QString& directory, const std::vector<std::string>& languages, const Kind& kind);

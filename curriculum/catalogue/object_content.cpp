@@ -14,7 +14,7 @@ using Object = simulation::ObjectAttributes;
 struct Key {
     const char* name;
     double Object::*member;
-    double perUnit; ///< content's units in one SI unit
+    double perUnit; ///< content units per SI unit
 };
 
 constexpr double kMm = 1e3;
@@ -35,7 +35,7 @@ constexpr Key kKeys[] = {
     {"damping_N_s_per_m", &Object::damping_Ns_per_m, 1.0},
 };
 
-/// Steepest slope that a micro-height may have, root mean square: about a third, so that d + h stays a surface.
+/// Largest root mean square slope that roughness may have: about a third, so that d + h stays a surface.
 constexpr double kSteepest = 0.35;
 
 } // namespace
@@ -60,7 +60,7 @@ void checkObject(const Object& object, const QString& path, Problems& problems) 
     if ((object.recoveryShare > 0.0) != (object.recoveryTime_s > 0.0))
         problems.push_back({memberPath(path, "recovery_share"), QString::number(object.recoveryShare),
                             QStringLiteral("above 0 together with recovery_s, or both 0")});
-    // rms slope of plane waves of one wavelength in all directions, along one of them: 2π rms/(√3 λ)
+    // RMS slope along one direction of plane waves of one wavelength in all directions: 2π rms/(√3 λ)
     const double slope =
         2.0 * core::kPi / std::sqrt(3.0) * object.roughness_m / object.roughnessWavelength_m;
     if (slope > kSteepest)

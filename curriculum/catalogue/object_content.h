@@ -23,22 +23,27 @@ struct ContentMesh {
     simulation::MeshSource mesh;
 };
 
-/// For a kind of exercise whose parameters hold an object: in its schema
+/// Reads an object from the parameters of an exercise. The exercise's schema declares the member as
 ///   "tube": {"$ref": "object_attributes.json", "default": {"object": "fallopian_tube"}, "description": "..."}
-/// in a level `"tube": "ovary"` or `"tube": {"object": "ovary", "friction": 0.1}`; in the resolved document all numbers stand
-/// there, so that an object edited later changes no stored session. This reads that resolved member: what is not there keeps
-/// the struct's default (content stored before the key was made), an unknown key is a problem. mm, g, µm there, SI here.
+/// and a level gives `"tube": "ovary"` or `"tube": {"object": "ovary", "friction": 0.1}`. The resolved
+/// document contains all the numbers, so that editing an object later changes no stored session. This
+/// function reads that resolved member. A key that is absent keeps the struct's default (the content was
+/// stored before the key existed); an unknown key is a problem.
+/// Unit: mm, g and µm in the JSON; SI in the result.
 simulation::ObjectAttributes readObject(const ObjectReader& json);
 
-/// What no single key's range can say: a share without a time constant or the other way round; a micro-height too steep for
-/// its wavelength. Whether a level needs a mass or a stiffness is its own check.
+/// Checks what the range of a single key cannot express: a recovery share without a time constant or the
+/// reverse, and roughness that is too steep for its wavelength. Whether a level needs a mass or a stiffness
+/// is for the level's own check.
 void checkObject(const simulation::ObjectAttributes& object, const QString& path, Problems& problems);
 
-/// The same for a mesh: `"$ref": "mesh_source.json"`, `"default": {"mesh": "dome"}`; content/meshes.
+/// Reads a mesh (content/meshes) in the same way: `"$ref": "mesh_source.json"`, `"default": {"mesh":
+/// "dome"}`.
 simulation::MeshSource readMesh(const ObjectReader& json);
 
-/// stored: whole triples, indices of vertices that are there, and then a surface as importMesh() checks it (closed, one way
-/// round, each triangle with an area); others: no triangles of their own, bumps of four edges or more.
+/// Checks a mesh. A stored mesh must have whole triples and indices of vertices that exist, and then form a
+/// surface that importMesh() accepts (closed, consistently oriented, no triangle without area). Other shapes
+/// must have no triangles of their own, and bumps of at least four edge lengths.
 void checkMesh(const simulation::MeshSource& mesh, const QString& path, Problems& problems);
 
 } // namespace chiron::catalogue

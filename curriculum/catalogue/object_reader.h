@@ -10,8 +10,8 @@
 
 namespace chiron::catalogue {
 
-/// Typed members of a JSON object. What is missing or of another type is added to the problems and read as
-/// empty.
+/// Reads typed members of a JSON object. A member that is missing or has another type is added to the
+/// problems and read as empty.
 class ObjectReader {
 public:
     ObjectReader(const QJsonObject& object, QString path, Problems& problems)
@@ -39,7 +39,8 @@ private:
     Problems& m_problems;
 };
 
-/// Adds a problem for every member of `json` that is not `known`; `what` the known ones are: "a parameter of ...".
+/// Adds a problem for every member of `json` that is not in `known`. `what` describes the known keys in the
+/// message: "a parameter of ...".
 void refuseUnknownKeys(const ObjectReader& json, const std::vector<QString>& known, const QString& what);
 
 } // namespace chiron::catalogue

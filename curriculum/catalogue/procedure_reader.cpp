@@ -35,7 +35,7 @@ std::vector<double> numbersAt(const QJsonValue& value, const QString& path, Prob
     return numbers;
 }
 
-/// "values", or "from", "to" and "step".
+/// Reads a grid from "values", or from "from", "to" and "step".
 std::vector<double> gridOf(const ObjectReader& json) {
     for (const char* key : {"from", "to", "step"})
         if (json.has("values") && json.has(key))
@@ -56,7 +56,7 @@ std::vector<double> gridOf(const ObjectReader& json) {
     return values;
 }
 
-/// The value of one key, by the type of its row.
+/// Reads the value of one key with the type that its row has.
 class ValueReader {
 public:
     ValueReader(const ObjectReader& json, std::string_view key) : m_json(json), m_key(text(key)) {}
@@ -70,7 +70,8 @@ public:
 
     ParameterValue operator()(std::uint64_t before) const {
         const double value = m_json.number(m_key);
-        if (value >= 0.0 && value <= 9007199254740992.0 && value == std::floor(value)) // what a JSON number holds exactly
+        // A JSON number holds every integer up to 2^53 exactly.
+        if (value >= 0.0 && value <= 9007199254740992.0 && value == std::floor(value))
             return static_cast<std::uint64_t>(value);
         m_json.problems().push_back({path(), QString::number(value), QStringLiteral("a whole number from 0 to 2^53")});
         return before;
@@ -122,7 +123,7 @@ private:
     QString m_key;
 };
 
-/// A value in JSON.
+/// Writes a value to JSON.
 struct ValueWriter {
     QJsonValue operator()(double value) const { return value; }
     QJsonValue operator()(int value) const { return value; }
@@ -151,7 +152,7 @@ private:
     }
 };
 
-/// A value that says nothing: 0, false, an empty list.
+/// Returns the neutral value of the same type: 0, false, an empty list.
 ParameterValue nothingOf(const ParameterValue& value) {
     return std::visit([](const auto& of) -> ParameterValue { return std::decay_t<decltype(of)>{}; }, value);
 }
@@ -161,7 +162,8 @@ void readRow(const Parameter& row, const ObjectReader& json, ProcedureSpec& spec
         return;
     const ParameterValue value = std::visit(ValueReader(json, row.key), row.get(spec));
     row.set(spec, value);
-    if (const auto* word = std::get_if<std::string>(&value); word && std::get<std::string>(row.get(spec)) != *word) { // one that it cannot hold
+    // Not a word of this key.
+    if (const auto* word = std::get_if<std::string>(&value); word && std::get<std::string>(row.get(spec)) != *word) {
         QStringList words;
         for (const ParameterWord& each : row.words)
             words << text(each.word);
@@ -176,7 +178,7 @@ double numberOf(const ParameterValue& value) {
     return number ? *number : 0.0;
 }
 
-/// The rules that are given are the rules: nothing of the default stays beside them.
+/// Reads the stop rules. If any are given, they replace all the default ones.
 void readStopRules(const std::vector<Parameter>& rows, const ObjectReader& json, ProcedureSpec& spec) {
     std::vector<QString> known;
     for (const Parameter& row : rows) {
@@ -206,7 +208,7 @@ void readRows(const ProcedureKind& kind, const ObjectReader& json, ProcedureSpec
     for (const Parameter& row : kind.rows()) {
         const QString key = text(row.object.empty() ? row.key : row.object);
         if (std::find(known.begin(), known.end(), key) != known.end())
-            continue; // one of an object that was read
+            continue; // belongs to an object that has been read
         known.push_back(key);
         if (row.object.empty())
             readRow(row, json, spec);
@@ -246,7 +248,7 @@ core::Result<ProcedureSpec> readProcedure(const QByteArray& json, const std::str
         return tl::unexpected(parsed.error());
     Problems problems;
     ProcedureSpec spec = readProcedure(ObjectReader(parsed->root(), QStringLiteral("$"), problems));
-    if (problems.empty()) // what was read says more of a fault than a range does
+    if (problems.empty()) // a fault found while reading says more than a range does
         validated(parsed->root(), schema, QStringLiteral("$"), problems);
     if (!problems.empty())
         return tl::unexpected(parsed->error(problems));

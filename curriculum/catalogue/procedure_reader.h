@@ -12,16 +12,17 @@
 
 namespace chiron::catalogue {
 
-/// A procedure from its JSON object; content/schema/procedure.json says what each key means. Keys left out keep the defaults of
-/// procedure_spec.h. A missing or wrong value, a key that its kind does not know, and what the procedure itself refuses are added to
-/// the problems.
+/// Reads a procedure from its JSON object; content/schema/procedure.json says what each key means. Keys that
+/// are left out keep the defaults of procedure_spec.h. A missing or wrong value, a key that its kind does not
+/// know, and anything that the procedure itself refuses are added to the problems.
 psychophysics::ProcedureSpec readProcedure(const ObjectReader& json);
 
-/// The same from a file of its own, which must also keep the limits of the schema (procedure.json; a frozen study is read without any).
-/// Failure: badInput, every fault as `file:line:column: $.path: found: expected ...`.
+/// Reads a procedure from a file of its own, which must also keep the limits of the schema (procedure.json).
+/// A frozen study is read without those limits.
+/// Errors: badInput, naming every fault as `file:line:column: $.path: found: expected ...`.
 core::Result<psychophysics::ProcedureSpec> readProcedure(const QByteArray& json, const std::string& file, const Schema& schema);
 
-/// What readProcedure reads back to the same procedure: every key of its kind.
+/// Writes every key of the procedure's kind, so that readProcedure reads the same procedure back.
 QJsonObject writeProcedure(const psychophysics::ProcedureSpec& spec);
 
 } // namespace chiron::catalogue

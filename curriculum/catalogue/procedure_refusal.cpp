@@ -7,13 +7,14 @@ namespace chiron::catalogue {
 
 namespace {
 
-/// Where a refusal points to.
+/// The place that a refusal refers to.
 struct Refused {
     QString path;
-    QString rest; ///< of the message, behind the names of the path
+    QString rest; ///< of the message, after the names that form the path
 };
 
-/// The place behind "parameters: slope: prior: expected ...": the element of that name, and its member where it has one.
+/// Follows "parameters: slope: prior: expected ..." to the element of that name, and to its member if it has
+/// one.
 Refused inside(const QJsonValue& value, Refused at) {
     const QJsonArray array = value.toArray();
     for (qsizetype i = 0; i < array.size(); ++i) {
@@ -37,7 +38,7 @@ void addRefusal(const core::Error& error, const ObjectReader& json, const QJsonO
         for (const QString& word : message.section(": ", 0, 0).split(", "))
             if (key.isEmpty() && keys.contains(word))
                 key = word;
-    if (key.isEmpty()) // neither there nor with a default
+    if (key.isEmpty()) // neither present nor with a default
         key = message.section(": ", 0, 0).section(", ", 0, 0);
     const bool given = json.has(key);
     const QJsonValue value = given ? json.json().value(key) : withDefaults.value(key);
@@ -46,7 +47,8 @@ void addRefusal(const core::Error& error, const ObjectReader& json, const QJsonO
     if (value.isString() || value.isDouble())
         found = (value.isString() ? quoted(value.toString()) : QString::number(value.toDouble())) + (given ? "" : " by default");
     else if (const QString place = at.rest.section("expected ", 0, 0); given && place.endsWith(": "))
-        found = place.chopped(2); // where in a list or table, and what is there
+        found = place.chopped(2); // the message names the place in the list or table and the value found
+                                  // there
     json.problems().push_back({at.path, found, message.contains("expected ") ? message.section("expected ", -1) : message});
 }
 

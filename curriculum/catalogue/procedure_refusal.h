@@ -8,8 +8,9 @@
 
 namespace chiron::catalogue {
 
-/// What a procedure refuses ("start: expected ..."), as a problem at the first of the keys it names that is there, or has a default.
-/// `withDefaults`: the procedure with every key, as it was read.
+/// Adds the error with which a procedure refuses its parameters ("start: expected ...") as a problem, at the
+/// first key named in the message that is present in `json` or has a default. `withDefaults` is the procedure
+/// with every key, as it was read.
 void addRefusal(const core::Error& error, const ObjectReader& json, const QJsonObject& withDefaults);
 
 } // namespace chiron::catalogue

@@ -23,9 +23,10 @@ namespace {
 
 QString words(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
 
-/// A JSON value whose keys stay in the order in which they were added, as people read them.
+/// A JSON value whose keys keep the order in which they were added, which is the order in which people read
+/// them.
 struct Node {
-    QString scalar{};                              ///< as it is written; empty: an object or a list
+    QString scalar{};                              ///< as written; empty for an object or a list
     std::vector<std::pair<QString, Node>> members{};
     std::vector<Node> items{};
 
@@ -97,7 +98,7 @@ Node objectNode(const QString& description, Node properties, const char* require
 
 constexpr int kMostValues = 65536;
 
-/// A named grid, of a dimension of the stimulus or of a parameter.
+/// Describes a named grid of a dimension of the stimulus or of a parameter.
 Node gridNode(const QString& description, const QString& unit, bool withPrior) {
     constexpr double kSmallestStep = 1e-9;
     Node name = textNode(QStringLiteral("Of the dimension or parameter, as the function calls it."));
@@ -118,7 +119,7 @@ Node gridNode(const QString& description, const QString& unit, bool withPrior) {
     return objectNode(description, std::move(grid), "name");
 }
 
-/// What a value of this type may be, with the range of its row.
+/// Describes the values of this type with the range of the row.
 struct NodeOf {
     Parameter row;
     QString description;
@@ -149,7 +150,7 @@ private:
     Node listOf(Node items) const { return arrayNode(row.fewest, row.most, description, std::move(items)); }
 };
 
-/// A default as the schema says it; empty: nothing is said of it.
+/// Writes a default as the schema shows it; empty means that the schema does not mention it.
 struct DefaultOf {
     QString operator()(double value) const { return QString::number(value); }
     QString operator()(int value) const { return QString::number(value); }
@@ -165,7 +166,7 @@ struct DefaultOf {
     template <class Other> QString operator()(const Other&) const { return {}; }
 };
 
-/// One key, as one kind knows it.
+/// One key as one kind of procedure defines it.
 struct Known {
     const ProcedureKind* kind;
     const Parameter* row;
@@ -175,7 +176,8 @@ struct Known {
     }
 };
 
-/// "pest (default 0.75), quest (default 0.82): proportion right ...", for the kinds that say the same of a key.
+/// Returns "pest (default 0.75), quest (default 0.82): proportion right ..." for the kinds that describe a
+/// key in the same words.
 QString sentenceOf(const std::vector<Known>& alike) {
     const auto first = alike.front().byDefault();
     const bool oneDefault = std::all_of(alike.begin(), alike.end(), [&](const Known& each) { return each.byDefault() == first; });
@@ -203,7 +205,7 @@ QString descriptionOf(const std::vector<Known>& key) {
     return sentences.join(QLatin1Char(' '));
 }
 
-/// A rule of when to stop: with the kinds that heed it, unless all do.
+/// Describes a stop rule, with the kinds that apply it unless all of them do.
 QString ruleOf(const std::vector<Known>& key) {
     QStringList heeding;
     for (const Known& each : key)
@@ -216,7 +218,7 @@ QString ruleOf(const std::vector<Known>& key) {
     return rule;
 }
 
-/// The row that takes what any of them takes.
+/// Returns a row that accepts the union of what the kinds accept.
 Parameter widest(const std::vector<Known>& key) {
     Parameter row = *key.front().row;
     for (const Known& each : key) {
@@ -230,7 +232,8 @@ Parameter widest(const std::vector<Known>& key) {
 
 using Keys = std::vector<std::vector<Known>>;
 
-/// Every key of an object (empty: of the procedure) with the kinds that know it, in the order in which they first come.
+/// Returns every key of an object (empty: of the procedure) with the kinds that know it, in the order of
+/// first occurrence.
 Keys keysIn(std::string_view object) {
     Keys keys;
     for (const ProcedureKind* kind : procedureKinds())
@@ -250,7 +253,7 @@ Node nodeOf(const std::vector<Known>& key, const QString& description) {
     return std::visit(NodeOf{widest(key), description}, key.front().row->get(key.front().kind->defaults()));
 }
 
-/// "staircase trials 60; rank3_quest_plus trials 80, minimum_trials 20, sd 0.06".
+/// Returns "staircase trials 60; rank3_quest_plus trials 80, minimum_trials 20, sd 0.06".
 QString defaultRules(const Keys& keys) {
     QStringList kinds;
     for (const ProcedureKind* kind : procedureKinds()) {

@@ -5,8 +5,9 @@
 
 namespace chiron::catalogue {
 
-/// content/schema/procedure.json, made of the rows of all kinds of procedures: what each key means, its unit, range and default. A key that
-/// several kinds know takes what any of them takes.
+/// Returns content/schema/procedure.json, generated from the parameter rows of all kinds of procedures: the
+/// meaning, unit, range and default of each key. A key that several kinds share accepts the union of their
+/// ranges.
 QByteArray procedureSchema();
 
 } // namespace chiron::catalogue

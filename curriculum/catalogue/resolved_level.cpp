@@ -15,7 +15,7 @@ namespace chiron::catalogue {
 
 namespace {
 
-constexpr int kFormat = 1; ///< of the resolved document; raise it when a key changes its meaning
+constexpr int kFormat = 1; ///< format of the resolved document; raise it when a key changes its meaning
 
 void readMetricsAndGates(const ObjectReader& json, ExerciseLevel& level) {
     json.eachObject("metrics", [&](const ObjectReader& metric) {

@@ -8,15 +8,16 @@
 
 namespace chiron::catalogue {
 
-/// The document that a session stores: `format`, the exercise's id, version and texts, and the level, every
-/// default filled in.
+/// Returns the document that a session stores: `format`, the exercise's id, version and texts, and the level
+/// with every default filled in.
 QJsonObject resolvedDocument(const QJsonObject& exercise, const QJsonObject& level);
 
-/// The document of a level without its texts: what was felt and judged. Pure; for today's documents and for all that sessions have stored.
+/// Returns the document of a level without its texts, which leaves what was felt and judged. It depends on
+/// nothing else, and accepts today's documents and all that sessions have stored.
 QJsonObject withoutTexts(QJsonObject document);
 
-/// The one way from JSON to an ExerciseLevel, for today's files and for stored sessions alike. Paths in
-/// `problems` are those of the level's own object, from "$".
+/// Converts JSON to an ExerciseLevel. Today's files and stored sessions both use this one conversion. Paths
+/// in `problems` are those of the level's own object, from "$".
 ExerciseLevel levelFromResolved(const QJsonObject& document, Problems& problems);
 
 } // namespace chiron::catalogue

@@ -14,12 +14,12 @@
 
 namespace chiron::catalogue {
 
-/// What one value of a content file may be: a subset of JSON Schema (2020-12) with `unit` beside it.
-/// Keywords: type, title, description, unit, default, minimum, maximum, enum, format ("identifier", "translated",
-/// "translated_paragraphs"),
-/// minLength, maxLength, properties, required, items, minItems, maxItems, uniqueItems, $ref (a file of the
-/// same folder), $schema, $id. Objects are closed: a key that is not in `properties` is refused. No patterns,
-/// so no regular expressions.
+/// Describes the allowed values of one key of a content file: a subset of JSON Schema (2020-12) with `unit`
+/// added.
+/// Keywords: type, title, description, unit, default, minimum, maximum, enum, format ("identifier",
+/// "translated", "translated_paragraphs"), minLength, maxLength, properties, required, items, minItems,
+/// maxItems, uniqueItems, $ref (a file of the same folder), $schema, $id. Objects are closed: a key that is
+/// not in `properties` is refused. There are no patterns and therefore no regular expressions.
 struct Schema {
     enum class Type { object, array, string, number, integer, boolean };
 
@@ -27,14 +27,14 @@ struct Schema {
     QString unit; ///< "" where it has none
     QString description;
     QJsonValue defaultValue = QJsonValue::Undefined;
-    std::optional<double> minimum; ///< of the number, the text's length or the array's size; inclusive
+    std::optional<double> minimum; ///< limit of the number, the text's length or the array's size; inclusive
     std::optional<double> maximum;
-    bool identifier = false;    ///< string: lower-case letters, digits and _, a letter first
-    /// string: a text for people, in English (content_texts.h has its translations). An object with a text per language is read as well; either
-    /// becomes such an object.
+    bool identifier = false;    ///< string: lower-case letters, digits and _, starting with a letter
+    /// string: a text for people, in English (content_texts.h has its translations). An object with a text
+    /// per language is accepted as well. Both forms become such an object.
     bool translated = false;
-    bool paragraphs = false; ///< translated: it may have line breaks
-    bool unique = false;        ///< array: no element twice
+    bool paragraphs = false; ///< translated: line breaks are allowed
+    bool unique = false;        ///< array: no two equal elements
     std::vector<QString> oneOf; ///< string: the values allowed; empty = any
     std::map<QString, std::unique_ptr<Schema>> properties;
     std::vector<QString> required;
@@ -47,13 +47,13 @@ struct Schema {
     Schema& operator=(const Schema&) = delete;
 };
 
-/// Reads `<directory>/<name>.json` with what it refers to. Failure: badInput as JsonFile has it; a keyword
-/// that is not in the subset, a property without description, a number without unit, or a default its own
-/// schema refuses.
+/// Reads `<directory>/<name>.json` and the files that it refers to.
+/// Errors: badInput as JsonFile reports it; a keyword outside the subset, a property without a description, a
+/// number without a unit, or a default that its own schema refuses.
 core::Result<Schema> readSchema(const QString& directory, const QString& name);
 
-/// Checks `value` against `schema`, adds what is wrong to `problems`, and returns the value with every
-/// default filled in (meaningful only if nothing was added).
+/// Checks `value` against `schema`, adds the faults to `problems`, and returns the value with every default
+/// filled in. The result is meaningful only if no problem was added.
 QJsonValue validated(const QJsonValue& value, const Schema& schema, const QString& path, Problems& problems);
 
 } // namespace chiron::catalogue

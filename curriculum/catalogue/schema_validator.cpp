@@ -49,7 +49,7 @@ bool hasType(const QJsonValue& value, Schema::Type type) {
     return value.isBool();
 }
 
-/// The value as a message shows it.
+/// Returns the value as a message shows it.
 QString shown(const QJsonValue& value) {
     if (value.isUndefined())
         return QStringLiteral("missing");
@@ -110,7 +110,7 @@ bool looksLikeLanguage(const QString& key) {
     return (key.size() == 2 || key.size() == 3) && std::all_of(key.begin(), key.end(), [](QChar c) { return c >= u'a' && c <= u'z'; });
 }
 
-/// A text in English or an object with a text per language, as the latter.
+/// Returns a text in English, or an object with a text per language, as the latter.
 QJsonValue checkedTranslation(const QJsonValue& value, const Schema& schema, const QString& path, Problems& problems) {
     if (value.isString()) {
         checkText(value.toString(), schema, path, problems);

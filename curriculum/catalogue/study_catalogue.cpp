@@ -13,7 +13,7 @@ namespace chiron::catalogue {
 
 namespace {
 
-/// A study's file with the translations laid over it.
+/// Reads a study's file and lays the translations over it.
 core::Result<psychophysics::StudyDesign> readTemplate(const QString& path, const Schema* schema, ContentTexts& texts) {
     constexpr qint64 kLargest_bytes = 1 << 20;
     const auto bytes = readWholeFile(path, kLargest_bytes);

@@ -11,16 +11,20 @@
 
 namespace chiron::catalogue {
 
-/// The studies that come with the program (content/studies/*.json). Immutable, any thread.
+/// The studies that come with the program (content/studies/*.json). Immutable.
+/// Thread: any.
 class StudyCatalogue {
 public:
-    /// From this content folder, or (empty) the one that findContentDirectory() finds, with their texts in `languages`, English first.
-    /// Failure: notFound, badInput with every fault.
+    /// Loads from this content folder or, if it is empty, from the one that findContentDirectory() finds.
+    /// `languages` lists the languages of the texts, English first.
+    /// Errors: notFound; badInput naming every fault.
     static core::Result<StudyCatalogue> load(const std::string& contentDirectory = {}, const std::vector<std::string>& languages = core::languageIds());
 
     const std::vector<psychophysics::StudyDesign>& studies() const noexcept { return m_studies; } ///< by id
-    const psychophysics::StudyDesign* find(std::string_view id) const noexcept;                   ///< nullptr: none
-    /// Texts that a language lacks, where the folder has files of languages: no fault, English is shown.
+    /// Returns nullptr if there is none.
+    const psychophysics::StudyDesign* find(std::string_view id) const noexcept;
+    /// Texts that a language lacks, if the folder has language files. This is not a fault: English is shown
+    /// instead.
     const std::vector<MissingText>& missingTexts() const noexcept { return m_missingTexts; }
 
 private:

@@ -15,7 +15,7 @@ using psychophysics::ProcedureScale;
 using psychophysics::ProcedureSpec;
 using psychophysics::Task;
 
-// What the simulation and a desktop device have any use for.
+// The range that the simulation and a desktop device can make use of.
 ValueRange valueRange(Attribute attribute) {
     switch (attribute) {
     case Attribute::stiffness: return {1.0, 20000.0};
@@ -33,7 +33,8 @@ namespace {
 
 QString word(std::string_view token) { return QString::fromUtf8(token.data(), static_cast<qsizetype>(token.size())); }
 
-/// The kinds that can drive a task, those that are recommended for it first: what they are told is its outcome.
+/// Returns the kinds of procedure that can drive a task, with the kinds recommended for it first. A kind can
+/// drive a task if it takes the task's outcome.
 QStringList drivingKinds(Task task) {
     std::vector<const psychophysics::ProcedureKind*> kinds;
     for (const psychophysics::ProcedureKind* kind : psychophysics::procedureKinds())
@@ -61,7 +62,7 @@ void checkTask(const Condition& condition, const QString& path, Problems& proble
                             QStringLiteral("adjustment: the apex is pointed at")});
 }
 
-// Levels that a procedure names must be there to be presented.
+// Checks that every level named by a procedure is in the range that can be presented.
 void checkLevels(const Condition& condition, const QString& path, Problems& problems) {
     const auto& table = condition.stimulus.differences;
     const bool logarithm = condition.scale == ProcedureScale::logDifference;
@@ -140,7 +141,7 @@ void checkProbe(const psychophysics::StudyDesign& design, const QString& path, P
     for (const Condition& condition : design.conditions) {
         const auto& stimulus = condition.stimulus;
         if (stimulus.attribute != Attribute::mass || stimulus.differences.empty())
-            continue; // the others answer with as much as one presses or pulls
+            continue; // other objects push back as hard as the person presses or pulls
         const double multiple = psychophysics::ranksThree(condition.task) ? 2.0 : 1.0;
         const double lightest_N = core::kStandardGravity * stimulus.reference * std::pow(10.0, std::min(0.0, multiple * stimulus.differences.front()));
         if (probe_N > lightest_N)

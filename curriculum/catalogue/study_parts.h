@@ -10,7 +10,7 @@
 // The parts of a study's JSON, shared by its reader, writer and checks.
 namespace chiron::catalogue {
 
-/// A number or a switch with its key, and what it may be.
+/// A number (or, below, a whole number or a switch) with its key and its allowed range.
 template <class Owner> struct NumberKey {
     const char* name;
     double Owner::*member;
@@ -40,7 +40,8 @@ inline constexpr SwitchKey<TrialRules> kTrialSwitches[] = {{"feedback", &TrialRu
                                                            {"masking_sound", &TrialRules::maskingSound},
                                                            {"visible_objects", &TrialRules::visibleObjects},
                                                            {"must_touch_all", &TrialRules::mustTouchAll}};
-/// Absent in designs of earlier versions, which keep their bytes: apart from the numbers that are always written.
+/// Kept apart from the numbers that are always written: designs of earlier versions lack it and must keep
+/// their bytes.
 inline constexpr NumberKey<TrialRules> kProbe[] = {{"probe_at_least_N", &TrialRules::probeAtLeast_N, 0.0, 100.0}};
 inline constexpr NumberKey<FidelityLimits> kFidelityNumbers[] = {
     {"force_error_rms_N", &FidelityLimits::forceErrorRms_N, 0.001, 100.0},
@@ -57,12 +58,12 @@ inline constexpr std::array<const char*, 4> kOrders{"fixed", "random", "latin_sq
 inline constexpr std::array<const char*, 4> kItemKinds{"likert", "number", "choice", "text"};
 inline constexpr std::array<const char*, 4> kWhens{"before", "after", "enrolment", "after_condition"};
 
-/// Reads the rest of a study. What is wrong goes to the problems.
+/// These functions read the remaining parts of a study. Faults are added to the problems of `json`.
 psychophysics::Questionnaire readQuestionnaire(const ObjectReader& json);
 TrialRules readTrialRules(const ObjectReader& json);
 FidelityLimits readFidelityLimits(const ObjectReader& json);
 std::vector<psychophysics::Questionnaire> readQuestionnaires(const ObjectReader& study);
-/// A text in several languages, "en" at least; optional ones are read as none where the key is missing.
+/// Reads a text in several languages, at least "en". An optional text whose key is missing is read as empty.
 psychophysics::StudyText readStudyText(const ObjectReader& json, const char* key, bool required);
 std::string readIdentifier(const ObjectReader& json, const char* key);
 double readNumber(const ObjectReader& json, const char* key, double lowest, double highest, double otherwise);
@@ -70,7 +71,7 @@ int readWhole(const ObjectReader& json, const char* key, int lowest, int highest
 bool readSwitch(const ObjectReader& json, const char* key, bool otherwise);
 void addProblem(const ObjectReader& json, const char* key, const QString& found, const QString& expected);
 
-/// One of `words`; the first where it is another.
+/// Reads one of `words`. A word that is not among them is a problem and yields `otherwise`.
 template <class Word, std::size_t n>
 Word readWord(const ObjectReader& json, const char* key, const std::array<const char*, n>& words, Word otherwise) {
     if (!json.has(QLatin1String(key)))
@@ -86,14 +87,16 @@ Word readWord(const ObjectReader& json, const char* key, const std::array<const 
     return otherwise;
 }
 
-/// Ids that occur twice are problems at `key` of the second.
+/// Adds a problem at `key` if `id` has been seen before.
 void refuseTwice(const ObjectReader& json, const char* key, const std::string& id, std::vector<std::string>& seen);
 
-/// Whether every object can answer with the force at which it counts as touched, and a trial may reach it.
+/// Checks that every object can answer with the force at which it counts as touched, and that a trial may
+/// reach that force.
 void checkProbe(const psychophysics::StudyDesign& design, const QString& path, Problems& problems);
-/// What no single value tells: whether task, table, scale and procedures of a condition go together.
+/// Checks what no single value can show: that task, table, scale and procedures of a condition fit together.
 void checkCondition(const psychophysics::Condition& condition, const QString& path, Problems& problems);
-/// The part of it that no procedure has a say in: whether task, scale and table of differences go together, and every object can be.
+/// Checks the part of it that does not depend on the procedures: that task, scale and table of differences
+/// fit together, and that every object is possible.
 void checkTable(const psychophysics::Condition& condition, const QString& path, Problems& problems);
 
 } // namespace chiron::catalogue

@@ -19,9 +19,10 @@ using psychophysics::Task;
 
 namespace {
 
-constexpr double kLargestSeed = 9007199254740991.0; // 2^53 - 1: what a JSON number holds exactly
+constexpr double kLargestSeed = 9007199254740991.0; // 2^53 - 1: a JSON number holds every integer up to here
+                                                    // exactly
 
-/// The tokens of an enumeration, for messages.
+/// Returns the tokens of an enumeration, for messages.
 template <class Word, int n> QString tokens() {
     QStringList words;
     for (int i = 0; i < n; ++i) {
@@ -51,7 +52,8 @@ std::vector<double> readDifferences(const ObjectReader& json) {
     return out;
 }
 
-/// What objects have beside what is compared (comparison_content.h, SI); checked there again with their ranges.
+/// The attributes of objects other than the one compared (comparison_content.h, SI). They are checked there
+/// again, with their ranges.
 const std::vector<QString>& fixedNames() {
     static const std::vector<QString> names{"stiffness_N_per_m", "stiffening_per_m", "mass_kg", "recovery_s", "recovery_share",
                                             "roughness_m", "roughness_wavelength_m", "friction", "bristle_stiffness_N_per_m",
@@ -104,12 +106,12 @@ Condition readCondition(const ObjectReader& json) {
                       QStringLiteral("a key of a condition"));
     if (json.problems().size() == before)
         checkCondition(out, json.path(), json.problems());
-    else if (tableReads) // procedures that do not read may do so because of the table
+    else if (tableReads) // if a procedure could not be read, the table may be the reason
         checkTable(out, json.path(), json.problems());
     return out;
 }
 
-/// A text in one language, or none.
+/// Reads a text in one language, or an empty one.
 std::string readLine(const ObjectReader& json, const char* key) {
     constexpr qsizetype kLongest = 2000;
     if (!json.has(QLatin1String(key)))

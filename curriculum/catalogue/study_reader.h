@@ -10,31 +10,34 @@
 
 namespace chiron::catalogue {
 
-/// A study from its JSON (content/schema/study.json documents every key). Strict: unknown keys are refused, everything wrong is told
-/// together. Failure (badInput): `file:line:column: $.path: found: expected ...`, a line each.
+/// Reads a study from its JSON; content/schema/study.json documents every key. Unknown keys are refused, and
+/// all faults are reported together.
+/// Errors: badInput, one line `file:line:column: $.path: found: expected ...` for each fault.
 core::Result<psychophysics::StudyDesign> readStudy(const QByteArray& json, const std::string& file);
-/// The same of `document`, which is what `file` holds with translations laid over it. Faults are told with their places in the file.
+/// Reads a study from `document`, which is the content of `file` with translations laid over it. Faults are
+/// reported with their places in the file.
 core::Result<psychophysics::StudyDesign> readStudy(const QJsonObject& document, const JsonFile& file);
 
-/// The canonical JSON of a study: keys sorted, no spaces, every key that applies written out. Reading and writing it again gives the
-/// same bytes.
+/// Writes the canonical JSON of a study: keys sorted, no spaces, every key that applies written out. Reading
+/// and writing it again gives the same bytes.
 QByteArray studyJson(const psychophysics::StudyDesign& design);
 
-/// What a reference and every presented value of an attribute may be, SI.
+/// The range allowed for the reference and for every presented value of an attribute, in SI units.
 struct ValueRange {
     double lowest = 0.0;
     double highest = 0.0;
 };
 ValueRange valueRange(psychophysics::Attribute attribute);
 
-/// Whether a task takes objects with less of the attribute than the reference, too: where "more than the reference" is asked, set or said.
+/// Returns whether a task also takes objects with less of the attribute than the reference. This is so where
+/// the person says, sets or judges whether an object has more than the reference.
 bool takesBothSides(psychophysics::Task task) noexcept;
 
-/// A reference that is in range with every object of the condition's table, and in the middle of what its attribute can be: says nothing of
-/// what the condition's own is.
+/// Returns a reference that keeps every object of the condition's table in range and lies in the (geometric)
+/// middle of the attribute's range. It does not depend on the condition's own reference.
 double middleReference(const psychophysics::Condition& condition);
 
-/// SHA-256 of the bytes, 64 hex digits; of studyJson: what a study is frozen under.
+/// Returns the SHA-256 of the bytes as 64 hex digits. A study is frozen under the digest of its studyJson.
 std::string studySha256(const QByteArray& json);
 
 } // namespace chiron::catalogue

@@ -72,7 +72,7 @@ QJsonObject conditionJson(const Condition& condition) {
                      {"scale", wordOf(kScales, condition.scale)},
                      {"criterion", condition.criterion},
                      {"procedures", procedures}};
-    if (!condition.instructions.empty()) // designs without them keep their digest
+    if (!condition.instructions.empty()) // designs without instructions keep their digest
         json["instructions"] = textJson(condition.instructions);
     return json;
 }
@@ -109,7 +109,7 @@ QJsonObject questionnaireJson(const Questionnaire& questionnaire) {
                      {"title", textJson(questionnaire.title)},
                      {"when", wordOf(kWhens, questionnaire.when)},
                      {"items", items}};
-    if (!questionnaire.score.empty()) // designs without one keep their digest
+    if (!questionnaire.score.empty()) // designs without a score keep their digest
         json["score"] = text(questionnaire.score);
     return json;
 }
@@ -146,7 +146,8 @@ QByteArray studyJson(const StudyDesign& design) {
                      {"blind_participant", design.blindParticipant},
                      {"blind_experimenter", design.blindExperimenter},
                      {"seed", static_cast<double>(design.seed)}};
-    // Written only where they say something: designs of earlier versions, which lack them, keep their bytes and with them their SHA-256.
+    // These keys are written only if they hold something. Designs of earlier versions lack them and so keep
+    // their bytes and their SHA-256.
     if (design.ownInstructions)
         json["own_instructions"] = textJson(*design.ownInstructions);
     for (const auto& [key, words] : {std::pair{"source", &design.source}, std::pair{"ethics", &design.ethics}, std::pair{"pilot_of", &design.pilotOf}})

@@ -17,7 +17,7 @@ using Tissue = simulation::TissueParameters;
 struct Key {
     const char* name;
     double Tissue::*member;
-    double perUnit; ///< content's units in one SI unit
+    double perUnit; ///< content units per SI unit
 };
 
 constexpr double kMm = 1e3;
@@ -36,8 +36,9 @@ constexpr Key kKeys[] = {
 };
 
 constexpr std::array<const char*, 3> kDamping{"damping_along_N_s_per_m", "damping_across_N_s_per_m", "damping_normal_N_s_per_m"};
-constexpr std::array<const char*, 2> kContacts{"anchored", "p3_recast"}; ///< in TissueContactLaw's order
-constexpr std::array<const char*, 3> kLumpLaws{"inclusion", "second_surface", "stiffness_times_depth"}; ///< in LumpLaw's
+constexpr std::array<const char*, 2> kContacts{"anchored", "p3_recast"}; ///< in the order of TissueContactLaw
+/// In the order of LumpLaw.
+constexpr std::array<const char*, 3> kLumpLaws{"inclusion", "second_surface", "stiffness_times_depth"};
 
 double radians(double degrees) { return core::kPi / 180.0 * degrees; }
 
@@ -64,7 +65,7 @@ void readLaw(const ObjectReader& json, const char* key, const std::array<const c
                                QStringLiteral("one of ") + known.join(QStringLiteral(", "))});
 }
 
-/// Middle, half axes and turn of an ellipse on the surface, as bumps and distractors have them.
+/// Reads centre, half axes and rotation of an ellipse on the surface, for bumps and distractors.
 template <class Ellipse> void readEllipse(const ObjectReader& json, Ellipse& out) {
     out.centre_m = {numberOr(json, "x_mm", 0.0) / kMm, numberOr(json, "y_mm", 0.0) / kMm};
     out.radii_m = {json.number("radius_x_mm") / kMm, json.number("radius_y_mm") / kMm};

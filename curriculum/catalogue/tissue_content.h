@@ -14,13 +14,14 @@ struct ContentTissue {
     simulation::TissueParameters parameters;
 };
 
-/// For a kind of exercise whose parameters hold a tissue: `"$ref": "tissue_properties.json"`, `"default": {"tissue": "pad"}`; see
-/// readObject() (object_content.h) for how names and changes are resolved. What is not there keeps the struct's default, an
-/// unknown key is a problem. mm, kPa, degrees there, SI here.
+/// Reads a tissue from the parameters of an exercise: `"$ref": "tissue_properties.json"`, `"default":
+/// {"tissue": "pad"}`. readObject() (object_content.h) describes how names and changes are resolved. A key
+/// that is absent keeps the struct's default; an unknown key is a problem.
+/// Unit: mm, kPa and degrees in the JSON; SI in the result.
 simulation::TissueParameters readTissue(const ObjectReader& json);
 
-/// What no single key's range can say: a surface whose curvature is gentle enough for its nearest point to be one; a stiffness
-/// there is.
+/// Checks what the range of a single key cannot express: the surface must be so gently curved that its
+/// nearest point is unique, and there must be a stiffness.
 void checkTissue(const simulation::TissueParameters& tissue, const QString& path, Problems& problems);
 
 } // namespace chiron::catalogue

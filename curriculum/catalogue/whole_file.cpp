@@ -22,7 +22,7 @@ core::Result<QByteArray> readWholeFile(const QString& path, qint64 largestBytes)
     if (!file.open(QIODevice::ReadOnly))
         return bad(core::ErrorCode::badInput, QStringLiteral("%1: cannot be read: %2").arg(path, file.errorString()));
     QByteArray bytes;
-    while (bytes.size() <= largestBytes) { // its size may change while it is read
+    while (bytes.size() <= largestBytes) { // the size may change while the file is read
         const QByteArray part = file.read(largestBytes + 1 - bytes.size());
         if (part.isEmpty())
             break;

@@ -8,8 +8,9 @@
 
 namespace chiron::catalogue {
 
-/// All bytes of a file that people or other programs may have put there. Failure: notFound; badInput for a folder, a device or pipe, and
-/// for more than `largestBytes`, which are never read; storage where it cannot be read to its end.
+/// Reads all bytes of a file that a person or another program may have put there.
+/// Errors: notFound; badInput for a folder, a device or a pipe, and for more than `largestBytes`, which are
+/// never read; storage if the file cannot be read to its end.
 core::Result<QByteArray> readWholeFile(const QString& path, qint64 largestBytes);
 
 } // namespace chiron::catalogue

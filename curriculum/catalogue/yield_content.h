@@ -9,10 +9,10 @@
 
 namespace chiron::catalogue {
 
-/// The keys by which a level says when what is touched gives way. Left out, or a force of 0: never, as in sessions from before there was
-/// such a law.
+/// The keys with which a level says when the touched tissue gives way. If they are left out, or the force is
+/// 0, it never gives way, as in sessions recorded before there was such a law.
 inline constexpr std::array<const char*, 2> kYieldKeys{"yield_force_N", "yield_fall_ms"};
-/// The same for a torque, of those exercises that turn the tool back.
+/// The same for a torque, in exercises that turn the tool back.
 inline constexpr const char* kYieldTorqueKey = "yield_torque_mN_m";
 
 inline void readYield(const ObjectReader& parameters, simulation::YieldLaw& law) {
@@ -26,7 +26,8 @@ inline void readYield(const ObjectReader& parameters, simulation::YieldLaw& law)
             law.torque_Nm = torque_mNm / 1000.0;
 }
 
-/// Tissue gives way beyond the force that is still right, and at three times that force at the latest.
+/// Checks that tissue gives way only above the largest allowed force, and at three times that force at the
+/// latest.
 inline void checkYield(const simulation::YieldLaw& law, double limit_N, const QString& path, Problems& problems) {
     constexpr double kMost = 3.0;
     if (!std::isfinite(law.force_N) || (law.force_N > limit_N && law.force_N <= kMost * limit_N))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Critical errors other than tissue that gave way: a line for each exercise that has such a rule.
+// Critical errors other than tissue that gave way: one line per exercise that has such a rule.
 #include "scoring/critical_error_catalogue.h"
 
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"

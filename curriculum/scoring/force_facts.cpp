@@ -11,7 +11,7 @@ namespace chiron::scoring {
 
 namespace {
 
-using Span = std::pair<double, double>; ///< from, to, s
+using Span = std::pair<double, double>; ///< start and end, s
 
 void addTool(const ToolTrace& tool, ForceFacts& facts, std::vector<Span>& limited) {
     const std::size_t count = std::min(tool.t_s.size(), tool.tissue_N.size());
@@ -43,7 +43,7 @@ ForceFacts forceFactsOf(const SessionTrace& trace) {
                 addTool(tool, facts, limited);
     std::sort(limited.begin(), limited.end());
     double until_s = 0.0;
-    for (const auto& [from_s, to_s] : limited) { // what two tools share counts once
+    for (const auto& [from_s, to_s] : limited) { // time when both tools are limited counts once
         if (!facts.firstLimited_s)
             facts.firstLimited_s = until_s = from_s;
         facts.limited_s += std::max(0.0, to_s - std::max(from_s, until_s));

@@ -21,7 +21,7 @@ void setSampleOfCanal(InsertionRow& row, const InsertionSeries& series, std::siz
     row.stage = static_cast<core::ProcedureStage>(series.stage[i]);
     row.landmarksSeen = 0;
     for (std::size_t k = 0; k < series.landmarkSeen_s.size(); ++k)
-        if (series.landmarkSeen_s[k] <= t_s) // NaN where it was not seen
+        if (series.landmarkSeen_s[k] <= t_s) // NaN if it was not seen
             row.landmarksSeen |= 1u << k;
 }
 

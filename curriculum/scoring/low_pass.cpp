@@ -22,7 +22,8 @@ Biquad butterworth(double rate_Hz, double cutOff_Hz) {
     return {b0, 2.0 * b0, b0, 2.0 * (k * k - 1.0) * scale, (1.0 - std::sqrt(2.0) * k + k * k) * scale};
 }
 
-/// One pass in place, transposed direct form II, from the steady state of the first value.
+/// Filters one pass in place, in transposed direct form II, starting from the steady state of the first
+/// value.
 template <class Iterator> void pass(const Biquad& c, Iterator first, Iterator last) {
     core::Vec3 s1 = (1.0 - c.b0) * *first;
     core::Vec3 s2 = (c.b2 - c.a2) * *first;
@@ -44,7 +45,8 @@ std::vector<core::Vec3> lowPassZeroPhase(const std::vector<core::Vec3>& position
     if (n < 2)
         return positions;
     const std::size_t pad = std::min(n - 1, static_cast<std::size_t>(std::ceil(3.0 * rate_Hz / cutOff_Hz)));
-    // Relative to the first position: a path far from the origin loses no digits in the recursion.
+    // Coordinates are relative to the first position, so that a path far from the origin loses no digits in
+    // the recursion.
     const core::Vec3 origin = positions.front();
     std::vector<core::Vec3> x;
     x.reserve(n + 2 * pad);

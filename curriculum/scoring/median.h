@@ -8,7 +8,7 @@
 
 namespace chiron::scoring {
 
-/// Middle value, or the mean of the two middle ones; `values` must not be empty.
+/// Returns the middle value, or the mean of the two middle ones; `values` must not be empty.
 inline double median(std::vector<double> values) {
     assert(!values.empty());
     std::sort(values.begin(), values.end());

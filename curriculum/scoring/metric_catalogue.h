@@ -8,10 +8,11 @@
 
 namespace chiron::scoring {
 
-/// Every metric in every version, subject by subject; each subject is a file in metrics/ and a line in metric_catalogue.cpp.
+/// Returns every metric in every version, ordered by subject. Each subject is a file in metrics/ and a line
+/// in metric_catalogue.cpp.
 std::span<const MetricDefinition> metricCatalogue();
 
-/// The entry with this id and version; version 0 is the newest. Null if there is none.
+/// Returns the entry with this id and version, where version 0 means the newest; null if there is none.
 const MetricDefinition* findMetric(std::string_view id, int version = 0);
 
 } // namespace chiron::scoring

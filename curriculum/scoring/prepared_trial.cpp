@@ -12,7 +12,7 @@ namespace {
 
 using Microseconds = std::int64_t;
 
-constexpr Microseconds kSlowStep = 9500; ///< from here on a trace is "slower than 100 Hz"
+constexpr Microseconds kSlowStep = 9500; ///< from this step on, a trace is "slower than 100 Hz"
 constexpr Microseconds kDecimated = 10000;
 constexpr int kGapSteps = 100;
 constexpr double kMotionCutOff_Hz = 20.0;
@@ -60,7 +60,8 @@ std::vector<Samples> unpausedRuns(const ToolTrace& tool, Microseconds step) {
     return runs;
 }
 
-/// Linear between samples; a grid time that is a sample's gives that sample unchanged.
+/// Interpolates linearly between samples. At a grid time that coincides with a sample, the result is exactly
+/// that sample.
 Samples onEvenGrid(const Samples& in, Microseconds step) {
     Samples out;
     std::size_t i = 0;
@@ -138,7 +139,8 @@ std::vector<std::span<const double>> subMovements(const PreparedTrial& trial, co
         return found;
     const double threshold = kSubMovementShare * motion.peakSpeed_m_per_s;
     const auto shortest = static_cast<std::size_t>(
-        std::ceil(kSubMovementDuration_s / motion.dt_s - 1e-9)); // whole steps, rounding safe
+        std::ceil(kSubMovementDuration_s / motion.dt_s - 1e-9)); // whole steps; the margin protects against
+                                                                 // rounding
     for (const MotionRun& run : motion.runs) {
         const std::span<const double> speed(run.speed_m_per_s);
         std::size_t first = 0;

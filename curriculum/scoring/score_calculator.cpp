@@ -53,7 +53,7 @@ Measurement measured(const MetricDefinition& metric, std::span<const PreparedTri
                                         : metric.measure(trials);
 }
 
-/// Trials without a value are left out; without any, the first reason stands.
+/// Aggregates over the trials that have a value. If none has, the result has the first reason.
 Measurement aggregate(const MetricDefinition& metric, const std::vector<std::vector<MetricValue>>& trials,
                       std::size_t column) {
     std::vector<double> values;
@@ -103,7 +103,8 @@ core::Result<ScoreCard> calculateScore(const SessionTrace& trace, std::span<cons
     const auto onGrids = onStoredGrids(trace);
     if (!onGrids)
         return tl::unexpected(onGrids.error());
-    std::vector<PreparedTrial> prepared; // of trials that had an end: what was cut off says nothing of the whole
+    // Only trials that had an end: a trial that was cut off says nothing about the whole.
+    std::vector<PreparedTrial> prepared;
     ScoreCard card;
     for (const TrialTrace& trial : onGrids->trials) {
         if (!trial.unfinished)

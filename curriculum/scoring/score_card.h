@@ -7,7 +7,8 @@
 
 namespace chiron::scoring {
 
-/// A pass mark on one session metric: both ends inclusive, either may be absent. Lives in content.
+/// A pass mark on one session metric. Both ends are inclusive, and either may be absent. Gates are part of
+/// the content.
 struct Gate {
     std::string metric;
     std::optional<double> minimum;
@@ -18,17 +19,18 @@ struct MetricValue {
     std::string id;
     int version = 1;
     std::string unit;
-    std::optional<double> value; ///< absent with a reason where it is not defined
+    std::optional<double> value; ///< absent, with a reason, if it is not defined
     std::string reason;
-    std::optional<bool> passed; ///< only where the level gates this metric
+    std::optional<bool> passed; ///< present only if the level gates this metric
 };
 
-/// What a session scored: pooled metrics as the catalogue's aggregates say, and each trial's own.
+/// The scores of a session: one value per metric, aggregated as the catalogue prescribes, and the values of
+/// each trial.
 struct ScoreCard {
     std::vector<MetricValue> metrics;
     std::vector<std::vector<MetricValue>> trials;
     bool passed =
-        false; ///< every gate holds and the session is completed; gates on absent values do not hold
+        false; ///< every gate is met and the session is completed; gates on absent values are not met
 };
 
 } // namespace chiron::scoring

@@ -17,15 +17,15 @@ constexpr double kCutOff_Hz = 10.0;
 constexpr double kAmplitudeThreshold = 0.05;
 constexpr int kPadding = 4; ///< powers of two beyond the profile's own length
 
-/// Amplitudes up to the cut-off, over the largest of all.
+/// Returns the amplitudes up to the cut-off, divided by the largest of all.
 std::vector<double> normalisedSpectrum(std::span<const double> speed, double dt_s, std::size_t points) {
     std::vector<double> padded(points, 0.0);
     std::copy(speed.begin(), speed.end(), padded.begin());
     std::vector<std::complex<double>> spectrum;
     Eigen::FFT<double> fft;
     fft.fwd(spectrum, padded);
-    // The paper divides by the largest amplitude; a profile that is nowhere negative has it at zero
-    // frequency.
+    // The paper divides by the largest amplitude. For a profile that is nowhere negative, that is the one at
+    // zero frequency.
     const double largest = std::abs(spectrum.front());
     const double step_Hz = 1.0 / (dt_s * static_cast<double>(points));
     std::vector<double> out;

@@ -35,9 +35,9 @@ void append(ToolTrace& tool, const TraceColumns& columns, const TraceRow& row) {
         tool.tissueTorque_Nm.push_back(row.tissueTorque_Nm);
 }
 
-/// Index of the first row of tool 0 whose mark button is newly down, or rows.size().
+/// Returns the index of the first row of tool 0 whose mark button is newly down, or rows.size().
 std::size_t firstMark(const RowList& rows) {
-    bool down = true; // a button held from before the trial is no mark
+    bool down = true; // a button that was already down before the trial is not a mark
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (rows[i]->tool != 0)
             continue;
@@ -82,7 +82,7 @@ core::Result<void> setTruth(TrialTrace& trial, const RowList& rows, const std::s
     return {};
 }
 
-/// Name of the first column that is the trial's own but differs between two of its rows, or null.
+/// Returns the name of the first per-trial column that differs between two rows, or null.
 const char* differing(const InsertionRow& a, const InsertionRow& b) {
     return a.length_m != b.length_m             ? "length_mm"
            : a.bend_m != b.bend_m                 ? "bend_mm"
@@ -105,7 +105,7 @@ void append(InsertionSeries& series, const TraceRow& row) {
             series.landmarkSeen_s[k] = row.t_s;
 }
 
-/// The columns of a canal, from tool 0's rows.
+/// Sets the insertion series from the canal columns in tool 0's rows.
 core::Result<void> setInsertion(TrialTrace& trial, const RowList& rows, const std::string& source) {
     const InsertionRow& first = rows.front()->insertion;
     InsertionSeries series;
@@ -131,7 +131,7 @@ bool sameValue(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b)); // NaN: an empty field
 }
 
-/// What is said of the trial on each of its rows beside mark, target and canal.
+/// Sets the remaining values that are the same on each row of a trial, apart from mark, target and canal.
 core::Result<void> setNamed(TrialTrace& trial, const TraceColumns& columns, const RowList& rows, const std::string& source) {
     const TraceRow& first = *rows.front();
     const auto changes = [&](const std::string& column, const TraceRow& row) {

@@ -11,31 +11,34 @@
 
 namespace chiron::scoring {
 
-/// What the button of a mark does in an exercise.
+/// The effect of a mark in an exercise.
 enum class MarkMeaning { oneOfSeveral, endsTheTrial };
 
-/// A session as metrics see it, from a trace file's rows.
+/// Builds a session for scoring from a trace file's rows.
 ///
-/// Trials: the `trial` column, rows whose phase is running only; without it the file is one trial, which ends at
-/// the first mark where that is what a mark does. Mark: the mark columns, else the first row of tool 0 whose button
-/// bit 0 is newly down; without one the last position is scored and `marked` stays false. Contact at the
-/// mark: the column, else tissue force over 0.02 N at that row, else (no forces in the file) not judged and
-/// taken as contact. Apex truth: the target columns. Canal: the insertion columns, from the rows of tool 0; a
-/// landmark was seen at the first row that has its bit. Quantities: from the rows of tool 0; truth: from the trial's. Limit: `force_limit_N`, else `defaultForceLimit_N`.
-/// Failure (badInput): no row left to score; a column of the trial that changes inside it.
+/// Trials: from the `trial` column, using only rows whose phase is running. Without that column the file is
+/// one trial, which ends at the first mark if marks end trials. Mark: from the mark columns, else the first
+/// row of tool 0 whose button bit 0 is newly down. Without a mark the last position is scored and `marked`
+/// stays false. Contact at the mark: from the column, else tissue force over 0.02 N at that row, else (no
+/// forces in the file) it is not judged and taken as contact. Apex truth: from the target columns. Canal:
+/// from the insertion columns in the rows of tool 0; a landmark was seen at the first row that has its bit.
+/// Quantities: from the rows of tool 0; truth: from the trial's rows. Limit: `force_limit_N`, else
+/// `defaultForceLimit_N`.
+/// Errors: badInput if no row is left to score, or a column that belongs to the trial changes within it.
 core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_view exercise,
                                              double defaultForceLimit_N = 4.0, MarkMeaning mark = MarkMeaning::oneOfSeveral);
 
-/// The rows of a session's trials in time order, with every column it has; buildSessionTrace gives the same
-/// scores.
+/// Returns the rows of a session's trials in the order of time, with every column that the session has.
+/// buildSessionTrace gives the same scores from them.
 TraceRows rowsOf(const SessionTrace& trace);
 
-/// The ids of truth in any trial, in order of appearance: the columns truth_<id>; and a trial's values in that order, NaN where
-/// it has none.
+/// Return the ids of the ground-truth values in any trial, in the order of appearance, for the columns
+/// truth_<id>; and a trial's values in that order, NaN if it has none.
 std::vector<std::string> truthIdsOf(const std::vector<TrialTrace>& trials);
 std::vector<double> truthOf(const TrialTrace& trial, const std::vector<std::string>& ids);
-/// What rowsOf writes of a canal, for who writes rows of his own: of the trial on each of its rows; of tool 0's
-/// sample `i`, taken at `t_s`, on that one's. The trial must have an insertion series.
+/// Set the canal columns as rowsOf does, for callers that write their own rows: the values of the trial,
+/// which are the same on each of its rows, and those of tool 0's sample `i`, taken at `t_s`. The trial must
+/// have an insertion series.
 void setTrialOfCanal(InsertionRow& row, const TrialTrace& trial);
 void setSampleOfCanal(InsertionRow& row, const InsertionSeries& series, std::size_t i, double t_s);
 

@@ -23,7 +23,7 @@ core::Result<TraceRows> readTraceCsvFile(const std::string& path) {
     std::string text;
     text.reserve(static_cast<std::size_t>(size));
     std::array<char, 1 << 16> part{};
-    do { // to its end, wherever that is by now
+    do { // reads to the file's end, which may move meanwhile
         file.read(part.data(), part.size());
         text.append(part.data(), static_cast<std::size_t>(file.gcount()));
         if (text.size() > kLargest)

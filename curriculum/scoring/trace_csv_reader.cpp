@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::string_view kHeaderExample = "t_s,x_mm,y_mm,z_mm";
 
-/// The value as a message shows it: at most 40 characters, nothing that a terminal would obey.
+/// Returns the value as a message shows it: at most 40 characters, without control sequences that a terminal
+/// would obey.
 std::string shown(std::string_view text) {
     constexpr std::size_t kLongest = 40;
     constexpr std::string_view kHex = "0123456789abcdef";
@@ -33,13 +34,13 @@ std::string shown(std::string_view text) {
     return out + (text.size() > kLongest ? "...\"" : "\"");
 }
 
-constexpr std::size_t kMostNamed = 64; ///< quantities, and truths
+constexpr std::size_t kMostNamed = 64; ///< largest number of quantities, and of ground-truth values
 
-/// A column of the file: one of the table's, or one that an exercise named.
+/// A column of the file: one of the fixed table, or one that an exercise named.
 struct Column {
     const TraceColumn* fixed = nullptr;
     std::vector<double> TraceRow::*list = nullptr;
-    std::size_t place = 0; ///< in the list
+    std::size_t place = 0; ///< index in the list
 };
 
 class Reader {
@@ -107,7 +108,7 @@ private:
         return checkGroups(seen);
     }
 
-    /// A column that an exercise named.
+    /// Adds a column that an exercise named.
     core::Result<void> addNamed(std::string_view name, std::size_t number) {
         const std::string_view quantity = namedColumnId(name, kQuantityPrefix);
         const std::string_view truth = namedColumnId(name, kTruthPrefix);
@@ -148,7 +149,7 @@ private:
         return names;
     }
 
-    /// False at the empty lines that may end a file.
+    /// Reads a row. Returns false at the empty lines that may end a file.
     core::Result<bool> readRow(std::string_view line) {
         if (line.empty()) {
             if (m_text.find_first_not_of("\r\n") != std::string_view::npos)
@@ -183,7 +184,8 @@ private:
             column.fixed->set(row, *value);
             return {};
         }
-        double value = std::numeric_limits<double>::quiet_NaN(); // an empty field: not there
+        double value = std::numeric_limits<double>::quiet_NaN(); // an empty field means that there is no
+                                                                 // value
         if (!text.empty()) {
             const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
             if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
@@ -232,7 +234,7 @@ private:
         case ColumnKind::angle:
             return core::radFromDeg(value);
         case ColumnKind::torque:
-            return std::nearbyint(value * 1e2) / 1e5 + 0.0; // whole 0.01 mN·m, as trace_grid.h rounds
+            return std::nearbyint(value * 1e2) / 1e5 + 0.0; // whole 0.01 mN·m, rounded as in trace_grid.h
         case ColumnKind::fineAngle:
             return core::radFromDeg(std::nearbyint(value * 1e6) / 1e6 + 0.0);
         case ColumnKind::number:
@@ -255,7 +257,7 @@ private:
         if (std::abs(norm - 1.0) > 1e-3)
             return refuse(columnOf("qw"), "quaternion of length " + std::to_string(norm),
                           "length 1 to within 0.001");
-        if (std::abs(norm - 1.0) > 1e-12) // already unit: keep the bits that were written
+        if (std::abs(norm - 1.0) > 1e-12) // already of unit length: keep the bits that were written
             row.q_WT.normalize();
         m_out.rows.push_back(row);
         return true;

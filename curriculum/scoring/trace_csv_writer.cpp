@@ -24,7 +24,7 @@ void appendInteger(std::string& out, std::int64_t value) {
     out.append(text.data(), end);
 }
 
-/// `count` units of 10^-decimals, exactly.
+/// Appends `count` units of 10^-decimals, exactly.
 void appendDecimal(std::string& out, std::int64_t count, int decimals) {
     std::int64_t scale = 1;
     for (int i = 0; i < decimals; ++i)
@@ -41,7 +41,7 @@ void appendDecimal(std::string& out, std::int64_t count, int decimals) {
     }
 }
 
-/// As trace_grid.h rounds.
+/// Rounds as in trace_grid.h.
 std::int64_t nearest(double count) {
     return static_cast<std::int64_t>(std::nearbyint(count));
 }
@@ -87,7 +87,7 @@ void appendValue(std::string& out, ColumnKind kind, double value) {
     }
 }
 
-/// What is missing or not finite is an empty field.
+/// Writes an empty field for a value that is missing or not finite.
 void appendNamed(std::string& out, std::size_t count, const std::vector<double>& values) {
     for (std::size_t i = 0; i < count; ++i) {
         out += ',';

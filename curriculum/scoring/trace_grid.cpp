@@ -12,8 +12,8 @@ namespace chiron::scoring {
 
 namespace {
 
-constexpr double kLargestCount = 9.0e15; ///< below 2^53: every count up to here is a double
-constexpr double kPerNm = 1e5;            ///< 0.01 mN·m, as recorded
+constexpr double kLargestCount = 9.0e15; ///< below 2^53: every integer up to here is exact in a double
+constexpr double kPerNm = 1e5;            ///< 0.01 mN·m, the recorded resolution
 
 double onGrid(double value, double perUnit) {
     const double count = std::nearbyint(value * perUnit);
@@ -54,7 +54,7 @@ bool fits(const std::vector<QuantityTrace>& quantities, std::size_t n) {
     return std::all_of(quantities.begin(), quantities.end(), [n](const auto& q) { return q.values.size() == n; });
 }
 
-/// Which samples stay; `series` and `quantities` are tool 0's.
+/// Returns the indices of the samples that are kept; `series` and `quantities` belong to tool 0.
 std::vector<std::size_t> keptSamples(const ToolTrace& raw, const InsertionSeries* series,
                                      const std::vector<QuantityTrace>& quantities) {
     std::vector<std::size_t> kept;
@@ -87,7 +87,7 @@ ToolTrace toolOnGrids(const ToolTrace& raw, const std::vector<std::size_t>& kept
         if (!raw.contact.empty())
             out.contact.push_back(raw.contact[i]);
         if (!raw.q_WT.empty())
-            out.q_WT.push_back(raw.q_WT[i]); // a file holds all its digits
+            out.q_WT.push_back(raw.q_WT[i]); // not rounded: a file contains all digits
         if (!raw.tissueTorque_Nm.empty())
             out.tissueTorque_Nm.push_back(onGrid(raw.tissueTorque_Nm[i], kPerNm));
     }
@@ -120,13 +120,15 @@ InsertionSeries insertionOnGrids(const InsertionSeries& raw, const std::vector<s
     return out;
 }
 
-/// The values themselves: a recording rounds each to its own resolution, a file holds all their digits.
+/// Returns the kept values without rounding: a recording rounds each quantity to its own resolution, and a
+/// file contains all digits.
 std::vector<QuantityTrace> keptOf(const std::vector<QuantityTrace>& raw, const std::vector<std::size_t>& kept) {
     std::vector<QuantityTrace> out;
     for (const QuantityTrace& quantity : raw) {
         out.push_back({quantity.id, {}});
         for (const std::size_t i : kept)
-            out.back().values.push_back(quantity.values[i] + 0.0); // no minus zero: a file has none
+            out.back().values.push_back(quantity.values[i] + 0.0); // + 0.0 removes a minus zero, which a file
+                                                                   // cannot have
     }
     return out;
 }

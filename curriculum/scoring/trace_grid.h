@@ -6,20 +6,22 @@
 
 namespace chiron::scoring {
 
-/// The grids of stored channels: whole µs, nm, mN, 0.01 mN·m and µ° (the last for angles that are derived from
-/// stored poses). q/10^n is the double nearest to the decimal a file writes, so writing and reading changes no
-/// bit. Idempotent.
+/// Round to the grids of stored channels: whole µs, nm, mN, 0.01 mN·m and µ° (the last for angles derived
+/// from stored poses). q/10^n is the double nearest to the decimal that a file contains, so writing and
+/// reading changes no bit. Idempotent.
 double onMicroseconds(double t_s);
 double onNanometres(double x_m);
 double onMillinewtons(double f_N);
 double onTorqueGrid(double torque_Nm);
 double onMicrodegrees(double angle_rad);
 
-/// A copy with every value on its grid and, per tool, strictly increasing time: a sample whose time is not
-/// later than the last kept one (a packet read twice) or that is not finite is left out, of the insertion
-/// series and the quantities too. Whoever cuts a recording into trials leaves such samples out before cutting, so that an exported
-/// recording cuts alike. The time at which a landmark was seen becomes that of the first sample then or later.
-/// Failure: vectors of unequal length, an insertion series or quantities without tool 0, more than kMostLandmarks landmarks.
+/// Returns a copy with every value on its grid and, per tool, strictly increasing time. A sample whose time
+/// is not later than the last kept one (a packet that was read twice), or is not finite, is left out, also
+/// from the insertion series and the quantities. Code that cuts a recording into trials removes such samples
+/// before cutting, so that an exported recording is cut in the same way. The time at which a landmark was
+/// seen becomes that of the first sample at or after it.
+/// Errors: vectors of unequal length, an insertion series or quantities without tool 0, more than
+/// kMostLandmarks landmarks.
 core::Result<SessionTrace> onStoredGrids(const SessionTrace& trace);
 
 } // namespace chiron::scoring

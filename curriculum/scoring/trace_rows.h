@@ -12,7 +12,7 @@
 
 namespace chiron::scoring {
 
-/// Which optional columns of a trace file are there (cli.md, Trace files).
+/// Which optional columns of a trace file are present (cli.md, Trace files).
 struct TraceColumns {
     bool orientation = false; ///< qw,qx,qy,qz
     bool jaw = false;         ///< jaw_deg
@@ -28,17 +28,18 @@ struct TraceColumns {
     bool target = false;     ///< target_x_mm, target_y_mm, target_radius_mm
     bool forceLimit = false; ///< force_limit_N
     bool torque = false;     ///< tx_mNm,ty_mNm,tz_mNm
-    bool insertion = false;  ///< arc_mm ... stage, and of the trial: length_mm ... landmarks
-    bool completed = false;  ///< of the trial; always with `insertion`
-    bool failed = false;     ///< of the trial
-    bool unfinished = false; ///< of the trial
+    bool insertion = false;  ///< arc_mm ... stage; and, per trial, length_mm ... landmarks
+    bool completed = false;  ///< per trial; always together with `insertion`
+    bool failed = false;     ///< per trial
+    bool unfinished = false; ///< per trial
     bool planned = false;    ///< trials_planned
     bool contact = false;    ///< core::contact_bits
     std::vector<std::string> quantities; ///< ids of the columns quantity_<id>, in the file's order
     std::vector<std::string> truth;      ///< ids of the columns truth_<id>, in the file's order
 };
 
-/// What a row tells of a canal: see InsertionSeries. The second half is of the trial, the same on each of its rows.
+/// The canal columns of a row; see InsertionSeries. The second half belongs to the trial and is the same on
+/// each of its rows.
 struct InsertionRow {
     double arc_m = 0.0;
     double offset_m = 0.0;
@@ -46,19 +47,19 @@ struct InsertionRow {
     double lateral_N = 0.0;
     double axialTorque_Nm = 0.0;
     core::ProcedureStage stage = core::ProcedureStage::outside;
-    std::uint32_t landmarksSeen = 0; ///< until this row, one bit each
+    std::uint32_t landmarksSeen = 0; ///< up to this row, one bit per landmark
     double length_m = 0.0;
     double bend_m = 0.0;
     double goal_m = 0.0;
     double lateralLimit_N = 0.0;
-    std::uint8_t landmarks = 0; ///< to be seen in this trial
+    std::uint8_t landmarks = 0; ///< number of landmarks to be seen in this trial
 };
 
-/// One row: frame W, tool tip. SI here; the file has mm and degrees. Absent columns leave the defaults.
+/// One row: frame W, tool tip. SI here; the file uses mm and degrees. Absent columns keep the defaults.
 struct TraceRow {
     double t_s = 0.0; ///< whole µs, strictly increasing per tool
     core::Vec3 p_WT_m = core::Vec3::Zero();
-    core::Quat q_WT = core::Quat::Identity(); ///< unit to 1e-3 in the file, normalised here
+    core::Quat q_WT = core::Quat::Identity(); ///< unit length to within 1e-3 in the file, normalised here
     double jaw_rad = 0.0;
     std::uint32_t buttons = 0; ///< bit 0 = mark
     std::uint8_t tool = 0;     ///< 0..3
@@ -68,7 +69,7 @@ struct TraceRow {
     std::int32_t trial = 0; ///< 0-based; the file counts from 1
     core::TrialPhase phase = core::TrialPhase::running;
     bool paused = false;
-    // Of the trial, the same on each of its rows, so that no single row carries them:
+    // Per trial, and the same on each of its rows, so that they do not depend on a single row:
     bool marked = false;
     bool timedOut = false;
     bool markInContact = false;
@@ -78,16 +79,18 @@ struct TraceRow {
     double forceLimit_N = 0.0;
     core::Vec3 tissueTorque_Nm = core::Vec3::Zero(); ///< about the tip
     InsertionRow insertion;
-    bool completed = false; ///< of the trial
-    bool failed = false;    ///< of the trial
-    bool unfinished = false; ///< of the trial
-    int plannedTrials = 0;   ///< of the session
+    bool completed = false; ///< per trial
+    bool failed = false;    ///< per trial
+    bool unfinished = false; ///< per trial
+    int plannedTrials = 0;   ///< per session
     std::uint8_t contact = 0; ///< core::contact_bits
-    std::vector<double> quantities; ///< SI, as TraceColumns::quantities; on tool 0's rows, elsewhere NaN or nothing
-    std::vector<double> truth;      ///< SI, as TraceColumns::truth; the same on each row of a trial, NaN where it has none
+    /// SI, in the order of TraceColumns::quantities; on the rows of other tools than 0, NaN or empty.
+    std::vector<double> quantities;
+    /// SI, in the order of TraceColumns::truth; the same on each row of a trial, NaN if it has none.
+    std::vector<double> truth;
 };
 
-/// A trace file's content, also what drives the replay of a recorded trace.
+/// The content of a trace file. It also drives the replay of a recorded trace.
 struct TraceRows {
     TraceColumns columns;
     std::vector<TraceRow> rows; ///< in file order

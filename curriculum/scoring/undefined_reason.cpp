@@ -12,7 +12,8 @@ namespace {
 
 using enum UndefinedReason;
 
-/// A reason: what scores keep, never changed ("#" stands for a count), and what people read (%1 for the first count).
+/// A reason with the text that scores store, which is never changed ("#" stands for a count), and the text
+/// for people (%1 for the first count).
 struct ReasonRow {
     UndefinedReason reason;
     std::string_view stored;
@@ -86,7 +87,7 @@ static_assert([] {
 
 constexpr std::string_view patternOf(UndefinedReason reason) noexcept { return kReasons[static_cast<std::size_t>(reason)].stored; }
 
-/// The counts of `stored` where it is the pattern with a number for each "#".
+/// Returns the counts in `stored` if it matches the pattern with a number for each "#".
 std::optional<std::array<int, 3>> matched(std::string_view pattern, std::string_view stored) {
     std::array<int, 3> counts{};
     std::size_t count = 0;

@@ -10,8 +10,9 @@
 
 namespace chiron::scoring {
 
-/// Why a metric has no value. Each has one stored text (storedText), which scores keep: a text is never changed, and of a reason that is
-/// not used any more it stays, so that stored scores keep their meaning.
+/// Why a metric has no value. Each reason has one text that scores store (storedText). A text is never
+/// changed, and the text of a reason that is no longer used is kept, so that stored scores keep their
+/// meaning.
 enum class UndefinedReason : std::uint8_t {
     noForces,
     noTrials,
@@ -60,7 +61,8 @@ enum class UndefinedReason : std::uint8_t {
     equallyHard,
     noUnequalPair,
     tooFewLumps,
-    tooFewRegions, ///< with counts: regions with a lump, without one, how many of each are needed
+    /// With counts: regions with a lump, regions without one, and how many of each are needed.
+    tooFewRegions,
     noCoverage,
     noForceBand,
     nothingPressed,
@@ -69,7 +71,7 @@ enum class UndefinedReason : std::uint8_t {
 };
 inline constexpr std::size_t kUndefinedReasons = static_cast<std::size_t>(UndefinedReason::noPrediction) + 1;
 
-/// A reason with its counts; those that it does not tell are 0.
+/// A reason with its counts; counts that it does not use are 0.
 struct Undefined {
     UndefinedReason reason = UndefinedReason::noTrials;
     std::array<int, 3> counts{};
@@ -77,13 +79,16 @@ struct Undefined {
     friend bool operator==(const Undefined&, const Undefined&) = default;
 };
 
-/// How many counts a reason tells: 0 or 3.
+/// Returns how many counts a reason has: 0 or 3.
 std::size_t countsOf(UndefinedReason reason) noexcept;
-/// What people read, English, marked for translation (marked_texts.h), with %1, %2, %3 for its counts.
+/// Returns the text for people, English, marked for translation (marked_texts.h), with %1, %2, %3 for its
+/// counts.
 std::string_view wordsOf(UndefinedReason reason) noexcept;
-/// What a score keeps: English, unambiguous. A reason without counts is its text alone.
+/// Returns the text that a score stores: English, unambiguous. For a reason without counts it is the fixed
+/// text.
 std::string storedText(const Undefined& undefined);
-/// The reason of a stored text; nothing where it is none of ours (a score of a later version). The inverse of storedText.
+/// Returns the reason of a stored text; none if the text is unknown (a score of a later version). The inverse
+/// of storedText.
 std::optional<Undefined> undefinedOf(std::string_view stored);
 
 } // namespace chiron::scoring

@@ -8,25 +8,26 @@
 
 namespace chiron::database {
 
-/// How far a permission reaches.
+/// The objects that a permission covers.
 enum class Scope {
     none,            ///< denied
-    own,             ///< what belongs to the actor
-    simulated,       ///< what belongs to the simulated account
+    own,             ///< objects that belong to the actor
+    simulated,       ///< objects that belong to the simulated account
     ownAndSimulated, ///< both
     all,
 };
 
-/// One row: who may call a function. Columns in the order of the header line in access_table.cpp.
+/// One row of the access table: who may call a function. The columns are in the order of the header line in
+/// access_table.cpp.
 struct AccessRow {
     Action action;
     Scope anonymous, simulated, maintenance, trainee, trainer, researcher, admin;
 };
 
-/// The row of an action; nothing if there is none (then it is denied).
+/// Returns the row of an action; none if there is no row (then the action is denied).
 std::optional<AccessRow> accessRow(Action action) noexcept;
 
-/// The widest scope that this kind of actor with these roles has.
+/// Returns the widest scope of this kind of actor with these roles.
 Scope scopeOf(Action action, ActorKind kind, const RoleSet& roles) noexcept;
 
 } // namespace chiron::database

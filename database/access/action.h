@@ -7,7 +7,7 @@
 
 namespace chiron::database {
 
-/// What somebody may want to do: one for each public repository function, of the same name.
+/// The actions that can be authorised: one for each public repository function, with the same name.
 enum class Action {
 #define CHIRON_ACTION(class_, function) function,
     CHIRON_REPOSITORY_FUNCTIONS(CHIRON_ACTION)
@@ -15,7 +15,7 @@ enum class Action {
         count
 };
 
-/// The function's name, for messages and the audit.
+/// Returns the function's name, for messages and the audit.
 std::string_view token(Action action) noexcept;
 
 } // namespace chiron::database

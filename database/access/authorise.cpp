@@ -6,7 +6,8 @@
 namespace chiron::database {
 namespace {
 
-// "listPeople" -> "list people", "scores" -> "read scores": what was refused, for people.
+// Turns an action into words for the message of a refusal: "listPeople" -> "list people", "scores" -> "read
+// scores".
 std::string wordsFor(Action action) {
     std::string words;
     for (const char c : token(action)) {
@@ -103,7 +104,7 @@ core::Result<void> authoriseFor(Connection& connection, const Actor& actor, Acti
 
 namespace {
 
-/// A thing that belongs to somebody.
+/// An object that belongs to a person.
 struct Owned {
     const char* what;
     std::int64_t number = 0;

@@ -7,22 +7,25 @@
 
 namespace chiron::database {
 
-/// The scope with which the actor may do this, from the access table and from the account as it stands now in
-/// the database. Failure: notAllowed (no scope, disabled, password to be changed first), storage.
+/// Returns the scope with which the actor may do this, from the access table and from the current state of
+/// the account in the database.
+/// Errors: notAllowed (no scope, account disabled, or password must be changed first); storage.
 core::Result<Scope> authorise(Connection& connection, const Actor& actor, Action action);
 
-/// As above, for something that belongs to a person. Failure: notAllowed also where the scope does not reach
-/// that far.
+/// The same for something that belongs to a person.
+/// Errors: as above; notAllowed also if the scope does not cover that person.
 core::Result<void> authoriseFor(Connection& connection, const Actor& actor, Action action, PersonId owner);
 
-/// As above, for the owner of a session. Failure: also notFound, which somebody without a wider scope gets as
-/// notAllowed, so that session numbers cannot be probed.
+/// The same for the owner of a session.
+/// Errors: as above; notFound, which an actor without a wider scope receives as notAllowed, so that session
+/// numbers cannot be probed.
 core::Result<void> authoriseForSession(Connection& connection, const Actor& actor, Action action,
                                        SessionId session);
 
-/// What of a study something is about: itself, one of its participants, or one of their runs.
+/// The part of a study that an action concerns: the study itself, one of its participants, or one of their
+/// runs.
 enum class StudyPart { study, participant, run };
-/// As above, for the author of a study, to whom everything in it belongs.
+/// The same for the author of a study, who owns everything in it.
 core::Result<void> authoriseForStudy(Connection& connection, const Actor& actor, Action action, StudyPart part,
                                      std::int64_t number);
 

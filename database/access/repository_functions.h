@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Every public function of the repositories and of storage upkeep: X(class, function). The list makes the
-/// Action enumeration; access_table.cpp gives each a row of who may call it. A function without a row is
-/// denied to everybody and fails a test, as does a public function in repositories/ or upkeep/ that is not
-/// listed here.
+/// Lists every public function of the repositories and of storage upkeep as X(class, function). The Action
+/// enumeration is generated from this list, and access_table.cpp has a row for each that says who may call
+/// it. A function without a row is denied to everybody and fails a test, as does a public function in
+/// repositories/ or upkeep/ that is not listed here.
 #define CHIRON_REPOSITORY_FUNCTIONS(X)                                                                       \
     X(AccountRepository, hasPeople)                                                                          \
     X(AccountRepository, listLoginNames)                                                                     \

@@ -6,8 +6,9 @@
 
 namespace chiron::database {
 
-/// Failure: wrongUse unless this is the writer's connection inside a transaction, so that a failing function
-/// leaves nothing half done.
+/// Checks that this is the writer's connection inside a transaction, so that a failing function leaves
+/// nothing half done.
+/// Errors: wrongUse otherwise.
 inline core::Result<void> requireWriter(Connection& connection) {
     if (!connection.isWritable() || !connection.inTransaction()) {
         return core::fail(core::ErrorCode::wrongUse,

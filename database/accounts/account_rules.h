@@ -13,7 +13,7 @@ inline constexpr int kMinimumDifferentCharacters = 4;
 inline constexpr int kMaximumNameCharacters = 64;
 inline constexpr int kMaximumDisplayNameCharacters = 200;
 
-/// Each password rule by itself, for a form that tells while somebody types.
+/// The result of each password rule, for a form that reports while a person types.
 struct PasswordCheck {
     bool longEnough = false; ///< kMinimumPasswordCharacters
     bool varied = false;     ///< kMinimumDifferentCharacters
@@ -23,22 +23,23 @@ struct PasswordCheck {
 };
 PasswordCheck examinePassword(const std::string& name, const std::string& password);
 
-/// Password rules, all stated in the Error (badInput): at least 10 characters, at most 1024 bytes, valid
-/// UTF-8, not the login name, at least 4 different characters. No rule about kinds of characters (NIST SP
-/// 800-63B §5.1.1.2).
+/// Checks the password rules and states all of them in the error: at least 10 characters, at most 1024 bytes,
+/// valid UTF-8, not the login name, at least 4 different characters. There is no rule about types of
+/// characters (NIST SP 800-63B §5.1.1.2).
+/// Errors: badInput.
 core::Result<void> checkPassword(const std::string& name, const std::string& password);
 
-/// Login names: 1..64 characters, valid UTF-8, no control characters, no leading or trailing space, not
-/// "simulated", no comma. Anything else is allowed: names are bound, never pasted into SQL.
+/// Checks a login name: 1..64 characters, valid UTF-8, no control characters, no leading or trailing space,
+/// not "simulated", no comma. Anything else is allowed: names are bound, never pasted into SQL.
 core::Result<void> checkName(const std::string& name);
 
-/// Login name and display name.
+/// Checks login name and display name.
 core::Result<void> checkNames(const std::string& name, const std::string& displayName);
 
-/// Free text: valid UTF-8 without NUL, at most the given number of characters.
+/// Checks free text: valid UTF-8 without NUL, at most the given number of characters.
 core::Result<void> checkText(const std::string& field, const std::string& text, int maximumCharacters);
 
-/// What makes two login names the same: NFKC, case folded.
+/// Returns the form in which two login names count as the same: NFKC, case folded.
 std::string nameKey(const std::string& name);
 
 } // namespace chiron::database

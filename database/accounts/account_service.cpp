@@ -11,8 +11,8 @@
 namespace chiron::database {
 namespace {
 
-// Overwritten pages may still lie in the file's free space and in the log: the one is rebuilt, the other
-// emptied.
+// Overwritten pages may still lie in the file's free space and in the log. VACUUM rebuilds the file, and the
+// checkpoint empties the log.
 core::Result<void> forgetOldPages(Connection& connection) {
     if (auto vacuumed = connection.execute("VACUUM"); !vacuumed) {
         return vacuumed;
@@ -180,7 +180,8 @@ core::Result<void> AccountService::mayErase(const Actor& actor, const std::strin
                             "an erasure needs the writer and waits until no session is running");
 }
 
-// On the site's list, for backups that are restored, and out of the file's free pages.
+// Makes an erasure permanent: adds it to the site's list, which is applied to restored backups, and removes
+// the data from the file's free pages.
 core::Result<void> AccountService::makeErasureLast(const core::Result<Erasure>& erased) {
     if (!erased) {
         return tl::unexpected(erased.error());

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-// Who this is: login, confirmation, recovery.
+// Login, confirmation and recovery.
 namespace chiron::database {
 namespace {
 
@@ -29,7 +29,7 @@ tl::unexpected<Refusal> failed(const core::Error& error) {
     return tl::unexpected(Refusal{Refusal::Kind::failed, 0, error});
 }
 
-// Verifies on this thread; an unknown account costs the same time as a known one.
+// Verifies on this thread. An unknown account takes the same time as a known one.
 std::optional<Refusal> check(const PasswordHasher& hasher, const LoginAttempt& attempt,
                              const std::string& secret, const char* what = "password") {
     if (attempt.wait_ns > 0) {
@@ -124,7 +124,7 @@ core::Result<std::string> AccountService::recover(const std::string& name, const
     return newCode ? core::Result<std::string>(*newCode) : tl::unexpected(newCode.error().error);
 }
 
-// An administrator may have given them another one since they logged in.
+// Returns the actor's current login name. An administrator may have changed it since the login.
 std::string AccountService::nameNow(const Actor& actor) {
     const auto person = self(actor);
     return person ? person->name : actor.name();
@@ -133,7 +133,7 @@ std::string AccountService::nameNow(const Actor& actor) {
 tl::expected<Actor, Refusal> AccountService::tryConfirm(const Actor& actor, const std::string& password) {
     auto confirmed = tryLogin(nameNow(actor), password);
     if (confirmed && confirmed->personId() != actor.personId()) {
-        return tl::unexpected(wrongSecret("password")); // somebody else has the name by now
+        return tl::unexpected(wrongSecret("password")); // another person has the name by now
     }
     return confirmed;
 }

@@ -60,7 +60,7 @@ private:
         m_record.fields.push_back(std::move(m_field));
         m_field.clear();
     }
-    // A line of nothing but delimiters is what a spreadsheet leaves of an empty row.
+    // A spreadsheet writes an empty row as a line that consists only of delimiters.
     void endRecord() {
         endField();
         if (std::any_of(m_record.fields.begin(), m_record.fields.end(), [](const std::string& field) { return field.find_first_not_of(" \t\n") != std::string::npos; })) {

@@ -9,7 +9,8 @@
 namespace chiron::database {
 
 std::string generatedPassword() {
-    constexpr std::string_view kLetters = "abcdefghjkmnpqrstuvwxyz234567892"; // 32 places: five bits a letter
+    // 32 entries, five bits per letter.
+    constexpr std::string_view kLetters = "abcdefghjkmnpqrstuvwxyz234567892";
     static_assert(kLetters.size() == 32);
     std::string value;
     do {
@@ -17,7 +18,7 @@ std::string generatedPassword() {
         for (int i = 0; i < 16; ++i) {
             value.push_back(kLetters[randombytes_uniform(static_cast<std::uint32_t>(kLetters.size()))]);
         }
-    } while (!checkPassword("", value)); // four different letters at least, as the rules want
+    } while (!checkPassword("", value)); // the rules require at least four different letters
     return value;
 }
 

@@ -5,8 +5,8 @@
 
 namespace chiron::database {
 
-/// 16 letters and digits from the system's generator (80 bits), without the ones that look alike: a password
-/// that somebody reads out once and that must be changed at the next login.
+/// Returns 16 letters and digits from the system's random generator (79 bits), without symbols that look
+/// alike. The password is read out once and must be changed at the next login.
 std::string generatedPassword();
 
 } // namespace chiron::database

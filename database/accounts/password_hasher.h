@@ -8,14 +8,14 @@
 
 namespace chiron::database {
 
-/// Argon2id through libsodium (crypto_pwhash_str). Slow on purpose: call it on a worker, never in a writer
-/// job.
+/// Hashes with Argon2id through libsodium (crypto_pwhash_str). It is slow on purpose: call it on a worker,
+/// never in a writer job.
 class PasswordHasher {
 public:
     explicit PasswordHasher(PasswordCost cost) : m_cost(cost) {}
-    /// Failure: storage when the memory is not there.
+    /// Errors: storage if there is not enough memory.
     core::Result<std::string> hash(const std::string& secret) const;
-    /// Constant-time comparison with a stored hash, at the cost written in it.
+    /// Compares with a stored hash in constant time, at the cost written in that hash.
     bool verify(const std::string& storedHash, const std::string& secret) const;
 
 private:

@@ -8,7 +8,7 @@
 
 namespace chiron::database {
 
-/// A person as the accounts show them.
+/// A person as account lists show them.
 struct Person {
     PersonId id = 0;
     std::string name; ///< login name, unique after case folding
@@ -20,7 +20,7 @@ struct Person {
     std::string createdUtc;
 };
 
-/// What somebody was called until a change of name.
+/// The names that a person had before a change of name.
 struct EarlierName {
     std::int64_t id = 0;
     std::string name;
@@ -29,21 +29,21 @@ struct EarlierName {
     PersonId changedBy = 0;
 };
 
-/// A login name and a full name that somebody had until a change of either.
+/// A login name and a full name that a person had before either was changed.
 struct EarlierLogin {
     PersonId person = 0;
     std::string name;
     std::string displayName{}; ///< may be empty
 };
 
-/// Whom the login screen offers: no e-mail, no roles, no code.
+/// An entry of the login screen, without e-mail, roles or code.
 struct LoginName {
     PersonId id = 0;
     std::string name;        ///< login name
     std::string displayName; ///< may be empty
 };
 
-/// A person to be created; the password is already hashed (PasswordHasher), so that no writer job waits for
+/// A person to be created. The password is already hashed (PasswordHasher), so that no writer job waits for
 /// Argon2id.
 struct NewPerson {
     std::string name;
@@ -53,8 +53,8 @@ struct NewPerson {
     bool mustChangePassword = false;
 };
 
-/// What a list of people changes about somebody who has an account already; the login name and the password
-/// stay as they are.
+/// A change that a list of people makes to an existing account; the login name and the password do not
+/// change.
 struct PersonChange {
     PersonId id = 0;
     std::string displayName;
@@ -63,23 +63,24 @@ struct PersonChange {
 
 /// One stored attempt to log in, between beginLogin and finishLogin.
 struct LoginAttempt {
-    PersonId person = 0; ///< 0: no such account; hash something all the same, so that it takes as long
+    /// 0: no such account; something is hashed anyway, so that it takes the same time.
+    PersonId person = 0;
     std::string
-        passwordHash; ///< what to verify against (password or recovery code); empty where there is nothing
-    std::int64_t wait_ns = 0;        ///< > 0: the account must wait so long; nothing was counted
-    std::int64_t waitIfWrong_ns = 0; ///< how long the next attempt must wait when this one is wrong
+        passwordHash; ///< hash to verify against (password or recovery code); empty if there is none
+    std::int64_t wait_ns = 0;        ///< > 0: the account must wait this long; nothing was counted
+    std::int64_t waitIfWrong_ns = 0; ///< how long the next attempt must wait if this one is wrong
 };
 
-/// Why somebody was not let in.
+/// Why a login was refused.
 struct Refusal {
     enum class Kind : std::uint8_t {
-        wrong,    ///< name, password or code; not told which
-        mustWait, ///< too many wrong ones: not even looked at
+        wrong,    ///< name, password or code; it is not revealed which
+        mustWait, ///< too many wrong attempts: this one was not checked
         disabled, ///< the password is right
         failed    ///< anything else: storage, rules; see error
     };
     Kind kind = Kind::failed;
-    std::int64_t wait_ns = 0; ///< before the next attempt is looked at
+    std::int64_t wait_ns = 0; ///< time before the next attempt is checked
     core::Error error;
 };
 

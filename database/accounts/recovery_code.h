@@ -5,7 +5,7 @@
 
 namespace chiron::database {
 
-/// 5 groups of 5 symbols of 32 without look-alikes: 125 bits.
+/// Returns 5 groups of 5 symbols, from 32 symbols that do not look alike: 125 bits.
 std::string newRecoveryCode();
 
 } // namespace chiron::database

@@ -18,7 +18,7 @@ namespace {
 
 using Kind = RosterStep::Kind;
 
-/// `hadBefore`: the full name of the list is one that this person had until a change of name.
+/// `hadBefore`: the full name in the list is one that this person had before a change of name.
 RosterStep stepOf(const UserCsvRow& row, const Person* present, RosterExisting existing, bool hadBefore) {
     RosterStep step{row.line, Kind::add, row.name, row.displayName, row.roles, row.password.empty(), 0, {}, {}};
     if (present == nullptr) {
@@ -30,7 +30,7 @@ RosterStep stepOf(const UserCsvRow& row, const Person* present, RosterExisting e
     step.makesPassword = false;
     step.displayNameBefore = present->displayName;
     step.rolesBefore = present->roles;
-    // A full name that the list does not give stays as it is, and an old list turns no name back.
+    // A full name that the list does not give is kept, and an old list does not undo a change of name.
     const bool old = updates && hadBefore && row.displayName != present->displayName;
     step.earlierDisplayName = old ? row.displayName : std::string();
     step.displayName = updates && !old && !row.displayName.empty() ? row.displayName : present->displayName;
@@ -57,12 +57,12 @@ core::Result<KnownPeople> peopleFor(Database& database, const Actor& actor) {
     return KnownPeople{*std::move(people), *std::move(earlier)};
 }
 
-/// Whom a login name means.
+/// The person whom a login name means.
 struct Meant {
-    const Person* person = nullptr; ///< null: somebody new, or not to be said
+    const Person* person = nullptr; ///< null: a new person, or ambiguous
     bool byEarlierName = false;
-    const Person* before = nullptr; ///< who had the name before, where somebody else has it today
-    bool several = false;           ///< had it before, and nobody has it today
+    const Person* before = nullptr; ///< who had the name before, if another person has it today
+    bool several = false;           ///< several people had it before, and nobody has it today
 };
 
 class NameIndex {
@@ -93,7 +93,7 @@ public:
         return before->second.size() > 1 ? Meant{nullptr, false, nullptr, true} : Meant{before->second.front(), true, nullptr, false};
     }
 
-    /// Whether somebody's full name was this until a change of name.
+    /// Returns whether this was the person's full name before a change of name.
     bool hadFullName(const Person* person, const std::string& displayName) const {
         return person != nullptr && !displayName.empty() && m_fullNames.contains({person->id, displayName});
     }
@@ -112,10 +112,10 @@ private:
 
     std::map<std::string, const Person*> m_today;
     std::map<std::string, std::vector<const Person*>> m_before;
-    std::set<std::pair<PersonId, std::string>> m_fullNames; ///< until a change of name
+    std::set<std::pair<PersonId, std::string>> m_fullNames; ///< full names before a change of name
 };
 
-/// A line whose person is not to be touched by it.
+/// Changes a step so that its line does not change the person.
 void leave(RosterStep& step, RosterStep::Doubt doubt) {
     step.kind = Kind::skip;
     step.doubt = doubt;
@@ -127,7 +127,8 @@ void leave(RosterStep& step, RosterStep::Doubt doubt) {
     }
 }
 
-/// Two lines may name one person, each by another of their names: today's counts, of earlier ones the first.
+/// Two lines may name the same person by different names. The line with the current name counts, otherwise
+/// the first one with an earlier name.
 void settleSamePerson(std::vector<RosterStep>& steps) {
     std::map<PersonId, int> lines;
     for (const bool earlier : {false, true}) {
@@ -143,7 +144,7 @@ void settleSamePerson(std::vector<RosterStep>& steps) {
     }
 }
 
-/// What the writer stores, and what is told afterwards.
+/// The data that the writer stores, and the outcome that is reported afterwards.
 struct Prepared {
     std::vector<NewPerson> people;
     std::vector<PersonChange> changes;
@@ -194,7 +195,7 @@ core::Result<RosterPlan> AccountService::previewCsv(const Actor& actor, const st
     RosterPlan plan{readRoster(csv, roles), {}};
     plan.steps = planRoster(plan.roster, *people, existing);
     for (UserCsvRow& row : plan.roster.rows) {
-        row.password.clear(); // whoever looks at the preview has no need of it
+        row.password.clear(); // the preview does not need it
     }
     return plan;
 }

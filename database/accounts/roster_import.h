@@ -10,73 +10,80 @@
 
 namespace chiron::database {
 
-/// What an import does with people of the list who have an account already. Their login name and password stay in either case.
+/// What an import does with people of the list who already have an account. Their login name and password
+/// never change.
 enum class RosterExisting : std::uint8_t {
     skip,
-    update ///< full name and roles become those of the list, where it gives them; a full name that somebody had before is not given back
+    /// Full name and roles become those of the list, if it gives them. An earlier full name of the person is
+    /// not restored.
+    update
 };
 
-/// What becomes of one line of the list.
+/// The outcome of one line of the list.
 struct RosterStep {
     enum class Kind : std::uint8_t {
         add,
         skip,   ///< has an account already
-        update, ///< and becomes what the list says
-        same    ///< and is that already
+        update, ///< has an account, which becomes what the list says
+        same    ///< has an account that already is what the list says
     };
     int line = 0;
     Kind kind = Kind::add;
-    std::string name; ///< as the site has it where the person exists
-    std::string displayName; ///< afterwards
+    std::string name; ///< spelled as on the site if the person exists
+    std::string displayName; ///< after the import
     RoleSet roles;
-    bool makesPassword = false;    ///< none is given
-    PersonId person = 0;           ///< who exists
-    std::string displayNameBefore; ///< of them
+    bool makesPassword = false;    ///< a password is generated because none is given
+    PersonId person = 0;           ///< existing person
+    std::string displayNameBefore; ///< full name of the existing person before the import
     RoleSet rolesBefore;
-    std::string earlierName{}; ///< as the list has it, where `name` is what this person is called today
-    std::string earlierDisplayName{}; ///< as the list has it, where an update leaves the one of today
+    /// Login name as in the list, if it is an earlier name and `name` is the person's current one.
+    std::string earlierName{};
+    /// Full name as in the list, if it is an earlier one and an update keeps the current one.
+    std::string earlierDisplayName{};
     enum class Doubt : std::uint8_t {
         none,
-        nameOfAnother, ///< `other` had this login name before; whoever has it today is meant
-        severalHadIt,  ///< nobody has it today, and several had it before: nobody is changed
-        sameAsLine     ///< `otherLine` is the same person under another of their names: that line counts
+        nameOfAnother, ///< `other` had this login name before; it means the person who has it today
+        severalHadIt,  ///< nobody has it today, and several people had it before: nobody is changed
+        /// `otherLine` names the same person by another of their names: that line counts.
+        sameAsLine
     };
     Doubt doubt = Doubt::none;
-    std::string other{}; ///< their login name of today
+    std::string other{}; ///< current login name of the other person
     int otherLine = 0;
 };
 
 /// What an import would do.
 struct RosterPlan {
-    Roster roster; ///< as read, without passwords; with problems nothing can be done
+    Roster roster; ///< as read, without passwords; if it has problems nothing can be imported
     std::vector<RosterStep> steps;
     int count(RosterStep::Kind kind) const;
 };
 
-/// Who was added; a password that was made is here and nowhere else.
+/// A person who was added. A generated password is kept nowhere else.
 struct ImportedPerson {
     PersonId id = 0;
     std::string name;
     std::string displayName;
-    std::string madePassword; ///< empty where the list gave one
+    std::string madePassword; ///< empty if the list gave one
 };
 
 struct RosterOutcome {
     std::vector<ImportedPerson> added;
     int updated = 0;
-    int skipped = 0; ///< with those that were so already
+    int skipped = 0; ///< including those that were already up to date
     std::vector<std::string> ignoredColumns;
-    std::vector<RosterStep> told; ///< the lines that have an earlier login name or full name, or leave a doubt about who is meant
+    /// Lines to be reported: those with an earlier login name or full name, or with a doubt about the person.
+    std::vector<RosterStep> told;
 };
 
-/// Who is there, and what they were called before.
+/// The existing people and their earlier names.
 struct KnownPeople {
     std::vector<Person> people;
     std::vector<EarlierLogin> earlier; ///< latest first
 };
 
-/// One step for each line of the list, by who is there. Somebody whom the list calls by an earlier login name is there, too; a name that
-/// somebody has today means that person.
+/// Returns one step for each line of the list, depending on the existing people. A person whom the list calls
+/// by an earlier login name exists, too. A name that a person has today means that person.
 std::vector<RosterStep> planRoster(const Roster& roster, const KnownPeople& known, RosterExisting existing);
 
 } // namespace chiron::database

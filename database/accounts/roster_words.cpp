@@ -10,7 +10,8 @@
 namespace chiron::database {
 namespace {
 
-/// Lower case without accents and signs: "Log-in_Name" and "LOG IN NAME" are the same, as are "Ρόλος" and "ΡΟΛΟΣ".
+/// Returns the text in lower case without accents and punctuation: "Log-in_Name" and "LOG IN NAME" become
+/// equal, as do "Ρόλος" and "ΡΟΛΟΣ".
 QString plain(const QString& text) {
     QString words;
     for (const QChar c : text.normalized(QString::NormalizationForm_KD).toCaseFolded()) {
@@ -127,7 +128,8 @@ struct RoleWord {
     const char* text;
 };
 
-// A sign between a word and its ending is as good as a space: "Ausbilder/in", "Ausbilder:in", "εκπαιδευτής/-τρια".
+// A punctuation mark between a word and its ending is equivalent to a space: "Ausbilder/in", "Ausbilder:in",
+// "εκπαιδευτής/-τρια".
 constexpr RoleWord kRoles[] = {
     {Role::trainee, "trainee"},
     {Role::trainee, "student"},
@@ -242,8 +244,8 @@ QStringList wordsOf(const std::string& cell) {
     return words;
 }
 
-/// "Name" beside "Vorname" is the family's, "Όνομα" beside "Επώνυμο" the given one, "Name" beside "Login" the whole; by itself it
-/// is what somebody logs in with.
+/// Returns the meaning of a column "Name": beside "Vorname" it is the family name, beside "Επώνυμο" ("Όνομα")
+/// the given name, beside "Login" the full name. Alone it is the login name.
 RosterColumn meaningOfName(const std::vector<RosterColumn>& columns) {
     const auto has = [&](RosterColumn column) { return std::find(columns.begin(), columns.end(), column) != columns.end(); };
     if (has(RosterColumn::givenName) != has(RosterColumn::familyName)) {

@@ -20,7 +20,7 @@ int lineAt(std::string_view text, std::size_t at) {
     return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size())), '\n'));
 }
 
-// What other programs save has a signature; a list of people has none.
+// Recognises files of other programs by their signature, which a list of people does not have.
 std::optional<Kind> otherFile(std::string_view bytes) {
     if (bytes.starts_with("%PDF")) {
         return Kind::pdf;
@@ -39,7 +39,7 @@ std::optional<Kind> otherFile(std::string_view bytes) {
     return excel ? Kind::excel : Kind::archive;
 }
 
-/// The text as UTF-8; otherwise where the bytes stop making sense.
+/// Converts to UTF-8; otherwise returns the position of the first invalid byte.
 tl::expected<std::string, std::size_t> converted(const char* from, std::string_view bytes) {
     const iconv_t conversion = iconv_open("UTF-8", from);
     if (conversion == reinterpret_cast<iconv_t>(-1)) {
@@ -60,7 +60,7 @@ tl::expected<std::string, std::size_t> converted(const char* from, std::string_v
     return text;
 }
 
-/// Length of the character of UTF-8 that begins here, 0 where none does.
+/// Returns the length of the UTF-8 character that begins here, or 0 if none does.
 std::size_t utf8Length(std::string_view bytes, std::size_t i) {
     const unsigned char first = byteAt(bytes, i);
     const std::size_t length = first < 0x80 ? 1 : first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3 : first >= 0xf0 && first < 0xf5 ? 4 : 0;
@@ -78,7 +78,7 @@ std::size_t utf8Length(std::string_view bytes, std::size_t i) {
 }
 
 struct Utf8Count {
-    std::size_t good = 0; ///< characters of more than one byte
+    std::size_t good = 0; ///< valid characters of more than one byte
     std::size_t bad = 0;
     std::size_t firstBad = 0;
 };
@@ -96,7 +96,8 @@ Utf8Count countUtf8(std::string_view bytes) {
     return count;
 }
 
-/// UTF-16 without a mark shows by its zero bytes, all on one side: delimiters and line ends have them in every language.
+/// Recognises UTF-16 without a byte order mark by its zero bytes, all at odd or all at even positions:
+/// delimiters and line ends have them in every language.
 const char* utf16Order(std::string_view bytes) {
     std::size_t zeros[2] = {0, 0};
     for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -106,7 +107,8 @@ const char* utf16Order(std::string_view bytes) {
     return zeros[1] >= enough && zeros[0] == 0 ? "UTF-16LE" : zeros[0] >= enough && zeros[1] == 0 ? "UTF-16BE" : nullptr;
 }
 
-/// Greek words are made of high bytes alone; in the languages of Western Europe an accented letter stands among plain ones.
+/// Returns whether the text looks Greek. Greek words consist only of high bytes, while in Western European
+/// languages an accented letter stands among plain ones.
 bool looksGreek(std::string_view bytes) {
     const auto isHigh = [&](std::size_t i) { return i < bytes.size() && byteAt(bytes, i) >= 0xb8; };
     const auto isPlain = [&](std::size_t i) { return i < bytes.size() && std::isalpha(byteAt(bytes, i)) != 0 && byteAt(bytes, i) < 0x80; };
@@ -166,7 +168,8 @@ tl::expected<TableText, TextProblem> decoded(std::string_view bytes) {
     if (count.bad == 0) {
         return TableText{std::string(bytes), "UTF-8"};
     }
-    // Characters of UTF-8 come about by chance only rarely: where most are good, the file is UTF-8 and something in it is broken.
+    // Sequences of bytes rarely form UTF-8 characters by chance. If most of them are valid, the file is UTF-8
+    // and something in it is damaged.
     return count.good >= count.bad ? damaged(bytes, count.firstBad) : fromCodePage(bytes);
 }
 
@@ -181,7 +184,7 @@ tl::expected<TableText, TextProblem> readTableText(const std::string& bytes) {
         return read;
     }
     if (!read->text.empty() && read->text.back() == '\x1a') {
-        read->text.pop_back(); // how old programs mark the end
+        read->text.pop_back(); // old programs mark the end of the text with this character
     }
     const auto control = std::find_if(read->text.begin(), read->text.end(), [](char c) { return c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r'; });
     if (control != read->text.end()) {

@@ -7,13 +7,13 @@
 
 namespace chiron::database {
 
-/// A text file as UTF-8, and how it was written.
+/// A text file converted to UTF-8, and its original encoding.
 struct TableText {
     std::string text;     ///< without a byte order mark
     std::string encoding; ///< "UTF-8", "UTF-16", "Windows-1252", "Windows-1253"
 };
 
-/// Why a file is no text.
+/// Why a file is not a text.
 struct TextProblem {
     enum class Kind : std::uint8_t {
         excel,        ///< .xlsx
@@ -22,14 +22,14 @@ struct TextProblem {
         pdf,
         archive, ///< another ZIP
         binary,  ///< control characters
-        damaged  ///< bytes that none of the encodings has
+        damaged  ///< bytes that are invalid in every encoding
     };
     Kind kind = Kind::damaged;
-    int line = 1; ///< of the first such byte
+    int line = 1; ///< line of the first such byte
 };
 
-/// Reads a text as spreadsheets save it: UTF-8 or UTF-16 with or without a byte order mark, or the Windows code page of
-/// Western Europe or Greece, told apart by what the bytes can mean.
+/// Reads a text as spreadsheets save it: UTF-8 or UTF-16 with or without a byte order mark, or the Windows
+/// code page of Western Europe or Greece. The encoding is derived from the bytes.
 tl::expected<TableText, TextProblem> readTableText(const std::string& bytes);
 
 } // namespace chiron::database

@@ -8,7 +8,7 @@ namespace {
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kFreeAttempts = 3;
 constexpr std::int64_t kLongest_ns = 300 * kSecond_ns;
-constexpr std::int64_t kMaximumCount = 1'000'000'000; // the column's CHECK
+constexpr std::int64_t kMaximumCount = 1'000'000'000; // limit of the column's CHECK
 } // namespace
 
 std::int64_t throttleWait_ns(std::int64_t failures) noexcept {

@@ -51,7 +51,7 @@ void addTextProblem(Roster& roster, const TextProblem& problem) {
     }
 }
 
-// The delimiter that makes most headings known; what stands in quotes delimits nothing.
+// Returns the delimiter with which most headings are known; delimiters inside quotes do not count.
 char delimiterOf(const std::string& text, int firstLine) {
     char best = kDelimiters.front();
     std::pair<int, std::size_t> most{-1, 0};
@@ -70,11 +70,11 @@ char delimiterOf(const std::string& text, int firstLine) {
     return best;
 }
 
-/// Where what stands; npos: nowhere.
+/// Positions of the columns; npos: absent.
 struct Columns {
     std::map<RosterColumn, std::size_t> places;
     std::vector<std::string> headings;
-    std::size_t count = 0; ///< without those at the end that have no heading
+    std::size_t count = 0; ///< without columns at the end that have no heading
 
     bool has(RosterColumn column) const { return places.contains(column); }
     std::string heading(RosterColumn column) const { return has(column) ? headings[places.at(column)] : std::string(); }
@@ -84,7 +84,7 @@ std::string trimmed(const std::string& text) {
     return QString::fromStdString(text).trimmed().toStdString();
 }
 
-// Line breaks and double spaces within a cell are how it was laid out.
+// Line breaks and double spaces within a cell are only layout.
 std::string simplified(const std::string& text) {
     return QString::fromStdString(text).simplified().toStdString();
 }
@@ -139,7 +139,7 @@ public:
     }
 
 private:
-    // A spreadsheet leaves out what is empty at a line's end, so a line may be short but never long.
+    // A spreadsheet omits empty cells at the end of a line, so a line may be short but never long.
     bool holdsMore() {
         std::size_t filled = 0;
         for (std::size_t i = 0; i < m_record->fields.size(); ++i) {
@@ -205,7 +205,7 @@ private:
     const Columns& m_columns;
     Roster& m_roster;
     const RoleWords& m_own;
-    std::set<QString> m_unknown; ///< noted
+    std::set<QString> m_unknown; ///< words that were reported already
     const CsvRecord* m_record = nullptr;
     std::map<std::string, int> m_lineOfName;
 };

@@ -26,7 +26,7 @@ bool putDown(int descriptor, const std::string& text) {
     return ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) && ::fsync(descriptor) == 0;
 }
 
-/// Gives a whole file its name, never in place of another: 0, or errno.
+/// Gives a completely written file its name without ever replacing another file; returns 0, or errno.
 int nameIt(const std::string& from, const std::string& to) {
     if (::link(from.c_str(), to.c_str()) == 0)
         return 0;
@@ -36,8 +36,8 @@ int nameIt(const std::string& from, const std::string& to) {
     return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0 ? 0 : errno;
 }
 
-/// Written aside and then named: a program killed in the middle leaves a whole key or none. Where another program was
-/// faster its key stands.
+/// Writes the key to a temporary file and then names it, so that a program killed in between leaves either a
+/// complete key or none. If another program was faster, its key remains.
 core::Result<void> writeNew(const std::string& file, const std::string& text) {
     std::string aside = file + ".XXXXXX";
     // Mode 0600 from the first moment: the key is never readable by others, not even briefly.

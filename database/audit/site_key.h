@@ -12,21 +12,22 @@
 
 namespace chiron::database {
 
-/// The secret that the audit chain is keyed with: 32 random bytes in "<site folder>/site.key" (0600), outside
-/// the database. Wiped from memory on destruction. Whoever holds it could forge the chain: an administrator
-/// of the machine is outside the chain's promise (data.md, Proof).
+/// The secret key of the audit chain: 32 random bytes in "<site folder>/site.key" (0600), outside the
+/// database. It is wiped from memory on destruction. Whoever holds it could forge the chain, so the chain
+/// gives no protection against an administrator of the machine (data.md, Proof).
 class SiteKey {
 public:
     SiteKey(const SiteKey&) = delete;
     SiteKey& operator=(const SiteKey&) = delete;
     ~SiteKey();
 
-    /// Makes the folder (0700) and a new key in it; an existing key is kept and loaded. Failure: storage.
+    /// Creates the folder (0700) and a new key in it; an existing key is kept and loaded.
+    /// Errors: storage.
     static core::Result<std::unique_ptr<SiteKey>> createOrLoad(const std::string& siteFolder);
-    /// Failure: notFound; storage when others than the owner may read the file or it is malformed.
+    /// Errors: notFound; storage if others than the owner may read the file, or it is malformed.
     static core::Result<std::unique_ptr<SiteKey>> load(const std::string& siteFolder);
 
-    /// BLAKE2b-256 of the bytes, keyed.
+    /// Returns the keyed BLAKE2b-256 of the bytes.
     RowDigest mac(std::span<const std::uint8_t> bytes) const;
     const std::string& folder() const noexcept { return m_folder; }
 

@@ -80,7 +80,7 @@ AuditLink linkOf(const Query& row) {
     return link;
 }
 
-/// Tables whose every row the chain knows, with the version of the schema that brought them.
+/// Tables of which the chain covers every row, with the version of the schema that added them.
 struct VouchedTable {
     std::string_view name;
     int since = 1;
@@ -100,7 +100,7 @@ constexpr std::array<VouchedTable, 14> kVouchedTables{{{"person"},
                                                        {"study_sitting", kSittingsVersion},
                                                        {"session_decision", kDecisionsVersion}}};
 
-// A row that was changed together with its digest by somebody without the key shows here.
+// Detects a row that was changed together with its digest by somebody without the key.
 void checkVouchedRows(Connection& connection, const std::map<Target, std::string>& rows,
                       VerifyReport& report) {
     for (const auto& [target, expected] : rows) {
@@ -123,7 +123,8 @@ void checkVouchedRows(Connection& connection, const std::map<Target, std::string
     }
 }
 
-// A row that somebody without the key put there, digest and all: each of these tables notes its rows when they are made.
+// Detects a row that somebody without the key inserted together with its digest: each of these tables records
+// its rows in the chain when they are made.
 void checkUnknownRows(Connection& connection, const std::map<Target, std::string>& rows,
                       VerifyReport& report) {
     const int version = schemaVersionOf(connection);

@@ -8,8 +8,8 @@
 
 namespace chiron::database {
 
-/// Checks the audit chain: codes (edit), numbers (gap, reorder), links (splice), the head it must contain
-/// (truncation), and that the rows it vouches for are as they were at their last entry.
+/// Checks the audit chain: codes (edits), numbers (gaps, reordering), links (splices), the head that it must
+/// contain (truncation), and that the rows covered by it still are as in their last entry.
 void checkAudit(Connection& connection, const SiteKey& key, const std::optional<AuditHead>& head,
                 VerifyReport& report);
 

@@ -9,7 +9,7 @@ namespace {
 void normalise(std::vector<Column>& columns) {
     for (Column& column : columns) {
         if (column.value.type() == Value::Type::real) {
-            column.value = Value(column.value.real() + 0.0); // SQLite keeps -0.0 as 0.0
+            column.value = Value(column.value.real() + 0.0); // SQLite stores -0.0 as 0.0
         }
     }
 }

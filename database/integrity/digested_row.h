@@ -12,18 +12,20 @@
 
 namespace chiron::database {
 
-/// Inserts a row with its digest; columns that the digest covers and that are not given are NULL. -0.0
-/// becomes 0.0. Returns the digest. Failure: badInput (not finite, not UTF-8), storage. Writer's connection
-/// only.
+/// Inserts a row with its digest and returns the digest. Columns that the digest covers and that are not
+/// given are NULL. -0.0 becomes 0.0. Only for the writer's connection.
+/// Errors: badInput (not finite, not UTF-8); storage.
 core::Result<RowDigest> insertRow(Connection& connection, std::string_view table,
                                   std::vector<Column> columns);
 
-/// Changes columns of one row and renews its digest; first checks that the row still fits its old one, so
-/// that damage is never signed over. Failure: notFound, storage (damaged row), as insertRow.
+/// Changes columns of one row and renews its digest. It first checks that the row still matches its old
+/// digest, so that damage never receives a valid digest.
+/// Errors: notFound; storage (damaged row); as insertRow.
 core::Result<RowDigest> updateRow(Connection& connection, std::string_view table,
                                   const std::vector<Column>& key, std::vector<Column> changes);
 
-/// The covered values of the query's present row, whose select list begins with rawSelectList at this column.
+/// Returns the covered values of the query's current row. The select list must begin with rawSelectList at
+/// this column.
 std::vector<Value> rawValues(const Query& query, const DigestedTable& table, int firstColumn);
 
 } // namespace chiron::database

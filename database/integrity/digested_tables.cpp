@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
-// The order of columns is part of the stored format: a digest covers the values in this order. What a later
-// version adds stands at the end, is nullable, and is counted in laterColumns.
+// The order of columns is part of the stored format: a digest covers the values in this order. Columns that a
+// later version adds stand at the end, are nullable, and are counted in laterColumns.
 namespace chiron::database {
 namespace {
 
@@ -40,7 +40,8 @@ DigestedTable sittingsTable() {
     return table;
 }
 
-// After all it asks: tombstones of people and participants are there since earlier versions.
+// Its erasure expression reads the tombstones of people and participants, which earlier versions of the
+// schema already have.
 DigestedTable decisionsTable() {
     DigestedTable table{"session_decision",
                         {"id"},

@@ -12,12 +12,14 @@
 namespace chiron::database {
 namespace {
 
-constexpr qint64 kHeader_bytes = 100; // of a SQLite file
+constexpr qint64 kHeader_bytes = 100; // size of a SQLite file header
 
-/// What the header says of the file's length; 0 where it cannot be held to it: a log beside it may hold the rest.
+/// Returns the file length that the header states; 0 if it is not binding, because a log beside the file may
+/// hold the rest.
 qint64 promisedBytes(const QString& name, const QByteArray& header) {
     const auto number = [&header](int at) { return qFromBigEndian<quint32>(header.constData() + at); };
-    const bool counted = number(24) == number(92); // else an old program wrote it, which counted nothing
+    const bool counted = number(24) == number(92); // otherwise an old program wrote the file and did not
+                                                   // update the length
     const qint64 page = qFromBigEndian<quint16>(header.constData() + 16);
     if (!counted || QFileInfo(name + QStringLiteral("-wal")).size() > 0) {
         return 0;
@@ -41,7 +43,7 @@ bool isCut(const QString& name, const QByteArray& header, std::string& detail) {
     return length < promised;
 }
 
-/// "ok", or SQLite's first complaint.
+/// Returns "ok", or SQLite's first complaint.
 core::Result<std::string> quickCheck(Connection& connection, const std::string& table) {
     const auto words = selectText(connection, "PRAGMA quick_check" + (table.empty() ? std::string("(1)") : "('" + table + "')"));
     return words ? core::Result<std::string>(words->value_or("")) : tl::unexpected(words.error());

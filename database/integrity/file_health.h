@@ -8,28 +8,30 @@
 
 namespace chiron::database {
 
-/// What is wrong with a database file that could not be opened.
+/// The reason why a database file could not be opened.
 enum class FileHealth {
-    sound,      ///< not the file: its folder, its lock, its key
+    sound,      ///< the file is not the reason: its folder, its lock or its key is
     missing,    ///< there is no such file
-    unreadable, ///< it may not be read, or is no file
-    damaged,    ///< cut off, overwritten, or no database at all
+    unreadable, ///< it may not be read, or is not a file
+    damaged,    ///< cut off, overwritten, or not a database at all
     foreign,    ///< another program's database
-    newer,      ///< a newer program's site
+    newer,      ///< the site of a newer program
 };
 
 struct FileState {
     FileHealth health = FileHealth::sound;
-    std::string detail; ///< what was found, in technical words; empty where it is sound
+    std::string detail; ///< what was found, in technical terms; empty if the file is sound
 };
 
-/// Looks at the file without changing it: the header's bytes, the length that it promises, then SQLite's own quick check of every
-/// page. Ends early, with sound, when `cancel` is set. Blocking, and long for a large file: a worker's task.
+/// Examines the file without changing it: the bytes of the header, the length that the header states, then
+/// SQLite's own quick check of every page. It ends early, with sound, when `cancel` is set.
+/// Thread: a worker; blocks, and takes long for a large file.
 FileState examineFile(const std::string& file, const std::atomic<bool>* cancel = nullptr);
 
-/// The check at opening, in milliseconds however large the site: the length that the header promises, and the pages of the tables
-/// that nobody could log in without. A file that is not this program's, or cannot be opened, passes: opening it tells why.
-/// Failure: storage, saying what is damaged.
+/// The check at opening, which takes milliseconds for a site of any size: the length that the header states,
+/// and the pages of the tables that are needed to log in. A file that does not belong to this program, or
+/// cannot be opened, passes, because opening it reports the reason.
+/// Errors: storage, saying what is damaged.
 core::Result<void> checkAtOpening(const std::string& file);
 
 } // namespace chiron::database

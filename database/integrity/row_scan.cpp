@@ -7,7 +7,7 @@
 
 namespace chiron::database {
 namespace {
-constexpr int kMostBreaks = 4096; // of one table; then the rest is reported as one range
+constexpr int kMostBreaks = 4096; // per table; beyond that, the rest is reported as one range
 }
 
 RowScan::RowScan(Connection& connection, const DigestedTable& table, VerifyReport& report, VerifySteps& steps)
@@ -60,7 +60,7 @@ std::string RowScan::sql() const {
 
 void RowScan::run(const Visitor& visit) {
     std::int64_t after = 0;
-    std::int64_t broken = 0; // first row of the present unreadable range, 0: none
+    std::int64_t broken = 0; // first row of the current unreadable range; 0: none
     const auto closeRange = [&](std::int64_t last) {
         if (broken != 0) {
             report("unreadable", "rowid " + std::to_string(broken) + ".." + std::to_string(last), m_words);
@@ -100,7 +100,8 @@ RowScan::Pass RowScan::readFrom(std::int64_t after, std::int64_t& last, const Vi
         if (!*row) {
             return Pass::finished;
         }
-        if (query->integer(0) <= last) { // a damaged tree need not be in order, and must not lead in circles
+        // A damaged tree may be out of order, and must not lead to an endless loop.
+        if (query->integer(0) <= last) {
             m_words = "rows out of order";
             return Pass::broken;
         }

@@ -12,15 +12,15 @@
 
 namespace chiron::database {
 
-/// Reads every row of a digested table and compares its digest, and the hash of its payload or text. Damage
-/// on the way stops neither: rows that cannot be read are named by their numbers, and reading goes on behind
-/// them.
+/// Reads every row of a digested table and compares its digest and the hash of its payload or text. Damage
+/// does not stop the scan: rows that cannot be read are reported by their numbers, and reading continues
+/// after them.
 class RowScan {
 public:
     using Visitor = std::function<void(const std::vector<Value>& values)>;
 
     RowScan(Connection& connection, const DigestedTable& table, VerifyReport& report, VerifySteps& steps);
-    /// visit gets the covered values of each row that could be read, damaged or not.
+    /// Scans the table. `visit` receives the covered values of each row that could be read, damaged or not.
     void run(const Visitor& visit = {});
 
 private:
@@ -32,13 +32,13 @@ private:
     std::string keyOf(const std::vector<Value>& values) const;
 
     Connection& m_connection;
-    DigestedTable m_table; ///< as this file has it: an earlier version lacks the later columns
+    DigestedTable m_table; ///< as in this file: an earlier version lacks the later columns
     VerifyReport& m_report;
     VerifySteps& m_steps;
-    std::string m_words; ///< SQLite's of the last failure
+    std::string m_words; ///< SQLite's message for the last failure
 };
 
-/// A value for people, as in "session_id=3".
+/// Returns a value for people, as in "session_id=3".
 std::string printable(const Value& value);
 
 } // namespace chiron::database

@@ -26,7 +26,7 @@ struct ScoreSet {
     Blob seal;
 };
 
-// All rows of a query; what cannot be read is reported.
+// Returns all rows of a query; rows that cannot be read are reported.
 template <class T, class Make>
 std::vector<T> collect(Connection& connection, const std::string& table, const std::string& sql,
                        VerifyReport& report, Make make) {
@@ -50,7 +50,7 @@ void checkEnded(Connection& connection, const Ended& session, const SeenRows& se
     static const std::set<std::int64_t> none;
     const auto found = seen.chunks.find(session.id);
     const std::set<std::int64_t>& sequences = found == seen.chunks.end() ? none : found->second;
-    // A damaged count must not make us list chunks for ever; the seal tells of the rest.
+    // A damaged count must not make us list chunks endlessly; the seal reveals the rest.
     constexpr std::int64_t kMostNamed = 1'000'000;
     for (std::int64_t i = 0; i < std::min(session.chunks, kMostNamed); ++i) {
         if (!sequences.contains(i)) {

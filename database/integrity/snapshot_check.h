@@ -8,8 +8,8 @@
 
 namespace chiron::database {
 
-/// As verifyDatabase, for a copy: against this key (null: the chain is left unchecked) and the head that the
-/// copy must contain.
+/// Verifies a copy as verifyDatabase does, with this key (null: the chain is not checked) and the head that
+/// the copy must contain.
 VerifyReport verifySnapshot(const std::string& file, const SiteKey* key, const std::optional<AuditHead>& head,
                             const ScoreCheck& check = {}, const VerifyWatch& watch = {});
 

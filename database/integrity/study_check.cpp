@@ -17,7 +17,7 @@ void add(VerifyReport& report, const std::string& kind, const std::string& table
     report.findings.push_back({kind, table, row, detail});
 }
 
-// Visits the rows of a query; what cannot be read is reported.
+// Visits the rows of a query; rows that cannot be read are reported.
 template <class Visit>
 void each(Connection& connection, const std::string& table, const std::string& sql, VerifyReport& report, Visit visit) {
     auto query = Query::run(connection, sql);
@@ -30,7 +30,7 @@ void each(Connection& connection, const std::string& table, const std::string& s
     }
 }
 
-/// What the audit chain noted at freezing.
+/// What the audit chain noted when a study was frozen.
 struct Freezing {
     std::string sha256;
     std::string conditions;

@@ -6,8 +6,9 @@
 
 namespace chiron::database {
 
-/// Checks what belongs together in studies: a frozen design fits its SHA-256 and the one that the audit chain noted when it was frozen,
-/// sealed codes are those of then, trials follow on without a gap, and an ended run has just the trials it was sealed with.
+/// Checks rows of studies that belong together: a frozen design matches its SHA-256 and the one that the
+/// audit chain noted when it was frozen, the sealed codes are still the same, trials follow one another
+/// without a gap, and an ended run has exactly the trials with which it was sealed.
 void checkStudies(Connection& connection, VerifyReport& report);
 
 } // namespace chiron::database

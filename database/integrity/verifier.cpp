@@ -74,8 +74,9 @@ SeenRows checkRows(Connection& connection, VerifyReport& report, VerifySteps& st
 
 } // namespace
 
-// What the file says, but never less than what it holds: else later tables could be passed over by a number. If the schema cannot be
-// read, the newest is assumed, so that every table is checked.
+// Returns the version that the file states, but at least the one that its tables imply; otherwise a false
+// number could make us skip later tables. If the schema cannot be read, the newest version is assumed, so
+// that every table is checked.
 int schemaVersionOf(Connection& connection) {
     const auto version = selectInteger(connection, "PRAGMA user_version");
     const auto held = selectInteger(connection, "SELECT max(CASE name WHEN 'study_trial' THEN ? WHEN 'person_name' THEN ? WHEN 'study_sitting' THEN ? WHEN 'session_decision' THEN ? "
@@ -108,7 +109,7 @@ VerifyReport verifySnapshot(const std::string& file, const SiteKey* key, const s
         checkStructure(**connection, report);
     }
     const SeenRows seen = checkRows(**connection, report, steps);
-    if (!steps.goOn()) { // what was not seen must not be called missing
+    if (!steps.goOn()) { // rows that were not scanned must not be reported as missing
         return report;
     }
     if (schemaVersionOf(**connection) >= kStudyVersion) {

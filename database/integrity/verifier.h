@@ -12,7 +12,7 @@
 
 namespace chiron::database {
 
-/// Something that verify found.
+/// A fault that verification found.
 struct Finding {
     std::string kind; ///< file, integrity, foreign_key, digest, payload, missing, unreadable, seal, audit,
                       ///< score, database
@@ -24,21 +24,22 @@ struct Finding {
 struct VerifyReport {
     std::vector<Finding> findings;
     std::uint64_t rowsChecked = 0;
-    bool cancelled = false; ///< ended early: what was found holds, what was not looked at is not vouched for
+    bool cancelled = false; ///< ended early: the findings are valid, but the rest was not checked
     bool ok() const noexcept { return findings.empty() && !cancelled; }
 };
 
-/// Hears how far a verification is, in steps of about equal length, on its thread; false ends it early.
+/// Receives the progress of a verification, in steps of about equal length, on its thread; returning false
+/// ends it early.
 using VerifyWatch = std::function<bool(std::uint64_t done, std::uint64_t of)>;
 
-/// Recomputes the scores of one session and compares them with the stored ones; given by the session layer.
-/// Called with a read-only connection, once for each ended session whose recording is there.
+/// Recomputes the scores of one session and compares them with the stored ones. The session layer provides
+/// it. It is called with a read-only connection, once for each ended session whose recording is present.
 using ScoreCheck = std::function<std::vector<Finding>(Connection&, SessionId)>;
 
 /// Checks a database file: header, SQLite's integrity check, foreign keys, the digest of every row, payloads,
-/// session seals, the audit chain against key and head file, scores. Needs no login and changes nothing.
-/// Whatever is wrong with the file becomes a finding; never an error, never a crash. Blocking and long: a
-/// worker's task.
+/// session seals, the audit chain against key and head file, and scores. It needs no login and changes
+/// nothing. Every fault of the file becomes a finding, never an error or a crash.
+/// Thread: a worker; blocks, and takes long.
 VerifyReport verifyDatabase(const std::string& file, const DatabaseOptions& options = {},
                             const ScoreCheck& check = {}, const VerifyWatch& watch = {});
 

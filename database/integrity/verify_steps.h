@@ -8,15 +8,16 @@
 
 namespace chiron::database {
 
-/// Counts what a verification has done and asks its watch now and then whether to go on. A session's scores count as many
-/// steps as rows take in the same time.
+/// Counts the progress of a verification and regularly asks its watch whether to continue. The scores of one
+/// session count as many steps as the rows that take the same time.
 class VerifySteps {
 public:
     static constexpr std::uint64_t kStepsOfSession = 500;
     static constexpr std::uint64_t kAskEvery = 64;
 
     VerifySteps(const VerifyWatch& watch, VerifyReport& report) : m_watch(watch), m_report(report) {}
-    /// Looks how much there is to do; what cannot be counted is left out, and the end comes early.
+    /// Determines how much there is to do. Tables that cannot be counted are left out, so that the end comes
+    /// early.
     void plan(Connection& connection, bool withScores);
     void add(std::uint64_t steps = 1);
     bool goOn() const noexcept { return !m_report.cancelled; }

@@ -74,8 +74,8 @@ core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, P
                               : !decisions ? decisions.error()
                                            : names.error());
     }
-    // A trace's name or the ring's folder may tell who it was; scripted operators' names do not, but one rule
-    // is simpler.
+    // A trace's name or the folder of the ring may reveal the person. Names of scripted operators do not, but
+    // a single rule is simpler.
     const auto sessions = idsOf(connection, "SELECT id FROM session WHERE person_id = ?", id);
     if (!sessions) {
         return tl::unexpected(sessions.error());
@@ -94,7 +94,7 @@ core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, P
     return {};
 }
 
-// Sessions of a study hold its participants' movements, not those of whoever ran them.
+// Sessions of a study contain its participants' movements, not those of the person who conducted them.
 core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWhom, Erasure& erasure) {
     const auto sessions = idsOf(connection,
                                 "SELECT id FROM session WHERE person_id = ? AND id NOT IN (SELECT session_id FROM "
@@ -113,7 +113,8 @@ core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWh
     return {};
 }
 
-// As a participant of studies: the key knows who it was, the rest is told by the code.
+// Erases the person's identity as a participant of studies: only the key contains it; everything else refers
+// to the code.
 core::Result<void> overwriteParticipations(Connection& connection, const Actor& byWhom, const Erasure& erasure) {
     const auto participants = participantsOf(connection, erasure.person);
     if (!participants) {

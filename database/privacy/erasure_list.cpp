@@ -30,13 +30,14 @@ QJsonObject jsonOf(const Erasure& erasure) {
 } // namespace
 
 core::Result<std::vector<Erasure>> readErasureList(const std::string& name) {
-    constexpr qint64 kLargest_bytes = 64 << 20; // 300 bytes an erasure
+    constexpr qint64 kLargest_bytes = 64 << 20; // at 300 bytes per erasure
     if (!QFile::exists(QString::fromStdString(name))) {
         return std::vector<Erasure>();
     }
     const auto text = catalogue::readWholeFile(QString::fromStdString(name), kLargest_bytes);
     if (!text) {
-        return core::fail(core::ErrorCode::storage, text.error().message); // whatever stands there: the erasure can go on later
+        // Whatever the reason, the erasure can continue later.
+        return core::fail(core::ErrorCode::storage, text.error().message);
     }
     const QJsonDocument document = QJsonDocument::fromJson(*text);
     if (!document.isArray()) {

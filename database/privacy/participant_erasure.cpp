@@ -21,7 +21,7 @@ core::Result<std::vector<std::int64_t>> idsOf(Connection& connection, const std:
     return row ? core::Result<std::vector<std::int64_t>>(std::move(ids)) : tl::unexpected(row.error());
 }
 
-// Keys and answers are covered through their hashes, so neither digests nor chain change.
+// Keys and answers are covered through their hashes, so neither digests nor the chain change.
 core::Result<void> overwriteTexts(Connection& connection, std::int64_t participant, std::string& digests) {
     const auto key = selectText(connection, "SELECT lower(hex(key_hash)) FROM participant_key WHERE id = ?", {participant});
     const auto answers = selectText(connection,
@@ -41,7 +41,8 @@ core::Result<void> overwriteTexts(Connection& connection, std::int64_t participa
     return {};
 }
 
-// What was said of the participant's sittings, whoever said it: free text, which may name who it was. Covered through its hash, too.
+// Overwrites remarks about the participant's sessions, whoever wrote them: they are free text and may name
+// the person. They, too, are covered through their hash.
 core::Result<void> overwriteRemarks(Connection& connection, std::int64_t participant) {
     const std::string sittings = "(SELECT t.session_id FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id WHERE "
                                  "r.participant_id = ?)";

@@ -9,19 +9,23 @@
 
 namespace chiron::database {
 
-/// Participants of studies whose key names this person. Failure: storage.
+/// Returns the participants of studies whose key names this person.
+/// Errors: storage.
 core::Result<std::vector<std::int64_t>> participantsOf(Connection& connection, PersonId person);
 
-/// The participant (not simulated) with this code; 0: none. Failure: storage.
+/// Returns the (not simulated) participant with this code; 0 if there is none.
+/// Errors: storage.
 core::Result<std::int64_t> participantWithCode(Connection& connection, const std::string& code);
 
-/// Overwrites who a participant was (key row) and every answer to questionnaires, and the recordings if `erasure` says so or if the
-/// participant wished it at withdrawal; stores the tombstone and audits it on behalf of byWhom. In the running transaction. Runs and
-/// trials stay, under the code. Of an erased one again: what is left is overwritten, too. Returns the tombstone (by code). Failure:
-/// notFound; wrongUse for a simulated participant; storage.
+/// Overwrites a participant's identity (key row) and every answer to questionnaires, and the recordings if
+/// `erasure` says so or if the participant wished it at withdrawal. Stores the tombstone and audits it on
+/// behalf of byWhom, all in the running transaction. Runs and trials remain, under the code. If the
+/// participant is erased already, any remaining data is overwritten, too. Returns the tombstone (by code).
+/// Errors: notFound; wrongUse for a simulated participant; storage.
 core::Result<Erasure> overwriteParticipant(Connection& connection, const Actor& byWhom, std::int64_t participant, Erasure erasure);
 
-/// The tombstones of participants; none in a file from before studies. Failure: storage.
+/// Returns the tombstones of participants; none in a file from before studies existed.
+/// Errors: storage.
 core::Result<std::vector<Erasure>> storedParticipantErasures(Connection& connection);
 
 } // namespace chiron::database

@@ -13,7 +13,7 @@
 namespace chiron::database {
 namespace {
 
-// 8 symbols of 32 without look-alikes: 40 bits, checked for uniqueness by the table.
+// 8 symbols out of 32 that do not look alike: 40 bits; the table enforces uniqueness.
 std::string newPersonCode() {
     static constexpr char kSymbols[] = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
     std::string code = "P-";
@@ -83,7 +83,7 @@ core::Result<std::vector<PersonId>> AccountRepository::importPeople(const std::v
     for (const NewPerson& person : people) {
         const auto id = insertPerson(person);
         if (!id) {
-            return tl::unexpected(id.error()); // the job's transaction undoes those before
+            return tl::unexpected(id.error()); // the job's transaction also undoes the previous ones
         }
         ids.push_back(*id);
     }

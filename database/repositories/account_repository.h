@@ -11,24 +11,27 @@
 
 namespace chiron::database {
 
-/// People, their roles and credentials. Functions that change something need the writer's connection; each
-/// checks the actor first. Callers use accounts/account_service.h, which hashes outside the writer.
+/// People, their roles and credentials. Functions that change something need the writer's connection, and
+/// each function checks the actor first. Callers use accounts/account_service.h, which hashes outside the
+/// writer.
 class AccountRepository {
 public:
     AccountRepository(Connection& connection, Actor actor)
         : m_connection(connection), m_actor(std::move(actor)) {}
 
-    /// Whether anybody was ever added; if not, a first administrator must be made.
+    /// Returns whether anybody was ever added; if not, a first administrator must be created.
     core::Result<bool> hasPeople();
-    /// Enabled accounts by name, for the login screen: never the simulated account, never the erased.
+    /// Returns the enabled accounts by name, for the login screen, without the simulated account and erased
+    /// people.
     core::Result<std::vector<LoginName>> listLoginNames();
-    /// Failure: wrongUse when there are people already.
+    /// Errors: wrongUse if there are people already.
     core::Result<PersonId> createFirstAdministrator(const NewPerson& person,
                                                     const std::string& recoveryCodeHash);
-    /// Counts the attempt as failed until finishLogin says otherwise; while the account must wait it is not
-    /// counted and says how long (LoginAttempt::wait_ns).
+    /// Counts the attempt as failed until finishLogin reports success. While the account must wait, the
+    /// attempt is not counted, and the result says how long to wait (LoginAttempt::wait_ns).
     core::Result<LoginAttempt> beginLogin(const std::string& name);
-    /// After the password was found right. Failure: notAllowed when the account is disabled.
+    /// Finishes a login whose password was correct.
+    /// Errors: notAllowed if the account is disabled.
     core::Result<Actor> finishLogin(const LoginAttempt& attempt);
     core::Result<LoginAttempt> beginRecovery(const std::string& name);
     core::Result<void> finishRecovery(const LoginAttempt& attempt, const std::string& newPasswordHash,
@@ -38,29 +41,32 @@ public:
     /// Adds people and changes others, all or nothing.
     core::Result<std::vector<PersonId>> importPeople(const std::vector<NewPerson>& people,
                                                      const std::vector<PersonChange>& changes = {});
-    core::Result<std::vector<Person>> listPeople();     ///< never the simulated account, never the erased
+    core::Result<std::vector<Person>> listPeople();     ///< without the simulated account and erased people
     core::Result<Person> person(PersonId id);
     core::Result<Person> personByName(const std::string& name);
-    core::Result<void> setEnabled(PersonId id, bool enabled);       ///< not the last enabled administrator
-    core::Result<void> setRoles(PersonId id, const RoleSet& roles); ///< not the last enabled administrator
-    /// Login name and display name. What they were is kept (earlierNames). Failure: badInput when the login
-    /// name is taken or not allowed.
+    /// Refused for the last enabled administrator.
+    core::Result<void> setEnabled(PersonId id, bool enabled);
+    /// Refused for the last enabled administrator.
+    core::Result<void> setRoles(PersonId id, const RoleSet& roles);
+    /// Changes login name and display name. The previous names are kept (earlierNames).
+    /// Errors: badInput if the login name is taken or not allowed.
     core::Result<void> changeNames(PersonId id, const std::string& name, const std::string& displayName);
     core::Result<void> changeDisplayName(PersonId id, const std::string& displayName);
     core::Result<std::vector<EarlierName>> earlierNames(PersonId id); ///< latest first
-    /// What people were called before, latest first: whom an old list means, and which of its full names are old. One of the two names
-    /// may be that of today.
+    /// Returns earlier names of people, latest first. With them an import finds out whom an old list means,
+    /// and which of its full names are outdated. One of the two names may be the current one.
     core::Result<std::vector<EarlierLogin>> listEarlierLogins();
     core::Result<void> changePassword(PersonId id, const std::string& newHash);
     core::Result<void> resetPassword(PersonId id, const std::string& newHash);
     core::Result<bool> hasRecoveryCode(PersonId id);
-    /// In the place of the one before, which is not accepted from then on.
+    /// Replaces the previous code, which becomes invalid.
     core::Result<void> setRecoveryCode(PersonId id, const std::string& newHash);
 
 private:
     core::Result<bool> anybody();
     core::Result<PersonId> insertPerson(const NewPerson& person);
-    core::Result<void> nameIsFree(const std::string& name, PersonId otherThan); ///< 0: than nobody
+    /// otherThan 0: nobody is exempt.
+    core::Result<void> nameIsFree(const std::string& name, PersonId otherThan);
     core::Result<void> storeNames(const char* action, PersonId id, const std::optional<std::string>& newName,
                                   const std::string& displayName);
     core::Result<void> storeRoles(PersonId id, const RoleSet& roles);

@@ -69,7 +69,7 @@ core::Result<LoginAttempt> AccountRepository::beginAttempt(const std::string& na
         return waiting;
     }
     if (!m_connection
-             .isWritable()) { // beside a writer: the wait is honoured, but the attempt cannot be counted
+             .isWritable()) { // beside a writer: the wait applies, but the attempt cannot be counted
         return remaining > 0 ? waiting : found->attempt;
     }
     if (remaining == 0) {
@@ -83,8 +83,8 @@ core::Result<LoginAttempt> AccountRepository::beginAttempt(const std::string& na
         return tl::unexpected(stored.error());
     }
     found->attempt.waitIfWrong_ns = throttleRemaining_ns(throttle, now);
-    // After a restart the wait begins anew and must be kept: that is an outcome, not a failure (which would
-    // undo it).
+    // After a restart the wait begins anew, and this must be stored. It is therefore an outcome and not a
+    // failure, which would be rolled back.
     return remaining > 0 ? waiting : found->attempt;
 }
 
@@ -106,7 +106,7 @@ core::Result<Actor> AccountRepository::finishLogin(const LoginAttempt& attempt) 
     if (!row) {
         return tl::unexpected(row.error());
     }
-    // The right attempt was counted too, before it was checked.
+    // The correct attempt was counted too, before it was checked.
     const std::string wrong = std::to_string(std::max<std::int64_t>(failures->value_or(1) - 1, 0));
     auto audited =
         appendAudit(m_connection, *actor,

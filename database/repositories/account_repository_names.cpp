@@ -11,11 +11,11 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-// What people are called, and were called before.
+// Current and earlier names of people.
 namespace chiron::database {
 namespace {
 
-// The names are covered through their hash, so that an erasure can overwrite them and the chain stays as it is.
+// The names are covered through their hash, so that an erasure can overwrite them without changing the chain.
 core::Result<void> keepNames(Connection& connection, const Actor& actor, PersonId person, const std::string& name,
                              const std::string& displayName) {
     const auto last = selectInteger(connection, "SELECT max(id) FROM person_name");

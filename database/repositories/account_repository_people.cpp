@@ -104,7 +104,7 @@ core::Result<Person> AccountRepository::personByName(const std::string& name) {
     if (*row && (*scope == Scope::all || query->integer(0) == m_actor.personId())) {
         return personOf(*query);
     }
-    // Whoever may see only themselves learns nothing about who else exists.
+    // An actor who may see only themselves learns nothing about who else exists.
     return *scope == Scope::all
                ? core::fail(core::ErrorCode::notFound, "there is no person named \"" + name + "\"")
                : core::fail(core::ErrorCode::notAllowed,

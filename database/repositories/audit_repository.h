@@ -9,15 +9,15 @@
 
 namespace chiron::database {
 
-/// One entry of the audit chain, as people read it. Holds ids, tokens, numbers and digests, never names or
-/// free text, so that an erasure never has to touch the chain.
+/// One entry of the audit chain for readers. It contains ids, tokens, numbers and digests, never names or
+/// free text, so that an erasure never has to change the chain.
 struct AuditEntry {
     std::int64_t sequence = 0; ///< from 1
     std::string utc;
     std::string actorKind;
     PersonId actor = 0;
     std::string action;
-    std::string target; ///< table
+    std::string target; ///< table of the target
     std::int64_t targetId = 0;
     std::string detailJson;
 };
@@ -27,7 +27,7 @@ class AuditRepository {
 public:
     AuditRepository(Connection& connection, Actor actor)
         : m_connection(connection), m_actor(std::move(actor)) {}
-    /// Newest first; limit 0 means all.
+    /// Returns the entries, newest first; limit 0 means all.
     core::Result<std::vector<AuditEntry>> listAudit(int limit = 0);
 
 private:

@@ -19,7 +19,7 @@ public:
     core::Result<void> write(std::span<const recording::Chunk> chunks,
                              std::span<const recording::SecondSummary> summaries) override {
         const bool nested =
-            m_connection.inTransaction(); // a job's transaction; a savepoint undoes our part alone
+            m_connection.inTransaction(); // inside a job's transaction, a savepoint undoes only our part
         if (auto begun = nested ? m_connection.execute("SAVEPOINT chunks") : m_connection.begin(); !begun) {
             return begun;
         }
@@ -79,7 +79,7 @@ private:
         return {};
     }
 
-    // A second that goes on after a batch (or is drained again in recovery) replaces what was known of it.
+    // A second that continues after a batch (or is drained again in recovery) replaces its earlier summary.
     core::Result<void> storeSummary(const recording::SecondSummary& s) {
         const std::vector<Column> key{
             {"session_id", m_session}, {"second", std::int64_t{s.second}}, {"tool", std::int64_t{s.tool}}};

@@ -10,11 +10,11 @@
 
 namespace chiron::database {
 
-/// The sink of a running session on the writer's connection; continues after the chunks that are there.
-/// Repositories hand it out after checking the actor.
+/// Makes the sink of a running session on the writer's connection; it continues after the existing chunks.
+/// Repositories provide it after checking the actor.
 core::Result<std::unique_ptr<recording::TrialSink>> makeChunkSink(Connection& connection, SessionId session);
 
-/// The chunks of a session on any connection.
+/// Makes the source of a session's chunks on any connection.
 core::Result<std::unique_ptr<recording::ChunkSource>> makeChunkSource(Connection& connection,
                                                                       SessionId session);
 

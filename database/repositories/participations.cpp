@@ -11,7 +11,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-// Participants of studies towards the law: what is held, and its erasure.
+// The legal rights of study participants: a copy of the stored data, and its erasure.
 namespace chiron::database {
 namespace {
 
@@ -32,7 +32,7 @@ core::Result<void> addStudy(Connection& connection, PersonParticipation& held) {
 
 core::Result<PersonParticipation> participation(Connection& connection, ParticipantNumber id, bool own) {
     auto participants = participantRows(connection, "p.id = ?", {id});
-    auto runs = shownRuns(connection, id); // an export of a person unblinds nothing
+    auto runs = shownRuns(connection, id); // the export of a person's data unblinds nothing
     const auto blinding = blindingOf(connection, StudyPart::participant, id);
     auto answers = blinding ? answerRows(connection, "p.id = ?", id) : tl::unexpected(blinding.error());
     if (!participants || !runs || !answers || participants->empty()) {
@@ -48,7 +48,7 @@ core::Result<PersonParticipation> participation(Connection& connection, Particip
     const bool handedOut = own && done && blinding->seals();
     held.sealed = blinding->seals() && !handedOut;
     for (QuestionnaireAnswer& answer : *answers) {
-        // handed out like the trials: by its run, without what experimenters know the condition by
+        // Included like the trials: by run, without the names by which experimenters know the condition.
         held.answers.push_back(handedOut ? std::move(answer) : sealed(std::move(answer), *blinding));
         if (handedOut) {
             held.answers.back().condition.clear();
@@ -57,7 +57,8 @@ core::Result<PersonParticipation> participation(Connection& connection, Particip
     }
     for (StudyRun& run : held.runs) {
         if (handedOut) {
-            run.sealedCode.clear(); // beside its trials it would say for everybody which condition the code is
+            // Together with its trials the code would reveal its condition to everybody.
+            run.sealedCode.clear();
         }
         auto trials = handedOut ? studyTrialRows(connection, run.id) : shownTrials(connection, run.id);
         if (!trials) {

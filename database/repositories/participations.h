@@ -9,9 +9,11 @@
 
 namespace chiron::database {
 
-/// What the studies hold of a person with an account; who may ask is checked before. `own`: the person asks, who conducts no studies; of a blinded one
-/// that they have done or left their trials are handed out all the same, by runs without sealed codes: blind are those who conduct, and what is held
-/// about somebody is theirs. Failure: storage.
+/// Returns the study data of a person with an account. The caller checks the rights beforehand. `own`: the
+/// person, who conducts no studies, asks for their own data. In a blinded study that they have completed or
+/// left, their trials are then included, by runs without sealed codes: the blinding is for those who conduct
+/// the study, and people have a right to the data about themselves.
+/// Errors: storage.
 core::Result<std::vector<PersonParticipation>> participationsOf(Connection& connection, PersonId person, bool own);
 
 } // namespace chiron::database

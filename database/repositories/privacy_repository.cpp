@@ -29,7 +29,8 @@ core::Result<PersonSession> sealedSession(Connection& connection, const Actor& a
 
 core::Result<PersonSession> sessionOf(Connection& connection, const Actor& actor, const SessionSummary& summary) {
     const SessionId id = summary.id;
-    const auto closed = isSealedSitting(connection, actor, id); // whoever conducts a blinded study exports no condition of it
+    // A person who conducts a blinded study must not export its conditions.
+    const auto closed = isSealedSitting(connection, actor, id);
     if (!closed || *closed) {
         return closed ? sealedSession(connection, actor, summary) : tl::unexpected(closed.error());
     }
@@ -90,7 +91,8 @@ core::Result<std::vector<AuditEntry>> auditOf(Connection& connection, PersonId p
     return row ? core::Result<std::vector<AuditEntry>>(std::move(entries)) : tl::unexpected(row.error());
 }
 
-/// What somebody did to sittings and runs of a blinded study, but when these ended: how long they took tells the conditions apart.
+/// Removes from a person's audit entries the times at which sessions and runs of a blinded study ended,
+/// because their duration distinguishes the conditions.
 core::Result<void> withholdEnds(Connection& connection, const Actor& actor, std::vector<AuditEntry>& entries) {
     const auto sealed = sealedSittings(connection, actor);
     if (!sealed) {

@@ -16,58 +16,64 @@
 
 namespace chiron::database {
 
-/// Everything held about one person in one session.
+/// All data about one person in one session.
 struct PersonSession {
     SessionRecord record;
     std::vector<TrialRecord> trials;
     std::vector<EventRecord> events;
     std::vector<SessionComment> comments;
     std::optional<scoring::ScoreCard> scores;
-    bool sealed = false; ///< a sitting of a blinded study: listed, without content, trials, events and scores, until it is unblinded
+    /// A session of a blinded study: listed without content, trials, events and scores until the study is
+    /// unblinded.
+    bool sealed = false;
 };
 
-/// What is held of somebody as a participant of a study.
+/// The data about a person as a participant of a study.
 struct PersonParticipation {
     std::string studyKey;
     std::string studyTitle;
     Participant participant;
-    std::string identity; ///< as the key table has it
+    std::string identity; ///< as in the key table
     std::vector<StudyRun> runs;
     std::vector<StudyTrial> trials; ///< of all runs; none while `sealed`
-    bool sealed = false; ///< the study is blinded: trials are handed out once it is not, or to the participant, who is done with it (participations.h)
+    /// The study is blinded. Trials are included after unblinding, or for participants who are done with the
+    /// study (participations.h).
+    bool sealed = false;
     std::vector<QuestionnaireAnswer> answers;
 };
 
-/// Everything held about one person. Samples are exported per session (recording reader); credentials are
-/// secrets, only their presence is told.
+/// All data about one person. Samples are exported per session (recording reader). Credentials are secret, so
+/// only their presence is stated.
 struct PersonExport {
     Person person;
     std::vector<EarlierName> earlierNames;
     std::vector<PersonSession> sessions;
-    std::vector<SessionComment> commentsWritten; ///< on anybody's sessions
-    std::vector<AuditEntry> audit;               ///< by or about them; what ended sittings and runs of a blinded study without its time
+    std::vector<SessionComment> commentsWritten; ///< on any person's sessions
+    /// Entries by or about the person; those that ended sessions and runs of a blinded study have no time.
+    std::vector<AuditEntry> audit;
     bool hasPassword = false;
     int failedLogins = 0;
-    std::vector<PersonParticipation> participations; ///< where a study's key table names this account
+    std::vector<PersonParticipation> participations; ///< participations whose key names this account
 };
 
-/// What the law gives a person: a copy, and oblivion.
+/// Fulfils people's legal rights: a copy of their data, and erasure.
 class PrivacyRepository {
 public:
     PrivacyRepository(Connection& connection, Actor actor)
         : m_connection(connection), m_actor(std::move(actor)) {}
 
     core::Result<PersonExport> exportPerson(PersonId person);
-    /// Overwrites identity, code, credentials and free texts (and recordings if asked) and leaves a
-    /// tombstone. The caller confirms the password and VACUUMs afterwards (AccountService::erasePerson).
-    /// Of somebody who is erased already it returns the tombstone as it stands, so that what did not follow
-    /// (list, VACUUM) can be done again; recordings can still be withdrawn.
-    /// Failure: wrongUse for the simulated account, oneself, the last administrator or a running session.
+    /// Overwrites identity, code, credentials and free texts (and recordings if requested) and leaves a
+    /// tombstone. The caller confirms the password and runs VACUUM afterwards (AccountService::erasePerson).
+    /// For a person who is erased already it returns the existing tombstone, so that the steps that were not
+    /// done (list, VACUUM) can be repeated; recordings can still be withdrawn.
+    /// Errors: wrongUse for the simulated account, oneself, the last administrator or a running session.
     core::Result<Erasure> erasePerson(PersonId person, const std::string& reason, bool withdrawRecordings);
-    /// Overwrites who a participant of a study was and all answers to questionnaires, and the recordings where
-    /// the participant wished so at withdrawal; leaves a tombstone. The caller confirms the password and VACUUMs
-    /// (AccountService::eraseParticipant). An erased one can be erased again. Failure: wrongUse for a simulated one,
-    /// one who has not withdrawn, or while a session of theirs runs.
+    /// Overwrites the identity of a participant of a study and all answers to questionnaires, and the
+    /// recordings if the participant wished so at withdrawal; leaves a tombstone. The caller confirms the
+    /// password and runs VACUUM (AccountService::eraseParticipant). A participant can be erased again.
+    /// Errors: wrongUse for a simulated participant, for one who has not withdrawn, or while a session of
+    /// theirs is running.
     core::Result<Erasure> eraseParticipant(ParticipantNumber participant, const std::string& reason);
     core::Result<std::vector<Erasure>> listErasures();
 

@@ -86,7 +86,7 @@ scoring::MetricValue metricOf(const Query& row) {
     return metric;
 }
 
-// The row (id, passed, trials, seal) of the latest set, or of the one asked for.
+// Returns the row (id, passed, trials, seal) of the latest set, or of the requested one.
 core::Result<Query> storedSet(Connection& connection, const Actor& actor, SessionId session, std::optional<int> wanted) {
     const auto closed = isSealedSitting(connection, actor, session);
     if (!closed || *closed) {
@@ -122,8 +122,8 @@ core::Result<int> ScoreRepository::storeScores(SessionId session, const scoring:
     if (!set) {
         return tl::unexpected(set.error());
     }
-    // Scores refer to their set, whose seal is over them: the reference is checked when the transaction
-    // commits.
+    // Scores refer to their set, whose seal covers them. The reference is therefore checked only when the
+    // transaction commits.
     auto done = m_connection.execute("PRAGMA defer_foreign_keys=ON;");
     done = done ? storeGroup(m_connection, set->id, -1, card.metrics) : done;
     std::size_t count = card.metrics.size();

@@ -11,20 +11,24 @@
 
 namespace chiron::database {
 
-/// Scores of sessions. Each storing makes a new numbered set; none is ever changed. Values are stored as the
-/// double's bits, but for -0.0, which SQLite keeps as 0.0 (so it is stored and digested as 0.0).
+/// Scores of sessions. Storing always makes a new numbered set, and no set is ever changed. Values are stored
+/// with the exact bits of the double, except -0.0, which SQLite stores as 0.0 (so it is stored and digested
+/// as 0.0).
 class ScoreRepository {
 public:
     ScoreRepository(Connection& connection, Actor actor)
         : m_connection(connection), m_actor(std::move(actor)) {}
 
-    /// Stores a card of an ended session and audits its seal; returns the set's number (from 1). Failure:
-    /// badInput for NaN, infinity, a value together with a reason or neither; all or nothing.
+    /// Stores the score card of an ended session, all or nothing, and audits its seal; returns the set's
+    /// number (from 1).
+    /// Errors: badInput for NaN, infinity, or a value together with a reason or without either.
     core::Result<int> storeScores(SessionId session, const scoring::ScoreCard& card);
-    /// The latest set, or the one asked for. Failure: notFound when there is none.
+    /// Returns the latest set, or the requested one.
+    /// Errors: notFound if there is none.
     core::Result<scoring::ScoreCard> scores(SessionId session, std::optional<int> set = {});
-    /// The seal of that set (session_seal.h): what the audit chain vouches for, and what a report names its scores by.
-    /// Failure as for scores.
+    /// Returns the seal of that set (session_seal.h), which the audit chain covers and by which a report
+    /// identifies its scores.
+    /// Errors: as for scores.
     core::Result<RowDigest> scoreSeal(SessionId session, std::optional<int> set = {});
 
 private:

@@ -6,7 +6,7 @@
 namespace chiron::database {
 namespace {
 
-// The columns of the index session_by_attempt, and last what is asked of other tables.
+// The columns are those of the index session_by_attempt; the conditions on other tables come last.
 std::string isAttempt(const std::string& table) {
     return "(" + table + ".familiarisation = 0 AND (" + table + ".operator_name = '' OR " + table + ".demonstration = 1) AND " + table +
            ".person_id <> " + std::to_string(Actor::kSimulatedPerson) + " AND NOT " + isOfStudySql(table) + ")";
@@ -22,7 +22,7 @@ std::string standsForReview(const std::string& table) {
 
 } // namespace
 
-// Not by the view recorded_sitting, which would be made anew for each session.
+// Does not use the view recorded_sitting, which would be computed anew for each session.
 std::string isOfStudySql(const std::string& table) {
     return "(EXISTS (SELECT 1 FROM study_sitting k WHERE k.id = " + table + ".id) OR EXISTS (SELECT 1 FROM study_trial t WHERE t.session_id = " + table + ".id))";
 }

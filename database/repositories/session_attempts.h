@@ -5,17 +5,21 @@
 
 namespace chiron::database {
 
-/// SQL: 1 where the session that the statement calls `table` was recorded for a study, whatever its exercise; else 0. Of versions before 5 a
-/// sitting is known by its trials alone: one that was left before its first is taken for training.
+/// SQL that is 1 if the session to which the statement refers as `table` was recorded for a study, whatever
+/// its exercise; else 0. In versions before 5 a study session is recognised only by its trials, so one that
+/// was left before its first trial counts as training.
 std::string isOfStudySql(const std::string& table);
 
-/// SQL, for a statement in which the table of sessions is called `s`: which attempt of its person at its exercise and level the session
-/// is, from 1 in the order of session numbers; 0 for what is none: a familiarisation, a script's hand (but on a demonstration site, where
-/// scripts stand in for people), a sitting of a study. A voided session keeps its number, and so do those after it.
+/// SQL, for a statement in which the table of sessions is called `s`: the number of the session among the
+/// attempts of its person at its exercise and level, from 1 in the order of session numbers. It is 0 for
+/// sessions that are no attempts: a familiarisation, a scripted operator (except on a demonstration site,
+/// where scripts represent people), and a session of a study. A voided session keeps its number, and so do
+/// those after it.
 std::string attemptNumberSql();
 
-/// SQL, as above: 1 where somebody other than its person should look at the session, else 0. Of each person, exercise and level that is the
-/// latest attempt that has ended, was not voided and is not archived, as long as nobody else has commented on it.
+/// SQL, as above: 1 if somebody other than its person should look at the session, else 0. For each person,
+/// exercise and level this is the latest attempt that has ended, was not voided and is not archived, as long
+/// as nobody else has commented on it.
 std::string awaitsReviewSql();
 
 } // namespace chiron::database

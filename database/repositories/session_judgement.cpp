@@ -11,12 +11,12 @@
 #include <cstdint>
 #include <limits>
 
-// What people add to a session afterwards: void, archive, comment.
+// What people decide about or add to a session afterwards: voiding, archiving, comments.
 namespace chiron::database {
 namespace {
 constexpr int kMaximumFreeText = 10000;
 
-// A running session's length is not known yet.
+// Checks that the tick lies in the session. The length of a running session is not known yet.
 core::Result<void> checkMoment(Connection& connection, SessionId session, std::uint64_t tick) {
     const auto ticks =
         selectInteger(connection, "SELECT ticks FROM session WHERE id = ? AND state <> 'running'", {session});
@@ -59,14 +59,14 @@ core::Result<void> checkReason(const std::string& reason) {
     return good && reason.empty() ? core::fail(core::ErrorCode::badInput, "reason: expected a text") : good;
 }
 
-// The state in which somebody who may and who gives a reason finds the session.
+// Returns the current state of the session, after checking the actor's right and the reason.
 core::Result<SessionState> stateToJudge(Connection& connection, const Actor& actor, Action decision, SessionId session, const std::string& reason) {
     auto may = mayWriteSession(connection, actor, decision, session);
     may = may ? checkReason(reason) : may;
     return may ? sessionState(connection, session) : tl::unexpected(may.error());
 }
 
-// What the session's own row says of its voiding, until it is taken back.
+// Returns the voiding in the session's own row, which is there until it is reversed.
 core::Result<std::vector<Column>> presentVoiding(Connection& connection, SessionId session) {
     auto query = Query::run(connection,
                             "SELECT voided_by, void_reason, void_reason_hash, (SELECT utc FROM audit WHERE target = 'session' AND target_id "

@@ -61,7 +61,7 @@ SessionSummary summaryOf(const Query& row, bool names, PersonId self) {
     return summary;
 }
 
-/// Without what tells the conditions of a blinded study apart.
+/// Removes what distinguishes the conditions of a blinded study.
 void withhold(SessionSummary& summary) {
     summary.sealed = true;
     summary.passed.reset();
@@ -120,7 +120,7 @@ core::Result<std::vector<SessionDecision>> decisionsOn(Connection& connection, S
     return row ? core::Result<std::vector<SessionDecision>>(std::move(decisions)) : tl::unexpected(row.error());
 }
 
-// Names are for those who may list people; others read codes (and their own name).
+// Actors who may list people see names; others see codes (and their own name).
 core::Result<bool> mayReadNames(Connection& connection, const Actor& actor) {
     const auto scope = authorise(connection, actor, Action::listPeople);
     if (scope || scope.error().code == core::ErrorCode::notAllowed) {
@@ -281,7 +281,8 @@ core::Result<std::vector<SessionRecord>> SessionReader::listUnfinished() {
             withhold((*running)[i].summary);
             (*running)[i].setup.contentJson.clear();
             (*running)[i].contentSha256.clear();
-            (*running)[i].setup.seed = 0; // with it the condition's presentations could be drawn, and compared
+            // With the seed the condition's presentations could be drawn and compared.
+            (*running)[i].setup.seed = 0;
         }
     }
     return running;

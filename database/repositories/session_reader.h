@@ -12,30 +12,33 @@
 
 namespace chiron::database {
 
-/// Reads sessions, on any connection. Trainees see their own and simulated ones; nobody logged in sees
-/// simulated ones. Sittings of a blinded study are listed, without how much was recorded (SessionSummary::sealed), and their comments read; all else of
-/// them is closed to everybody (notAllowed) until the study is unblinded.
+/// Reads sessions, on any connection. Trainees see their own and simulated sessions; without a login only
+/// simulated ones are visible. Sessions of a blinded study are listed without how much was recorded
+/// (SessionSummary::sealed), and their comments can be read; everything else about them is closed to
+/// everybody (notAllowed) until the study is unblinded.
 class SessionReader {
 public:
     SessionReader(Connection& connection, Actor actor)
         : m_connection(connection), m_actor(std::move(actor)) {}
 
     core::Result<std::vector<SessionSummary>> listSessions(const SessionFilter& filter = {});
-    /// Sessions still marked running: live ones, and those to recover (setup.ringFile says where the ring
-    /// lies).
+    /// Returns the sessions still marked as running: live ones, and those to recover (setup.ringFile says
+    /// where the crash ring is).
     core::Result<std::vector<SessionRecord>> listUnfinished();
     core::Result<SessionRecord> session(SessionId id);
     core::Result<std::vector<TrialRecord>> trials(SessionId id);
     core::Result<std::vector<EventRecord>> events(SessionId id);
     core::Result<std::vector<recording::SecondSummary>> secondSummaries(SessionId id);
     core::Result<std::vector<SessionComment>> comments(SessionId id);
-    /// The reader's own sessions that somebody commented on, and others' that the reader commented on, newest first, archived ones too.
+    /// Returns the reader's own sessions on which somebody else commented, and other people's sessions on
+    /// which the reader commented, newest first, archived ones too.
     core::Result<std::vector<CommentedSession>> commentedSessions(const CommentedFilter& which = {});
-    /// Chunks of a session; works on this connection, so on its thread and not beyond it. Failure: notFound
-    /// also where the recording was erased.
+    /// Opens the chunks of a session. The source uses this connection, so it is bound to its thread and must
+    /// not outlive it.
+    /// Errors: notFound, also if the recording was erased.
     core::Result<std::unique_ptr<recording::ChunkSource>> openChunks(SessionId id);
 
-    /// The statement behind listSessions; a test looks at its query plan.
+    /// The SQL statement of listSessions; a test examines its query plan.
     static std::string listSql(const std::string& where, bool newestFirst);
 
 private:

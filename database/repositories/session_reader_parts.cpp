@@ -8,12 +8,12 @@
 namespace chiron::database {
 namespace {
 
-// The rows of one session, each made into a value.
+// Returns the rows of one session, each converted to a value.
 template <class T, class Make>
 core::Result<std::vector<T>> rowsOf(Connection& connection, const Actor& actor, Action action, SessionId id,
                                     const std::string& sql, Make make) {
     auto allowed = authoriseForSession(connection, actor, action, id);
-    if (action != Action::comments) { // what people wrote is theirs to read
+    if (action != Action::comments) { // comments may be read in any case
         allowed = allowed ? mayOpenSitting(connection, actor, id) : allowed;
     }
     if (!allowed) {

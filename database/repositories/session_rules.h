@@ -9,15 +9,16 @@
 
 namespace chiron::database {
 
-/// The actor may do this to the session, on the writer's connection. Failure: wrongUse, notAllowed, notFound,
-/// storage.
+/// Checks that the actor may do this to the session, on the writer's connection.
+/// Errors: wrongUse, notAllowed, notFound, storage.
 core::Result<void> mayWriteSession(Connection& connection, const Actor& actor, Action action,
                                    SessionId session);
 
-/// A comment from a row that begins with id, author_id, utc, text, tick.
+/// Makes a comment from a row that begins with id, author_id, utc, text, tick.
 SessionComment commentOf(const Query& row);
 
-/// The state of a session as stored. Failure: storage.
+/// Returns the stored state of a session.
+/// Errors: storage.
 core::Result<SessionState> sessionState(Connection& connection, SessionId session);
 
 } // namespace chiron::database

@@ -6,7 +6,8 @@
 namespace chiron::database {
 namespace {
 
-// Digests of one group, in order, appended with their count first, so that rows cannot move between groups.
+// Appends the digests of one group, in order, preceded by their count, so that rows cannot move between
+// groups.
 core::Result<void> appendGroup(Connection& connection, Blob& bytes, const std::string& sql, std::int64_t id) {
     auto query = Query::run(connection, sql, {id});
     if (!query) {

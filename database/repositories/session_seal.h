@@ -10,11 +10,11 @@
 
 namespace chiron::database {
 
-/// BLAKE2b-256 over the row digests of a session's chunks, trials, events and per-second summaries, in order,
-/// each group with its count: what the audit chain vouches for when a session ends.
+/// Returns BLAKE2b-256 over the row digests of a session's chunks, trials, events and per-second summaries,
+/// in order, each group with its count. The audit chain stores this seal when a session ends.
 core::Result<RowDigest> sessionSeal(Connection& connection, SessionId session);
 
-/// BLAKE2b-256 over the row digests of a set of scores, in order.
+/// Returns BLAKE2b-256 over the row digests of a set of scores, in order.
 core::Result<RowDigest> scoreSeal(Connection& connection, std::int64_t scoreSetId);
 
 } // namespace chiron::database

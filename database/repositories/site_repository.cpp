@@ -16,7 +16,7 @@ namespace chiron::database {
 
 namespace {
 
-constexpr const char* kNameKey = "site_name"; // beside the backup's plan, in the table of what the site is
+constexpr const char* kNameKey = "site_name"; // in the table of the site's properties, beside the backup plan
 
 } // namespace
 

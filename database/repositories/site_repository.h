@@ -11,18 +11,21 @@ namespace chiron::database {
 
 inline constexpr int kMaximumSiteNameCharacters = 80;
 
-/// A name as it would be stored: without spaces at the ends. Failure: badInput (too long, or control characters).
+/// Returns a name as it would be stored, without spaces at the ends.
+/// Errors: badInput (too long, or control characters).
 core::Result<std::string> checkedSiteName(const std::string& name);
 
-/// What the site is called, as people know it: a hospital, a department, a course. Shown before anybody is logged in.
+/// The name of the site for people: a hospital, a department, a course. It is shown before anybody logs in.
 class SiteRepository {
 public:
     SiteRepository(Connection& connection, Actor actor)
         : m_connection(connection), m_actor(std::move(actor)) {}
 
-    /// Empty: it was never given one. Failure: storage.
+    /// Returns the name; empty if the site has none.
+    /// Errors: storage.
     core::Result<std::string> siteName();
-    /// By an administrator; empty takes it away. Only in a writer's job. Failure: notAllowed, wrongUse, that of checkedSiteName, storage.
+    /// Sets the name, as an administrator; an empty name removes it. Only in a writer's job.
+    /// Errors: notAllowed, wrongUse, storage; as checkedSiteName.
     core::Result<void> setSiteName(const std::string& name);
 
 private:

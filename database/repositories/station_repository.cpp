@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kLongest = 200;
 
-/// Printable ASCII: tokens and versions, no text of a person.
+/// Returns whether a text is printable ASCII: tokens and versions, no free text.
 bool isPlain(const std::string& word) {
     return word.size() <= kLongest && std::all_of(word.begin(), word.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }

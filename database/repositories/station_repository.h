@@ -10,23 +10,26 @@
 
 namespace chiron::database {
 
-/// That a station was checked, and whether it passed: tokens and numbers, as the audit chain keeps them.
+/// The result of a check of a station, as tokens and numbers, as in the audit chain.
 struct StationCheck {
     std::string what;   ///< "loop", "fingertip_platform"
-    std::string driver; ///< of the device that was checked: a token of the driver catalogue; empty: none
+    std::string driver; ///< driver token of the checked device in the driver catalogue; empty: none
     std::string build;  ///< core::buildId()
     bool passed = false;
-    std::string serial{}; ///< of the device, as it tells it; empty: it tells none, or there is none
+    /// Serial number that the device reports; empty: it reports none, or there is no device.
+    std::string serial{};
 };
 
-/// Records checks of the station. Researchers and administrators (technicians hold that role) check stations.
+/// Records checks of the station. Researchers and administrators may record them; a station technician has one
+/// of these roles.
 class StationRepository {
 public:
     StationRepository(Connection& connection, Actor actor)
         : m_connection(connection), m_actor(std::move(actor)) {}
 
-    /// Adds it to the audit chain and returns the entry's number, which a printed record bears. Only in a writer's job.
-    /// Failure: notAllowed, wrongUse, badInput (what or build is empty, or anything not plain), storage.
+    /// Adds a check to the audit chain and returns the entry's number, which a printed record shows. Only in
+    /// a writer's job.
+    /// Errors: notAllowed; wrongUse; badInput (what or build is empty, or a text is not plain); storage.
     core::Result<std::int64_t> recordStationCheck(const StationCheck& check);
 
 private:

@@ -20,7 +20,7 @@
 namespace chiron::database {
 namespace {
 
-// What is said of a spoiled trial whose reason comes of the forces.
+// The reason shown for a trial that was spoiled for a reason related to forces.
 constexpr std::string_view kWithheld = "withheld";
 constexpr QLatin1String kApex("apex");
 
@@ -43,7 +43,7 @@ QJsonObject without(QJsonObject object, std::initializer_list<const char*> keys)
     return object;
 }
 
-// Reasons of spoiling that come of forces.
+// Returns whether the reason for spoiling a trial is related to forces.
 bool isOfForces(std::string_view spoiled) {
     constexpr std::array<std::string_view, 4> kReasons{"force_error", "stiffness_error", "saturation", "peak_force"};
     return std::find(kReasons.begin(), kReasons.end(), spoiled) != kReasons.end();
@@ -62,7 +62,8 @@ core::Result<Blinding> blindingOf(const std::string& designJson, bool unblinded)
     const QJsonArray conditions = design->value("conditions").toArray();
     const QJsonObject first = conditions.first().toObject();
     const QJsonObject like = first["stimulus"].toObject();
-    // Whatever else a condition has is how it asks, so that what is added to conditions later is compared, too.
+    // All other keys of a condition say how it asks, so that keys added to conditions later are compared,
+    // too.
     const auto asking = [](const QJsonObject& each) { return without(each, {"id", "title", "task", "stimulus", "instructions"}); };
     for (const QJsonValue value : conditions) {
         const QJsonObject each = value.toObject();
@@ -92,10 +93,11 @@ StudyRun sealed(StudyRun run, const Blinding& blinding) {
     if (blinding.on) {
         run.condition.clear();
     }
-    if (blinding.seals()) { // with the seed each condition's presentations could be drawn, and compared
+    // With the seed the presentations of each condition could be drawn and compared.
+    if (blinding.seals()) {
         run.procedures.clear();
         run.seed = 0;
-        run.endedUtc.clear(); // how long it took
+        run.endedUtc.clear(); // reveals how long the run took
     }
     return run;
 }
@@ -104,7 +106,8 @@ QuestionnaireAnswer sealed(QuestionnaireAnswer answer, const Blinding& blinding)
     if (blinding.on) {
         answer.condition.clear();
     }
-    if (blinding.seals() && answer.run != 0) { // how hard a condition was tells which one it is, and when it ended how long it took
+    // The difficulty of a condition reveals which one it is, and the time reveals how long it took.
+    if (blinding.seals() && answer.run != 0) {
         answer.number.reset();
         answer.text.clear();
         answer.utc.clear();
@@ -149,7 +152,7 @@ core::Result<std::vector<StudyTrial>> shownTrials(Connection& connection, StudyR
 
 namespace {
 
-// Of all of a participant's trials, whatever their conditions.
+// Adds all of a participant's trials, whatever their conditions.
 void addTrials(ParticipantQuality& quality, const std::vector<StudyTrial>& trials, std::set<std::string>& devices, std::map<std::string, int>& reasons,
                std::vector<double>& late, std::vector<double>& times) {
     for (const StudyTrial& trial : trials) {
@@ -168,7 +171,7 @@ void addTrials(ParticipantQuality& quality, const std::vector<StudyTrial>& trial
         quality.practice += trial.practice ? 1 : 0;
         const bool scored = !trial.practice && !trial.undone && trial.spoiled.empty();
         quality.scored += scored ? 1 : 0;
-        if (scored && trial.exploration_s > 0.0) { // simulated without rendering: nothing was explored
+        if (scored && trial.exploration_s > 0.0) { // in a simulation without rendering nothing was explored
             times.push_back(trial.exploration_s);
         }
         if (!trial.practice && !trial.spoiled.empty()) {
@@ -185,7 +188,7 @@ double medianOf(std::vector<double> values) {
     return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
 
-// What depends on the objects is left out while not every condition is in it.
+// Removes the figures that depend on the objects; used until every condition is included.
 ParticipantQuality withoutBehaviour(ParticipantQuality quality) {
     quality.presentations = quality.practice = quality.scored = 0;
     quality.spoiled.clear();

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-// The one way to a condition of a blinded study for those who are blind: to conduct a run of it.
+// Blind experimenters can reach a condition of a blinded study only by conducting a run of it.
 namespace chiron::database {
 
 core::Result<void> mayRun(const StoredParticipant& who) {

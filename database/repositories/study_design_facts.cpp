@@ -16,7 +16,7 @@ core::Result<void> bad(const std::string& message) {
     return core::fail(core::ErrorCode::badInput, message);
 }
 
-// The element of an array of objects with this id; empty: none.
+// Returns the element with this id from an array of objects; empty if there is none.
 QJsonObject withId(const QJsonValue& array, const std::string& id) {
     for (const QJsonValue value : array.toArray()) {
         if (value.toObject()["id"].toString().toStdString() == id) {
@@ -74,7 +74,8 @@ bool isOfConditions(const QJsonObject& design, const std::string& questionnaire)
 
 namespace {
 
-/// The language is one that the question has, and a run is named where the questionnaire is asked after each.
+/// Checks that the question exists in the answer's language, and that a run is named if the questionnaire is
+/// asked after each condition.
 core::Result<void> checkShown(const QJsonObject& design, const QuestionnaireAnswer& answer, const QJsonObject& item, const std::string& place) {
     if (!answer.language.empty() && !item["text"].toObject().contains(QString::fromStdString(answer.language))) {
         return bad(place + ": language " + answer.language + ": expected one that the question is written in");

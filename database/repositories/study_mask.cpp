@@ -12,7 +12,7 @@ namespace {
 using psychophysics::Attribute;
 using psychophysics::Condition;
 
-// Whatever has the widest range takes every table that some attribute takes.
+// The attribute with the widest range accepts every table that any attribute accepts.
 constexpr Attribute kWidest = Attribute::deformation;
 
 bool oneAttribute(const std::vector<Condition>& conditions) {
@@ -21,7 +21,8 @@ bool oneAttribute(const std::vector<Condition>& conditions) {
     });
 }
 
-// A condition that is nobody's, where nothing but a number of trials may be known. That an apex is looked for, every list of sessions tells.
+// Returns a condition that is not one of the study's, for readers who may know only the number of trials.
+// Whether the task is to find an apex is visible in every list of sessions anyway.
 Condition plainCondition(bool apex) {
     Condition plain;
     plain.stimulus.attribute = apex ? Attribute::apex : kWidest;
@@ -31,7 +32,7 @@ Condition plainCondition(bool apex) {
     return plain;
 }
 
-// What the conditions share, beside which the rest says nothing.
+// Returns the properties that the conditions share; the others have neutral values.
 Condition shared(const psychophysics::StudyDesign& design, const Blinding& blinding) {
     const Condition& first = design.conditions.front();
     const bool apex = blinding.oneExercise && first.stimulus.attribute == Attribute::apex;
@@ -61,7 +62,7 @@ core::Result<std::string> maskedDesign(const std::string& designJson, const Blin
             condition.id += std::isalnum(static_cast<unsigned char>(each)) != 0 ? static_cast<char>(std::tolower(static_cast<unsigned char>(each))) : '_';
         }
         condition.title = {{"en", code.sealedCode}};
-        condition.instructions.clear(); // "put the glove on" names a condition
+        condition.instructions.clear(); // "put the glove on" would identify a condition
         design->conditions.push_back(std::move(condition));
     }
     return catalogue::studyJson(*design).toStdString();

@@ -9,9 +9,10 @@
 
 namespace chiron::database {
 
-/// A blinded study's design for those who may not know its conditions: as many of them, in the order of `codes`, each titled by its code. What
-/// they have in common stays, so that runs are analysed by it; what they differ in has a value that is in range and says nothing.
-/// Failure: badInput (a design that does not read shows nothing).
+/// Returns a blinded study's design for readers who may not know its conditions: with the same number of
+/// conditions, in the order of `codes`, each titled by its code. Common properties are kept, so that runs can
+/// be analysed; properties that differ have a neutral value that is in range.
+/// Errors: badInput (a design that cannot be read is not shown).
 core::Result<std::string> maskedDesign(const std::string& designJson, const Blinding& blinding, const std::vector<SealedCondition>& codes);
 
 } // namespace chiron::database

@@ -13,7 +13,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
-// Who takes part: codes, keys, consent, withdrawal.
+// Participants: codes, keys, consent, withdrawal.
 namespace chiron::database {
 namespace {
 
@@ -51,7 +51,8 @@ core::Result<void> checkPerson(Connection& connection, const NewParticipant& wan
             return tl::unexpected(participant.error());
         }
         if (participant->study == wanted.study && participant->state != ParticipantState::withdrawn) {
-            return bad("this person takes part already"); // as whom is for those alone who may open the key table
+            return bad("this person takes part already"); // only those who may open the key table may know as
+                                                          // whom
         }
     }
     return {};
@@ -87,7 +88,7 @@ core::Result<std::string> codeFor(Connection& connection, const NewParticipant& 
                                    "code \"" + wanted.wantedCode + "\": is taken in this study")
                       : core::Result<std::string>(wanted.wantedCode);
     }
-    while (true) { // 148 million codes: a second round is rare
+    while (true) { // with 148 million codes a second round is rare
         const std::string code = randomCode();
         const auto taken = selectInteger(connection, "SELECT 1 FROM study_participant WHERE code = ?", {code});
         if (!taken || !*taken) {

@@ -24,7 +24,8 @@ constexpr const char* kSummaryColumns =
     "(SELECT count(*) FROM study_participant p WHERE p.study_id = s.id AND p.state = 'completed'), "
     "(SELECT count(*) FROM study_participant p JOIN study_run r ON r.participant_id = p.id JOIN study_trial t ON "
     "t.run_id = r.id WHERE p.study_id = s.id AND t.spoiled = '' AND t.practice = 0 AND t.undone = 0 "
-    // While experimenters are blind, of those who are done with all conditions: else the count before a run and after it would be the run's.
+    // While experimenters are blind, only trials of participants who have completed all conditions count;
+    // otherwise the difference of the counts before and after a run would be that run's number of trials.
     "AND (p.state = 'completed' OR s.unblinded = 1 OR s.state = 'draft' "
     "OR CASE WHEN json_valid(s.design_json) THEN coalesce(json_extract(s.design_json, '$.blind_experimenter'), 0) ELSE 0 END = 0)), "
     "CASE WHEN json_valid(s.design_json) THEN coalesce(json_extract(s.design_json, '$.pilot_of'), '') ELSE '' END AS pilot_of";
@@ -48,13 +49,13 @@ StudySummary summaryOf(const Query& row) {
     return summary;
 }
 
-// Whether the actor may look up which code is which, and so may see the conditions themselves, too.
+// Returns whether the actor may look up which code is which, and therefore may see the conditions themselves.
 core::Result<bool> mayKnow(Connection& connection, const Actor& actor, StudyNumber study) {
     const auto may = authoriseForStudy(connection, actor, Action::sealedConditions, StudyPart::study, study);
     return may || may.error().code == core::ErrorCode::notAllowed ? core::Result<bool>(may.has_value()) : tl::unexpected(may.error());
 }
 
-// Rows of what the actor may read.
+// Returns rows if the actor may read them.
 template <class T, class Make>
 core::Result<std::vector<T>> permittedRows(Connection& connection, const Actor& actor, Action action, StudyPart part,
                                            std::int64_t number, const std::string& sql, Make make) {

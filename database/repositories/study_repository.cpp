@@ -17,7 +17,8 @@
 #include <algorithm>
 #include <set>
 
-// Designing: drafts, freezing, closing, unblinding. Participants are in study_participants.cpp, runs in study_runs.cpp.
+// Designing a study: drafts, freezing, closing, unblinding. Participants are in study_participants.cpp, runs
+// in study_runs.cpp.
 namespace chiron::database {
 namespace {
 
@@ -32,7 +33,8 @@ core::Result<void> checkKey(const std::string& key) {
                             "study \"" + key + "\": expected an id in snake_case of at most 64 characters");
 }
 
-// A condition's code comes from the site's key, so that who reads the design cannot tell which is which.
+// A condition's code is derived from the site's key, so that a reader of the design cannot tell which is
+// which.
 RowDigest conditionDigest(const SiteKey& key, const StoredStudy& study, const QJsonObject& design,
                           const std::string& condition) {
     const std::string text = "chiron-sealed-condition-1\n" + std::to_string(study.id) + "\n" + study.key + "\n" +
@@ -65,7 +67,8 @@ core::Result<void> sealConditions(Connection& connection, const StoredStudy& stu
     return {};
 }
 
-// What cannot be blinded: an order that is the design's, and exercises that any list of sessions names.
+// Refuses designs that cannot be blinded: with an order fixed by the design, or with exercises that are
+// visible in any list of sessions.
 core::Result<void> canBeBlind(const psychophysics::StudyDesign& design) {
     if (!design.blindExperimenter || design.conditions.size() < 2) {
         return {};
@@ -83,7 +86,8 @@ core::Result<void> canBeBlind(const psychophysics::StudyDesign& design) {
     return {};
 }
 
-// What is frozen: the design as the program understands it, written out. A study that could not be run is not frozen.
+// Returns the JSON to be frozen: the design as the program understands it, written out. A study that could
+// not be run is not frozen.
 core::Result<std::string> frozenJson(const StoredStudy& study) {
     const auto design = catalogue::readStudy(QByteArray::fromStdString(study.designJson), "study " + study.key);
     if (!design) {
@@ -99,7 +103,7 @@ core::Result<std::string> frozenJson(const StoredStudy& study) {
     return catalogue::studyJson(*design).toStdString();
 }
 
-// A state or mark of a study, audited.
+// Changes a state or mark of a study and audits it.
 core::Result<void> changeStudy(Connection& connection, const Actor& actor, StudyNumber study, std::string_view action,
                                std::vector<Column> changes, const std::string& detail = "{}") {
     const auto row = updateRow(connection, "study", {{"id", study}}, std::move(changes));

@@ -44,7 +44,7 @@ StudyRun runOf(const Query& row) {
     return run;
 }
 
-// The model of the first device, or else what drives it.
+// Returns the model of the first device or, without a model, its driver.
 std::string deviceOf(const std::string& deviceJson) {
     const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(deviceJson)).object();
     const QJsonObject first = json["tools"].toArray().first().toObject();

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-// Rows of studies as values; who may read them is asked before.
+// Rows of studies as values. The caller checks beforehand who may read them.
 namespace chiron::database {
 
-/// All rows of a query, each made into a value.
+/// Returns all rows of a query, each converted to a value.
 template <class T, class Make>
 core::Result<std::vector<T>> rowsOf(Connection& connection, const std::string& sql, const std::vector<Value>& values,
                                     Make make) {
@@ -28,14 +28,15 @@ core::Result<std::vector<T>> rowsOf(Connection& connection, const std::string& s
     return row ? core::Result<std::vector<T>>(std::move(rows)) : tl::unexpected(row.error());
 }
 
-/// Participants (alias p of study_participant), by number.
+/// Returns participants (alias p of study_participant), by number.
 core::Result<std::vector<Participant>> participantRows(Connection& connection, const std::string& where,
                                                        const std::vector<Value>& values);
-/// Codes with their conditions, in the design's order.
+/// Returns codes with their conditions, in the design's order.
 core::Result<std::vector<SealedCondition>> sealedConditionRows(Connection& connection, StudyNumber study);
 core::Result<std::vector<StudyRun>> runRows(Connection& connection, ParticipantNumber participant);
 core::Result<std::vector<StudyTrial>> studyTrialRows(Connection& connection, StudyRunNumber run);
-/// Answers (alias a) of participants (alias p), by participant, in the order given.
+/// Returns answers (alias a) of participants (alias p), by participant, in the order in which they were
+/// given.
 core::Result<std::vector<QuestionnaireAnswer>> answerRows(Connection& connection, const std::string& where,
                                                           std::int64_t number);
 

@@ -13,7 +13,7 @@
 namespace chiron::database {
 namespace {
 
-// Without 0 O, 1 I L, 2 Z, 5 S, 8 B, U V.
+// Without symbols that look alike: 0 O, 1 I L, 2 Z, 5 S, 8 B, U V.
 constexpr std::string_view kLetters = "ACDEFGHJKMNPQRTWXY34679";
 constexpr std::array<std::string_view, 4> kStudyStates{"draft", "frozen", "closed", "archived"};
 constexpr std::array<std::string_view, 4> kParticipantStates{"enrolled", "consented", "completed", "withdrawn"};

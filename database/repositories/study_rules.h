@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// What the repositories of studies have in common.
+// Functions that the repositories of studies share.
 namespace chiron::database {
 
 inline constexpr int kMaximumDesignBytes = 1 << 20;
@@ -25,11 +25,12 @@ std::optional<StudyState> studyStateFromToken(std::string_view word) noexcept;
 std::optional<ParticipantState> participantStateFromToken(std::string_view word) noexcept;
 std::optional<StudyRunState> studyRunStateFromToken(std::string_view word) noexcept;
 
-/// The actor may do this to (a part of) a study, on the writer's connection. Failure: wrongUse, notAllowed, notFound, storage.
+/// Checks that the actor may do this to (a part of) a study, on the writer's connection.
+/// Errors: wrongUse, notAllowed, notFound, storage.
 core::Result<void> mayWriteStudy(Connection& connection, const Actor& actor, Action action, StudyPart part,
                                  std::int64_t number);
 
-/// A study as its row has it.
+/// A study as stored in its row.
 struct StoredStudy {
     StudyNumber id = 0;
     std::string key;
@@ -37,10 +38,10 @@ struct StoredStudy {
     std::string designJson;
 };
 core::Result<StoredStudy> storedStudy(Connection& connection, StudyNumber study);
-/// Failure: wrongUse unless it is in this state ("frozen").
+/// Errors: wrongUse unless the study is in this state ("frozen").
 core::Result<StoredStudy> studyInState(Connection& connection, StudyNumber study, std::string_view state);
 
-/// A participant as the row has it.
+/// A participant as stored in the row.
 struct StoredParticipant {
     ParticipantNumber id = 0;
     StudyNumber study = 0;
@@ -50,39 +51,46 @@ struct StoredParticipant {
 };
 core::Result<StoredParticipant> storedParticipant(Connection& connection, ParticipantNumber participant);
 
-/// Failure: wrongUse unless this participant may do a run now.
+/// Errors: wrongUse unless this participant may do a run now.
 core::Result<void> mayRun(const StoredParticipant& who);
-/// The condition of this sealed code; while the study is not blinded also of this id (by that, what is begun would tell its code).
-/// Failure: badInput.
+/// Returns the condition with this sealed code or, if the study is not blinded, with this id (in a blinded
+/// study, beginning by id would reveal the code).
+/// Errors: badInput.
 core::Result<SealedCondition> namedCondition(Connection& connection, const StoredStudy& study, const std::string& name);
 
-/// A design as stored: read by its keys alone, so that a later program's stricter rules refuse no old study. Failure: badInput.
+/// Returns a stored design. It is read only by its keys, so that a later program's stricter rules refuse no
+/// old study.
+/// Errors: badInput.
 core::Result<QJsonObject> designObject(const std::string& json);
-/// Ids of the conditions, in order.
+/// Returns the ids of the conditions, in order.
 std::vector<std::string> conditionIds(const QJsonObject& design);
-/// SHA-256 (hex) of the consent in each language.
+/// Returns the SHA-256 (hex) of the consent in each language.
 std::vector<std::string> consentDigests(const QJsonObject& design);
-/// Whether this questionnaire is what is written down at the enrolment.
+/// Returns whether this questionnaire is filled in at the enrolment.
 bool isEnrolment(const QJsonObject& design, const std::string& questionnaire);
-/// Whether it is asked after each condition.
+/// Returns whether it is asked after each condition.
 bool isOfConditions(const QJsonObject& design, const std::string& questionnaire);
-/// Whether the design asks this and the answer is one it can have. Failure: badInput naming what was expected.
+/// Checks that the design asks this question and that the answer is a possible one.
+/// Errors: badInput naming what was expected.
 core::Result<void> checkAnswer(const QJsonObject& design, const QuestionnaireAnswer& answer);
 
-/// Three and three letters and digits that do not look alike, from the system's generator: "K7M-4QX".
+/// Returns two groups of three letters or digits that do not look alike, from the system's random generator:
+/// "K7M-4QX".
 std::string randomCode();
-/// Three of them, from a digest.
+/// Returns three such symbols, derived from a digest.
 std::string codeFrom(const RowDigest& digest, int attempt);
-/// 16 random bytes, hex.
+/// Returns 16 random bytes as hex.
 std::string randomNonce();
 
-/// What seals a run: a digest over the digests of its trials, in order. Failure: storage.
+/// Returns the seal of a run: a digest over the digests of its trials, in order.
+/// Errors: storage.
 core::Result<RowDigest> runSeal(Connection& connection, StudyRunNumber run);
 
-/// What seals the codes of a frozen study's conditions. Failure: storage.
+/// Returns the seal of the codes of a frozen study's conditions.
+/// Errors: storage.
 core::Result<RowDigest> conditionSeal(Connection& connection, StudyNumber study);
 
-/// Ends an open run with the seal of its trials and audits it. In the running transaction.
+/// Ends an open run with the seal of its trials and audits it, in the running transaction.
 core::Result<void> endRun(Connection& connection, const Actor& actor, StudyRunNumber run, StudyRunState state);
 
 } // namespace chiron::database

@@ -11,7 +11,7 @@
 #include <QJsonObject>
 #include <cmath>
 
-// What is done by participants: runs, trials, questionnaires.
+// The conduct of a study: runs, trials, questionnaires.
 namespace chiron::database {
 namespace {
 
@@ -21,7 +21,7 @@ core::Result<void> bad(const std::string& message) {
     return core::fail(core::ErrorCode::badInput, message);
 }
 
-// One open or completed run of a condition; a stopped one may be begun again.
+// A condition can have one open or completed run; a stopped one may be begun again.
 core::Result<void> notYetRun(Connection& connection, const NewStudyRun& run, const std::string& condition) {
     auto query = Query::run(
         connection, "SELECT id, state FROM study_run WHERE participant_id = ? AND condition = ? AND state <> 'stopped'",
@@ -111,13 +111,13 @@ std::string answerJson(const QuestionnaireAnswer& answer) {
     return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
 }
 
-/// What is written down at the enrolment comes before the consent; a form may be handed in after the last run.
+/// An enrolment questionnaire may be answered before the consent, and any questionnaire after the last run.
 core::Result<void> mayAnswer(const StoredParticipant& who, const QJsonObject& design, const std::string& questionnaire) {
     const bool early = who.state == ParticipantState::enrolled && isEnrolment(design, questionnaire);
     return early || who.state == ParticipantState::completed ? core::Result<void>() : mayRun(who);
 }
 
-/// An answer that belongs to a run is given once that run is completed.
+/// An answer that belongs to a run is accepted only once that run is completed.
 core::Result<void> checkRunOf(Connection& connection, const QuestionnaireAnswer& answer) {
     if (answer.run == 0) {
         return {};

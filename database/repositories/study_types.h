@@ -21,55 +21,64 @@ enum class StudyState : std::uint8_t { draft, frozen, closed, archived };
 enum class ParticipantState : std::uint8_t { enrolled, consented, completed, withdrawn };
 enum class StudyRunState : std::uint8_t { open, completed, stopped };
 
-/// A line of the list of studies.
+/// An entry of the list of studies.
 struct StudySummary {
     StudyNumber id = 0;
     std::string key;   ///< the design's id
     std::string title; ///< English
     StudyState state = StudyState::draft;
-    std::string sha256; ///< of the frozen design's canonical JSON, 64 hex digits; empty while a draft
+    /// Of the frozen design's canonical JSON, 64 hex digits; empty for a draft.
+    std::string sha256;
     PersonId author = 0;
     std::string createdUtc;
     std::string frozenUtc;
     bool unblinded = false;
     bool demonstration = false;
     int participants = 0;
-    int completed = 0; ///< participants
-    int trials = 0;    ///< scored; while experimenters are blind of those who completed alone
-    std::string pilotOf; ///< key of the study whose draft was tried with this copy; empty: no pilot
+    int completed = 0; ///< number of participants who have completed
+    /// Scored trials; while experimenters are blind, only those of participants who have completed.
+    int trials = 0;
+    /// Key of the study whose draft was tried with this copy; empty: not a pilot.
+    std::string pilotOf;
 };
 
-/// What a blinded study's lists leave out (study_blinding.h).
+/// What the lists of a blinded study omit (study_blinding.h).
 struct Blinding {
     bool designed = false; ///< the design blinds experimenters
-    bool on = false;       ///< and the study is not unblinded
-    // What all conditions have in common, and what therefore says nothing of a run.
+    bool on = false;       ///< the design blinds, and the study is not unblinded
+    // What all conditions have in common, so that it reveals nothing about a run.
     bool oneTask = true;
-    bool oneTable = true;     ///< of differences
+    bool oneTable = true;     ///< table of differences
     bool oneProcedure = true; ///< procedures, their scale and criterion
-    bool oneStimulus = true;  ///< attribute, reference and what the objects otherwise are
-    bool adjusts = false;     ///< a condition's answers are values in SI (those of an apex are told as shares of its radius)
-    bool oneExercise = true;  ///< all of an apex, or none
+    bool oneStimulus = true;  ///< attribute, reference and the other attributes of the objects
+    /// The answers of a condition are values in SI (marks of an apex are given as shares of its radius).
+    bool adjusts = false;
+    bool oneExercise = true;  ///< all conditions are of an apex, or none
 
-    /// Whether conditions are alike in all that the program does. Where they are not, whatever a run left behind (answers, times, speeds, how
-    /// many trials) could tell which condition it is of, and none of it is shown before unblinding.
+    /// Returns whether the conditions are alike in everything that the program does. If they are not,
+    /// everything that a run leaves behind (answers, times, speeds, number of trials) could reveal its
+    /// condition, and none of it is shown before unblinding.
     bool analysable() const { return asksAlike() && oneStimulus; }
-    /// Whether they ask alike, whatever the objects are; what is set in SI is of the objects, too.
+    /// Returns whether the conditions ask in the same way, whatever the objects are. A value set in SI also
+    /// depends on the objects.
     bool asksAlike() const { return oneTask && oneTable && oneProcedure && (oneStimulus || !adjusts); }
-    /// Whether trials and what is estimated from them are kept back.
+    /// Returns whether trials, and estimates made from them, are withheld.
     bool seals() const { return on && !analysable(); }
 };
 
 struct StudyRecord {
     StudySummary summary;
-    /// Canonical; catalogue::readStudy makes a psychophysics::StudyDesign of it. Masked: its conditions go by their sealed codes, and what they
-    /// differ in has a neutral value that says nothing (study_mask.h).
+    /// Canonical JSON; catalogue::readStudy converts it to a psychophysics::StudyDesign. If masked, its
+    /// conditions have their sealed codes as names, and properties in which they differ have a neutral value
+    /// (study_mask.h).
     std::string designJson;
-    Blinding blinding;   ///< of the design as it is
-    bool masked = false; ///< for those who may not look up which code is which, of a frozen study while it is blinded
+    Blinding blinding;   ///< of the design before masking
+    /// The design is masked: the study is frozen and blinded, and the reader may not look up which code is
+    /// which.
+    bool masked = false;
 };
 
-/// A participant as exports and experimenters know one: never a name.
+/// A participant as shown in exports and to experimenters: never with a name.
 struct Participant {
     ParticipantNumber id = 0;
     StudyNumber study = 0;
@@ -77,30 +86,32 @@ struct Participant {
     int order = 0;    ///< from 0: row of the order design
     ParticipantState state = ParticipantState::enrolled;
     bool simulated = false;
-    std::string observer; ///< of a simulated one: its specification
+    std::string observer; ///< specification of a simulated participant's observer
     std::string enrolledUtc;
-    std::string consentUtc; ///< empty: none
-    std::string consentSha256; ///< of the text that was agreed to
+    std::string consentUtc; ///< empty: no consent
+    std::string consentSha256; ///< of the text to which the participant agreed
     PersonId enrolledBy = 0;
-    bool recordingsToErase = false; ///< of a withdrawn one: wants the recordings erased, too (an administrator does it)
-    bool erased = false;            ///< key, free texts and questionnaires (and recordings, where wanted) are overwritten
+    /// A withdrawn participant wants the recordings erased, too (an administrator does it).
+    bool recordingsToErase = false;
+    /// Key, free texts and questionnaires (and recordings, if wanted) are overwritten.
+    bool erased = false;
 };
 
-/// Who a code is; kept apart, for administrators and the study's author alone.
+/// The person behind a code; stored separately, for administrators and the study's author only.
 struct ParticipantKey {
     ParticipantNumber participant = 0;
     std::string code;
     std::string identity;           ///< free text, as the researcher wrote it
-    std::optional<PersonId> person; ///< where it is somebody with an account
-    std::string account{};          ///< their login name
+    std::optional<PersonId> person; ///< set if the participant has an account
+    std::string account{};          ///< login name of that account
 };
 
-/// One condition done by one participant; goes on over several sittings (sessions).
+/// One condition done by one participant. A run may extend over several sessions.
 struct StudyRun {
     StudyRunNumber id = 0;
     ParticipantNumber participant = 0;
     std::string condition;   ///< id in the design; empty while the study is blinded
-    std::string sealedCode;  ///< what stands for it then
+    std::string sealedCode;  ///< replaces the condition while the study is blinded
     int position = 0;        ///< from 0, in the participant's order
     std::uint64_t seed = 0;
     std::string procedures;  ///< ids with version, "rank3_quest_plus@1", comma-separated
@@ -109,78 +120,90 @@ struct StudyRun {
     std::string endedUtc;
 };
 
-/// What a run begins with.
+/// The properties with which a run begins.
 struct NewStudyRun {
     ParticipantNumber participant = 0;
-    std::string condition; ///< id in the design; while the study is blinded its sealed code
+    std::string condition; ///< id in the design or, while the study is blinded, the sealed code
     int position = 0;      ///< from 0, in the participant's order
     std::uint64_t seed = 0;
     std::string procedures; ///< as StudyRun::procedures
 };
 
-/// What a condition is called towards a blind experimenter: "Q7M", made with the site's key when the study is frozen, so that it can
-/// neither be guessed nor computed from the design.
+/// The name of a condition for a blind experimenter: "Q7M". It is derived from the site's key when the study
+/// is frozen, so that it can neither be guessed nor computed from the design.
 struct SealedCondition {
     std::string condition;
     std::string sealedCode;
 };
 
-/// One presentation, scored or not. Its digest covers all of it; never changed or deleted. Read while the study is blinded, it lacks what
-/// would tell conditions apart (study_blinding.h).
+/// One presentation, scored or not. Its digest covers all fields; it is never changed or deleted. If it is
+/// read while the study is blinded, it lacks everything that would distinguish the conditions
+/// (study_blinding.h).
 struct StudyTrial {
     StudyRunNumber run = 0;
-    int ordinal = 0;            ///< from 0, every presentation of the run counted
-    int procedure = 0;          ///< which of interleaved ones
-    SessionId session = 0;      ///< whose recording holds it; 0: none (a quick simulation)
+    int ordinal = 0;            ///< from 0; counts every presentation of the run
+    int procedure = 0;          ///< index among the interleaved procedures
+    SessionId session = 0;      ///< session with its recording; 0: none (a quick simulation)
     std::uint64_t firstTick = 0, lastTick = 0;
     int candidate = 0;          ///< row of the table of differences
     int arrangement = 0;
-    double difference = 0.0;    ///< D asked for, log10 of the ratio
-    double entropyMargin = std::numeric_limits<double>::quiet_NaN(); ///< absent where NaN
+    double difference = 0.0;    ///< intended D, log10 of the ratio
+    double entropyMargin = std::numeric_limits<double>::quiet_NaN(); ///< absent if NaN
     int answer = -1;            ///< -1: none
-    int outcome = -1;           ///< what the procedure was told; -1: nothing
-    std::optional<double> value; ///< a number said (magnitude), or the value set (adjustment), SI
+    int outcome = -1;           ///< outcome given to the procedure; -1: none
+    /// The number given (magnitude), or the value set (adjustment), SI.
+    std::optional<double> value;
     double exploration_s = 0.0; ///< until the answer
     double answer_s = 0.0;      ///< from the last contact to the answer
     bool practice = false;
-    bool undone = false;        ///< always false when stored; an undo is a row of its own that names it
-    std::string spoiled;        ///< empty: scored; else why not: "force_error", "late_ticks", "saturation", "speed", "time", "experimenter", "stopped", ...
+    /// Always false when stored; an undo is a separate row that names this one.
+    bool undone = false;
+    /// Empty: scored; otherwise the reason why not: "force_error", "late_ticks", "saturation", "speed",
+    /// "time", "experimenter", "stopped", ...
+    std::string spoiled;
     std::string fidelityJson = "{}"; ///< canonical; session::TrialFidelity
     std::string utc;
-    // Read with it, of the session that holds it; not stored with a trial.
-    std::string device;         ///< model of its first device; empty without a session
-    std::optional<bool> felt;   ///< whether force was rendered, or only shown; nothing without a session
+    // Read from the session with the recording; not stored with a trial.
+    std::string device;         ///< model of that session's first device; empty without a session
+    /// Whether force was rendered or only shown; none without a session.
+    std::optional<bool> felt;
 };
 
-/// How well a participant's trials went, over all conditions together, so that it can be watched while a study is blinded. What depends on the
-/// objects (how often trials were repeated, how long they took) is told once every condition is completed: then it is of none in particular.
+/// The quality of a participant's trials over all conditions together, so that it can be monitored while a
+/// study is blinded. Figures that depend on the objects (how often trials were repeated, how long they took)
+/// are given only once every condition is completed, because then they belong to no particular one.
 struct ParticipantQuality {
     ParticipantNumber participant = 0;
     int conditionsDone = 0;     ///< completed runs
-    int conditions = 0;         ///< of the study
-    bool whole = false;         ///< every condition is completed, or the study is not blinded: what follows below `device` is told
+    int conditions = 0;         ///< number in the study
+    /// Every condition is completed, or the study is not blinded: the fields from `presentations` on are
+    /// given.
+    bool whole = false;
     double lateTicks = std::numeric_limits<double>::quiet_NaN();        ///< mean share over trials
     double worstLateness_us = std::numeric_limits<double>::quiet_NaN();
-    std::string device;         ///< models, separated by ", "; empty where nothing was rendered
-    std::optional<bool> felt;   ///< false where any trial was only shown; nothing where nothing was rendered
+    std::string device;         ///< models, separated by ", "; empty if nothing was rendered
+    /// false if force was only shown in any trial; none if nothing was rendered.
+    std::optional<bool> felt;
     int presentations = 0;
-    int practice = 0;           ///< of these
-    int scored = 0;             ///< of these
-    std::vector<std::pair<std::string, int>> spoiled; ///< of these: reason, how often; by reason
+    int practice = 0;           ///< of the presentations
+    int scored = 0;             ///< of the presentations
+    std::vector<std::pair<std::string, int>> spoiled; ///< of the presentations: reason and count, by reason
     double exploration_s = std::numeric_limits<double>::quiet_NaN();    ///< median over scored trials
 };
 
-/// What it takes to run one condition with one participant: also while the study is blinded, for whoever conducts the run.
+/// What is needed to run one condition with one participant; available to the person who conducts the run,
+/// also while the study is blinded.
 struct ConductedRun {
     std::string condition; ///< id in the design
     std::string sealedCode;
-    std::optional<StudyRun> open;   ///< to be gone on with
+    std::optional<StudyRun> open;   ///< to be continued
     std::vector<StudyTrial> trials; ///< of the open run, complete
-    std::string designJson; ///< as it is, where lists mask it: what the program renders
+    std::string designJson; ///< not masked, because the program has to render it
 };
 
-/// One answer to one question. Overwritten by an erasure: then neither number nor text. Of a condition, read while the study is blinded: by the
-/// sealed code, and where conditions differ without its value and time, which could tell them apart (study_blinding.h).
+/// One answer to one question. After an erasure it has neither number nor text. An answer about a condition,
+/// if read while the study is blinded, has the sealed code; if the conditions differ it also lacks its value
+/// and time, which could distinguish them (study_blinding.h).
 struct QuestionnaireAnswer {
     ParticipantNumber participant = 0;
     std::string questionnaire;
@@ -188,12 +211,15 @@ struct QuestionnaireAnswer {
     std::optional<double> number; ///< likert, number, choice (index from 0)
     std::string text;             ///< free text
     std::string utc;
-    StudyRunNumber run = 0;       ///< of a questionnaire that is asked after each condition: the run it was asked after; 0: asked once
-    std::string language{};       ///< that the question was shown in ("de"); empty: not recorded
-    // Read with it, of the run; not stored with an answer.
-    std::string condition{};      ///< id in the design; empty while the study is blinded, and where there is no run
-    std::string sealedCode{};     ///< what stands for it then
-    bool withheld = false;        ///< there is an answer, and it is told once the study is unblinded
+    /// For a questionnaire that is asked after each condition: the run after which it was asked; 0: asked
+    /// once.
+    StudyRunNumber run = 0;
+    std::string language{};       ///< language in which the question was shown ("de"); empty: not recorded
+    // Read from the run; not stored with an answer.
+    /// Id in the design; empty while the study is blinded, and if there is no run.
+    std::string condition{};
+    std::string sealedCode{};     ///< replaces the condition while the study is blinded
+    bool withheld = false;        ///< there is an answer, which is shown once the study is unblinded
 };
 
 } // namespace chiron::database

@@ -11,7 +11,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-// Resources of a static library are not registered by themselves; the macro must stand outside any namespace.
+// Resources of a static library are not registered automatically; the macro must stand outside any namespace.
 static void registerMigrations() {
     Q_INIT_RESOURCE(migrations);
 }
@@ -80,7 +80,8 @@ std::vector<Migration> builtInMigrations() {
 }
 
 core::Result<SchemaVersion> MigrationRunner::inspect(const std::string& file) const {
-    // The bytes first: a foreign or newer file is then refused before SQLite touches anything beside it.
+    // The bytes are checked first, so that a foreign or newer file is refused before SQLite touches anything
+    // beside it.
     auto header = headerOf(file);
     if (!header) {
         return header;
@@ -171,8 +172,8 @@ core::Result<void> copyDatabase(Connection& from, const std::string& toFile, con
         return core::fail(core::ErrorCode::badInput, toFile + ": exists already; a copy never overwrites");
     }
     const std::string partial = toFile + ".partial";
-    QFile::remove(QString::fromStdString(partial)); // left by a copy that was killed
-    // VACUUM INTO only reads `from`, but counts as writing for query_only (the file itself may be opened
+    QFile::remove(QString::fromStdString(partial)); // left by a killed copy
+    // VACUUM INTO only reads `from`, but query_only treats it as writing (the file itself may be opened
     // read-only).
     (void)from.execute("PRAGMA query_only=OFF");
     auto copied = Query::run(from, "VACUUM INTO ?", {partial});

@@ -14,7 +14,7 @@
 namespace chiron::database {
 namespace {
 
-// People's names and results lie in it, whatever the umask says of the files.
+// The folder contains people's names and results, so only the owner may access it, whatever the umask.
 constexpr QFile::Permissions kOwnerAlone = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner;
 
 std::string firstOf(const VerifyReport& report) {
@@ -34,7 +34,7 @@ core::Result<void> writeErasures(Connection& reader, const std::string& siteFold
     return saveErasureList(file, *erasures);
 }
 
-// Everything but the rename; the folder is thrown away when this fails.
+// Does everything except renaming the folder, which is discarded if this fails.
 core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const std::string& folder,
                                 const std::string& kind, const SiteKey& key, const SnapshotExtra& extra,
                                 const std::atomic<bool>* cancel, std::int64_t automaticNumber) {
@@ -98,12 +98,12 @@ core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& r
         return core::fail(core::ErrorCode::badInput, folder + ": exists already; a new folder is needed");
     }
     const QString partial = target + QStringLiteral(".partial");
-    QDir(partial).removeRecursively(); // left by one that was killed
+    QDir(partial).removeRecursively(); // left by a killed backup
     if (!QDir().mkpath(partial) || !QFile::setPermissions(partial, kOwnerAlone)) {
         return core::fail(core::ErrorCode::storage, folder + ": cannot be created");
     }
     auto info = fill(database, reader, partial.toStdString(), kind, **key, extra, cancel, automaticNumber);
-    if (isSet(cancel)) { // whatever it broke off with
+    if (isSet(cancel)) { // whichever error it stopped with
         info = core::fail(core::ErrorCode::cancelled, folder + ": stopped, nothing was kept");
     }
     if (info && !QDir().rename(partial, target)) {

@@ -5,7 +5,8 @@
 
 namespace chiron::database {
 
-/// Notes how the latest attempt of the schedule ended (all of the standing but its plan). In a writer's job.
+/// Records how the latest attempt of the schedule ended (the whole standing except its plan). In a writer's
+/// job.
 core::Result<void> noteOutcome(Connection& connection, const BackupStanding& now);
 
 } // namespace chiron::database

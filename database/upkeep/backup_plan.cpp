@@ -11,7 +11,7 @@
 namespace chiron::database {
 namespace {
 
-// In the table of what the site is: a table of their own would be a new schema for a handful of words.
+// Stored in the table of the site's properties: a separate table would need a new schema for a few words.
 constexpr const char* kPlanKey = "backup_plan";
 constexpr const char* kOutcomeKey = "backup_outcome";
 

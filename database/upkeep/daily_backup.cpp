@@ -14,15 +14,16 @@
 namespace chiron::database {
 namespace {
 
-constexpr std::uint64_t kSpare_bytes = 16 << 20; // for the manifest, the erasures, and whoever else writes there
+// For the manifest, the erasures, and anybody else who writes there.
+constexpr std::uint64_t kSpare_bytes = 16 << 20;
 
-/// A backup that the schedule of this site made, as its signed manifest tells.
+/// A scheduled backup of this site, according to its signed manifest.
 struct OwnBackup {
     QString folder;
     std::int64_t number = 0;
 };
 
-/// Sites that share a folder know their own by this.
+/// Returns the prefix by which sites that share a folder recognise their own backups.
 QString ownPrefix(const Database& database) {
     return QStringLiteral("chiron-auto-%1-").arg(QString::fromStdString(database.uuid()).left(8));
 }
@@ -32,7 +33,8 @@ std::vector<OwnBackup> ownBackups(const QDir& place, const QString& prefix, cons
     for (const QString& name : place.entryList({prefix + QLatin1Char('*')}, QDir::Dirs | QDir::NoDotAndDotDot)) {
         const QString folder = place.filePath(name);
         const auto manifest = readSignedManifest(folder.toStdString(), key);
-        if (manifest && manifest->kind == "backup" && manifest->automaticNumber > 0) { // else it is somebody else's, or by hand
+        // Otherwise it belongs to another site, or was made by hand.
+        if (manifest && manifest->kind == "backup" && manifest->automaticNumber > 0) {
             own.push_back({folder, manifest->automaticNumber});
         }
     }
@@ -40,7 +42,8 @@ std::vector<OwnBackup> ownBackups(const QDir& place, const QString& prefix, cons
     return own;
 }
 
-/// What a killed program left: half-written, or half-removed. No other program of this site can be at work: we hold its lock.
+/// Removes what a killed program left half-written or half-removed. No other program of this site can be at
+/// work, because we hold its lock.
 void removeLeftovers(const QDir& place, const QString& prefix) {
     for (const char* ending : {"*.partial", "*.removing"}) {
         for (const QString& name : place.entryList({prefix + QLatin1String(ending)}, QDir::Dirs | QDir::NoDotAndDotDot)) {
@@ -49,7 +52,7 @@ void removeLeftovers(const QDir& place, const QString& prefix) {
     }
 }
 
-/// Renamed first, so that a kill leaves nothing that looks like a backup.
+/// Renames the backup first, so that a kill leaves nothing that looks like a backup.
 bool removeBackup(const QString& folder) {
     const QString going = folder + QStringLiteral(".removing");
     return QDir().rename(folder, going) && QDir(going).removeRecursively();
@@ -58,7 +61,7 @@ bool removeBackup(const QString& folder) {
 QString newName(const QDir& place, const QString& prefix) {
     const QString base = place.filePath(prefix + QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss")));
     QString name = base;
-    for (int i = 2; QFileInfo::exists(name); ++i) { // a clock that was set back
+    for (int i = 2; QFileInfo::exists(name); ++i) { // the clock was set back
         name = QStringLiteral("%1-%2").arg(base).arg(i);
     }
     return name;
@@ -73,7 +76,7 @@ core::Result<void> checkRoom(const Database& database, const QString& place) {
     }
     const auto space = std::filesystem::space(place.toStdString(), error);
     if (error || space.available >= needed) {
-        return {}; // a file system that does not tell is tried
+        return {}; // if the file system does not report its space, the backup is tried
     }
     const auto megabytes = [](std::uint64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MB"; };
     return core::fail(core::ErrorCode::storage, place.toStdString() + ": too little room, " + megabytes(needed) + " needed, " +
@@ -99,13 +102,16 @@ core::Result<DailyBackup> make(Database& database, Connection& reader, const std
     if (!made) {
         return tl::unexpected(made.error());
     }
-    if (const auto readBack = readManifest(made->folder, key, cancel); !readBack) { // what the disk gives back, not what was written
+    // Checks what is on the disk and not what was written to it.
+    if (const auto readBack = readManifest(made->folder, key, cancel); !readBack) {
         removeBackup(folder);
         return tl::unexpected(readBack.error());
     }
     DailyBackup done{*made, 0};
-    for (std::size_t i = static_cast<std::size_t>(keep) - 1; i < before.size(); ++i) { // the new one counts, too
-        done.removed += removeBackup(before[i].folder) ? 1 : 0; // one that cannot go now is tried again tomorrow
+    // The new backup counts, too.
+    for (std::size_t i = static_cast<std::size_t>(keep) - 1; i < before.size(); ++i) {
+        done.removed += removeBackup(before[i].folder) ? 1 : 0; // one that cannot be removed now is tried
+                                                                // again tomorrow
     }
     return done;
 }
@@ -149,7 +155,7 @@ core::Result<DailyBackup> Upkeep::dailyBackup(Database& database, const Actor& a
     const auto key = SiteKey::load(database.siteFolder());
     auto done = key ? make(database, **reader, place, keep, **key, cancel) : core::Result<DailyBackup>(tl::unexpected(key.error()));
     if (!done && done.error().code == core::ErrorCode::cancelled) {
-        return done; // somebody needed the machine: no failure
+        return done; // another task needed the machine: not a failure
     }
     const auto noted = note(database, actor, done);
     return noted || !done ? done : core::Result<DailyBackup>(tl::unexpected(noted.error()));

@@ -12,7 +12,7 @@
 namespace chiron::database {
 namespace {
 
-// Secrets stay in the snapshot, which only an administrator can restore.
+// Secrets remain in the snapshot, which only an administrator can restore.
 constexpr const char* kSecretTable = "credential";
 
 core::Result<std::vector<std::string>> namesOf(Connection& connection, const std::string& sql,
@@ -36,7 +36,7 @@ QJsonValue jsonOf(const Value& value) {
     case Value::Type::integer:
         return static_cast<qint64>(value.integer());
     case Value::Type::real:
-        return value.real(); // Qt writes the shortest text that reads back as the same double
+        return value.real(); // Qt writes the shortest text that reads back to the same double
     case Value::Type::text:
         return QString::fromStdString(value.bytes());
     case Value::Type::blob:

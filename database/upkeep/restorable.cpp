@@ -14,8 +14,8 @@
 namespace chiron::database {
 namespace {
 
-// Everything that must stay erased: what the backup knew, what the site knows, what the file to be replaced
-// knows.
+// Returns all erasures that must be applied: those known to the backup, to the site, and to the file to be
+// replaced.
 core::Result<std::vector<Erasure>> erasuresToApply(const std::string& backupFolder,
                                                    const std::string& siteFolder, const std::string& target) {
     std::vector<Erasure> all;
@@ -29,7 +29,7 @@ core::Result<std::vector<Erasure>> erasuresToApply(const std::string& backupFold
         }
     }
     if (auto old = Connection::open(target, Connection::Mode::readOnly)) {
-        // The file to be replaced may well be damaged; then the two lists have to do.
+        // The file to be replaced may be damaged; then the two lists must suffice.
         for (const Erasure& erasure : storedErasures(**old).value_or(std::vector<Erasure>())) {
             putErasure(all, erasure);
         }
@@ -37,7 +37,7 @@ core::Result<std::vector<Erasure>> erasuresToApply(const std::string& backupFold
     return all;
 }
 
-// Whether a participant of that code is there, and was overwritten again.
+// Returns whether there is a participant with that code, who was then overwritten again.
 core::Result<bool> applyToParticipant(Connection& connection, const Actor& actor, const Erasure& erasure) {
     const auto participant = participantWithCode(connection, erasure.participantCode);
     if (!participant || *participant == 0) {
@@ -81,8 +81,8 @@ core::Result<int> applyErasures(Connection& connection, const Actor& actor,
     return applied;
 }
 
-// Brings the copy up to date inside one transaction: erasures, and an entry that says where the chain was
-// cut.
+// Brings the copy up to date inside one transaction: applies erasures and adds an entry that says where the
+// chain was cut.
 core::Result<int> prepare(const std::string& copy, const Actor& actor, const SiteKey& key,
                           const IBootClock* clock, const std::vector<Erasure>& erasures) {
     auto connection = Connection::create(copy);
@@ -110,7 +110,8 @@ core::Result<int> prepare(const std::string& copy, const Actor& actor, const Sit
     if (auto committed = (*connection)->commit(); !committed) {
         return tl::unexpected(committed.error());
     }
-    // WAL before it is put in place: a rollback journal left by a kill would shut out readers.
+    // WAL mode is set before the copy is put in place: a rollback journal left by a kill would lock out
+    // readers.
     auto vacuumed = (*connection)->execute("VACUUM; PRAGMA journal_mode=WAL;");
     return vacuumed ? applied : tl::unexpected(vacuumed.error());
 }
@@ -126,7 +127,8 @@ core::Result<void> bringCopyUpToDate(const std::string& copy) {
     if (!migrated) {
         return tl::unexpected(migrated.error());
     }
-    QFile::remove(QString::fromStdString(*migrated)); // the backup itself is the copy from before
+    QFile::remove(QString::fromStdString(*migrated)); // the backup itself already is the copy of the old
+                                                      // version
     return {};
 }
 

@@ -6,10 +6,10 @@
 
 namespace chiron::database {
 
-/// Makes the copy of a backup fit to be put in place: newest schema, verified against the head its manifest
-/// names, an administrator's password checked in it, erased again what was erased since, and the restore
-/// noted in its audit chain. Returns how many erasures were applied. The file to be replaced is read, never
-/// changed.
+/// Prepares the copy of a backup to be put in place: migrates it to the newest schema, verifies it against
+/// the head in its manifest, checks an administrator's password in it, applies all erasures made since, and
+/// notes the restore in its audit chain. Returns how many erasures were applied. The file to be replaced is
+/// read, never changed.
 core::Result<int> makeRestorable(const std::string& copy, const RestoreRequest& request,
                                  const DatabaseOptions& options, const SiteKey& key, const AuditHead& head);
 

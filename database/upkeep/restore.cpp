@@ -15,8 +15,8 @@
 namespace chiron::database {
 namespace {
 
-// A site folder that a restore makes on a machine that had none: the key, and beside it the erasures that
-// happened since the backup, where the key's folder lists them. A refused restore takes it away again.
+// A site folder that a restore makes on a machine without one. It contains the key, and the erasures made
+// since the backup if the key's folder lists them. A refused restore removes it again.
 class NewSiteFolder {
 public:
     NewSiteFolder() = default;
@@ -27,7 +27,7 @@ public:
             QFile::remove(file);
         }
         if (m_madeFolder) {
-            QDir().rmdir(m_folder); // stays where something else is in it
+            QDir().rmdir(m_folder); // remains if it contains anything else
         }
     }
 
@@ -77,18 +77,19 @@ std::string freeName(const std::string& base) {
     return name;
 }
 
-// The old file is linked under its new name before the copy replaces it in one step: at no moment is there
-// neither.
+// Links the old file under its new name before the copy replaces it in one step, so that at every moment one
+// of the two is in place.
 core::Result<std::string> swapIn(const std::string& copy, const std::string& target) {
     namespace fs = std::filesystem;
     std::error_code error;
     std::string kept;
     if (fs::exists(target, error)) {
-        const bool empty = fs::file_size(target, error) == 0; // SQLite would begin a new database in it
+        const bool empty = fs::file_size(target, error) == 0; // SQLite would begin a new database in an empty
+                                                              // file
         auto old = empty ? core::fail(core::ErrorCode::storage, target + ": empty") : Connection::open(target, Connection::Mode::readWrite);
         if (old) {
             (void)(*old)->execute(
-                "PRAGMA wal_checkpoint(TRUNCATE)"); // its log goes into the file, if it still can
+                "PRAGMA wal_checkpoint(TRUNCATE)"); // its log goes into the file, if that is still possible
             old->reset();
         }
         kept = freeName(target + ".before-restore");
@@ -102,12 +103,12 @@ core::Result<std::string> swapIn(const std::string& copy, const std::string& tar
         }
         if (fs::exists(target + "-wal", error)) {
             fs::rename(target + "-wal", kept + "-wal",
-                       error); // else SQLite would play the old log into the new file
+                       error); // otherwise SQLite would replay the old log into the new file
         }
         fs::remove(target + "-shm", error);
     }
     for (const char* suffix : {"-wal", "-shm"}) {
-        fs::remove(copy + suffix, error); // empty: left by the readers that verified it
+        fs::remove(copy + suffix, error); // empty; left by the readers that verified it
     }
     fs::rename(copy, target, error);
     if (error) {
@@ -118,7 +119,7 @@ core::Result<std::string> swapIn(const std::string& copy, const std::string& tar
     return flushed ? core::Result<std::string>(kept) : tl::unexpected(flushed.error());
 }
 
-// The head of a file's audit chain.
+// Returns the head of a file's audit chain.
 core::Result<AuditHead> headOf(const std::string& file) {
     auto opened = Connection::open(file, Connection::Mode::readOnly);
     return opened ? auditHead(**opened) : tl::unexpected(opened.error());
@@ -156,14 +157,14 @@ core::Result<RestoreInfo> Upkeep::restore(const RestoreRequest& request, const D
     }
     const std::string copy = request.targetFile + ".restoring";
     const QString copyName = QString::fromStdString(copy);
-    removeWithItsLog(copy); // of a restore that was killed
+    removeWithItsLog(copy); // left by a killed restore
     if (!QFile::copy(QString::fromStdString(request.backupFolder + "/" + kSnapshotFile), copyName)) {
         removeWithItsLog(copy);
         return core::fail(core::ErrorCode::storage, copy + ": the backup cannot be copied (disk full?)");
     }
     QFile::setPermissions(copyName, QFile::ReadOwner | QFile::WriteOwner);
     const auto applied = makeRestorable(copy, request, options, **key, manifest->head);
-    // Read while nothing is changed: after the swap a failure would leave the job half-done.
+    // Read while nothing has changed yet: a failure after the swap would leave the job half done.
     const auto head = applied ? headOf(copy) : tl::unexpected(applied.error());
     const auto kept = head ? swapIn(copy, request.targetFile) : core::Result<std::string>(tl::unexpected(head.error()));
     if (!kept) {
@@ -171,7 +172,8 @@ core::Result<RestoreInfo> Upkeep::restore(const RestoreRequest& request, const D
         return tl::unexpected(kept.error());
     }
     made.keep();
-    const auto written = writeHeadFile(**key, *head); // the site's head follows the chain of the file that is now in place
+    // The site's head follows the chain of the file that is now in place.
+    const auto written = writeHeadFile(**key, *head);
     return written ? core::Result<RestoreInfo>({request.targetFile, *kept, *applied})
                    : tl::unexpected(written.error());
 }

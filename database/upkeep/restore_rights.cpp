@@ -54,14 +54,15 @@ tl::expected<Actor, Refusal> tryRestorerIn(const std::string& file, const std::s
     return scope ? tl::expected<Actor, Refusal>(*actor) : refusalOf(Refusal::Kind::failed, scope.error());
 }
 
-/// The administrator who is asked for in the database that stands at the target; nothing where there is none to ask.
+/// Returns the refusal of the administrator of the database that is at the target; none if there is nobody to
+/// ask.
 std::optional<Refusal> presentRefusal(const RestoreRequest& request, const DatabaseOptions& options) {
     if (!QFileInfo::exists(QString::fromStdString(request.targetFile))) {
         return std::nullopt;
     }
     const auto any = hasAdministrator(request.targetFile);
     if (!any || !*any) {
-        return std::nullopt; // damaged, foreign or nobody's: a restore is what helps
+        return std::nullopt; // damaged, foreign or without an owner: a restore is the remedy
     }
     const bool same = request.presentName.empty();
     const auto actor = tryRestorerIn(request.targetFile, same ? request.name : request.presentName,

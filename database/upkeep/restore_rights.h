@@ -10,28 +10,32 @@
 
 namespace chiron::database {
 
-/// The person with this name and password in a database file of any version, who may restore. Waits after
-/// wrong passwords are honoured. Failure: notAllowed; storage where the file cannot be read.
+/// Returns the person with this name and password in a database file of any version, if that person may
+/// restore. Waits after wrong passwords apply.
+/// Errors: notAllowed; storage if the file cannot be read.
 core::Result<Actor> restorerIn(const std::string& file, const std::string& name, const std::string& password,
                                const DatabaseOptions& options);
 
-/// Whether an administrator of the database that stands at the target now is among those who ask
-/// (presentName, where it is empty name). Yes where there is no file, or none that can be read, or it has no
-/// administrator: then there is nothing to ask. Failure: notAllowed.
+/// Checks that an administrator of the database that is now at the target agrees (presentName or, if it is
+/// empty, name). It succeeds if there is no file, it cannot be read, or it has no administrator, because then
+/// there is nobody to ask.
+/// Errors: notAllowed.
 core::Result<void> presentAdministratorAgrees(const RestoreRequest& request, const DatabaseOptions& options);
 
-/// Who does not agree to a restore, and why not.
+/// Which database refuses a restore, and why.
 struct RestoreRefusal {
     enum class By {
         backup,
-        present ///< the database that stands at the target now
+        present ///< the database that is now at the target
     };
     By by = By::backup;
     Refusal refusal;
 };
 
-/// Whether the names and passwords of a request would be accepted, before anything is closed, copied or changed; needs no lock. Nothing:
-/// they would, or one of the files cannot be read, which the restore itself tells. Blocking (Argon2id).
+/// Checks whether the names and passwords of a request would be accepted, before anything is closed, copied
+/// or changed; needs no lock. Returns none if they would, or if one of the files cannot be read, which the
+/// restore itself reports.
+/// Thread: any; blocks (Argon2id).
 std::optional<RestoreRefusal> restoreRefusal(const RestoreRequest& request, const DatabaseOptions& options);
 
 } // namespace chiron::database

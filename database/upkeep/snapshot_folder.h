@@ -12,9 +12,9 @@ namespace chiron::database {
 using SnapshotExtra =
     std::function<core::Result<std::vector<std::string>>(Connection& snapshot, const std::string& folder)>;
 
-/// Writes a snapshot folder: the database's copy, verified, erasures and extras, then the manifest; under
-/// another name first, renamed when it is whole. Failure: badInput if the folder exists; doesNotHold if the
-/// copy does not verify; cancelled; storage. `automaticNumber`: as in Manifest.
+/// Writes a snapshot folder: the database's copy, verified, erasures and extras, then the manifest. The
+/// folder has another name until it is complete. `automaticNumber`: as in Manifest.
+/// Errors: badInput if the folder exists; doesNotHold if the copy does not verify; cancelled; storage.
 core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& reader,
                                                const std::string& folder, const std::string& kind,
                                                const SnapshotExtra& extra, const std::atomic<bool>* cancel,

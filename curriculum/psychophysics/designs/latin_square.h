@@ -8,12 +8,13 @@
 
 namespace chiron::psychophysics {
 
-/// n rows of orders of 0..n-1, each once a row and once a place: the cyclic square with rows, places and names shuffled (not all Latin
-/// squares, each of these alike likely). n < 1: no rows.
+/// Returns n rows, each an order of 0..n-1, in which every number occurs once per row and once per position:
+/// the cyclic square with rows, positions and names shuffled. Not every Latin square can result, but those
+/// that can are equally likely. Returns no rows if n < 1.
 std::vector<std::vector<int>> latinSquare(int n, std::uint64_t seed);
 
-/// The order of n conditions for the participant who came `row`-th (from 0; the design's rows are used over and over).
-/// fixed: 0..n-1; random: shuffled, by seed and row alone.
+/// Returns the order of n conditions for participant number `row` (from 0; the rows of the design are reused
+/// cyclically). fixed: 0..n-1; random: shuffled, depending only on seed and row.
 std::vector<int> orderFor(OrderDesign design, int n, int row, std::uint64_t seed);
 
 } // namespace chiron::psychophysics

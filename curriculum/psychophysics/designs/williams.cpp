@@ -9,7 +9,8 @@ std::vector<std::vector<int>> williamsDesign(int n) {
     std::vector<std::vector<int>> rows;
     if (n < 1)
         return rows;
-    // The first row goes to and fro, 0 1 n-1 2 n-2 ...: its neighbours differ by every amount once. Further rows add one each.
+    // The first row alternates, 0 1 n-1 2 n-2 ..., so that the differences of its neighbours take every value
+    // once. Each further row adds one to all numbers.
     std::vector<int> first;
     for (int i = 0; i < n; ++i)
         first.push_back(i % 2 == 1 ? (i + 1) / 2 : (n - i / 2) % n);

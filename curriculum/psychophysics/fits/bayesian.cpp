@@ -33,7 +33,8 @@ FitResult startResult(const FitOptions& options) {
     return result;
 }
 
-/// Goodness of fit is a property of curve and data: the Monte Carlo p of the maximum-likelihood fit of the same curve.
+/// Adds the goodness of fit, which is a property of curve and data: the Monte Carlo p of the
+/// maximum-likelihood fit of the same curve.
 void addGoodnessOfFit(FitResult& result, const PsychometricData& data, FitOptions options) {
     if (options.monteCarlo <= 0) {
         return;
@@ -45,7 +46,7 @@ void addGoodnessOfFit(FitResult& result, const PsychometricData& data, FitOption
     }
 }
 
-/// The answers' model with another prior of the width, and its posterior.
+/// The model of the answers with one of the priors of the width, and its posterior.
 struct Posterior {
     PosteriorModel model;
     std::vector<DensityGrid> parts;
@@ -58,23 +59,27 @@ Posterior posteriorWith(const PosteriorModel& like, WidthPrior width) {
     return {model, std::move(parts)};
 }
 
-/// Whether psignifit's prior, and not the answers, puts an end to how flat the curve may be: most of the posterior lies where the prior falls. The
-/// bound is such that none of the 39 published sets of psignifit's own tests is concerned (README).
+/// Returns whether psignifit's prior, and not the answers, limits how flat the curve may be, that is, whether
+/// most of the posterior lies where the prior falls. The bound is chosen so that none of the 39 published
+/// sets of psignifit's own tests is affected (README).
 bool endsAbove(const Posterior& psignifit) {
     constexpr double kMostAbove = 0.8;
     return 1.0 - widthBelow(psignifit.parts, psignifit.model.priors.fullWidthTo()) > kMostAbove;
 }
 
-/// Whether it puts an end to how steep the curve may be: with the prior open there, the 95 % interval of the width begins at half as much or less.
-/// That holds whatever confidence is asked for, so that intervals of less confidence lie within those of more.
+/// Returns whether the prior limits how steep the curve may be, that is, whether the 95 % interval of the
+/// width begins at half the width or less when the prior is open there. 95 % is used whatever confidence is
+/// asked for, so that intervals of less confidence lie within those of more.
 bool endsBelow(const Posterior& psignifit, const Posterior& open) {
     constexpr double kHalf = 0.5, kTail = 0.025;
     return widthQuantile(open.parts, kTail) < kHalf * widthQuantile(psignifit.parts, kTail);
 }
 
-/// What intervals are taken from: psignifit's prior, with each end open that would decide.
+/// Returns the posterior for the intervals: with psignifit's prior, opened at each end where it would
+/// determine the interval.
 Posterior forIntervals(Posterior psignifit) {
-    constexpr double kNothingBelow = 0.003; // of the posterior: then no opening halves the lower end of a 95 % interval
+    // Share of the posterior below which opening the prior never halves the lower end of a 95 % interval.
+    constexpr double kNothingBelow = 0.003;
     const bool above = endsAbove(psignifit);
     if (widthBelow(psignifit.parts, psignifit.model.priors.fullWidthFrom()) > kNothingBelow) {
         if (Posterior open = posteriorWith(psignifit.model, above ? WidthPrior::wide : WidthPrior::openBelow); endsBelow(psignifit, open)) {
@@ -84,7 +89,7 @@ Posterior forIntervals(Posterior psignifit) {
     return above ? posteriorWith(psignifit.model, WidthPrior::openAbove) : psignifit;
 }
 
-/// What the priors leave open at their ends: nothing that a fit says of the answers helps there.
+/// Warns where the priors cut off the posterior at their ends, because nothing else in the result shows this.
 void warnOfPriors(FitResult& result, const std::vector<DensityGrid>& parts, const PosteriorModel& model) {
     constexpr double kMuch = 0.05, kDecided = 0.7;
     const FitPriors& priors = model.priors;
@@ -100,7 +105,7 @@ void warnOfPriors(FitResult& result, const std::vector<DensityGrid>& parts, cons
     }
 }
 
-/// Where psignifit's prior and not the answers would end an interval.
+/// Warns where psignifit's prior, and not the answers, would end an interval.
 void warnOfWidthPrior(FitResult& result, const Posterior& posterior, const FitOptions& options) {
     const FitPriors& priors = posterior.model.priors;
     if (options.widthPrior == WidthPrior::automatic && priors.ofWidth != WidthPrior::psignifit) {
@@ -118,8 +123,9 @@ void warnOfWidthPrior(FitResult& result, const Posterior& posterior, const FitOp
     }
 }
 
-/// Where the prior is open to a step, and a step explains the answers within what chance does, the interval of the width begins at 0: the lower
-/// quantile of a posterior that is highest there would say that the curve is not that steep, which no answer does.
+/// Begins the interval of the width at 0 if the prior is open towards a step and a step explains the answers
+/// within chance. The lower quantile of a posterior that is highest at a step would claim that the curve is
+/// less steep than that, which no answer supports.
 void beginAtStep(FitResult& result, const PosteriorModel& model, const FitOptions& options) {
     if (model.priors.openBelow() &&
         likelihoodRatioOfStep(model.levels, model.sigmoid, model.free, model.lapse, model.guess) < chiSquareQuantileOne(options.confidence)) {
@@ -127,7 +133,8 @@ void beginAtStep(FitResult& result, const PosteriorModel& model, const FitOption
     }
 }
 
-/// A prior that is open at one end may only add to an interval: alone it also draws in the other end, and the threshold's.
+/// Extends an interval to include another one. A prior that is open at one end may only extend an interval,
+/// but by itself it also shortens the other end and the interval of the threshold.
 void holdBoth(FitInterval& interval, const FitInterval& other) {
     interval.low = std::min(interval.low, other.low);
     interval.high = std::max(interval.high, other.high);

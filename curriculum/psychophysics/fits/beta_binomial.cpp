@@ -12,14 +12,16 @@ double stirlingRest(double z) noexcept {
     return (1.0 / 12.0 - r * (1.0 / 360.0 - r * (1.0 / 1260.0 - r / 1680.0))) / z;
 }
 
-/// Σ ln(a + j c) for j = 0 … count − 1: term by term where there are few or a/c is small, Stirling's series for the rest.
+/// Returns Σ ln(a + j c) for j = 0 … count − 1: term by term if there are few terms or a/c is small, and by
+/// Stirling's series for the rest.
 double logRising(double a, double c, double count) noexcept {
     double sum = 0.0;
     constexpr double kFew = 24.0, kSeriesFrom = 16.0;
     if (c > 0.0 || count <= kFew) {
         while (count > 0.0 && (count <= kFew || a < kSeriesFrom * c)) {
             double product = 1.0;
-            for (int term = 0; term < 8 && count > 0.0; ++term, count -= 1.0, a += c) { // no eight of them leave the doubles
+            // The product of eight terms stays within the range of a double.
+            for (int term = 0; term < 8 && count > 0.0; ++term, count -= 1.0, a += c) {
                 product *= a;
             }
             sum += std::log(product);
@@ -45,7 +47,8 @@ double betaBinomialLog(double right, double of, double psi, double rest, double 
 
 BetaBinomialTable::BetaBinomialTable(double right, double of, const std::vector<double>& etas, double lowest, double highest)
     : m_columns(etas.size()) {
-    const double far = 16.0 + std::log(1.0 + of); // beyond it ψ or 1 − ψ is 0 for all the level's trials
+    const double far = 16.0 + std::log(1.0 + of); // beyond it, ψ or 1 − ψ is effectively 0 for all the
+                                                  // level's trials
     const double low = lowest > 0.0 ? std::max(std::log(lowest / (1.0 - lowest)), -far) : -far;
     const double high = highest < 1.0 ? std::min(std::log(highest / (1.0 - highest)), far) : far;
     const double step = 0.25 * std::min(1.0, std::pow(20.0 / of, 0.25));

@@ -6,18 +6,20 @@
 
 namespace chiron::psychophysics {
 
-/// ln of the beta-binomial probability of `right` of `of`, without the binomial coefficient, for a mean of ψ (rest = 1 − ψ) and an
-/// overdispersion η: α = ψν, β = (1 − ψ)ν, ν = 1/η² − 1 (Schütt et al. 2016). Tends to the binomial's as η → 0, without cancellation.
+/// Returns the ln of the beta-binomial probability of `right` of `of` answers, without the binomial
+/// coefficient, for a mean of ψ (rest = 1 − ψ) and an overdispersion η: α = ψν, β = (1 − ψ)ν, ν = 1/η² − 1
+/// (Schütt et al. 2016). It tends to the binomial probability as η → 0, without cancellation.
 double betaBinomialLog(double right, double of, double psi, double rest, double eta) noexcept;
 
-/// The same for one level and several η at once, from a table over logit ψ with cubic interpolation (error below 1e-4 times the
-/// square root of the level's trials over 100, at most 1e-3): what an integral over hundreds of thousands of curves needs.
+/// The same for one level and several η at once, from a table over logit ψ with cubic interpolation (error
+/// below 1e-4 times the square root of the level's trials over 100, at most 1e-3). An integral over hundreds
+/// of thousands of curves needs this speed.
 class BetaBinomialTable {
 public:
-    /// `lowest` and `highest`: of ψ wherever it will be asked for.
+    /// `lowest` and `highest` bound every ψ that will be asked for.
     BetaBinomialTable(double right, double of, const std::vector<double>& etas, double lowest, double highest);
 
-    /// Adds ln p for every η to sums. logit = ln(ψ/(1 − ψ)), held inside the table.
+    /// Adds ln p for every η to sums. logit = ln(ψ/(1 − ψ)) is clamped to the table.
     void addTo(double logit, double* sums) const noexcept {
         double place = (logit - m_first) * m_perStep;
         place = place < 0.0 ? 0.0 : place > m_last ? m_last : place;

@@ -13,7 +13,7 @@ BinomialSampler::BinomialSampler(double n, double p) {
     const double last = std::min(n, std::ceil(n * p + reach));
     const auto mode = static_cast<std::size_t>(std::min(std::floor((n + 1.0) * p), n) - m_first);
     std::vector<double> mass(static_cast<std::size_t>(last - m_first) + 1, 0.0);
-    mass[mode] = 1.0; // relative to the mode, by the ratio of neighbours
+    mass[mode] = 1.0; // relative to the mode, by the ratios of neighbours
     for (std::size_t i = mode + 1; i < mass.size(); ++i) {
         const double k = m_first + static_cast<double>(i);
         mass[i] = p < 1.0 ? mass[i - 1] * (n - k + 1.0) / k * p / (1.0 - p) : 0.0;

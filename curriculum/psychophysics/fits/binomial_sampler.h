@@ -7,7 +7,8 @@
 
 namespace chiron::psychophysics {
 
-/// Draws from Binomial(n, p) by inversion of its table, kept within ten standard deviations of the mean.
+/// Draws from Binomial(n, p) by inversion of a table of the distribution, which is truncated at ten standard
+/// deviations from the mean.
 class BinomialSampler {
 public:
     BinomialSampler(double n, double p);
@@ -15,7 +16,7 @@ public:
 
 private:
     double m_first = 0.0;             ///< count of the table's first entry
-    std::vector<double> m_cumulative; ///< ascending, last one 1
+    std::vector<double> m_cumulative; ///< ascending; the last one is 1
 };
 
 } // namespace chiron::psychophysics

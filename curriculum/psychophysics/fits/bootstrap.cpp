@@ -12,9 +12,10 @@
 namespace chiron::psychophysics {
 namespace {
 
-constexpr double kFewestForInterval = 100.0; ///< repetitions: below, its ends at 2.5 % are single ones
+constexpr double kFewestForInterval = 100.0; ///< repetitions: with fewer, the ends at 2.5 % would rest on
+                                             ///< single ones
 
-/// Fits data sets that differ from the first one in their answers only.
+/// Fits data sets that differ from the original one only in their answers.
 class Refits {
 public:
     Refits(const PreparedLevels& levels, const FitOptions& options)
@@ -78,7 +79,7 @@ void drawBootstrap(FitResult& result, const PreparedLevels& levels, const FitOpt
 
 using Field = double CurveParameters::*;
 
-/// Estimates with one answer left out, each with how many answers give it.
+/// An estimate with one answer left out, and the number of answers that lead to this estimate.
 struct LeftOut {
     CurveParameters estimate;
     double weight;
@@ -121,7 +122,7 @@ double acceleration(const std::vector<LeftOut>& estimates, Field field) noexcept
     return squares > 0.0 ? cubes / (6.0 * std::pow(squares, 1.5)) : 0.0;
 }
 
-/// BCa interval of one parameter (Efron 1987): percentiles at Φ(z0 + (z0 + z)/(1 − a(z0 + z))).
+/// Returns the BCa interval of one parameter (Efron 1987): percentiles at Φ(z0 + (z0 + z)/(1 − a(z0 + z))).
 FitInterval correctedInterval(const FitResult& result, const std::vector<LeftOut>& leftOut, Field field) {
     std::vector<double> values;
     double below = 0.0;

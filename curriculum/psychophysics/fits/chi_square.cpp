@@ -9,7 +9,7 @@
 namespace chiron::psychophysics {
 namespace {
 
-double logGamma(double x) noexcept { // Stirling's series after moving x up; std::lgamma writes a global
+double logGamma(double x) noexcept { // Stirling's series after raising x; std::lgamma writes to a global
     double shift = 0.0;
     while (x < 15.0) {
         shift -= std::log(x);
@@ -20,7 +20,7 @@ double logGamma(double x) noexcept { // Stirling's series after moving x up; std
     return shift + (x - 0.5) * std::log(x) - x + 0.91893853320467274178 + series;
 }
 
-/// Regularised lower incomplete gamma by its power series (x < a + 1).
+/// Regularised lower incomplete gamma function by its power series (x < a + 1).
 double lowerBySeries(double a, double x) noexcept {
     double term = 1.0 / a, sum = term;
     for (int n = 1; n < 2000 && term > 1e-17 * sum; ++n) {
@@ -30,7 +30,8 @@ double lowerBySeries(double a, double x) noexcept {
     return sum * std::exp(a * std::log(x) - x - logGamma(a));
 }
 
-/// Regularised upper incomplete gamma by its continued fraction (x >= a + 1), evaluated forwards (modified Lentz).
+/// Regularised upper incomplete gamma function by its continued fraction (x >= a + 1), evaluated forwards
+/// (modified Lentz).
 double upperByFraction(double a, double x) noexcept {
     constexpr double kTiny = 1e-300;
     double b = x + 1.0 - a, c = 1.0 / kTiny, d = 1.0 / b, h = d;
@@ -75,7 +76,7 @@ double chiBarSquareQuantile(double confidence, int bounded) noexcept {
         return chiSquareQuantileOne(confidence);
     }
     const int most = bounded + 1;
-    const auto above = [&](double value) { // the mass at 0 lies above nothing
+    const auto above = [&](double value) { // the point mass at 0 exceeds no value
         double share = 0.0, ways = 1.0;
         for (int j = 1; j <= most; ++j) {
             ways *= static_cast<double>(most - j + 1) / j;

@@ -6,7 +6,7 @@
 namespace chiron::psychophysics {
 namespace {
 
-/// psi of every draw at one place, as percentiles.
+/// Returns percentiles of ψ over all draws at one position.
 FitInterval bandAt(const FitResult& result, double axis, std::vector<double>& values) {
     const SigmoidUnits units = unitsOf(result.function);
     values.clear();

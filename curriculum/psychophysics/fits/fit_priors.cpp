@@ -18,7 +18,8 @@ double logHalfCosine(double turn) noexcept { // ln(½ + ½cos)
     return value > 0.0 ? std::log(value) : kImpossible;
 }
 
-/// Of exp(logDensity(x)) over low..high, by the midpoint rule; `value` is what is measured at x.
+/// Returns the standard deviation of value(x) under the density exp(logDensity(x)) over low..high, by the
+/// midpoint rule.
 template <class Density, class Value>
 double standardDeviation(double low, double high, Density&& logDensity, Value&& value) noexcept {
     constexpr int kPieces = 2000;
@@ -58,7 +59,8 @@ double priorThresholdSd(const FitPriors& priors) noexcept {
         priors.lowestThreshold(), priors.highestThreshold(), [&](double x) { return priors.logThreshold(x); }, [](double x) { return x; });
 }
 
-double priorLogWidthSd(const FitPriors& priors) noexcept { // over ln width, where the density is width times as high
+double priorLogWidthSd(const FitPriors& priors) noexcept { // over ln width, where the density is multiplied
+                                                           // by the width
     return standardDeviation(
         std::log(priors.lowestWidth()), std::log(priors.largestWidth()), [&](double x) { return priors.logWidth(std::exp(x)) + x; }, [](double x) { return x; });
 }

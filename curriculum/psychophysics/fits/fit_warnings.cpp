@@ -34,7 +34,8 @@ void warnOfBounds(FitResult& result, const FitOptions& options) {
     }
 }
 
-/// Trials whose expected share lies between 10 and 90 % of the way from guess to 1 − lapse.
+/// Warns of a threshold outside the levels, and of too few trials whose expected proportion lies between 10
+/// and 90 % of the way from guess to 1 − lapse.
 void warnOfThreshold(FitResult& result, const PreparedLevels& levels) {
     const double low = levels.centre - 0.5 * levels.range, high = levels.centre + 0.5 * levels.range;
     const double threshold = result.best.threshold;
@@ -54,9 +55,10 @@ void warnOfThreshold(FitResult& result, const PreparedLevels& levels) {
     }
 }
 
-/// Whether a step explains the answers as well as any curve, within what chance does: no interval of the width then begins above 0.
+/// Returns whether a step explains the answers as well as any curve, within chance. If so, no interval of the
+/// width begins above 0.
 bool mayBeStep(const FitResult& result, const PreparedLevels& levels, const FitOptions& options) {
-    constexpr double kChiSquare95 = 3.841; // of one degree of freedom
+    constexpr double kChiSquare95 = 3.841; // with one degree of freedom
     const FreeParameters free = freeParameters(options);
     const double lapse = free.lapse ? 0.0 : options.lapse.value, guess = free.guess || free.equal ? 0.0 : options.guess.value;
     return likelihoodRatioOfStep(levels, result.function, free, lapse, guess) < kChiSquare95;
@@ -71,7 +73,8 @@ void warnOfWidth(FitResult& result, const PreparedLevels& levels, const FitOptio
     }
 }
 
-/// The priors of a posterior reach down to widths of the smallest spacing: beyond this it is integrated coarsely.
+/// Warns of close levels. The priors of a posterior reach down to widths of the smallest spacing, and beyond
+/// this ratio the posterior is integrated coarsely.
 void warnOfSpacing(FitResult& result, const PreparedLevels& levels) {
     constexpr double kMostSpacings = 1000.0;
     if (result.method == FitMethod::bayesian && levels.range > kMostSpacings * levels.spacing) {
@@ -80,7 +83,8 @@ void warnOfSpacing(FitResult& result, const PreparedLevels& levels) {
     }
 }
 
-/// A fall that chance explains badly: the share at higher intensities below that at lower ones by more than 2.58 standard errors (p = 0.01).
+/// Warns of a fall that chance hardly explains: the proportion at higher intensities is below that at lower
+/// ones by more than 2.58 standard errors (p = 0.01).
 void warnOfFall(FitResult& result, const PreparedLevels& levels) {
     double rightBelow = 0.0, below = 0.0;
     for (std::size_t i = 0; i + 1 < levels.size(); ++i) {

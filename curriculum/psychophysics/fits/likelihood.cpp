@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTiny = 1e-300;
 
-/// First and second derivatives of ψ by (alpha, beta, lapse, guess) at one level.
+/// First and second derivatives of ψ with respect to (alpha, beta, lapse, guess) at one level.
 struct PsiDerivatives {
     Vector4 first{};
     Matrix4 second{};
@@ -67,7 +67,8 @@ FreeParameters freeParameters(const FitOptions& options) noexcept {
     free.largestGuess = std::min(asked, 1.0 - fixedLapse - kLeastReach);
     if (free.lapse && free.guess) {
         free.largestLapse = std::min(free.largestLapse, 0.5 - kLeastReach);
-        free.largestGuess = std::min(free.largestGuess, 0.5); // whole: it is what two alternatives leave to chance
+        free.largestGuess = std::min(free.largestGuess, 0.5); // exactly 0.5: the guess rate of a task with
+                                                              // two alternatives
     }
     return free;
 }

@@ -8,7 +8,7 @@
 
 namespace chiron::psychophysics {
 
-/// A curve in the coordinates the search works in: z = alpha + beta · unit, ψ = guess + (1 − guess − lapse) S(z).
+/// A curve in the coordinates of the search: z = alpha + beta · unit, ψ = guess + (1 − guess − lapse) S(z).
 struct UnitCurve {
     double alpha = 0.0;
     double beta = 1.0;
@@ -16,7 +16,7 @@ struct UnitCurve {
     double guess = 0.0;
 };
 
-/// Which of alpha, beta, lapse and guess are searched. With `equal` the guess follows the lapse.
+/// Says which of alpha, beta, lapse and guess are searched. With `equal` the guess equals the lapse.
 struct FreeParameters {
     bool alpha = true;
     bool beta = true;
@@ -28,13 +28,13 @@ struct FreeParameters {
     int count() const noexcept { return static_cast<int>(alpha) + static_cast<int>(beta) + static_cast<int>(lapse) + static_cast<int>(guess); }
 };
 FreeParameters freeParameters(const FitOptions& options) noexcept;
-/// The same with both asymptotes fixed where one is and the other is to equal it.
+/// Returns the options with both asymptotes fixed if one is fixed and the other has to equal it.
 FitOptions settled(FitOptions options);
 
 using Vector4 = std::array<double, 4>;
 using Matrix4 = std::array<Vector4, 4>;
 
-/// Places and counts that a likelihood sums over; `unit` may be shifted.
+/// The positions and counts over which a likelihood sums. `unit` may be shifted.
 struct LevelsView {
     const double* unit = nullptr;
     const double* right = nullptr;
@@ -43,21 +43,23 @@ struct LevelsView {
 };
 LevelsView viewOf(const PreparedLevels& levels) noexcept;
 
-/// k ln ψ + (n − k) ln(1 − ψ), with 0 · ln 0 = 0.
+/// Returns k ln ψ + (n − k) ln(1 − ψ), with 0 · ln 0 = 0.
 double levelLogLikelihood(double right, double of, double psi, double rest) noexcept;
-/// Binomial log-likelihood without coefficients.
+/// Returns the binomial log-likelihood without coefficients.
 double logLikelihood(Sigmoid sigmoid, const LevelsView& levels, const UnitCurve& curve) noexcept;
 double saturatedLogLikelihood(const LevelsView& levels) noexcept;
 double proportionOf(Sigmoid sigmoid, const UnitCurve& curve, double unit) noexcept;
 
-/// Minus the second derivatives of the log-likelihood over (alpha, beta, lapse, guess): observed, and expected (Fisher).
+/// Negative second derivatives of the log-likelihood with respect to (alpha, beta, lapse, guess): observed
+/// and expected (Fisher).
 struct Information {
     Matrix4 observed{};
     Matrix4 expected{};
 };
 Information informationAt(Sigmoid sigmoid, const LevelsView& levels, const UnitCurve& curve, bool equal) noexcept;
 
-/// Inverts a symmetric matrix over the rows that `used` says, zero elsewhere. False where it is not positive definite.
+/// Inverts a symmetric matrix over the rows marked in `used`; the result is zero elsewhere. Returns false if
+/// the matrix is not positive definite.
 bool invertPositive(const Matrix4& matrix, const std::array<bool, 4>& used, Matrix4& inverse) noexcept;
 
 UnitCurve toUnit(const CurveParameters& at, const PreparedLevels& levels, Sigmoid sigmoid) noexcept;

@@ -33,7 +33,7 @@ SearchResult climbShape(const LevelsView& levels, const FreeParameters& free, co
             result.curve = tried;
             sums = there;
             damping = damping < 1e-3 ? 0.0 : 0.1 * damping;
-        } else if (decrement < 1e-9) { // rounding of the sum: as good as it gets
+        } else if (decrement < 1e-9) { // rounding error of the sum: no further gain is possible
             result.converged = true;
             break;
         } else {
@@ -45,7 +45,8 @@ SearchResult climbShape(const LevelsView& levels, const FreeParameters& free, co
     return result;
 }
 
-/// A line through logits of the proportions (guess and lapse taken out), weighted by what each level can tell.
+/// Fits a line through the logits of the proportions (guess and lapse removed), weighted by the information
+/// in each level.
 UnitCurve lineStart(Sigmoid sigmoid, const LevelsView& levels, double lapse, double guess) noexcept {
     const double reach = 1.0 - lapse - guess;
     double sw = 0.0, su = 0.0, st = 0.0, suu = 0.0, sut = 0.0;
@@ -92,13 +93,13 @@ void keepBetter(SearchResult& best, const SearchResult& other) noexcept {
     }
 }
 
-constexpr double kExploring = 1e-4; ///< Newton decrement that ends a climb which only looks for a maximum
+constexpr double kExploring = 1e-4; ///< Newton decrement at which an exploratory climb ends
 
 void explore(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, const UnitCurve& start, SearchResult& best) noexcept {
     keepBetter(best, climb(sigmoid, levels, free, start, {kExploring, best.logLikelihood}));
 }
 
-/// Climbs from the best few of a grid of curves.
+/// Climbs from the best few curves of a grid.
 void exploreGrid(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, SearchResult& best) noexcept {
     const SigmoidUnits units = unitsOf(sigmoid);
     constexpr std::size_t kKept = 5;
@@ -136,7 +137,8 @@ void exploreElsewhere(Sigmoid sigmoid, const LevelsView& levels, const FreeParam
     const double freedom = std::max(1.0, static_cast<double>(levels.size) - free.count());
     const bool poor = best.pearson > freedom + std::sqrt(2.0 * freedom);
     const bool atLimit = std::max(flat, best.step.logLikelihood) > best.logLikelihood - 0.05;
-    constexpr double kClose = 6.0; // a step further below than this has no maximum near it that could win
+    constexpr double kClose = 6.0; // a step that is less likely by more than this has no maximum near it that
+                                   // could win
     if (freeEnds || best.step.logLikelihood > best.logLikelihood - kClose) {
         const double gap = 1.0 / static_cast<double>(levels.size);
         for (const double width : {gap, 0.35}) {
@@ -166,9 +168,10 @@ void chooseKind(Sigmoid sigmoid, const LevelsView& levels, SearchResult& best, d
     }
 }
 
-constexpr double kGained = 1e-9; ///< of the log-likelihood: less is no other maximum
+constexpr double kGained = 1e-9; ///< smallest gain in log-likelihood that counts as another maximum
 
-/// Climbs again and again: along a ridge (a wide curve, a large lapse) a hundred steps do not arrive.
+/// Climbs repeatedly, because a hundred steps do not reach the end of a ridge (a wide curve, a large lapse
+/// rate).
 void climbToTheEnd(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, SearchResult& best) noexcept {
     constexpr int kMostClimbs = 30;
     for (int again = 0; again < kMostClimbs; ++again) {
@@ -180,7 +183,7 @@ void climbToTheEnd(Sigmoid sigmoid, const LevelsView& levels, const FreeParamete
     }
 }
 
-/// For each width and each pair of ends the likeliest places, climbed from.
+/// Climbs from the most likely positions for each width and each pair of asymptotes.
 void exploreWidely(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, double lapse, double guess, SearchResult& best) noexcept {
     const SigmoidUnits units = unitsOf(sigmoid);
     constexpr std::array<double, 4> shares{0.0, 0.03, 0.15, 1.0};
@@ -232,7 +235,7 @@ SearchResult searchMaximum(Sigmoid sigmoid, const LevelsView& levels, const Free
     const double flat = flatLogLikelihood(levels, free, lapse, guess);
     exploreElsewhere(sigmoid, levels, free, best, flat);
     const double limit = std::max(flat, best.step.logLikelihood);
-    if (limit < best.logLikelihood + 1e-3) { // else a limit it is
+    if (limit < best.logLikelihood + 1e-3) { // otherwise a limit wins
         keepBetter(best, climb(sigmoid, levels, free, best.curve));
     }
     chooseKind(sigmoid, levels, best, flat);

@@ -8,38 +8,43 @@
 
 namespace chiron::psychophysics {
 
-/// Where the likelihood is largest.
+/// The maximum of the likelihood.
 struct SearchResult {
     enum class Kind : std::uint8_t {
-        curve, ///< a curve of its own
-        step,  ///< no finite slope is best: a step
-        flat,  ///< no rise is best
+        curve, ///< a curve with a finite, positive slope
+        step,  ///< no finite slope is best: the limit is a step
+        flat,  ///< the best curve does not rise
     } kind = Kind::curve;
     UnitCurve curve;
     double logLikelihood = 0.0; ///< without coefficients
     bool converged = false;
     double pearson = 0.0;       ///< Σ (k − nψ)²/(nψ(1 − ψ))
-    StepCurve step;             ///< the best step, whatever the kind
+    StepCurve step;             ///< the best step, whatever `kind` is
 };
 
-/// When a climb ends.
+/// When to end a climb.
 struct ClimbGoal {
-    double enough = 2e-12; ///< Newton decrement: twice what another step would add to the log-likelihood
-    double beat = -std::numeric_limits<double>::infinity(); ///< given up early where it is clear that it stays below this
+    double enough = 2e-12; ///< Newton decrement: twice the gain in log-likelihood that another step would
+                           ///< bring
+    /// The climb is abandoned early if it clearly cannot reach this log-likelihood.
+    double beat = -std::numeric_limits<double>::infinity();
 };
 
-/// Damped Newton and Fisher scoring from one start, lapse and guess held between 0 and their largest; at most 100 steps.
+/// Climbs by damped Newton and Fisher scoring from one start, with lapse and guess kept between 0 and their
+/// largest values. At most 100 steps.
 SearchResult climb(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, const UnitCurve& start, const ClimbGoal& goal = {}) noexcept;
 
-/// The largest likelihood over all curves with the given lapse and guess where they are not free: a climb from a line through the
-/// transformed proportions; wherever a second maximum is possible (free lapse or guess, a poor fit, a step or no rise nearly as likely)
-/// more climbs, from steps and from the best of a grid of curves; then the two limits.
+/// Finds the largest likelihood over all curves; lapse and guess have the given values if they are not free.
+/// The first climb starts from a line through the transformed proportions. If a second maximum is possible
+/// (free lapse or guess, a poor fit, or a step or a flat line almost as likely), further climbs start from
+/// steps and from the best of a grid of curves. Finally the two limits are compared.
 SearchResult searchMaximum(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, double lapse, double guess) noexcept;
 
-/// The same from many more starts, each climbed to its end: a millisecond, for a fit that somebody reads.
+/// The same from many more starts, each climbed to its end. It takes about a millisecond and is meant for
+/// fits that are shown to people.
 SearchResult searchThoroughly(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, double lapse, double guess) noexcept;
 
-/// 2 ln of the likelihood of the best curve over that of the best step: 0 where a step is best.
+/// Returns 2 ln of the likelihood ratio of the best curve to the best step; 0 if a step is best.
 double likelihoodRatioOfStep(const PreparedLevels& levels, Sigmoid sigmoid, const FreeParameters& free, double lapse, double guess) noexcept;
 
 } // namespace chiron::psychophysics

@@ -16,7 +16,7 @@ struct Counts {
 
 double share(double part, double whole, double most) noexcept { return whole > 0.0 ? std::clamp(part / whole, 0.0, most) : 0.0; }
 
-/// Lapse and guess that suit answers below and above a step best.
+/// Chooses the most likely lapse and guess for the answers below and above a step.
 void chooseEnds(StepCurve& step, const Counts& below, const Counts& above, const FreeParameters& free) noexcept {
     if (free.equal) {
         step.lapse = share(below.right + above.wrong(), below.of + above.of, free.largestLapse);
@@ -69,7 +69,7 @@ StepCurve bestStep(const LevelsView& levels, const FreeParameters& free, double 
         for (const bool atLevel : {false, true}) {
             const bool belowNothing = !std::isfinite(levels.unit[i]) || (i == 0 && !atLevel);
             if (belowNothing) {
-                continue; // a step below the first level is no step
+                continue; // a step below the first level has no effect
             }
             const Counts kept = atLevel ? at : Counts{};
             const Counts above{all.right - below.right - kept.right, all.of - below.of - kept.of};
@@ -77,7 +77,9 @@ StepCurve bestStep(const LevelsView& levels, const FreeParameters& free, double 
             chooseEnds(step, below, above, free);
             weigh(step, below, above, at);
             const double alike = std::isfinite(best.logLikelihood) ? 1e-9 * std::max(1.0, std::abs(best.logLikelihood)) : 0.0;
-            const bool freer = best.atLevel && !step.atLevel; // of two as likely the one that stands between levels: halfway, as mirrored data say
+            // Of two equally likely steps, the one between levels is preferred: halfway, so that mirrored
+            // data give the mirrored step.
+            const bool freer = best.atLevel && !step.atLevel;
             if (step.logLikelihood > best.logLikelihood + alike || (freer && step.logLikelihood > best.logLikelihood - alike)) {
                 best = step;
             }

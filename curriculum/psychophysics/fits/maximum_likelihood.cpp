@@ -11,7 +11,8 @@
 namespace chiron::psychophysics {
 namespace {
 
-/// Standard errors of threshold and width from a covariance of (alpha, beta, lapse, guess), by the chain rule.
+/// Returns the standard errors of threshold and width from a covariance of (alpha, beta, lapse, guess), by
+/// the chain rule.
 CurveParameters errorsFrom(const Matrix4& covariance, const UnitCurve& curve, const PreparedLevels& levels, Sigmoid sigmoid,
                            const FreeParameters& free, double& thresholdWidth) {
     const SigmoidUnits units = unitsOf(sigmoid);
@@ -43,7 +44,8 @@ void addErrors(FitResult& result, const PreparedLevels& levels, const FreeParame
     }
 }
 
-/// Where no rise is best, or answers are all alike, there is a height and what it explains, and nothing else.
+/// Reports a fit in which no rise is best or all answers are alike: only the log-likelihood and what follows
+/// from it.
 void reportFlat(FitResult& result, const PreparedLevels& levels, double height) {
     result.logLikelihood = height + levels.logCoefficients;
     result.deviance = 2.0 * (saturatedLogLikelihood(viewOf(levels)) - height);
@@ -79,7 +81,8 @@ FitResult fitMaximumLikelihood(const PsychometricData& data, const FitOptions& g
     }
     const FreeParameters free = freeParameters(options);
     const double lapse = free.lapse ? 0.0 : options.lapse.value, guess = free.guess || free.equal ? 0.0 : options.guess.value;
-    const bool read = options.profileIntervals || options.bootstrap != Bootstrap::none || options.monteCarlo > 0; // milliseconds all the same
+    // These options take milliseconds anyway, so the thorough search costs little.
+    const bool read = options.profileIntervals || options.bootstrap != Bootstrap::none || options.monteCarlo > 0;
     const SearchResult found = (read ? searchThoroughly : searchMaximum)(options.function, viewOf(levels), free, lapse, guess);
     result.freeParameters = free.count();
     const bool oneSided = levels.totalRight == 0.0 || levels.totalRight == levels.total;

@@ -14,7 +14,8 @@ namespace {
 
 enum : std::size_t { kThreshold, kLogWidth, kLapse, kGuess, kCoordinates };
 
-/// The parameters of all conditions in one row: common ones once. Coordinates: threshold and ln width on a common unit axis, lapse, guess.
+/// The parameters of all conditions in one row, with shared ones only once. Coordinates: threshold and ln
+/// width on a common unit axis, lapse, guess.
 class JointModel {
 public:
     JointModel(std::vector<PreparedLevels> levels, const FitOptions& options, const SharedParameters& shared)
@@ -65,7 +66,8 @@ private:
     int m_size = 0;
 };
 
-/// Gradient and expected information of the joint log-likelihood, from those of the conditions by the chain rule.
+/// Gradient and expected information of the joint log-likelihood, computed from those of the conditions by
+/// the chain rule.
 struct JointSums {
     std::vector<double> gradient;
     std::vector<double> information; ///< size × size
@@ -102,7 +104,8 @@ JointSums sumsAt(const JointModel& model, const std::vector<double>& row) {
     return sums;
 }
 
-/// Solves by Gauss's elimination over what `moves` says, the diagonal raised by `damping`. Empty where it is singular.
+/// Solves by Gaussian elimination over the parameters that `moves` marks, with the diagonal raised by
+/// `damping`. Empty if the matrix is singular.
 std::vector<double> solved(const JointSums& sums, const std::vector<bool>& moves, double damping) {
     const std::size_t size = sums.gradient.size();
     std::vector<double> left = sums.information, right = sums.gradient;
@@ -134,7 +137,7 @@ std::vector<double> solved(const JointSums& sums, const std::vector<bool>& moves
     return right;
 }
 
-/// A climb over all conditions at once; returns the log-likelihood, `row` moved to its maximum.
+/// Climbs over all conditions at once. Moves `row` to the maximum and returns the log-likelihood there.
 double climbJoint(const JointModel& model, std::vector<double>& row) {
     double height = model.logLikelihoodOf(row), damping = 1e-3;
     std::vector<bool> isShare(row.size(), false);
@@ -175,7 +178,7 @@ double climbJoint(const JointModel& model, std::vector<double>& row) {
     return height;
 }
 
-/// Starts from each condition fitted alone; what is common starts at the mean.
+/// Returns a start from separate fits of the conditions; shared parameters start at the mean.
 std::vector<double> jointStart(const JointModel& model, const FitOptions& options) {
     std::vector<double> row(static_cast<std::size_t>(model.size()), 0.0), count(row.size(), 0.0);
     for (std::size_t c = 0; c < model.conditions(); ++c) {
@@ -234,7 +237,7 @@ ConditionsFit fitConditions(const std::vector<PsychometricData>& conditions, con
 
 namespace {
 
-/// ψ at an intensity in given units.
+/// Returns ψ at an intensity in given units.
 double proportionOf(const CurveParameters& p, double x, const FitOptions& options) {
     const SigmoidUnits units = unitsOf(options.function);
     const double axis = toScale(x, *options.scale);
@@ -246,7 +249,8 @@ double likelihoodRatio(const ConditionsFit& smaller, const ConditionsFit& larger
     return smaller.fitted && larger.fitted ? std::max(0.0, 2.0 * (larger.logLikelihood - smaller.logLikelihood)) : kNotKnown;
 }
 
-/// Share of answers drawn from the smaller model whose ratio is as large.
+/// Computes the Monte Carlo p: the share of data sets drawn from the smaller model whose likelihood ratio is
+/// at least as large.
 void simulate(ModelComparison& comparison, const std::vector<PsychometricData>& conditions, const FitOptions& options, const SharedParameters& both,
               const SharedParameters& shared) {
     struct Row {

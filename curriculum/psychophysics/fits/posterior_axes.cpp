@@ -20,7 +20,8 @@ Rule gaussLegendre(std::size_t nodes) {
     for (std::size_t i = 0; i < nodes; ++i) {
         double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (count + 0.5));
         double derivative = 1.0;
-        for (int step = 0; step < 8; ++step) { // Newton on Legendre's polynomial by its recurrence
+        for (int step = 0; step < 8; ++step) { // Newton's method on the Legendre polynomial, evaluated by its
+                                               // recurrence
             double p = 1.0, previous = 0.0;
             for (std::size_t k = 1; k <= nodes; ++k) {
                 const double n = static_cast<double>(k);
@@ -37,7 +38,8 @@ Rule gaussLegendre(std::size_t nodes) {
     return rule;
 }
 
-/// The cubic through the four nodes around x (the nearest four at the ends), between what its neighbours allow.
+/// Returns the cubic through the four nodes around x (the nearest four at the ends), limited to little more
+/// than the largest of their values.
 double localCubic(const std::vector<double>& nodes, const std::vector<double>& values, double x) noexcept {
     const std::size_t order = std::min<std::size_t>(4, nodes.size());
     const auto after = static_cast<std::size_t>(std::upper_bound(nodes.begin(), nodes.end(), x) - nodes.begin());
@@ -51,7 +53,7 @@ double localCubic(const std::vector<double>& nodes, const std::vector<double>& v
         sum += basis * values[i];
         most = std::max(most, values[i]);
     }
-    constexpr double kOver = 1.0; // a peak between two nodes is higher than both
+    constexpr double kOver = 1.0; // a peak between two nodes may be higher than both
     return std::min(sum, most + kOver);
 }
 
@@ -103,7 +105,7 @@ std::vector<double> equalShares(const std::vector<double>& edges, const std::vec
 }
 
 Marginal::Marginal(const QuadratureAxis& axis, const std::vector<double>& mass) : m_places{axis.low()}, m_cumulative{0.0} {
-    constexpr double kLeast = 1e-6, kTiny = 1e-300; // of the highest density, and of any
+    constexpr double kLeast = 1e-6, kTiny = 1e-300; // relative to the highest density, and absolute
     std::vector<double> logs(mass.size());
     double highest = 0.0;
     for (std::size_t i = 0; i < mass.size(); ++i) {
@@ -132,7 +134,7 @@ void Marginal::addPanel(const QuadratureAxis& axis, const std::vector<double>& l
         density[piece] = std::exp(localCubic(axis.nodes, logs, from + step * static_cast<double>(piece)));
         sum += (piece == 0 || piece == kPieces ? 0.5 : 1.0) * density[piece] * step;
     }
-    const double scale = sum > 0.0 ? held / sum : 0.0; // the quadrature's sum is the exacter one
+    const double scale = sum > 0.0 ? held / sum : 0.0; // the quadrature's sum is the more accurate one
     for (std::size_t piece = 0; piece < kPieces; ++piece) {
         m_from.push_back(scale * density[piece]);
         m_to.push_back(scale * density[piece + 1]);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kImpossible = -std::numeric_limits<double>::infinity();
 
-/// Of a level's ψ wherever a grid may ask: over each axis ψ rises or falls throughout, so its extremes lie at corners.
+/// Range of a level's ψ over a grid. ψ is monotone along each axis, so its extremes lie at the corners.
 struct Extent {
     double lowest = 1.0, highest = 0.0;
 };
@@ -27,7 +27,7 @@ Extent extentOf(const PosteriorModel& model, const PosteriorAxes& axes, double u
         const double lapse = end(PosteriorAxes::lapse, corner & 4u), guess = model.free.equal ? lapse : end(PosteriorAxes::guess, corner & 8u);
         const SigmoidValue s = sigmoidAt(model.sigmoid, units.middle + units.spread / width * (unit - threshold));
         const double reach = 1.0 - guess - lapse, psi = guess + reach * s.rise, rest = lapse + reach * s.rest;
-        constexpr double kRounded = 1e-12; // 1 − ψ is no more than rounding
+        constexpr double kRounded = 1e-12; // below this, 1 − ψ is only a rounding error
         extent.lowest = std::min(extent.lowest, psi);
         extent.highest = std::max(extent.highest, rest > kRounded ? psi : 1.0);
     }
@@ -44,13 +44,13 @@ std::vector<BetaBinomialTable> tablesFor(const PosteriorModel& model, const Post
     return tables;
 }
 
-/// Where the prior allows a threshold, with as many panels as the levels ask for.
+/// Returns the panels for the threshold over the range that the prior allows, as dense as the levels require.
 std::vector<double> thresholdBreaks(const PosteriorModel& model, std::size_t panels) {
     const double low = model.priors.lowestThreshold(), high = model.priors.highestThreshold();
     std::vector<double> edges{low}, mass;
     for (const double unit : model.levels.unit) {
         if (unit > edges.back() && unit < high) {
-            mass.push_back(edges.size() > 1 ? 1.0 : 0.0); // nothing before the first
+            mass.push_back(edges.size() > 1 ? 1.0 : 0.0); // no mass before the first level
             edges.push_back(unit);
         }
     }

@@ -13,7 +13,7 @@ struct PosteriorAxes {
     std::size_t cells() const noexcept;
 };
 
-/// How each axis is cut; `share` for lapse and guess.
+/// How each axis is divided; `share` is for lapse and guess.
 struct GridSize {
     AxisSize threshold, width, share, eta;
     const AxisSize& operator[](std::size_t axis) const noexcept;
@@ -47,7 +47,8 @@ struct Masses {
 };
 Masses massesOf(const DensityGrid& grid, double reference);
 
-/// The whole of what the priors allow; half of the nodes of the threshold lie as densely as the levels do.
+/// Returns the axes of the whole space that the priors allow. Half of the threshold's nodes follow the
+/// density of the levels.
 PosteriorAxes wholeSpace(const PosteriorModel& model, const GridSize& size);
 
 } // namespace chiron::psychophysics

@@ -124,7 +124,7 @@ private:
     std::vector<Corner> m_corners;
 };
 
-/// Curves to start from, with their heights.
+/// Candidate starting curves with their log densities.
 class Candidates {
 public:
     explicit Candidates(const PosteriorModel& model) : m_model(model) {}
@@ -138,7 +138,7 @@ public:
         }
     }
 
-    /// A curve as it is, and where its shares are 0, one at a time and all.
+    /// Adds a curve as it is, with each share at 0, and with all shares at 0.
     void addWithEdges(const CurveParameters& at) {
         constexpr double kSmall = 1e-6; // at 0 itself some answers may be impossible
         add(at);
@@ -158,7 +158,7 @@ public:
         add(bare);
     }
 
-    /// The highest, each apart from those before it.
+    /// Returns the candidates with the highest log density that are not close to a better one.
     std::vector<CurveParameters> best(std::size_t most) {
         std::stable_sort(m_all.begin(), m_all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
         std::vector<CurveParameters> chosen;
@@ -184,7 +184,7 @@ private:
     std::vector<std::pair<double, CurveParameters>> m_all;
 };
 
-/// The best cell of each width.
+/// Adds the best cell for each width.
 void addCells(Candidates& candidates, const DensityGrid& grid) {
     const std::size_t widths = grid.axes().axis[PosteriorAxes::logWidth].size();
     std::vector<std::size_t> best(widths, 0);
@@ -203,7 +203,8 @@ void addCells(Candidates& candidates, const DensityGrid& grid) {
     }
 }
 
-/// Thresholds at and between levels, sixty of them at most, in several widths, with few and many lapses and guesses.
+/// Adds thresholds at and between levels, at most sixty of them, with several widths and with few and
+/// many lapses and guesses.
 void addLevels(Candidates& candidates, const PosteriorModel& model) {
     constexpr std::size_t kMostPlaces = 60, kWidths = 6;
     constexpr double kFew = 0.03, kMany = 0.15;
@@ -251,7 +252,8 @@ CurveParameters posteriorMode(const PosteriorModel& model, const std::vector<Cur
             best = top.height > best.height ? top : best;
         }
     }
-    for (const double scale : {-0.4, 0.1, -0.02}) { // again from there, so that no collapsed simplex is believed
+    // Climb again from the result, so that a collapsed simplex is not mistaken for the mode.
+    for (const double scale : {-0.4, 0.1, -0.02}) {
         const Corner found = Simplex(space, best.at, scale).climb(250);
         best = found.height > best.height ? found : best;
     }

@@ -15,12 +15,13 @@ struct PosteriorModel {
     const PreparedLevels& levels;
     Sigmoid sigmoid;
     FitPriors priors;
-    FreeParameters free; ///< of lapse and guess
-    double lapse = 0.0;  ///< where fixed
+    FreeParameters free; ///< which of lapse and guess are free
+    double lapse = 0.0;  ///< used if fixed, as is `guess`
     double guess = 0.0;
     bool overdispersion = true; ///< false: η is 0
 
-    /// Log of prior × likelihood (a density over threshold, width, lapse, guess and η), up to a constant; −∞ where impossible.
+    /// Returns the log of prior × likelihood (a density over threshold, width, lapse, guess and η), up to a
+    /// constant; −∞ if impossible.
     double logDensity(const CurveParameters& at) const noexcept;
 };
 

@@ -15,7 +15,8 @@ struct Range {
     double low, high;
 };
 
-/// Along η: at η = 1/√n answers of n trials scatter √2 times as much as chance lets them; from there in steps of twice, at most 0.2.
+/// Returns the bounds along η. At η = 1/√n the answers of n trials scatter √2 times as much as by chance;
+/// from there each bound doubles, by at most 0.2.
 std::vector<Range> etaBands(const PosteriorModel& model) {
     if (!model.overdispersion) {
         return {{0.0, 0.0}};
@@ -34,7 +35,7 @@ std::vector<Range> etaBands(const PosteriorModel& model) {
     return bands;
 }
 
-/// Along ln width: thresholds spread with the width.
+/// Returns the bands along ln width, because the thresholds spread with the width.
 std::vector<Range> widthBands(const FitPriors& priors) {
     constexpr double kLongest = 4.2, kMost = 4.0;
     const double low = std::log(priors.lowestWidth()), length = std::log(priors.largestWidth()) - low;
@@ -46,7 +47,8 @@ std::vector<Range> widthBands(const FitPriors& priors) {
     return bands;
 }
 
-/// From the interval before the first that matters to the one after the last; further out where mass is cut off.
+/// Returns the range from the interval before the first one with relevant mass to the one after the last. The
+/// range is extended if mass is cut off at an end.
 Range matteringRange(const QuadratureAxis& axis, const std::vector<double>& mass, double total, const Range& limits) {
     const std::vector<double> edges = axis.edges();
     std::size_t first = 0, last = mass.size() - 1;
@@ -56,7 +58,7 @@ Range matteringRange(const QuadratureAxis& axis, const std::vector<double>& mass
     for (double above = mass[last]; last > first && above < kNegligible * total; above += mass[last]) {
         --last;
     }
-    constexpr double kCut = 0.002, kFurther = 0.5; // of a node's own share
+    constexpr double kCut = 0.002, kFurther = 0.5; // relative to a node's own share
     const double length = axis.high() - axis.low();
     const bool cutBelow = mass.front() > kCut * total, cutAbove = mass.back() > kCut * total;
     const double low = first > 0 ? edges[first - 1] : cutBelow ? edges.front() - kFurther * length : edges.front();
@@ -64,7 +66,7 @@ Range matteringRange(const QuadratureAxis& axis, const std::vector<double>& mass
     return {std::max(low, limits.low), std::min(high, limits.high)};
 }
 
-/// Breaks for panels over a range: as the masses of an axis' nodes lie.
+/// Returns the breaks for panels over a range, according to the masses of the axis' nodes.
 std::vector<double> breaksWithin(const QuadratureAxis& axis, const std::vector<double>& mass, const Range& range, std::size_t panels) {
     const std::vector<double> edges = axis.edges();
     std::vector<double> kept{range.low}, held;
@@ -72,7 +74,7 @@ std::vector<double> breaksWithin(const QuadratureAxis& axis, const std::vector<d
         const double from = std::max(edges[i], range.low), to = std::min(edges[i + 1], range.high);
         if (to > from) {
             if (from > kept.back()) {
-                held.push_back(0.0); // what was not covered
+                held.push_back(0.0); // range that was not covered
                 kept.push_back(from);
             }
             held.push_back(mass[i] * (to - from) / (edges[i + 1] - edges[i]));
@@ -86,9 +88,9 @@ std::vector<double> breaksWithin(const QuadratureAxis& axis, const std::vector<d
     return equalShares(kept, held, panels);
 }
 
-/// Where one part of the posterior lies.
+/// The location of one part of the posterior.
 struct Part {
-    PosteriorAxes axes; ///< coarse
+    PosteriorAxes axes; ///< axes of the coarse grid
     std::array<std::vector<double>, PosteriorAxes::count> mass;
     double logMass = 0.0;
 };
@@ -112,7 +114,8 @@ public:
         m_axes = m_whole;
     }
 
-    /// Begins with the region of the part before, or with the whole space where that has a higher place.
+    /// Begins with the region of the previous part, or with the whole space if that contains a higher
+    /// density.
     Part find(const Range& etas, bool single) {
         constexpr std::size_t kEtas = 3;
         const QuadratureAxis eta = m_model.overdispersion ? panelAxis({etas.low, etas.high}, (single ? 2 : 1) * kEtas) : fixedAxis(0.0);
@@ -136,7 +139,7 @@ public:
     }
 
 private:
-    /// Lets the axes follow the mass; whether that changed them by much.
+    /// Adapts the axes to the mass; returns whether this changed them substantially.
     bool follow(const Masses& masses, const Range& etas) {
         bool changed = false;
         PosteriorAxes next = m_axes;
@@ -162,8 +165,8 @@ private:
     bool m_found = false;
 };
 
-/// How many of the bands along η matter, as a coarse grid over the whole space sees it. It may miss mass where there is little overdispersion, and
-/// then leaves no band out that matters.
+/// Returns how many of the bands along η are relevant, judged by a coarse grid over the whole space. The grid
+/// may miss mass where there is little overdispersion, but then it drops no relevant band.
 std::size_t mattering(const PosteriorModel& model, const std::vector<Range>& etas) {
     if (etas.size() == 1) {
         return 1;
@@ -185,7 +188,7 @@ std::size_t mattering(const PosteriorModel& model, const std::vector<Range>& eta
     return count;
 }
 
-/// Fewer nodes for parts that hold little.
+/// Returns fewer nodes for parts that hold little mass.
 GridSize sizeFor(double share, GridSize size) noexcept {
     constexpr double kLittle = 0.01;
     if (share < kLittle) {
@@ -222,7 +225,7 @@ std::vector<DensityGrid> posteriorParts(const PosteriorModel& model, const GridS
             grids.emplace_back(model, finerAxes(part, sizeFor(share, size)));
         }
     }
-    if (grids.empty()) { // no density anywhere: the priors alone
+    if (grids.empty()) { // no density anywhere: use the whole space of the priors
         grids.emplace_back(model, wholeSpace(model, fine));
     }
     return grids;

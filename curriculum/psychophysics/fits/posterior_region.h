@@ -5,9 +5,12 @@
 
 namespace chiron::psychophysics {
 
-/// The posterior in parts by overdispersion, in steps of two beyond what chance itself scatters: the less there is, the narrower is everything else
-/// (a funnel); and by width, where widths may span much. Each has axes of its own, found by passes of a coarse grid from the part of more
-/// overdispersion, with more nodes where there is more mass. Parts that hold less than 1e-4 are left out; never empty. `fine` is the size of a part.
+/// Divides the posterior into parts by overdispersion and, where widths may span a large range, by width. The
+/// bounds of overdispersion double from the one at which it equals the scatter of chance, because the less
+/// overdispersion there is, the narrower is everything else (a funnel). Each part has axes of its own, found
+/// by passes of a coarse grid that start from the part with more overdispersion, with more nodes where there
+/// is more mass. Parts that hold less than 1e-4 of the mass are left out. The result is never empty. `fine`
+/// is the size of a part.
 std::vector<DensityGrid> posteriorParts(const PosteriorModel& model, const GridSize& fine);
 
 } // namespace chiron::psychophysics

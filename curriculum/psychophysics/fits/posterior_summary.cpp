@@ -13,7 +13,7 @@ namespace {
 
 using Axes = PosteriorAxes;
 
-/// The posterior's parts, with their masses in one unit.
+/// The posterior's parts, with their masses in one common unit.
 struct Parts {
     const std::vector<DensityGrid>& grids;
     std::vector<Masses> masses;
@@ -37,7 +37,7 @@ struct Moments {
     double mean, sd;
 };
 
-/// Of the width itself, or as it stands on its axis: of its logarithm.
+/// Returns the moments of the width itself or, with asOnAxis, of its logarithm as on the axis.
 Moments momentsOf(const Parts& parts, std::size_t a, bool asOnAxis = false) {
     const auto sum = [&](auto&& value) {
         double whole = 0.0;
@@ -66,7 +66,8 @@ FitInterval percentiles(const Parts& parts, std::size_t a, double confidence) {
     return {quantile(marginals, tail), quantile(marginals, 1.0 - tail)};
 }
 
-/// The extent along each axis of the joint region of highest density: its outermost nodes, as psignifit takes them.
+/// Returns the extent along each axis of the joint region of highest density, from its outermost nodes as in
+/// psignifit.
 std::array<FitInterval, Axes::count> projections(const Parts& parts, double confidence) {
     struct Cell {
         double log;
@@ -128,7 +129,7 @@ void addDraws(FitResult& result, const Parts& parts, const PreparedLevels& level
         for (std::size_t cell = 0; cell < parts.masses[p].cell.size(); ++cell) {
             sum += parts.masses[p].cell[cell];
             for (; next < sum && std::ssize(result.draws) < draws; next += step) {
-                std::array<double, Axes::count> at{}; // inside the intervals that the nodes stand for
+                std::array<double, Axes::count> at{}; // uniform inside the intervals that the nodes represent
                 for (std::size_t a = 0; a < Axes::count; ++a) {
                     const std::size_t node = grid.nodeOf(cell, a);
                     at[a] = edges[a][node] + random.uniform() * (edges[a][node + 1] - edges[a][node]);
@@ -140,7 +141,7 @@ void addDraws(FitResult& result, const Parts& parts, const PreparedLevels& level
     }
 }
 
-/// How wide the posterior is beside its prior.
+/// Sets the influence of the prior: the spread of the posterior relative to that of its prior.
 void setInfluence(FitResult& result, const Parts& parts, const FitPriors& priors, const FitOptions& options) {
     const FreeParameters free = freeParameters(options);
     const double largestEta = kMostEta;

@@ -5,15 +5,17 @@
 
 namespace chiron::psychophysics {
 
-/// Posterior mean and standard deviation, from the posterior's parts; fills mean and error of the result.
+/// Fills mean and error of the result with the posterior's mean and standard deviation, computed from its
+/// parts.
 void addMeans(FitResult& result, const std::vector<DensityGrid>& grids, const PreparedLevels& levels, const FitOptions& options);
 
-/// Intervals, draws and how much the prior decided alone: mean and error stay.
+/// Fills only intervals, draws and the influence of the prior; mean and error keep their values.
 void addIntervals(FitResult& result, const std::vector<DensityGrid>& grids, const FitPriors& priors, const PreparedLevels& levels, const FitOptions& options);
 
-/// Share of the posterior whose width (threshold), on the unit axis, lies below so much.
+/// Returns the share of the posterior whose width (threshold) on the unit axis lies below `width`
+/// (`threshold`).
 double widthBelow(const std::vector<DensityGrid>& grids, double width);
-/// The width, on the unit axis, below which so much of the posterior lies.
+/// Returns the width on the unit axis below which this share of the posterior lies.
 double widthQuantile(const std::vector<DensityGrid>& grids, double share);
 double thresholdBelow(const std::vector<DensityGrid>& grids, double threshold);
 

@@ -19,7 +19,7 @@ bool wholeNumber(double value) noexcept { return value >= 0.0 && value < 9e15 &&
 
 std::string countedRows(std::size_t count) { return std::to_string(count) + (count == 1 ? " row was" : " rows were"); }
 
-/// Usable rows by ascending place on the axis; the rest is counted.
+/// Returns the usable rows by ascending position on the axis, and counts the others.
 std::vector<Row> usableRows(const PsychometricData& data, StimulusScale scale, PreparedLevels& levels) {
     std::vector<Row> rows;
     const std::size_t complete = std::min({data.x.size(), data.k.size(), data.n.size()});
@@ -50,7 +50,7 @@ std::vector<Row> usableRows(const PsychometricData& data, StimulusScale scale, P
     return rows;
 }
 
-/// Places that differ, among rows in order.
+/// Counts the distinct positions among sorted rows.
 std::size_t differentPlaces(const std::vector<Row>& rows) noexcept {
     std::size_t count = rows.empty() ? 0 : 1;
     for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -59,7 +59,7 @@ std::size_t differentPlaces(const std::vector<Row>& rows) noexcept {
     return count;
 }
 
-/// One row for those from first to before last, at their mean place, weighed by answers.
+/// Merges the rows from `first` to before `last` at their mean position, weighted by answers.
 Row together(const std::vector<Row>& rows, std::size_t first, std::size_t last, StimulusScale scale) {
     Row bin{0.0, 0.0, 0.0, 0.0};
     for (std::size_t i = first; i < last; ++i) {
@@ -74,8 +74,8 @@ Row together(const std::vector<Row>& rows, std::size_t first, std::size_t last, 
     return bin;
 }
 
-/// Beyond kMostFittedLevels places (single trials at places of their own): neighbours together, about as many answers in each. Minus
-/// infinity stays by itself.
+/// If there are more than kMostFittedLevels positions (single trials at positions of their own), merges
+/// neighbours into bins with about equal numbers of answers. Minus infinity stays separate.
 std::vector<Row> binned(const std::vector<Row>& rows, StimulusScale scale, std::vector<std::string>& warnings) {
     const std::size_t places = differentPlaces(rows);
     if (places <= kMostFittedLevels) {

@@ -14,7 +14,7 @@ constexpr int kDoublings = 14;
 constexpr int kHalvings = 34;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// The likelihood left when one parameter is held.
+/// The profile likelihood, with one parameter held fixed.
 class Profile {
 public:
     Profile(const PreparedLevels& levels, const FitOptions& options, const SearchResult& best)
@@ -23,7 +23,7 @@ public:
 
     double best() const noexcept { return m_best.logLikelihood; }
 
-    /// Threshold held at `middle` (unit axis): the axis is moved there and alpha held.
+    /// Holds the threshold at `middle` (unit axis) by shifting the axis there and holding alpha.
     double atThreshold(double middle) {
         for (std::size_t i = 0; i < m_shifted.size(); ++i) {
             m_shifted[i] = m_levels.unit[i] - middle;
@@ -42,7 +42,7 @@ public:
         return most;
     }
 
-    /// Slope held at `beta`.
+    /// Holds the slope at `beta`.
     double atBeta(double beta) {
         FreeParameters free = m_free;
         free.beta = false;
@@ -75,7 +75,8 @@ private:
     std::vector<double> m_shifted;
 };
 
-/// The place beyond `from` where `drop` passes 0, going outwards by `step`, doubled each time; infinite where it never does.
+/// Returns the position beyond `from` where `drop` crosses 0. It searches outwards by `step`, doubled each
+/// time; infinite if there is no crossing.
 template <class Drop>
 double crossing(Drop&& drop, double from, double step) {
     double inside = from, outside = from;

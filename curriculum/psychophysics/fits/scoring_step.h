@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-// One step of Newton's method, or of Fisher scoring where the likelihood is not concave, over (alpha, beta) or, with Ends, (alpha, beta,
-// lapse, guess). Inline: the loop of every fit.
+// One step of Newton's method, or of Fisher scoring if the likelihood is not concave, over (alpha, beta) or,
+// with Ends, over (alpha, beta, lapse, guess). Inline because it is the inner loop of every fit.
 namespace chiron::psychophysics::scoring {
 
 inline constexpr double kLeastBeta = 1e-7;
@@ -18,7 +18,7 @@ template <bool Ends>
 inline constexpr std::size_t kParameters = Ends ? 4 : 2;
 
 template <bool Ends>
-using Triangle = std::array<std::array<double, kParameters<Ends>>, kParameters<Ends>>; ///< the lower one
+using Triangle = std::array<std::array<double, kParameters<Ends>>, kParameters<Ends>>; ///< the lower triangle
 
 template <bool Ends>
 struct Sums {
@@ -29,7 +29,7 @@ struct Sums {
     Triangle<Ends> observed{};
 };
 
-/// Log-likelihood, its gradient, and minus its second derivatives: expected and observed.
+/// Computes the log-likelihood, its gradient, and its negative second derivatives: expected and observed.
 template <class Shape, bool Ends>
 Sums<Ends> sumsAt(const LevelsView& levels, const UnitCurve& curve, [[maybe_unused]] bool equal) noexcept {
     Sums<Ends> sums;
@@ -37,14 +37,17 @@ Sums<Ends> sumsAt(const LevelsView& levels, const UnitCurve& curve, [[maybe_unus
     for (std::size_t i = 0; i < levels.size; ++i) {
         const double u = levels.unit[i];
         const SigmoidValue s = Shape::at(curve.alpha + curve.beta * u);
-        const double place = std::isfinite(u) ? u : 0.0; // a level of 0 on an axis of logarithms: S is flat there, whatever rounds its slope
+        // A level of 0 on a logarithmic axis is at minus infinity. S is flat there, whatever rounding does to
+        // its slope.
+        const double place = std::isfinite(u) ? u : 0.0;
         const double psi = curve.guess + reach * s.rise;
         const double rest = curve.lapse + reach * s.rest;
         sums.logLikelihood += levelLogLikelihood(levels.right[i], levels.of[i], psi, rest);
         const double weight = 1.0 / std::max(psi * rest, 1e-300);
         const double excess = levels.right[i] * rest - (levels.of[i] - levels.right[i]) * psi; // k − nψ
         sums.pearson += excess * excess * weight / levels.of[i];
-        // Each term by itself: their sum over ψ(1 − ψ) loses what a saturated level says of the lapse, where 1 − ψ has left the doubles.
+        // The terms are added separately: their sum over ψ(1 − ψ) would lose what a saturated level says
+        // about the lapse rate, where 1 − ψ is below the precision of a double.
         const double right = levels.right[i] / std::max(psi, 1e-150), wrong = (levels.of[i] - levels.right[i]) / std::max(rest, 1e-150);
         const double score = right - wrong;
         std::array<double, kParameters<Ends>> d{reach * s.slope, reach * s.slope * place};
@@ -75,7 +78,7 @@ Sums<Ends> sumsAt(const LevelsView& levels, const UnitCurve& curve, [[maybe_unus
     return sums;
 }
 
-/// Parameters that may move: free, and not pressed against a bound.
+/// Returns which parameters may move: those that are free and not pressed against a bound.
 template <bool Ends>
 std::array<bool, kParameters<Ends>> movable(const Sums<Ends>& sums, const UnitCurve& at, const FreeParameters& free) noexcept {
     std::array<bool, kParameters<Ends>> moves{};
@@ -94,8 +97,9 @@ std::array<bool, kParameters<Ends>> movable(const Sums<Ends>& sums, const UnitCu
 template <bool Ends>
 using Move = std::pair<std::array<double, kParameters<Ends>>, double>;
 
-/// Solves (information + damping · its diagonal) move = gradient by Cholesky over what may move. Second: gradient · move, the
-/// Newton decrement; negative where the information is not positive definite.
+/// Solves (information + damping · its diagonal) move = gradient by Cholesky decomposition over the
+/// parameters that may move. The second result is gradient · move, the Newton decrement; it is negative if
+/// the information is not positive definite.
 template <bool Ends>
 Move<Ends> solved(const Triangle<Ends>& information, const std::array<double, kParameters<Ends>>& gradient,
                   const std::array<bool, kParameters<Ends>>& moves, double damping) noexcept {
@@ -138,7 +142,7 @@ Move<Ends> solved(const Triangle<Ends>& information, const std::array<double, kP
     return {move, decrement};
 }
 
-/// Newton's step where the observed information is positive definite, else Fisher's.
+/// Returns Newton's step if the observed information is positive definite, else Fisher's.
 template <bool Ends>
 Move<Ends> stepFrom(const Sums<Ends>& sums, const UnitCurve& at, const FreeParameters& free, double damping) noexcept {
     const auto moves = movable<Ends>(sums, at, free);
@@ -146,7 +150,8 @@ Move<Ends> stepFrom(const Sums<Ends>& sums, const UnitCurve& at, const FreeParam
     return newton.second >= 0.0 ? newton : solved<Ends>(sums.expected, sums.gradient, moves, damping);
 }
 
-/// A share moved and held between 0 and the largest; it does not jump onto 0 from afar, where the likelihood may rise again beside it.
+/// Moves a share and keeps it between 0 and its largest value. It does not jump onto 0 from far away, because
+/// the likelihood may rise again next to 0.
 inline double movedShare(double from, double by, double most) noexcept {
     constexpr double kNear = 1e-3;
     return from + by <= 0.0 && from > kNear ? 0.25 * from : std::clamp(from + by, 0.0, most);

@@ -10,7 +10,7 @@
 // The standard forms as inline functions, for loops over levels (definitions: sigmoid.h).
 namespace chiron::psychophysics::shapes {
 
-inline constexpr double kFarthest = 700.0; ///< beyond it exp leaves the doubles
+inline constexpr double kFarthest = 700.0; ///< beyond it exp overflows or underflows a double
 
 struct Logistic {
     static SigmoidValue at(double z) noexcept {
@@ -76,7 +76,8 @@ struct Cauchy {
     }
 };
 
-/// Calls `work` with the standard form as its template argument: one branch outside the loops over levels.
+/// Calls `work` with the standard form as its template argument, so that the branch is outside the loops over
+/// levels.
 template <class Work>
 decltype(auto) withShape(Sigmoid sigmoid, Work&& work) {
     switch (sigmoid) {

@@ -14,7 +14,7 @@ namespace chiron::psychophysics {
 namespace {
 
 constexpr std::size_t kMostStates = 200000;
-constexpr std::size_t kMostWork = 2000000; ///< sums that are made: about a second
+constexpr std::size_t kMostWork = 2000000; ///< number of additions: takes about a second
 constexpr std::size_t kMostPermuted = 7; ///< objects: 5,040 orders
 
 bool allFinite(const std::vector<double>& values) {
@@ -35,7 +35,7 @@ double tieTerm(std::vector<double> values) { // Σ(t³ − t)
     return sum;
 }
 
-/// Σ(R − R̄)² of doubled rank sums.
+/// Returns Σ(R − R̄)² of doubled rank sums.
 double spread(const std::vector<int>& sums) {
     double total = 0.0;
     double squares = 0.0;
@@ -46,7 +46,8 @@ double spread(const std::vector<int>& sums) {
     return squares - total * total / static_cast<double>(sums.size());
 }
 
-/// P(S ≥ observed) when each judge's ranks fall on the objects in any order alike. Sums are kept sorted: objects are exchangeable.
+/// Returns P(S ≥ observed) if each judge assigns the ranks to the objects in random order. Sums are kept
+/// sorted because the objects are exchangeable.
 double exactConcordance(const std::vector<std::vector<int>>& doubledRanks) {
     if (doubledRanks.front().size() > kMostPermuted)
         return std::numeric_limits<double>::quiet_NaN();
@@ -81,7 +82,7 @@ double exactConcordance(const std::vector<std::vector<int>>& doubledRanks) {
     }));
 }
 
-/// Concordant minus discordant pairs.
+/// Returns concordant minus discordant pairs.
 double score(const std::vector<double>& x, const std::vector<double>& y) {
     const auto sign = [](double v) { return v > 0.0 ? 1.0 : (v < 0.0 ? -1.0 : 0.0); };
     double s = 0.0;
@@ -91,7 +92,8 @@ double score(const std::vector<double>& x, const std::vector<double>& y) {
     return s;
 }
 
-/// P(|S| ≥ |observed|) without ties: the numbers of inversions of permutations (Kendall 1970), by convolution.
+/// Returns P(|S| ≥ |observed|) without ties: the numbers of inversions of permutations (Kendall 1970), by
+/// convolution.
 double exactWithoutTies(std::size_t n, double observed) {
     std::vector<double> share{1.0};
     for (std::size_t k = 2; k <= n; ++k) {
@@ -119,7 +121,7 @@ double exactWithTies(const std::vector<double>& x, std::vector<double> y, double
     return extreme / all;
 }
 
-/// Sums over groups of equal values that the variance of S needs.
+/// Sums over groups of tied values, as needed for the variance of S.
 struct TieSums {
     double pairs = 0.0;   ///< Σ t(t−1)/2
     double triples = 0.0; ///< Σ t(t−1)(t−2)
@@ -193,7 +195,7 @@ Concordance kendallW(const std::vector<std::vector<double>>& judges) {
         result.warnings.emplace_back("all_tied: every judge gave every object the same");
         return result;
     }
-    result.w = 12.0 * spread(sums) / 4.0 / below; // sums are doubled
+    result.w = 12.0 * spread(sums) / 4.0 / below; // the rank sums are doubled
     result.chiSquare = m * (k - 1.0) * result.w;
     result.pValue = chiSquareUpperTail(result.chiSquare, k - 1.0);
     result.exactP = exactConcordance(ranks);

@@ -28,7 +28,7 @@ std::vector<double> gradientOf(const Function& f, std::vector<double> at) {
     return gradient;
 }
 
-Matrix informationOf(const Function& f, const std::vector<double>& at) { // minus the Hessian
+Matrix informationOf(const Function& f, const std::vector<double>& at) { // the negative Hessian
     Matrix h(at.size(), std::vector<double>(at.size()));
     const auto moved = [&](std::size_t i, double a, std::size_t j, double b) {
         std::vector<double> point = at;
@@ -51,7 +51,7 @@ double sizeOf(const std::vector<double>& v) {
     return largest;
 }
 
-/// One step uphill; the length of the step taken, 0 where none rises.
+/// Takes one step uphill; returns its length, or 0 if no step rises.
 double stepUp(const Function& f, Maximum& best) {
     const std::vector<double> gradient = gradientOf(f, best.at);
     const Matrix inverse = inverseOf(informationOf(f, best.at));

@@ -37,8 +37,8 @@ double triangle(double d) {
                      0.0, kNormalTail);
 }
 
-/// The likeliest odd one is farthest from half the sum of all three, measured from midway between the two means: right when both others
-/// lie on one side of zero and of it.
+/// In coordinates centred between the two means, the most likely odd object is the one farthest from half the
+/// sum of all three. The answer is right if both others lie on the same side of zero and of the odd object.
 double oddity(double d) {
     const double h = 0.5 * d;
     const auto square = [](double v) { return v * v; };
@@ -57,13 +57,13 @@ double tetrad(double d) {
     return 1.0 - 2.0 * wrong;
 }
 
-/// Right on both, or wrong on both, of two independent judgements.
+/// Returns the probability that two independent judgements are both right or both wrong.
 double bothOrNeither(double a, double b) {
     return normalCumulative(a) * normalCumulative(b) + normalCumulative(-a) * normalCumulative(-b);
 }
 
 constexpr double kTableEnd = 12.0;
-constexpr int kTableSteps = 600; ///< a unit of d has 50
+constexpr int kTableSteps = 600; ///< 50 steps per unit of d
 
 std::vector<std::array<double, 6>> orderTable() {
     std::vector<std::array<double, 6>> table;
@@ -72,7 +72,8 @@ std::vector<std::array<double, 6>> orderTable() {
     return table;
 }
 
-std::array<double, 6> turnedRound(const std::array<double, 6>& p) { // −d: the same with 0 and 2 exchanged
+// −d: the same with objects 0 and 2 exchanged.
+std::array<double, 6> turnedRound(const std::array<double, 6>& p) {
     return {p[5], p[3], p[4], p[1], p[2], p[0]};
 }
 
@@ -139,7 +140,7 @@ double dPrimeAt(const DiscriminationTask& task, double proportion) noexcept {
 }
 
 double slopeOf(const DiscriminationTask& task, double dPrime) noexcept {
-    constexpr double step = 1e-4; // central: error of order step², 1e-9
+    constexpr double step = 1e-4; // central differences: error of order step², 1e-9
     return (proportionCorrect(task, dPrime + step) - proportionCorrect(task, dPrime - step)) / (2.0 * step);
 }
 

@@ -136,7 +136,7 @@ double discriminationPower(const DiscriminationTask& task, double dPrime, int tr
     if (trials <= 0 || std::isnan(dPrime))
         return std::numeric_limits<double>::quiet_NaN();
     const double chance = chanceOf(task);
-    int least = 0; // the fewest right answers that are significant
+    int least = 0; // the smallest significant number of right answers
     int most = trials + 1;
     while (least < most) {
         const int middle = (least + most) / 2;

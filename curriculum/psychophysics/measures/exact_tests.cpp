@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// std::lgamma writes a global sign; this does not (any thread).
+/// std::lgamma writes to a global sign variable. This function does not, so it can run on any thread.
 double logGamma(double x) noexcept {
     int sign = 0;
     return ::lgamma_r(x, &sign);
@@ -42,7 +42,7 @@ double betaFraction(double x, double a, double b) noexcept {
     return result;
 }
 
-double gammaSeries(double a, double x) noexcept { // lower
+double gammaSeries(double a, double x) noexcept { // lower incomplete gamma
     double term = 1.0 / a;
     double sum = term;
     for (int n = 1; n < 10000 && term > 1e-17 * sum; ++n) {
@@ -52,7 +52,7 @@ double gammaSeries(double a, double x) noexcept { // lower
     return sum * std::exp(-x + a * std::log(x) - logGamma(a));
 }
 
-double gammaFraction(double a, double x) noexcept { // upper
+double gammaFraction(double a, double x) noexcept { // upper incomplete gamma
     double b = x + 1.0 - a;
     double c = 1e300;
     double d = 1.0 / b;
@@ -69,7 +69,7 @@ double gammaFraction(double a, double x) noexcept { // upper
     return result * std::exp(-x + a * std::log(x) - logGamma(a));
 }
 
-/// x in [0, 1] at which a falling function crosses zero.
+/// Returns the x in [0, 1] at which a falling function crosses zero.
 template <class Function>
 double crossing(Function&& f) noexcept {
     double low = 0.0;

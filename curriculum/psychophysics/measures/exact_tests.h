@@ -3,10 +3,12 @@
 
 namespace chiron::psychophysics {
 
-/// Tails and limits that several measures share. Pure; any thread. Not a number for arguments that make no sense (of < 0, p outside [0, 1]).
+/// Tail probabilities and limits that several measures share. Pure functions; not a number for arguments that
+/// make no sense (of < 0, p outside [0, 1]).
+/// Thread: any.
 
 double logChoose(double n, double k) noexcept; ///< ln of the binomial coefficient
-/// P(X ≥ right) of `of` independent trials, each right with probability p. Exact sum in log space.
+/// Returns P(X ≥ right) for `of` independent trials, each right with probability p. Exact sum in log space.
 double binomialUpperTail(long long right, long long of, double p) noexcept;
 double binomialLowerTail(long long right, long long of, double p) noexcept; ///< P(X ≤ right)
 
@@ -14,9 +16,11 @@ struct ProportionInterval {
     double low = 0.0;
     double high = 1.0;
 };
-/// Clopper & Pearson (1934): exact, at least the level covered. 0..1 for no trials.
+/// Returns the interval of Clopper & Pearson (1934): exact, with at least the nominal coverage. 0..1 for no
+/// trials.
 ProportionInterval exactInterval(long long right, long long of, double level = 0.95) noexcept;
-/// Wilson (1927) score interval; `continuity`: with the correction of Newcombe (1998, method 4), as R's prop.test.
+/// Returns the score interval of Wilson (1927); with `continuity` it has the correction of Newcombe (1998,
+/// method 4), as in R's prop.test.
 ProportionInterval wilsonInterval(long long right, long long of, double level = 0.95, bool continuity = false) noexcept;
 
 /// Regularised incomplete beta and upper gamma function (continued fraction and series; Abramowitz & Stegun 26.5.8, 6.5.29, 6.5.31).

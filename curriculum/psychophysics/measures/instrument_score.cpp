@@ -35,7 +35,7 @@ std::vector<const QuestionnaireItem*> scalesOf(const Items& items) {
     return scales;
 }
 
-/// The two scales that a pair names, in its order; empty words where it names none.
+/// Returns the two scales that a pair names, in its order; empty if it names none.
 std::pair<std::string, std::string> pairOf(const QuestionnaireItem& pair, const std::vector<const QuestionnaireItem*>& scales) {
     for (const QuestionnaireItem* a : scales)
         for (const QuestionnaireItem* b : scales)
@@ -62,7 +62,7 @@ std::vector<InstrumentScore> workload(const Items& items, const QuestionnaireRep
             continue;
         const auto [first, second] = pairOf(item, scales);
         const double answer = numberOf(reply, item);
-        chosen += std::isfinite(answer) ? 1.0 : kNone; // a pair that was left out leaves the weights undefined
+        chosen += std::isfinite(answer) ? 1.0 : kNone; // an unanswered pair makes the weights undefined
         weights[answer < 0.5 ? first : second] += 1.0;
     }
     std::vector<InstrumentScore> out{{"workload", 0.0}};
@@ -83,7 +83,8 @@ double laterality(const Items& items, const QuestionnaireReply& reply) {
     for (const QuestionnaireItem& item : items) {
         const double answer = numberOf(reply, item);
         if (!std::isfinite(answer) && !item.required)
-            continue; // nobody does all of it: the published form lets such a line be left out
+            continue; // not everybody does each activity: the published form allows such a line to be left
+                      // out
         if (!(answer >= 0.0 && answer < static_cast<double>(kHands)))
             return kNone;
         left += kLeft[static_cast<std::size_t>(answer)];

@@ -41,7 +41,7 @@ Line lineThrough(const std::vector<double>& x, const std::vector<double>& y) {
     return line;
 }
 
-/// Logs of one subject, by stimulus.
+/// Logarithms of one subject's answers, also by stimulus.
 struct Logs {
     std::vector<double> x, y;
     std::map<double, std::vector<double>> byStimulus;

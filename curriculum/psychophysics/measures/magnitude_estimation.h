@@ -9,7 +9,7 @@
 
 namespace chiron::psychophysics {
 
-/// A number said for a stimulus.
+/// A number that a participant gave for a stimulus.
 struct MagnitudeAnswer {
     int subject = 0;
     double stimulus = 0.0; ///< SI, above zero
@@ -19,21 +19,26 @@ struct MagnitudeAnswer {
 struct SubjectPower {
     int subject = 0;
     double exponent = std::numeric_limits<double>::quiet_NaN();
-    double intercept = std::numeric_limits<double>::quiet_NaN(); ///< log10 of the number at stimulus 1, before moduli were made equal
+    /// log10 of the number at stimulus 1, before the moduli were equalised.
+    double intercept = std::numeric_limits<double>::quiet_NaN();
     int answers = 0;
 };
 
 struct MagnitudeLevel {
     double stimulus = 0.0;
-    double geometricMean = 0.0; ///< over subjects, of each subject's own geometric mean, moduli made equal
-    double sdLog10 = std::numeric_limits<double>::quiet_NaN(); ///< between subjects, moduli made equal
+    /// Over subjects, of each subject's own geometric mean after the moduli were equalised.
+    double geometricMean = 0.0;
+    double sdLog10 = std::numeric_limits<double>::quiet_NaN(); ///< between subjects, after the moduli were
+                                                               ///< equalised
     int subjects = 0;
 };
 
 /// number = k · stimulus^exponent (Stevens 1957).
 struct MagnitudeScale {
-    double exponent = std::numeric_limits<double>::quiet_NaN(); ///< mean of the subjects' own slopes; of one subject, its slope
-    double exponentLow = std::numeric_limits<double>::quiet_NaN(); ///< 95 %: t over subjects; of one subject, t of the regression
+    /// Mean of the subjects' own slopes; for a single subject, its slope.
+    double exponent = std::numeric_limits<double>::quiet_NaN();
+    /// 95 %: t interval over subjects; for a single subject, t interval of the regression.
+    double exponentLow = std::numeric_limits<double>::quiet_NaN();
     double exponentHigh = std::numeric_limits<double>::quiet_NaN();
     double sdBetween = std::numeric_limits<double>::quiet_NaN(); ///< of the subjects' slopes
     double constant = std::numeric_limits<double>::quiet_NaN();  ///< k of the line through all levels
@@ -42,8 +47,9 @@ struct MagnitudeScale {
     std::vector<Warning> warnings;
 };
 
-/// Log–log regression a subject, moduli made equal by moving each subject's mean log to the mean of all (Lane, Catania & Stevens 1961),
-/// geometric means by level. Answers that are not above zero are left out.
+/// Fits a log–log regression per subject. The moduli are equalised by moving each subject's mean log to the
+/// mean of all subjects (Lane, Catania & Stevens 1961); the levels hold geometric means. Answers that are not
+/// above zero are left out.
 MagnitudeScale magnitudeScale(const std::vector<MagnitudeAnswer>& answers);
 
 } // namespace chiron::psychophysics

@@ -12,14 +12,14 @@ namespace chiron::psychophysics {
 namespace {
 
 constexpr std::size_t kMostObjects = 7;
-constexpr double kMostSums = 12000.0; ///< judges times the largest doubled L of one: 0.1 s
+constexpr double kMostSums = 12000.0; ///< number of judges times the largest doubled L of one judge: 0.1 s
 
 bool isSmall(std::size_t objects, std::size_t judges) {
     const double k = static_cast<double>(objects);
     return objects <= kMostObjects && static_cast<double>(judges) * k * (k + 1.0) * (2.0 * k + 1.0) / 3.0 <= kMostSums;
 }
 
-/// Probability of each doubled Σ j·rank over all orders of one judge's ranks; from 0.
+/// Returns the probability of each doubled Σ j·rank, counted from 0, over all orders of one judge's ranks.
 std::vector<double> distributionOf(std::vector<int> doubledRanks) {
     std::sort(doubledRanks.begin(), doubledRanks.end());
     std::vector<double> counts;
@@ -53,7 +53,7 @@ double exactTail(const std::vector<std::vector<int>>& rows, std::size_t doubledL
     return std::min(1.0, p);
 }
 
-/// Of Σ j·rank of one judge: (k³−k)/12 · Σ(rank − mean)²/(k−1).
+/// Returns the variance of Σ j·rank of one judge: (k³−k)/12 · Σ(rank − mean)²/(k−1).
 double varianceOf(const std::vector<int>& doubledRanks) {
     const double k = static_cast<double>(doubledRanks.size());
     double squares = 0.0;

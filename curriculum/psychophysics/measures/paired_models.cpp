@@ -13,7 +13,7 @@ namespace chiron::psychophysics {
 
 namespace {
 
-/// The free unknowns are all but the last object's; that one makes the mean 0.
+/// Returns all values from the free ones. The last object's value is not free, because it makes the mean 0.
 std::vector<double> centredOf(const std::vector<double>& free, std::size_t objects) {
     std::vector<double> all(free.begin(), free.begin() + static_cast<std::ptrdiff_t>(objects) - 1);
     double sum = 0.0;
@@ -72,7 +72,7 @@ double raoKupper(const std::vector<PairCount>& pairs, const std::vector<double>&
     return sum;
 }
 
-/// Usable pairs; empty, with a warning, where they cannot be fitted.
+/// Returns the usable pairs; empty, with a warning, if they cannot be fitted.
 std::vector<PairCount> prepare(TiedWorthEstimate& result, int objects, const std::vector<PairCount>& given) {
     std::vector<PairCount> pairs;
     std::copy_if(given.begin(), given.end(), std::back_inserter(pairs), [&](const PairCount& p) { return isUsable(p, objects); });
@@ -106,15 +106,16 @@ std::vector<PairCount> prepare(TiedWorthEstimate& result, int objects, const std
     return pairs;
 }
 
-/// φ(z)/Φ(z): the slope of ln Φ.
+/// Returns φ(z)/Φ(z), the slope of ln Φ.
 double mills(double z) {
-    constexpr double kFar = -30.0; // beyond, Φ runs out of digits and the series is exact to 1e-6
+    constexpr double kFar = -30.0; // beyond it Φ loses all digits, and the series is exact to 1e-6
     if (z < kFar)
         return -z - 1.0 / z;
     return core::normalDensity(z) / core::normalCumulative(z);
 }
 
-/// Thurstone case V of a table of wins: the log-likelihood with its first and second derivatives, over scale values of mean 0.
+/// Thurstone's case V for a table of wins: the log-likelihood with its first and second derivatives, over
+/// scale values with mean 0.
 class ProbitPairs {
 public:
     ProbitPairs(std::size_t objects, const std::vector<Selection>& pairs) : m_wins(objects, std::vector<double>(objects, 0.0)) {
@@ -128,7 +129,7 @@ public:
         forEach([&](std::size_t i, std::size_t j) { sum += counted(m_wins[i][j], core::normalCumulative(scale[i] - scale[j])); });
         return sum;
     }
-    /// Gradient over the free values, and minus the Hessian.
+    /// Computes the gradient over the free values, and the negative Hessian.
     void derivatives(const std::vector<double>& free, std::vector<double>& gradient, Matrix& information) const {
         const std::vector<double> scale = centredOf(free, m_wins.size());
         const std::size_t n = m_wins.size();
@@ -165,7 +166,7 @@ private:
     Matrix m_wins; ///< [winner][loser]
 };
 
-/// The covariance applied to a gradient.
+/// Returns the covariance times the gradient.
 std::vector<double> newtonStep(const Matrix& covariance, const std::vector<double>& gradient) {
     std::vector<double> step(gradient.size(), 0.0);
     for (std::size_t i = 0; i < step.size(); ++i)
@@ -174,7 +175,8 @@ std::vector<double> newtonStep(const Matrix& covariance, const std::vector<doubl
     return step;
 }
 
-/// Newton's method: ln Φ is concave, so there is one maximum and a step that is halved where it does not rise gets there.
+/// Climbs by Newton's method. ln Φ is concave, so there is a single maximum, and halving each step that does
+/// not rise reaches it.
 Maximum climb(const ProbitPairs& pairs, std::vector<double> start) {
     constexpr int kMostSteps = 100;
     constexpr double kSettled = 1e-12;
@@ -234,7 +236,7 @@ TiedWorthEstimate fitTiedPairs(TieModel model, int objects, const std::vector<Pa
 }
 
 WorthEstimate fitThurstonePairs(int objects, const std::vector<Selection>& given) {
-    // The same data, judged by the same rules as Bradley–Terry's; its worths are also a good start.
+    // The usability rules for the data are those of Bradley–Terry, whose worths are also a good start.
     std::vector<Selection> pairs;
     std::copy_if(given.begin(), given.end(), std::back_inserter(pairs), [](const Selection& pair) { return pair.losers.size() == 1; });
     WorthEstimate result = fitPlackettLuce(objects, pairs);
@@ -252,14 +254,15 @@ WorthEstimate fitThurstonePairs(int objects, const std::vector<Selection>& given
     const auto n = static_cast<std::size_t>(objects);
     std::vector<double> start(result.logWorth.begin(), result.logWorth.end() - 1);
     for (double& value : start)
-        value /= 1.7; // logistic against normal
+        value /= 1.7; // converts the logistic to the normal scale
     const Maximum best = climb(ProbitPairs(n, pairs), start);
     takeWorths(result, best, n);
     return result;
 }
 
 WorthEstimate fitThurstoneOrders(int objects, const std::vector<std::vector<int>>& bestFirst) {
-    std::map<std::pair<int, int>, double> wins; // judges agree on few pairs: counted, they cost nothing
+    // Judges produce few distinct pairs, so counting them saves time.
+    std::map<std::pair<int, int>, double> wins;
     for (const std::vector<int>& order : bestFirst)
         for (std::size_t i = 0; i < order.size(); ++i)
             for (std::size_t j = i + 1; j < order.size(); ++j)

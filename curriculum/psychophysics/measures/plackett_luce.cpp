@@ -20,7 +20,7 @@ bool isUsable(const Selection& selection, int objects) {
            selection.count > 0.0 && std::isfinite(selection.count);
 }
 
-/// One over the sum of worths in a selection.
+/// Returns one over the sum of the worths in a selection.
 double shareOf(const Selection& selection, const std::vector<double>& worth) {
     double sum = worth[indexOf(selection.winner)];
     for (const int loser : selection.losers)
@@ -49,7 +49,8 @@ std::vector<double> worthsOf(const std::vector<double>& logs) {
     return worth;
 }
 
-/// One step of Hunter (2004), eq. 31: γ_i = wins_i / Σ over selections with i of 1/Σγ. Returns the largest change of ln γ.
+/// Takes one step of Hunter (2004), eq. 31: γ_i = wins_i / Σ over selections with i of 1/Σγ. Returns the
+/// largest change of ln γ.
 double improve(std::vector<double>& logs, const std::vector<Selection>& selections) {
     const std::vector<double> worth = worthsOf(logs);
     std::vector<double> wins(logs.size(), 0.0);
@@ -72,7 +73,8 @@ double improve(std::vector<double>& logs, const std::vector<Selection>& selectio
 
 struct Curvature {
     std::vector<double> gradient;
-    Matrix information; ///< minus the Hessian of the log-likelihood in ln γ; ones are its null vector
+    Matrix information; ///< negative Hessian of the log-likelihood in ln γ; the vector of ones is its null
+                        ///< vector
 };
 
 Curvature curvatureAt(const std::vector<double>& logs, const std::vector<Selection>& selections) {
@@ -91,7 +93,8 @@ Curvature curvatureAt(const std::vector<double>& logs, const std::vector<Selecti
     return c;
 }
 
-/// Covariance of centred ln γ: the pseudo-inverse, by lifting the null vector.
+/// Returns the covariance of the centred ln γ: the pseudo-inverse, computed by adding a multiple of the null
+/// vector's projector.
 Matrix covarianceOf(Matrix information) {
     const double each = 1.0 / static_cast<double>(information.size());
     for (auto& row : information)
@@ -104,7 +107,7 @@ Matrix covarianceOf(Matrix information) {
     return covariance;
 }
 
-/// Newton steps from close by, as long as they shrink the gradient.
+/// Takes Newton steps close to the maximum as long as they shrink the gradient.
 void polish(std::vector<double>& logs, const std::vector<Selection>& selections) {
     const auto size = [](const std::vector<double>& v) {
         double largest = 0.0;
@@ -141,7 +144,8 @@ void finish(WorthEstimate& result, const std::vector<Selection>& fittedTo, const
     result.fitted = true;
 }
 
-/// Data as they can be used; adds the wins of regularisation to `all`. False, with a warning, where they cannot be fitted.
+/// Selects the usable data, and adds the wins of the regularisation to `all`. Returns false, with a warning,
+/// if they cannot be fitted.
 bool prepare(WorthEstimate& result, int objects, const std::vector<Selection>& given, double regularisation, std::vector<Selection>& data,
              std::vector<Selection>& all) {
     std::copy_if(given.begin(), given.end(), std::back_inserter(data), [&](const Selection& s) { return isUsable(s, objects); });

@@ -6,8 +6,9 @@
 
 namespace chiron::psychophysics {
 
-/// ∫ f over [low, high] by Gauss–Legendre with 8 nodes on panels of at most half a unit, summed in order: below 1e-13 for products of the
-/// normal density and distribution with moderate arguments. Nodes: Abramowitz & Stegun 1964, table 25.4.
+/// Returns ∫ f over [low, high] by Gauss–Legendre with 8 nodes on panels of at most half a unit, summed in
+/// order. The error is below 1e-13 for products of the normal density and distribution with moderate
+/// arguments. Nodes: Abramowitz & Stegun 1964, table 25.4.
 template <class Function>
 double integrate(Function&& f, double low, double high) {
     constexpr std::array<double, 4> node{0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
@@ -25,6 +26,7 @@ double integrate(Function&& f, double low, double high) {
     return sum * half;
 }
 
-inline constexpr double kNormalTail = 9.0; ///< beyond so many standard deviations the normal density adds less than 1e-18
+/// Beyond this many standard deviations the normal density adds less than 1e-18.
+inline constexpr double kNormalTail = 9.0;
 
 } // namespace chiron::psychophysics

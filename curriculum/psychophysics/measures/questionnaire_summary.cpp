@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kFewReplies = 5;
 
-/// Answers to an item with the performance of who gave them.
+/// Answers to an item, with the performance of the people who gave them.
 struct Answers {
     std::vector<double> value;
     std::vector<double> performance;
@@ -47,7 +47,8 @@ int agreeing(const std::vector<double>& values, int scale) {
     return static_cast<int>(std::count_if(values.begin(), values.end(), [=](double value) { return agrees(value, scale); }));
 }
 
-/// Kappa of the share who agree against the chance that so many of n would by a coin's toss.
+/// Returns the kappa of the share who agree against the probability that this many of n would agree by a coin
+/// toss.
 double validityKappa(double index, int agreed, int n) {
     const double chance = std::exp(logChoose(n, agreed) - n * std::log(2.0));
     return (index - chance) / (1.0 - chance);

@@ -34,7 +34,7 @@ Weighted weighted(const std::vector<double>& y, const std::vector<double>& v, do
 double reml(const std::vector<double>& y, const std::vector<double>& v) {
     const double k = static_cast<double>(y.size());
     const double middle = std::accumulate(y.begin(), y.end(), 0.0) / k;
-    double tauSquared = 0.0; // start: spread less the mean error
+    double tauSquared = 0.0; // start: the observed variance minus the mean error variance
     for (std::size_t i = 0; i < y.size(); ++i)
         tauSquared += (y[i] - middle) * (y[i] - middle) / (k - 1.0) - v[i] / k;
     tauSquared = std::max(0.0, tauSquared);
@@ -55,7 +55,7 @@ double reml(const std::vector<double>& y, const std::vector<double>& v) {
     return tauSquared;
 }
 
-/// Intervals and p of a mean, its error and τ already known.
+/// Fills intervals and p from a mean, its standard error and τ.
 void takeIntervals(RandomEffects& result, double degrees) {
     const double half = studentQuantile(0.975, degrees) * result.standardError;
     result.low = result.mean - half;
@@ -70,7 +70,7 @@ void takeIntervals(RandomEffects& result, double degrees) {
     result.pZero = 2.0 * studentUpperTail(std::abs(result.mean) / result.standardError, degrees);
 }
 
-/// Not a number where none of the values is below (or above) the estimate.
+/// Returns the bias correction; not a number if none of the values is below (or above) the estimate.
 double biasCorrection(const std::vector<double>& sorted, double estimate) {
     const auto below = std::lower_bound(sorted.begin(), sorted.end(), estimate) - sorted.begin();
     const auto upTo = std::upper_bound(sorted.begin(), sorted.end(), estimate) - sorted.begin();

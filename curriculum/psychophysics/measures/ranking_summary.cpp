@@ -20,7 +20,8 @@ namespace {
 
 constexpr std::size_t kObjects = 3;
 
-/// τ_a of a ranking with the true order: each of the three pairs is in order, turned round, or tied and counts nothing.
+/// Returns τ_a of a ranking with the true order: each of the three pairs is in order, reversed, or tied and
+/// counts 0.
 double tauOf(const SaidRanks& ranks) {
     int inOrder = 0;
     for (std::size_t i = 0; i < kObjects; ++i)
@@ -51,7 +52,7 @@ void setTau(RankingSummary& summary, const std::vector<double>& taus) {
     summary.tauHigh = std::min(1.0, summary.tau + half);
 }
 
-/// The strict orders, most first, that agree with a ranking: one, or where objects are tied each of two or six.
+/// Returns the strict orders, most first, that agree with a ranking: one or, if objects are tied, two or six.
 std::vector<std::vector<int>> ordersOf(const SaidRanks& ranks) {
     std::vector<int> order(kObjects);
     std::iota(order.begin(), order.end(), 0);
@@ -63,7 +64,7 @@ std::vector<std::vector<int>> ordersOf(const SaidRanks& ranks) {
     return orders;
 }
 
-/// Each pair of objects: how often which was more, or tied.
+/// Counts for each pair of objects how often each was ranked higher, or tied.
 std::vector<PairCount> pairsOf(const std::vector<SaidRanks>& rankings) {
     std::vector<PairCount> pairs{{0, 1}, {0, 2}, {1, 2}};
     for (const SaidRanks& ranks : rankings)
@@ -96,7 +97,8 @@ void setPairs(RankingSummary& summary, const std::vector<SaidRanks>& rankings) {
 
 void setWorths(RankingSummary& summary, const std::vector<SaidRanks>& rankings) {
     std::vector<Selection> selections;
-    std::map<std::pair<int, int>, double> ahead; // shares of orders: counted, they cost nothing
+    // Shares of the orders, by pair, so that many rankings cost no more than a few.
+    std::map<std::pair<int, int>, double> ahead;
     for (const SaidRanks& ranks : rankings) {
         const auto orders = ordersOf(ranks);
         const double share = 1.0 / static_cast<double>(orders.size());
@@ -114,8 +116,9 @@ void setWorths(RankingSummary& summary, const std::vector<SaidRanks>& rankings) 
     setPairs(summary, rankings);
     summary.plackettLuce = fitPlackettLuce(static_cast<int>(kObjects), selections);
     summary.thurstone = fitThurstonePairs(static_cast<int>(kObjects), halves);
+    // The pairs of one ranking are not independent.
     std::fill(summary.thurstone.standardError.begin(), summary.thurstone.standardError.end(),
-              std::numeric_limits<double>::quiet_NaN()); // pairs of one ranking are not independent
+              std::numeric_limits<double>::quiet_NaN());
 }
 void setOrders(RankingSummary& summary, const std::vector<SaidRanks>& rankings, const std::vector<SaidRanks>& rows) {
     summary.rankings = static_cast<int>(rankings.size());
@@ -128,7 +131,7 @@ void setOrders(RankingSummary& summary, const std::vector<SaidRanks>& rankings, 
     setWorths(summary, rankings);
 }
 
-/// What participants drawn with replacement say of W and of the share of whole orders.
+/// Sets the intervals of W and of the share of complete orders from participants drawn with replacement.
 void setIntervalsOfParticipants(RankingSummary& summary, const std::vector<std::vector<SaidRanks>>& participants, const std::vector<SaidRanks>& means) {
     std::vector<double> right, of, shares;
     for (const std::vector<SaidRanks>& rankings : participants) {
@@ -139,7 +142,7 @@ void setIntervalsOfParticipants(RankingSummary& summary, const std::vector<std::
         shares.push_back(right.back() / of.back());
     }
     const int people = static_cast<int>(means.size());
-    constexpr std::uint64_t kSeed = 1; // always the same: the same answers, the same interval
+    constexpr std::uint64_t kSeed = 1; // fixed, so that the same answers give the same interval
     const auto ofW = bootstrapSubjects(people, [&](const std::vector<int>& drawn) {
         std::vector<SaidRanks> rows;
         for (const int index : drawn)
@@ -167,13 +170,14 @@ void setIntervalsOfParticipants(RankingSummary& summary, const std::vector<std::
 
 std::vector<SaidRanks> saidRanks(const std::vector<ScoredTrial>& trials) {
     std::vector<SaidRanks> said;
-    for (const ScoredTrial& trial : trials) { // rankings without ties are counted alike in both tasks
+    for (const ScoredTrial& trial : trials) { // rankings without ties are counted in the same way in both
+                                              // tasks
         const int outcome = trial.answer >= 0 ? outcomeOf(Task::rank3Ties, trial.arrangement, trial.answer) : trial.outcome;
         if (outcome < 0 || outcome >= kRankings)
             continue;
         const Ranking& given = rankings()[static_cast<std::size_t>(outcome)];
         SaidRanks ranks;
-        for (const int own : given) { // mean rank of those tied
+        for (const int own : given) { // tied objects share their mean rank
             const auto below = std::count_if(given.begin(), given.end(), [own](int other) { return other < own; });
             const auto alike = std::count(given.begin(), given.end(), own);
             ranks.push_back(static_cast<double>(below) + 0.5 * static_cast<double>(alike + 1));

@@ -22,7 +22,8 @@ void sample(RunEstimate& result, Task task, double x, const ThurstonePosterior& 
     result.curveHigh.push_back(quantileOf(values, 0.975));
 }
 
-/// D at which the attentive observer reaches the criterion; NaN where it is below the curve's start or beyond 12 log10 units.
+/// Returns D at which the observer without lapses reaches the criterion; NaN if that is below the curve's
+/// start or beyond 12 log10 units.
 double thresholdOf(Task task, ThurstonePoint observer, double criterion) {
     observer.lapse = 0.0;
     const auto at = [&](double x) { return answerProbability(task, x, kindOfCurve(task), observer); };
@@ -42,7 +43,7 @@ void takeThreshold(RunEstimate& result, Task task, const ThurstonePosterior& pos
     if (task == Task::yesNo || task == Task::sameDifferent || task == Task::rank3Ties) {
         for (const ThurstonePoint& draw : posterior.draws)
             values.push_back(thresholdOf(task, draw, result.criterion));
-    } else { // proportional to σ
+    } else { // the threshold is proportional to σ
         const double ofUnit = thresholdOf(task, ThurstonePoint{}, result.criterion);
         result.threshold = ofUnit * result.sigma_log10;
         result.threshold95 = {ofUnit * result.sigma95.low, ofUnit * result.sigma95.high};

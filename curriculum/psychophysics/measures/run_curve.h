@@ -5,14 +5,16 @@
 
 namespace chiron::psychophysics {
 
-/// The fitted curve of a run with its pointwise 95 % band (over the posterior's draws), and the threshold at the run's criterion (without
-/// lapses). rank3, rank3_ties: of orders wholly right; yes_no: of "yes"; same_different: of "different"; others: of right answers.
+/// Fills in the fitted curve of a run with its pointwise 95 % band (over the posterior's draws), and the
+/// threshold at the run's criterion (without lapses). The curve shows, for rank3 and rank3_ties: entirely
+/// correct orders; yes_no: "yes"; same_different: "different"; other tasks: right answers.
 void takeCurve(RunEstimate& result, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior);
 
-/// The kind of answer (see AnswerCount) that the curve of a task is of.
+/// Returns the answer kind (see AnswerCount) whose probability the curve of a task shows.
 int kindOfCurve(Task task) noexcept;
 
-/// The value below which `share` of the values lie, between neighbours; `sorted` ascending. Not a number where there are none.
+/// Returns the value below which `share` of the values lie, interpolated between neighbours; `sorted` is
+/// ascending. Not a number if there are no values.
 double quantileOf(const std::vector<double>& sorted, double share) noexcept;
 
 } // namespace chiron::psychophysics

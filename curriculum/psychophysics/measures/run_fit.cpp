@@ -16,24 +16,26 @@ namespace chiron::psychophysics {
 namespace {
 
 constexpr double kPoorFit = 0.01;
-constexpr double kTrialsForChiSquare = 5.0; ///< a level on average; else the deviance says nothing
-constexpr double kWorthDrawing = 0.05;  ///< a smaller p of chi-square is replaced by one from draws
+constexpr double kTrialsForChiSquare = 5.0; ///< per level on average; with fewer, the deviance is meaningless
+constexpr double kWorthDrawing = 0.05;  ///< a smaller chi-square p is replaced by one from simulated runs
 constexpr int kDraws = 1999;
-constexpr std::uint64_t kDrawSeed = 1;  ///< always the same: the same run, the same p
-constexpr double kSmallest = 1e-9;      ///< proportion that one answer against it still has a finite deviance
+constexpr std::uint64_t kDrawSeed = 1;  ///< fixed, so that the same run gives the same p
+/// Smallest proportion, at which one contradicting answer still has a finite deviance.
+constexpr double kSmallest = 1e-9;
 
-/// The observer has a criterion beside σ.
+/// Returns whether the observer has a criterion in addition to σ.
 bool hasCriterion(Task task) { return task == Task::yesNo || task == Task::sameDifferent || task == Task::rank3Ties; }
 
 bool saysYes(Task task) { return task == Task::yesNo || task == Task::sameDifferent; }
 
-/// −2 ln of the likelihood ratio of a level's own share against ψ.
+/// Returns −2 ln of the likelihood ratio of ψ to a level's own proportion.
 double devianceOf(double k, double n, double psi) {
     const double wrong = n - k;
     return 2.0 * ((k > 0.0 ? k * std::log(k / (n * psi)) : 0.0) + (wrong > 0.0 ? wrong * std::log(wrong / (n * (1.0 - psi))) : 0.0));
 }
 
-/// Share of runs, drawn from the curve itself, that lie as far from it: levels with few answers do not follow chi-square.
+/// Returns the share of runs simulated with the curve itself that deviate at least as much. Levels with few
+/// answers do not follow chi-square.
 double drawnTail(const std::vector<CurvePoint>& points, const std::vector<double>& psi, double deviance) {
     core::Random random(kDrawSeed);
     std::vector<BinomialSampler> samplers;
@@ -49,8 +51,9 @@ double drawnTail(const std::vector<CurvePoint>& points, const std::vector<double
     return (farther + 1.0) / (kDraws + 1.0);
 }
 
-/// How far the answers lie from the Thurstone observer's own curve, which the estimate is taken from. σ and a criterion are fitted; the
-/// lapse rate hardly is, with its prior, and is not counted among them.
+/// Fills in how far the answers are from the Thurstone observer's own curve, from which the estimate is
+/// taken. σ and a criterion are fitted. The lapse rate is largely determined by its prior and is not counted
+/// as a fitted parameter.
 void takeGoodness(RunEstimate& result, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior) {
     const ThurstonePoint at{posterior.medianLog10Sigma, posterior.meanLapse, std::isfinite(posterior.criterion) ? posterior.criterion : 0.0};
     std::vector<double> psi;
@@ -69,7 +72,7 @@ void takeGoodness(RunEstimate& result, Task task, const ScoredAnswers& answers, 
         result.pValue = drawnTail(answers.points, psi, deviance);
 }
 
-/// D at the criterion of a threshold and width taken as they are, without lapses.
+/// Returns D at the criterion for a given threshold and width, without lapses.
 double at(const FitResult& fit, CurveParameters parameters, double threshold, double criterion) {
     parameters.threshold = toScale(threshold, fit.scale);
     parameters.lapse = 0.0;
@@ -78,7 +81,8 @@ double at(const FitResult& fit, CurveParameters parameters, double threshold, do
 
 bool meet(const Interval& a, const Interval& b) { return !(a.high < b.low) && !(b.high < a.low); }
 
-/// What the fit says of the answers is passed on; what it says of its own lapse and slope is not: the estimate is not taken from it.
+/// Selects the warnings of the fit that are about the answers. Those about its own lapse rate and slope are
+/// dropped, because the estimate is not taken from this fit.
 std::optional<WarningKind> concernsTheAnswers(const std::string& warning) {
     for (const WarningKind kind : {WarningKind::noRise, WarningKind::notMonotone})
         if (warning.starts_with(std::string(warningToken(kind)) + ": "))

@@ -10,7 +10,8 @@ namespace chiron::psychophysics {
 
 namespace {
 
-constexpr double kAtEdge = 0.147; ///< density at the end of the prior against the largest: within the 95 % likelihood region
+/// Relative density at the end of the prior above which it lies within the 95 % likelihood region.
+constexpr double kAtEdge = 0.147;
 constexpr double kTouchesEdge = 0.02;
 constexpr double kManyLapses = 0.1;
 
@@ -29,8 +30,9 @@ void warnOfSize(std::vector<Warning>& warnings, const ScoredAnswers& answers) {
         warnings.push_back({WarningKind::binned});
 }
 
-/// Share of right answers of who feels no difference; 0 where that depends on a criterion. Whoever calls nothing equal guesses one of six
-/// orders, whoever does is right less often.
+/// Returns the proportion correct of an observer who perceives no difference; 0 if that depends on a
+/// criterion. An observer who never calls objects equal guesses one of six orders; one who does is right less
+/// often.
 double chanceOf(Task task) {
     if (task == Task::yesNo || task == Task::sameDifferent)
         return 0.0;
@@ -53,7 +55,7 @@ void warnOfLevel(std::vector<Warning>& warnings, Task task, const ScoredAnswers&
         warnings.push_back({WarningKind::chance});
 }
 
-/// From never better than chance to always right with nothing between.
+/// Returns whether the answers jump from never better than chance to always right, with nothing between.
 bool isStep(const ScoredAnswers& answers, double chance) {
     std::size_t wrong = 0;
     while (wrong < answers.points.size() && answers.points[wrong].right <= chance * answers.points[wrong].of)
@@ -110,7 +112,8 @@ void warnOfPlaces(std::vector<Warning>& warnings, Task task, const std::vector<S
         for (int place = 0; place < places; ++place)
             expected[static_cast<std::size_t>(place)] += place == correct ? 0.0 : 1.0 / (places - 1);
     }
-    // Of two places a wrong answer has no choice: there it tells something how often each was wrong at all.
+    // With two positions a wrong answer leaves no choice. There the expected numbers follow from how often
+    // each position was the wrong one.
     if (places == 2 && shown > 0.0)
         expected = {wrong * offered[0] / shown, wrong * offered[1] / shown};
     double sum = 0.0;

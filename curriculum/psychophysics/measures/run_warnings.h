@@ -5,12 +5,14 @@
 
 namespace chiron::psychophysics {
 
-/// What a reader of the estimate must know: of the number and spread of trials, of guessing, of what the prior decides, of lapses.
+/// Adds what a reader of the estimate must know: about the number and spread of trials, guessing, the
+/// influence of the prior, and lapses.
 void warnOfAnswers(std::vector<Warning>& warnings, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior);
 
-/// positionBias: wrong answers fall on some places more than chance allows (forced choices; p < 0.001 of chi-square).
+/// Adds positionBias if wrong answers favour some positions more than chance allows (forced choices; p <
+/// 0.001 of chi-square).
 void warnOfPlaces(std::vector<Warning>& warnings, Task task, const std::vector<ScoredTrial>& trials);
 
-inline constexpr int kFewTrials = 20; ///< fewer than so many: few_trials
+inline constexpr int kFewTrials = 20; ///< fewer trials than this: few_trials
 
 } // namespace chiron::psychophysics

@@ -9,11 +9,12 @@ namespace chiron::psychophysics {
 
 struct SampleMoments {
     int count = 0;
-    double mean = std::numeric_limits<double>::quiet_NaN(); ///< not a number for none
-    double sd = std::numeric_limits<double>::quiet_NaN();   ///< with count − 1; not a number below two
+    double mean = std::numeric_limits<double>::quiet_NaN(); ///< not a number without values
+    double sd = std::numeric_limits<double>::quiet_NaN();   ///< with count − 1; not a number for fewer than
+                                                            ///< two values
 };
 
-/// Two passes, summed in order.
+/// Computes the moments in two passes, summed in order.
 inline SampleMoments momentsOf(const std::vector<double>& values) {
     SampleMoments result;
     result.count = static_cast<int>(values.size());

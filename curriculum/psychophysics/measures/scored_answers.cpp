@@ -11,7 +11,7 @@ namespace chiron::psychophysics {
 
 namespace {
 
-constexpr double kLargestDifference = 12.0; ///< log10 units: nothing physical is beyond
+constexpr double kLargestDifference = 12.0; ///< log10 units: no physical difference is larger
 
 struct Sorted {
     double difference = 0.0;
@@ -21,7 +21,7 @@ struct Sorted {
 
 bool isOneOf(int value, int of) { return value >= 0 && value < of; }
 
-/// Of a trial that can be used; false otherwise.
+/// Sorts one usable trial; returns false for others.
 bool sortOne(Task task, const ScoredTrial& trial, Sorted& sorted) {
     if (!std::isfinite(trial.difference) || std::abs(trial.difference) > kLargestDifference)
         return false;
@@ -40,14 +40,15 @@ bool sortOne(Task task, const ScoredTrial& trial, Sorted& sorted) {
     return true;
 }
 
-/// Where an answer belongs on the curve, and whether it counts as right (yes, "different") there.
+/// Returns the position of an answer on the curve, and whether it counts as right ("yes", "different") there.
 std::pair<double, bool> onCurve(Task task, const Sorted& answer) {
     if (task != Task::yesNo && task != Task::sameDifferent)
         return {answer.difference, answer.right};
     return {answer.kind >= 2 ? answer.difference : 0.0, answer.kind % 2 == 1};
 }
 
-/// Many different differences (more than a table of candidates has): equal numbers of trials are put together.
+/// Merges many distinct differences (more than a table of candidates has) into bins with equal numbers of
+/// trials.
 void putTogether(std::vector<Sorted>& sorted) {
     std::stable_sort(sorted.begin(), sorted.end(), [](const Sorted& a, const Sorted& b) { return a.difference < b.difference; });
     const std::size_t bin = (sorted.size() + kMostLevels - 1) / kMostLevels;

@@ -5,10 +5,12 @@
 
 namespace chiron::psychophysics {
 
-/// Adjustment: PSE from the settings' mean, σ = sd/√2 (reference and comparison are each felt with noise σ), W and JND from it.
+/// Estimates from adjustments: the PSE from the mean of the settings, σ = sd/√2 (reference and comparison are
+/// each perceived with noise σ), and from it the Weber fraction W and the JND.
 void takeSettings(RunEstimate& result, const Condition& condition, const std::vector<ScoredTrial>& trials);
 
-/// Magnitude estimation of one participant: exponent, with the regression in log10 units as the curve. No Weber fraction.
+/// Estimates from the magnitude estimates of one participant: the exponent, with the regression in log10
+/// units as the curve. There is no Weber fraction.
 void takeMagnitudes(RunEstimate& result, const Condition& condition, const std::vector<ScoredTrial>& trials);
 
 } // namespace chiron::psychophysics

@@ -20,7 +20,7 @@ constexpr double kLargestLapse = 0.3;
 constexpr int kMostPasses = 8;
 constexpr double kLapsePriorPower = 29.0; // Beta(1, 30): (1 − λ)^29
 
-/// Equal cells from low to high; at(i) is a cell's middle.
+/// Equal cells from low to high; at(i) is the middle of a cell.
 struct Axis {
     double low = 0.0;
     double high = 0.0;
@@ -30,7 +30,8 @@ struct Axis {
     double at(std::size_t i) const { return low + (static_cast<double>(i) + 0.5) * width(); }
 };
 
-/// Weights over (σ, criterion, lapse), the last one fastest; the largest is 1. The lapse's axis holds √λ: fine cells near 0.
+/// Weights over (σ, criterion, lapse), with the last index fastest; the largest weight is 1. The lapse axis
+/// holds √λ, so that cells are fine near 0.
 struct Grid {
     Axis sigma, criterion, lapse;
     std::vector<double> weight;
@@ -43,7 +44,7 @@ struct Grid {
     }
 };
 
-/// Proportion correct from a table, for speed: cubic over d = 0..16 in steps of 1/40.
+/// Proportion correct from a table, for speed: cubic interpolation over d = 0..16 in steps of 1/40.
 class CorrectTable {
 public:
     explicit CorrectTable(DiscriminationTask task) {
@@ -77,10 +78,10 @@ double oddityCorrect(double d) {
     return table.at(std::abs(d));
 }
 
-/// Of the answer of a kind, without lapses.
+/// Returns the probability of an answer kind without lapses.
 double attentive(Task task, double difference, int kind, double sigma, double criterion) noexcept {
     const double d = difference / sigma;
-    double yes = 0.5; // of kinds that end in 1
+    double yes = 0.5; // probability of the kinds that end in 1
     switch (task) {
     case Task::rank3Ties:
         return kind == 0 ? rightOrderProbability(d, criterion) : tiedRankProbabilities(d, criterion)[static_cast<std::size_t>(std::clamp(kind, 0, kRankings - 1))];
@@ -110,14 +111,15 @@ double attentive(Task task, double difference, int kind, double sigma, double cr
     return kind % 2 == 1 ? yes : 1.0 - yes;
 }
 
-/// Probability of this kind of answer by guessing.
+/// Returns the probability of this answer kind by guessing.
 double guessed(Task task, int kind) noexcept {
     const double share = 1.0 / answers(task);
     const bool rightOrWrong = task == Task::threeAfc || task == Task::oddity;
     return rightOrWrong && kind == 0 ? 1.0 - share : share;
 }
 
-/// attentive() of many answers that share a criterion: rankings with ties from a table, as each is an integral.
+/// Computes attentive() for many answers that share a criterion. Rankings with ties come from a table,
+/// because each is an integral.
 class Attentive {
 public:
     Attentive(Task task, double criterion) : m_task(task), m_criterion(criterion) {
@@ -136,7 +138,7 @@ private:
     std::optional<TiedOrderTable> m_ties;
 };
 
-/// ln of the prior's density of log10 σ, against where it is even.
+/// Returns ln of the prior's density of log10 σ, relative to its uniform part.
 double logPrior(Task task, const ThurstonePrior& prior, double log10Sigma) noexcept {
     const double power = task == Task::oddity || task == Task::sameDifferent ? 2.0 : 1.0;
     return log10Sigma > prior.evenUpTo ? -power * std::numbers::ln10 * (log10Sigma - prior.evenUpTo) : 0.0;
@@ -166,7 +168,7 @@ void fill(Grid& grid, Task task, const std::vector<AnswerCount>& counts, const T
     std::transform(logWeight.begin(), logWeight.end(), grid.weight.begin(), [&](double w) { return std::exp(w - largest); });
 }
 
-/// Sums over everything but one coordinate.
+/// Sums over all coordinates but one.
 struct Marginals {
     std::vector<double> sigma, criterion, lapse;
     double total = 0.0;
@@ -186,7 +188,7 @@ Marginals marginalsOf(const Grid& grid) {
     return m;
 }
 
-/// The part of an axis that holds all but a negligible weight, with one cell more at each end.
+/// Returns the part of an axis that holds all but a negligible weight, plus one cell at each end.
 Axis narrowed(const Axis& axis, const std::vector<double>& marginal, std::size_t cells) {
     const double least = 1e-7 * *std::max_element(marginal.begin(), marginal.end());
     std::size_t first = 0;
@@ -211,7 +213,8 @@ double quantile(const Axis& axis, const std::vector<double>& marginal, double to
     return axis.high;
 }
 
-/// Grids one after the other, each where the last one had weight, until the posterior fills enough of each axis.
+/// Computes successive grids, each where the previous one had weight, until the posterior fills enough of
+/// each axis.
 struct Refined {
     Grid grid;
     Marginals marginals;
@@ -296,7 +299,7 @@ ThurstonePosterior thurstonePosterior(Task task, const std::vector<AnswerCount>&
                 {}};
     ThurstonePrior even = prior;
     even.evenUpTo = std::numeric_limits<double>::infinity();
-    fill(coarse, task, counts, even); // at its ends as the answers alone have it
+    fill(coarse, task, counts, even); // densities at the ends, determined by the answers alone
     Marginals rough = marginalsOf(coarse);
     const double peak = *std::max_element(rough.sigma.begin(), rough.sigma.end());
     result.densityAtLowSigma = rough.sigma.front() / peak;

@@ -21,12 +21,12 @@ struct Layout {
     double squaresWithin = 0.0;
 };
 
-/// What the restricted likelihood is made of at one ratio of between to within.
+/// The terms of the restricted likelihood at one ratio of between to within.
 struct AtRatio {
     double mean = 0.0;
     double squares = 0.0;  ///< (trials − 1) times the variance within
     double deviance = 0.0; ///< −2 ln of the restricted likelihood, up to a constant
-    double slope = 0.0;    ///< of the deviance by the ratio
+    double slope = 0.0;    ///< derivative of the deviance with respect to the ratio
 };
 
 AtRatio at(const Layout& layout, double ratio) {
@@ -53,7 +53,8 @@ AtRatio at(const Layout& layout, double ratio) {
     return result;
 }
 
-/// Where the deviance is smallest: the best of a grid over decades, then halving between its neighbours by the sign of the slope.
+/// Returns the ratio with the smallest deviance: the best point of a grid over decades, then bisection
+/// between its neighbours by the sign of the slope.
 double bestRatio(const Layout& layout) {
     constexpr double kFirst = -8.0, kLast = 12.0, kStep = 0.05; // log10
     double best = 0.0, least = at(layout, 0.0).deviance, low = 0.0, high = std::pow(10.0, kFirst);
@@ -98,13 +99,14 @@ VarianceComponents varianceComponents(const std::vector<std::vector<double>>& gr
         return result;
     const auto count = static_cast<double>(layout.groups.size());
     result.mean = at(layout, 0.0).mean;
-    if (!(layout.trials > count)) // a trial each: nothing tells the two apart
+    if (!(layout.trials > count)) // one trial per group: the two variances cannot be separated
         return result;
     if (layout.groups.size() == 1) {
         result.within = layout.squaresWithin / (layout.trials - 1.0);
         return result;
     }
-    if (!(layout.squaresWithin > 0.0)) { // a participant's trials all alike: whatever there is lies between
+    if (!(layout.squaresWithin > 0.0)) { // all trials within each participant are equal: any variance is
+                                         // between
         std::vector<double> means;
         for (const Group& group : layout.groups)
             means.push_back(group.mean);

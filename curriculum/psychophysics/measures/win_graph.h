@@ -5,8 +5,8 @@
 
 namespace chiron::psychophysics {
 
-/// Who was ever put before whom: the maximum likelihood exists when, and only when, every object can be reached from every other
-/// (Ford 1957).
+/// Graph of which object was ever preferred to which. The maximum likelihood exists if and only if every
+/// object can be reached from every other (Ford 1957).
 class WinGraph {
 public:
     explicit WinGraph(int objects) : m_beaten(static_cast<std::size_t>(objects)), m_beatenBy(m_beaten.size()) {}

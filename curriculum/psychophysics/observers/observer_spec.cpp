@@ -20,7 +20,7 @@ struct Part {
     double ObserverSpec::*value;
     double lowest, highest;
     std::string_view expected;
-    bool always; ///< told even where it is the usual one
+    bool always; ///< written even if it has the default value
 };
 
 constexpr std::array<Part, 4> kParts{{{"weber", &ObserverSpec::weber, 1e-6, 100.0, "a Weber fraction from 0.000001 to 100", true},
@@ -62,7 +62,7 @@ core::Result<void> readPart(std::string_view text, ObserverSpec& spec) {
 core::Result<ObserverSpec> parseObserver(std::string_view text) {
     ObserverSpec spec;
     std::string_view seen;
-    bool known = false; // how well it feels
+    bool known = false; // whether the text says how accurate the observer is
     for (std::string_view rest = text;;) {
         const std::size_t comma = rest.find(',');
         if (auto read = readPart(rest.substr(0, comma), spec); !read)

@@ -12,7 +12,8 @@ namespace {
 
 int strongest(const std::vector<double>& felt) { return static_cast<int>(std::max_element(felt.begin(), felt.end()) - felt.begin()); }
 
-/// The ranks felt as an answer; neighbours less than `tie` apart are equal. Of two felt exactly alike the left one is less, unless they tie.
+/// Returns the perceived ranks as an answer; neighbours less than `tie` apart are equal. Of two exactly equal
+/// percepts the left one is less, unless they tie.
 int orderOf(const std::vector<double>& felt, double tie) {
     std::array<std::size_t, 3> order{0, 1, 2};
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return felt[a] < felt[b]; });
@@ -22,7 +23,7 @@ int orderOf(const std::vector<double>& felt, double tie) {
     return rankingOf(ranks);
 }
 
-/// Of three, the one that is not in the closest pair.
+/// Returns the one of three that is not in the closest pair.
 int outside(const std::vector<double>& felt) {
     const std::vector<double> gaps{std::abs(felt[1] - felt[2]), std::abs(felt[0] - felt[2]), std::abs(felt[0] - felt[1])};
     return static_cast<int>(std::min_element(gaps.begin(), gaps.end()) - gaps.begin());

@@ -10,15 +10,16 @@ using core::normalDensity;
 
 namespace {
 
-constexpr double kReach = 9.0; ///< sd; what lies outside is below 1e-18
-constexpr int kPoints = 73;    ///< trapezoids a quarter of an sd wide: for such integrands exact to rounding
+constexpr double kReach = 9.0; ///< sd; the density outside is below 1e-18
+constexpr int kPoints = 73;    ///< trapezoids of a quarter sd: exact to rounding for such integrands
 
 struct Pair {
     double lowFirst;
     double highFirst;
 };
 
-/// The middle one at 0, the others at `one` and `other`: P(one < middle < other) and P(other < middle < one).
+/// Returns, for a middle object at 0 and the others at `one` and `other`, P(one < middle < other) and P(other
+/// < middle < one).
 Pair withMiddle(double one, double other) noexcept {
     Pair sum{0.0, 0.0};
     constexpr double kStep = 2.0 * kReach / (kPoints - 1);

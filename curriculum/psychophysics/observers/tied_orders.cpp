@@ -15,14 +15,16 @@ namespace {
 using core::normalCumulative;
 using core::normalDensity;
 
-constexpr double kReach = 9.0; ///< sd; what lies outside is below 1e-18
-constexpr double kStep = 0.4;  ///< sd: trapezoids; what they leave out of such integrands is below 1e-14
+constexpr double kReach = 9.0; ///< sd; the density outside is below 1e-18
+constexpr double kStep = 0.4;  ///< sd, width of the trapezoids; their error for such integrands is below
+                               ///< 1e-14
 constexpr int kPoints = 46;
 
-constexpr double kTableStep = 0.05; ///< of d
+constexpr double kTableStep = 0.05; ///< step of d in the table
 constexpr double kTableEnd = 12.0;
 
-/// Probabilities that one object lies below or above the middle one, too near to be told from it or farther, given where that is felt.
+/// Probabilities, given the percept of the middle object, that another object lies below or above it, each
+/// split into near enough to tie and farther.
 struct Neighbour {
     double farBelow, nearBelow, nearAbove, farAbove;
 
@@ -33,7 +35,8 @@ struct Neighbour {
     }
 };
 
-/// Three objects as felt, and where what may be said of them is counted: all apart, the lower two tied, the upper two, all three.
+/// A perceived order of three objects, with the indices of the possible answers: no ties, the lower two tied,
+/// the upper two tied, all tied.
 struct Felt {
     std::array<std::size_t, 4> said;
 
@@ -56,7 +59,7 @@ private:
     }
 };
 
-/// The same seen from the other end: objects 0 and 2 exchanged, ranks turned round.
+/// Returns the same seen from the other end: objects 0 and 2 are exchanged and the ranks reversed.
 RankingProbabilities mirrored(const RankingProbabilities& p) noexcept {
     static const std::array<std::size_t, kRankings> from = [] {
         std::array<std::size_t, kRankings> index{};

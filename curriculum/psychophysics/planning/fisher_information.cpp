@@ -15,7 +15,7 @@ namespace chiron::psychophysics {
 
 namespace {
 
-/// Probabilities of the outcomes, without lapses.
+/// Returns the probabilities of the outcomes, without lapses.
 std::vector<double> outcomesAt(Task task, double d, bool allCorrectOnly, double tie) {
     const auto two = [](double p) { return std::vector<double>{p, 1.0 - p}; };
     switch (task) {
@@ -46,7 +46,7 @@ std::vector<double> outcomesAt(Task task, double d, bool allCorrectOnly, double 
     return {};
 }
 
-/// Share that a guess gives each outcome.
+/// Returns the probability of each outcome by guessing.
 double guessed(Task task, std::size_t outcome, bool allCorrectOnly) {
     const double right = 1.0 / answers(task);
     return ranksThree(task) && !allCorrectOnly ? right : outcome == 0 ? right : 1.0 - right;
@@ -57,7 +57,7 @@ double guessed(Task task, std::size_t outcome, bool allCorrectOnly) {
 double fisherInformation(Task task, double spacing, double lapse, bool allCorrectOnly, double tie) {
     if (task == Task::adjustment)
         return 2.0;
-    constexpr double kStep = 1e-3; // of ln σ, and of the threshold of ties
+    constexpr double kStep = 1e-3; // of ln σ, and of the tie threshold
     const auto at = [&](double d, double threshold) { return outcomesAt(task, d, allCorrectOnly, threshold); };
     const std::vector<double> here = at(spacing, tie);
     const std::vector<double> wider = at(spacing * std::exp(-kStep), tie), narrower = at(spacing * std::exp(kStep), tie);
@@ -75,7 +75,7 @@ double fisherInformation(Task task, double spacing, double lapse, bool allCorrec
         ofTie += slopeOfTie * slopeOfTie / p;
         shared += slope * slopeOfTie / p;
     }
-    if (ties && ofTie > 0.0) // the threshold is to be found from the same answers
+    if (ties && ofTie > 0.0) // the tie threshold has to be estimated from the same answers
         information = std::max(0.0, information - shared * shared / ofTie);
     return task == Task::sameDifferent || task == Task::yesNo ? 0.5 * information : information;
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostTrials = 10'000;
 
-/// One trial at a candidate: the arrangement is drawn, the observer feels it.
+/// Runs one trial at a candidate: draws the arrangement and asks the observer.
 ScoredTrial present(const Condition& condition, int candidate, SimulatedObserver& observer, core::Random& random) {
     const std::vector<double>& differences = condition.stimulus.differences;
     ScoredTrial trial;
@@ -96,7 +96,7 @@ std::vector<ScoredTrial> RunSimulator::run(const ObserverSpec& spec, std::uint64
         trials.push_back(trial);
         if (showsDifference(m_condition.task, trial.arrangement) &&
             !procedure.record(scoredOutcome(m_condition.task, trial.outcome, procedure.outcomes()), {scaledDifference(m_condition.scale, trial.difference)}))
-            break; // what no observer of the procedure's grid can answer
+            break; // the answer is impossible for every observer of the procedure's grid
     }
     return trials;
 }

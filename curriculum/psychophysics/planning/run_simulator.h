@@ -10,27 +10,32 @@
 
 namespace chiron::psychophysics {
 
-/// What a two-outcome procedure hears of an outcome as outcomeOf(task, ...) counts it: rank3, rank3_ties: all correct or not; others as they are.
-/// A procedure of 6 or 13 outcomes hears the order itself.
+/// Returns what a procedure with two outcomes is told about an outcome as outcomeOf(task, ...) counts it: for
+/// rank3 and rank3_ties whether all is correct; for other tasks the outcome itself. A procedure with 6 or 13
+/// outcomes is told the order itself.
 int scoredOutcome(Task task, int outcome, int outcomesOfProcedure) noexcept;
 
-/// D that a procedure's x stands for, and x of a D; x of a D not above 0 on the logarithmic scale: -20.
+/// Converts between a procedure's x and the difference D. A D that is not above 0 has x = -20 on the
+/// logarithmic scale.
 double differenceOf(ProcedureScale scale, double x) noexcept;
 double scaledDifference(ProcedureScale scale, double difference) noexcept;
 
-/// The row of the candidate table nearest to D; the lower of two alike. -1: the table is empty.
+/// Returns the row of the candidate table nearest to D, the lower of two equally near ones; -1 if the table
+/// is empty.
 int nearestCandidate(const std::vector<double>& candidates, double difference) noexcept;
 
-/// Whether an arrangement shows the difference at all: in same_different and yes_no some do not, and say nothing to an adaptive procedure.
+/// Returns whether an arrangement shows the difference at all. In same_different and yes_no some do not, and
+/// an adaptive procedure learns nothing from them.
 bool showsDifference(Task task, int arrangement) noexcept;
 
-/// Runs a condition with simulated observers, without rendering: each place is felt as it was meant.
+/// Runs a condition with simulated observers and without rendering: each object has exactly its intended
+/// value.
 class RunSimulator {
 public:
-    /// Failure: badInput where there is no procedure or candidate, or a procedure is refused.
+    /// Errors: badInput if there is no procedure or no candidate, or a procedure is refused.
     static core::Result<RunSimulator> make(const Condition& condition);
 
-    /// One run until all procedures are done (at most 10,000 trials).
+    /// Runs until all procedures are done (at most 10,000 trials).
     std::vector<ScoredTrial> run(const ObserverSpec& observer, std::uint64_t seed) const;
 
 private:

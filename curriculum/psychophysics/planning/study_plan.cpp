@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kSecondsAnObject = 4.0;
 constexpr double kSecondsAnAnswer = 2.0;
-constexpr double kSecondsAnApex = 25.0; ///< scripted trainees of the exercise take 20 to 33 s (modules/exercises/sphere_apex/operators)
+/// The exercise's scripted operators take 20 to 33 s (modules/exercises/sphere_apex/operators).
+constexpr double kSecondsAnApex = 25.0;
 
 void summarise(ConditionPlan& plan, const std::vector<double>& offs, std::vector<double> webers, const std::vector<double>& trials, int covered) {
     const SampleMoments ofTrials = momentsOf(trials), ofOffs = momentsOf(offs);
@@ -30,7 +31,7 @@ void summarise(ConditionPlan& plan, const std::vector<double>& offs, std::vector
     plan.biasLog10 = ofOffs.mean;
     plan.sdLog10 = ofOffs.sd;
     plan.biasError = ofOffs.sd / std::sqrt(n);
-    plan.sdError = ofOffs.sd / std::sqrt(2.0 * (n - 1.0)); // of normal errors
+    plan.sdError = ofOffs.sd / std::sqrt(2.0 * (n - 1.0)); // for normal errors
     plan.coverage = covered / n;
     const double share = (covered + 2.0) / (n + 4.0);
     plan.coverageError = std::sqrt(share * (1.0 - share) / (n + 4.0));
@@ -66,7 +67,7 @@ void simulate(ConditionPlan& plan, const Condition& condition, const ObserverSpe
     summarise(plan, offs, std::move(webers), trials, covered);
 }
 
-/// Simpson's rule over 0..end.
+/// Integrates over 0..end by Simpson's rule.
 template <class Function> double integral(Function f, double end, int pieces) {
     double sum = f(0.0) + f(end);
     for (int i = 1; i < pieces; ++i)
@@ -76,7 +77,8 @@ template <class Function> double integral(Function f, double end, int pieces) {
 
 double phi(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
 
-/// P(T ≤ t) of a noncentral t: a normal over the root of a chi-square by its freedom; integrated over that root.
+/// Returns P(T ≤ t) of the noncentral t, that is, a normal variable over the root of a chi-square divided by
+/// its degrees of freedom, integrated over that root.
 double noncentralT(double t, int freedom, double shift) {
     const double logScale = std::log(2.0) + 0.5 * freedom * std::log(0.5 * freedom) - std::lgamma(0.5 * freedom);
     const double end = 1.0 + 10.0 / std::sqrt(static_cast<double>(freedom));

@@ -7,8 +7,9 @@ namespace chiron::psychophysics {
 
 namespace {
 
-// GCC vector types: split into what the processor has, lane by lane the same arithmetic. The eight running sums are two halves, because wider
-// vectors than the processor's own go through memory.
+// GCC vector types: the compiler splits them into what the processor has, with the same arithmetic lane by
+// lane. The eight running sums are two halves, because vectors wider than the processor's own go through
+// memory.
 constexpr std::size_t kHalf = kLanes / 2;
 using Half = double __attribute__((vector_size(kHalf * sizeof(double))));
 using FloatHalf = float __attribute__((vector_size(kHalf * sizeof(float))));
@@ -27,7 +28,7 @@ inline __attribute__((always_inline)) double total(const Half& low, const Half& 
     return (s[0] + s[2]) + (s[1] + s[3]);
 }
 
-/// Two sets of running sums hide the latency of adding; they are added at the end.
+/// Two sets of running sums hide the latency of the additions; they are combined at the end.
 template <class B>
 inline __attribute__((always_inline)) double sumOfBlocks(const double* a, B value, const std::uint32_t* blocks, std::size_t count) {
     Half sums[4]{};
@@ -45,7 +46,7 @@ inline __attribute__((always_inline)) double sumOfBlocks(const double* a, B valu
     return total(sums[0] + sums[2], sums[1] + sums[3]);
 }
 
-/// The four eighths of a block in single precision, then the blocks in double.
+/// Sums the four eighths of a block in single precision, then the blocks in double precision.
 inline __attribute__((always_inline)) double roughSumOfBlocks(const float* a, const float* b, const std::uint32_t* blocks, std::size_t count) {
     Half low{};
     Half high{};

@@ -43,7 +43,7 @@ public:
         return spec;
     }
 
-    bool drives(Task) const override { return true; } // it asks for no outcome
+    bool drives(Task) const override { return true; } // it does not depend on outcomes
     int recommended(Task task) const override {
         if (isForcedChoice(task))
             return 2;

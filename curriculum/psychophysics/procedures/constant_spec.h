@@ -8,13 +8,14 @@ namespace chiron::psychophysics {
 
 class ProcedureKind;
 
-/// The same levels for everybody, each so often.
+/// Constant stimuli: the same levels for every participant, each presented the same number of times.
 struct ConstantSpec {
     static constexpr std::string_view kKind = "constant";
     static const ProcedureKind& kind();
     std::vector<double> levels;
     int repeats = 20;
-    bool shuffled = true; ///< by blocks of one of each level; else in the order given
+    /// Shuffled in blocks that contain each level once; otherwise in the order given.
+    bool shuffled = true;
 };
 
 } // namespace chiron::psychophysics

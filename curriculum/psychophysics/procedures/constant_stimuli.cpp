@@ -21,7 +21,8 @@ struct Point {
     double weight = 0.0;
 };
 
-/// Proportions right by level presented, made non-decreasing by pooling neighbours that fall (pool adjacent violators).
+/// Returns the proportions right by presented level, made non-decreasing by pooling neighbours that fall
+/// (pool adjacent violators).
 std::vector<Point> risingProportions(const std::vector<RecordedTrial>& log) {
     std::map<double, std::pair<int, int>> counts;
     for (const RecordedTrial& trial : log) {
@@ -30,7 +31,7 @@ std::vector<Point> risingProportions(const std::vector<RecordedTrial>& log) {
         ++all;
     }
     std::vector<Point> points;
-    std::vector<Point> pools; // x: how many points
+    std::vector<Point> pools; // x: number of points in the pool
     for (const auto& [x, count] : counts) {
         points.push_back({x, 0.0, 0.0});
         pools.push_back({1.0, static_cast<double>(count.first) / count.second, static_cast<double>(count.second)});
@@ -50,8 +51,9 @@ std::vector<Point> risingProportions(const std::vector<RecordedTrial>& log) {
     return points;
 }
 
-/// Where rising points cross a proportion, between the two around it; the middle of a stretch that lies on it, as it would be from the other
-/// side; not a number where they never do.
+/// Returns where rising points cross a proportion, interpolated between the two neighbours. If a stretch lies
+/// exactly on the proportion, the result is its middle, so that mirrored data give the mirrored result. Not a
+/// number if there is no crossing.
 double crossing(const std::vector<Point>& points, double proportion) {
     const auto between = [&](std::size_t i) {
         return points[i - 1].x + (points[i].x - points[i - 1].x) * (proportion - points[i - 1].proportion) / (points[i].proportion - points[i - 1].proportion);
@@ -118,7 +120,7 @@ core::Result<void> ConstantStimuli::undo() {
 void ConstantStimuli::spoiled() {
     const std::size_t now = m_log.size();
     if (now + 1 >= m_queue.size())
-        return; // the last one: at once again
+        return; // the last trial: repeated at once
     const std::size_t later = now + 1 + m_random.below(m_queue.size() - now - 1);
     const auto begin = m_queue.begin();
     std::rotate(begin + static_cast<std::ptrdiff_t>(now), begin + static_cast<std::ptrdiff_t>(now) + 1,

@@ -8,8 +8,10 @@
 
 namespace chiron::psychophysics {
 
-/// Constant stimuli, and the fixed schedules of adjustment and magnitude estimation: every level so often, in blocks of one of each,
-/// shuffled. A spoiled one comes again at a random later place. Outcome 1 is right, or yes, or (adjustment, magnitude) always 1.
+/// Constant stimuli, also used for the fixed schedules of adjustment and magnitude estimation. Every level is
+/// presented the same number of times, in shuffled blocks that contain each level once. A spoiled trial is
+/// repeated at a random later position. Outcome 1 means right or yes; for adjustment and magnitude it is
+/// always 1.
 class ConstantStimuli final : public Procedure {
 public:
     static core::Result<std::unique_ptr<Procedure>> make(const ConstantSpec& spec, std::uint64_t seed);
@@ -22,14 +24,15 @@ public:
     void spoiled() override;
     bool done() const noexcept override { return m_log.size() >= m_queue.size(); }
     int trials() const noexcept override { return static_cast<int>(m_log.size()); }
-    /// Where the proportions, made to rise by pooling, cross 75, 50 (PSE) and 25 %; JND = (x75 - x25)/2. Fits: psychophysics/fits.
+    /// Returns where the proportions, made monotone by pooling, cross 75, 50 (PSE) and 25 %; JND = (x75 -
+    /// x25)/2. Proper fits are in psychophysics/fits.
     ProcedureEstimate estimate() const override;
 
 private:
     std::vector<double> m_levels;
     std::vector<int> m_queue; ///< rows of m_levels in the order of presentation; the first m_log.size() are done
     std::vector<RecordedTrial> m_log;
-    core::Random m_random;    ///< of the places that spoiled ones go to
+    core::Random m_random;    ///< for the positions to which spoiled trials move
 };
 
 } // namespace chiron::psychophysics

@@ -5,8 +5,9 @@
 
 namespace chiron::psychophysics {
 
-/// P2's rule: the difference shrinks level by level until too few of a level's presentations are right; the last level that was passed is
-/// taken for the threshold. Legacy: it overestimates the 75 % JND by 0.17-0.51 log10 units (x1.5-x3.2), whatever the participant.
+/// P2's rule: the difference shrinks level by level until too few of a level's presentations are right. The
+/// last level that was passed is taken as the threshold. Legacy: it overestimates the 75 % JND by 0.17-0.51
+/// log10 units (x1.5-x3.2), for any participant.
 class Descending final : public LoggedProcedure {
 public:
     static core::Result<std::unique_ptr<Procedure>> make(const DescendingSpec& spec);

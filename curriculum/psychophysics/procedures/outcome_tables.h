@@ -10,18 +10,20 @@
 
 namespace chiron::psychophysics {
 
-/// The stimulus that leaves the least entropy to be expected.
+/// The stimulus after which the least entropy is expected.
 struct BestStimulus {
-    int index = -1;      ///< the lowest of those within kEntropyTie of the least
-    double gain = 0.0;   ///< the least: expected entropy after it, less the entropy now (nats, at most 0)
-    double margin = std::numeric_limits<double>::quiet_NaN(); ///< the second least less the least
+    int index = -1;      ///< lowest index among the stimuli within kEntropyTie of the minimum
+    double gain = 0.0;   ///< minimum of the expected entropy after the trial minus the entropy now (nats, at
+                         ///< most 0)
+    double margin = std::numeric_limits<double>::quiet_NaN(); ///< second smallest value minus the smallest
 };
-using Rows = std::span<const int>; ///< of the grid of stimuli, ascending
+using Rows = std::span<const int>; ///< rows of the grid of stimuli, ascending
 inline constexpr double kEntropyTie = 1e-9;
 
-/// p(outcome | stimulus, cell), and what QUEST+ makes of it. Because outcomes sum to one (Watson 2017, eq. 5, rearranged),
-/// EH(x) = H(p) + Σ_r P_r ln P_r - (M p)(x), P_r = L_r p, M = Σ_r L_r ln L_r, which is set up once: no logarithm a cell at a trial.
-/// Immutable; may be shared by any number of procedures and threads.
+/// The probabilities p(outcome | stimulus, cell) and the computations of QUEST+ based on them. Because the
+/// outcomes sum to one (Watson 2017, eq. 5, rearranged), EH(x) = H(p) + Σ_r P_r ln P_r - (M p)(x), with P_r =
+/// L_r p and M = Σ_r L_r ln L_r. M is set up once, so that a trial needs no logarithm per cell. Immutable;
+/// any number of procedures and threads may share it.
 class OutcomeTables {
 public:
     OutcomeTables() = default;
@@ -31,27 +33,30 @@ public:
 
     virtual int outcomes() const noexcept = 0;
     virtual std::size_t stimuli() const noexcept = 0;
-    /// Σ_r P_r ln P_r - (M p)(x) of every stimulus.
+    /// Returns Σ_r P_r ln P_r - (M p)(x) for every stimulus.
     virtual std::vector<double> gains(const PosteriorGrid& posterior) const = 0;
-    /// The best one but those left out.
+    /// Returns the best stimulus that is not excluded.
     virtual BestStimulus best(const PosteriorGrid& posterior, const Rows& excluded) const;
-    /// One number a cell, padded with zeros.
+    /// Returns one number per cell, padded with zeros.
     virtual void likelihood(std::size_t stimulus, int outcome, std::vector<double>& to) const = 0;
 
 protected:
-    /// The same of the entropy of the parameters that are no nuisance (Prins 2013); logarithms at each trial.
+    /// Returns the gains for the entropy of the parameters that are not nuisance parameters (Prins 2013);
+    /// this needs logarithms at each trial.
     std::vector<double> marginalGains(const PosteriorGrid& posterior) const;
 };
 
-/// Least, lowest of ties, margin.
+/// Returns the smallest gain, the lowest index among ties, and the margin.
 BestStimulus bestOf(std::vector<double> gains, const Rows& excluded);
 
-/// Two outcomes of a psychometric function over a grid whose parameters are the function's, in its order.
-/// Failure: badInput (asymptotes outside 0..1, a function that is not a number somewhere).
+/// Makes tables for the two outcomes of a psychometric function. The grid's parameters are those of the
+/// function, in its order.
+/// Errors: badInput (asymptotes outside 0..1, or a function value that is not a number).
 core::Result<std::shared_ptr<const OutcomeTables>> psychometricTables(const PsychometricFunction& function,
                                                                       const std::vector<Stimulus>& stimuli, const PosteriorGrid& grid);
 
-/// Any outcomes: [outcome][stimulus][cell], each cell in the grid's order. Failure: badInput (sizes, negative, sums that are not 1).
+/// Makes tables for any outcomes: [outcome][stimulus][cell], with the cells in the grid's order.
+/// Errors: badInput (sizes, negative values, sums that are not 1).
 core::Result<std::shared_ptr<const OutcomeTables>> generalTables(const std::vector<std::vector<std::vector<double>>>& probabilities,
                                                                  const PosteriorGrid& grid);
 

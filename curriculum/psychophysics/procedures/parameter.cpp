@@ -16,7 +16,7 @@ using RuleOf = std::function<StopRule&(ProcedureSpec&)>;
 template <class Member> Parameter stopRow(const RuleOf& rule, Member StopRule::*member, Parameter row) {
     row.object = "stop";
     row.get = [rule, member](const ProcedureSpec& spec) -> ParameterValue {
-        ProcedureSpec copy = spec; // the rule is found in one that can be changed
+        ProcedureSpec copy = spec; // `rule` needs a specification that is not const
         return rule(copy).*member;
     };
     row.set = [rule, member](ProcedureSpec& spec, const ParameterValue& value) { rule(spec).*member = std::get<Member>(value); };
@@ -57,7 +57,8 @@ struct RangeCheck {
                 return fault;
         return {};
     }
-    template <class Other> std::string operator()(const Other&) const { return {}; } // yes or no, grids and tables
+    // Switches, grids and tables have no range.
+    template <class Other> std::string operator()(const Other&) const { return {}; }
 };
 
 } // namespace

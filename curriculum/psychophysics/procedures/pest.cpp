@@ -42,7 +42,8 @@ core::Result<void> Pest::take(const RecordedTrial& trial) {
     ++m_trialsHere;
     m_rightHere += trial.outcome;
     const double excess = m_rightHere - m_trialsHere * m_spec.target;
-    const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * (m_spec.waldDeviation + m_trialsHere); // a deviation just reached is not exceeded
+    // Allows for rounding, so that a deviation that is just reached is not exceeded.
+    const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * (m_spec.waldDeviation + m_trialsHere);
     if (excess > m_spec.waldDeviation + rounding)
         step(-1);
     else if (excess < -m_spec.waldDeviation - rounding)
@@ -63,7 +64,7 @@ void Pest::step(int direction) {
         if (m_lastDoubled)
             m_step = std::min(2.0 * m_step, m_spec.largestStep);
     }
-    m_ended = m_step <= m_spec.smallestStep; // also the first step, where it is as small
+    m_ended = m_step <= m_spec.smallestStep; // also for the first step, if it is that small
     m_direction = direction;
     m_level = std::clamp(m_level + direction * m_step, m_spec.minimum, m_spec.maximum);
     m_trialsHere = m_rightHere = 0;

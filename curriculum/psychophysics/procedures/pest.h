@@ -5,11 +5,13 @@
 
 namespace chiron::psychophysics {
 
-/// Parameter estimation by sequential testing (Taylor & Creelman 1967), for replication. At one level n trials with k right: when
-/// |k - n·target| exceeds the Wald deviation, a step. Steps halve at every reversal; the second in a direction is like the first; the fourth and
-/// later double; the third doubles unless the step just before the last reversal came of doubling. A step that would be no more than
-/// the smallest is taken and ends the run: the estimate is the level it leads to. (pest@1 ended at reversals only, and took a deviation
-/// that was just reached for one exceeded where rounding had it so.)
+/// Parameter estimation by sequential testing (Taylor & Creelman 1967), for replication. After n trials at
+/// one level with k right, a step follows when |k - n·target| exceeds the Wald deviation. Steps halve at
+/// every reversal. The second step in a direction has the same size as the first; the fourth and later ones
+/// double; the third doubles unless the step just before the last reversal resulted from doubling. A step
+/// that is not larger than the smallest is still taken and ends the run: the estimate is the level to which
+/// it leads. (pest@1 ended only at reversals, and through rounding could treat a deviation that was just
+/// reached as exceeded.)
 class Pest final : public LoggedProcedure {
 public:
     static core::Result<std::unique_ptr<Procedure>> make(const PestSpec& spec);
@@ -35,7 +37,7 @@ private:
     int m_rightHere = 0;
     int m_direction = 0; ///< of the last step: -1 down, 1 up
     int m_stepsThisWay = 0;
-    bool m_lastDoubled = false;           ///< the last step came of doubling
+    bool m_lastDoubled = false;           ///< the last step resulted from doubling
     bool m_doubledBeforeReversal = false; ///< the step just before the last reversal did
     int m_reversals = 0;
     bool m_ended = false;

@@ -9,7 +9,7 @@ namespace chiron::psychophysics {
 
 class ProcedureKind;
 
-/// Taylor & Creelman 1967.
+/// Parameters of PEST (Taylor & Creelman 1967).
 struct PestSpec {
     static constexpr std::string_view kKind = "pest";
     static const ProcedureKind& kind();

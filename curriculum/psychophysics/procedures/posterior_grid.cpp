@@ -13,8 +13,9 @@ using core::fail;
 
 namespace {
 
-constexpr double kNegligible = 1e-17;       ///< of a block, when summing in full
-constexpr double kRoughlyNegligible = 1e-7; ///< of all blocks left out together, when choosing what to sum in full
+constexpr double kNegligible = 1e-17;       ///< for a block, in full sums
+/// For all omitted blocks together, in the selection of what to sum in full.
+constexpr double kRoughlyNegligible = 1e-7;
 constexpr std::size_t kMostCells = 4'000'000;
 
 core::Result<void> check(const ParameterGrid& grid) {
@@ -38,9 +39,10 @@ core::Result<void> check(const ParameterGrid& grid) {
     return {};
 }
 
-using Bars = std::vector<std::pair<double, double>>; ///< value and its probability, by value
+using Bars = std::vector<std::pair<double, double>>; ///< value and its probability, ordered by value
 
-/// Where a cumulated share falls when each value's probability lies evenly between the midpoints to its neighbours.
+/// Returns the quantile for a cumulative share, with each value's probability spread evenly between the
+/// midpoints to its neighbours.
 double quantile(const Bars& bars, double share) {
     double below = 0.0;
     for (std::size_t i = 0; i < bars.size(); ++i) {
@@ -115,7 +117,8 @@ bool PosteriorGrid::update(const std::vector<double>& likelihood) {
     const double scale = 1.0 / sum;
     for (std::size_t i = 0; i < m_probability.size(); ++i) {
         const double p = m_probability[i] * likelihood[i] * scale;
-        m_probability[i] = p < std::numeric_limits<double>::min() ? 0.0 : p; // numbers below it are slow and worth nothing
+        // Smaller (denormal) numbers are slow and irrelevant.
+        m_probability[i] = p < std::numeric_limits<double>::min() ? 0.0 : p;
     }
     findActive();
     return true;

@@ -9,17 +9,20 @@
 
 namespace chiron::psychophysics {
 
-/// All kinds of procedures, in the order of ProcedureSpec (procedure_spec.h), which is the list that a new one is added to.
+/// Returns all kinds of procedures, in the order of ProcedureSpec (procedure_spec.h). A new kind is added to
+/// that list.
 const std::vector<const ProcedureKind*>& procedureKinds();
 const ProcedureKind& kindFor(const ProcedureSpec& spec);
-/// By its id ("staircase") or by a run's ("staircase@1", "rank3_quest_plus_ties@1"); null where there is none.
+/// Finds a kind by its id ("staircase") or by the id of a run ("staircase@1", "rank3_quest_plus_ties@1");
+/// null if there is none.
 const ProcedureKind* findProcedureKind(std::string_view id);
-/// "staircase, pest or quest": all ids, `last` before the last one.
+/// Returns "staircase, pest or quest": all ids, with `last` before the last one.
 std::string procedureKindIds(std::string_view last = ", ");
 
-/// The kinds that suit a task, the best one first.
+/// Returns the ids of the kinds that suit a task, the most recommended first.
 std::vector<std::string> kindsFor(Task task);
-/// A new procedure of a kind that suits a condition; of an id that is not known, the first kind that does.
+/// Returns a new procedure of this kind with values that suit a condition; for an unknown id, of the first
+/// kind that suits it.
 ProcedureSpec usualProcedure(const std::string& kind, const Condition& condition);
 
 } // namespace chiron::psychophysics

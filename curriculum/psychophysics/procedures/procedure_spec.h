@@ -19,8 +19,9 @@
 
 namespace chiron::psychophysics {
 
-/// What a procedure is set up with: the catalogue of procedures, one line each. A specification's kKind is the procedure's id and its kind()
-/// says the rest (procedure_kind.h). "x" is the procedure's own unit (in a study, log10 of the difference D, or D).
+/// The specification of a procedure. The list of alternatives is the catalogue of procedures, one line each:
+/// a specification's kKind is the procedure's id, and its kind() describes it (procedure_kind.h). "x" is the
+/// procedure's own unit (in a study, log10 of the difference D, or D).
 using ProcedureSpec = std::variant<
     StaircaseSpec,
     PestSpec,
@@ -30,12 +31,13 @@ using ProcedureSpec = std::variant<
     QuestPlusSpec,
     Rank3Spec>;
 
-/// The procedure's id, as content and exports say it: its specification's kKind.
+/// Returns the procedure's id as in content and exports: its specification's kKind.
 std::string_view kindOf(const ProcedureSpec& spec) noexcept;
-/// Failure: badInput naming the key and what was expected. `seed`: of whatever the procedure draws.
+/// Makes one run. `seed` is for anything that the procedure draws at random.
+/// Errors: badInput naming the key and what was expected.
 core::Result<std::unique_ptr<Procedure>> makeProcedure(const ProcedureSpec& spec, std::uint64_t seed);
 
-/// Makes any number of runs of one specification; what they share (tables of QUEST+) is made once.
+/// Makes any number of runs of one specification. Shared parts (the tables of QUEST+) are made once.
 using ProcedureFactory = std::function<std::unique_ptr<Procedure>(std::uint64_t seed)>;
 core::Result<ProcedureFactory> procedureFactory(const ProcedureSpec& spec); ///< fails as makeProcedure does
 

@@ -13,7 +13,7 @@ namespace {
 
 using Asymptotes = PsychometricFunction::Asymptotes;
 
-/// 1 - exp(-10^e), exact near 0 too.
+/// Returns 1 - exp(-10^e), accurate near 0 too.
 double weibullOf(double exponent) { return -std::expm1(-std::exp(std::numbers::ln10 * exponent)); }
 
 double weibullDb(const double* x, const double* s) { return weibullOf(s[1] * (x[0] - s[0]) / 20.0); }

@@ -13,11 +13,11 @@ namespace {
 
 double xLogX(double x) noexcept { return x > 0.0 ? x * std::log(x) : 0.0; }
 
-/// How a function's parameters lie in a grid's cells: ψ(x, cell) = base[cell] + scale[cell] F(x, shape[cell]).
+/// A function's parameters in a grid's cells: ψ(x, cell) = base[cell] + scale[cell] F(x, shape[cell]).
 struct Cells {
     std::vector<double> base, scale;
     std::vector<std::uint32_t> shape;
-    std::vector<std::vector<double>> shapes; ///< the parameters of F, each combination once
+    std::vector<std::vector<double>> shapes; ///< each combination of the parameters of F, once
 };
 
 Cells cellsOf(const PsychometricFunction& function, const PosteriorGrid& grid) {
@@ -45,8 +45,9 @@ Cells cellsOf(const PsychometricFunction& function, const PosteriorGrid& grid) {
     return cells;
 }
 
-/// F is kept once a shape, not once a cell: with P = Σ base p + Σ_shape F Σ scale p, only M is as large as stimuli times cells. M is kept
-/// as the sum of two floats: the high halves alone bound every gain, which says which stimuli can be the best two; those are summed in full.
+/// Tables that store F once per shape and not once per cell: with P = Σ base p + Σ_shape F Σ scale p, only M
+/// has stimuli × cells entries. M is stored as the sum of two floats. The high halves alone bound every gain
+/// and so show which stimuli can be among the best two; only those are summed in full.
 class PsychometricTables final : public OutcomeTables {
 public:
     PsychometricTables(const PsychometricFunction& function, const std::vector<Stimulus>& stimuli, const PosteriorGrid& grid)
@@ -92,7 +93,7 @@ public:
         for (const int row : excluded)
             bounds[static_cast<std::size_t>(row)] = {kNone, kNone};
         double least = kNone;
-        double second = kNone; // of the upper bounds: two stimuli are no worse
+        double second = kNone; // second smallest of the upper bounds: two stimuli are at least this good
         for (const Bounds& bound : bounds) {
             second = std::min(second, std::max(bound.high, least));
             least = std::min(least, bound.high);
@@ -120,7 +121,7 @@ private:
         double low, high;
     };
 
-    /// What the posterior comes to by shape: P_1(x) = base + Σ_shape weight F(x, shape).
+    /// The posterior summed by shape: P_1(x) = base + Σ_shape weight F(x, shape).
     struct Shapes {
         double base = 0.0;
         std::vector<double> weight;
@@ -131,7 +132,7 @@ private:
         return std::min(m_cells.base[c] + m_cells.scale[c] * m_f[x * m_shapes + m_cells.shape[c]], 1.0);
     }
 
-    /// Asymptotes are innermost where there is no nuisance: a shape's cells are neighbours.
+    /// Without nuisance parameters the asymptotes are innermost, so that the cells of a shape are neighbours.
     Shapes shapesOf(const PosteriorGrid& posterior) const {
         const double* p = posterior.probability().data();
         Shapes shapes;
@@ -152,8 +153,9 @@ private:
                blockedDot(posterior.probability().data(), &m_high[x * m_row], &m_low[x * m_row], posterior.active());
     }
 
-    /// Bounds of every gain, in single precision and without what is nearly impossible. M lies in -ln 2..0; P ln P + (1-P) ln (1-P) changes
-    /// by the logit of P, which is taken no nearer to an end than the error itself, and doubled for its curvature.
+    /// Bounds every gain, in single precision and without the nearly impossible cells. M lies in -ln 2..0. P
+    /// ln P + (1-P) ln (1-P) changes with the logit of P; P is kept at least the error away from 0 and 1, and
+    /// the bound is doubled to cover the curvature.
     std::vector<Bounds> roughGains(const PosteriorGrid& posterior, const Shapes& shapes) const {
         const std::vector<float> p(posterior.probability().begin(), posterior.probability().end());
         const std::vector<float> weight(shapes.weight.begin(), shapes.weight.end());
@@ -172,13 +174,13 @@ private:
     std::size_t m_stimuli;
     std::size_t m_row;    ///< cells, padded
     std::size_t m_shapes; ///< padded
-    std::size_t m_inner;  ///< cells a shape
+    std::size_t m_inner;  ///< cells per shape
     std::vector<double> m_f;            ///< F: [stimulus][shape]
     std::vector<float> m_roughF;
     std::vector<float> m_high, m_low;   ///< M, [stimulus][cell], is their sum
 };
 
-/// What F is defined for, where that is not everything.
+/// Checks that the grid lies where F is defined, for functions that are not defined everywhere.
 core::Result<void> checkShape(const PsychometricFunction& function, const PosteriorGrid& grid) {
     for (std::size_t k = 0; k < function.shape.size(); ++k)
         for (const double value : grid.parameter(k).values)

@@ -33,7 +33,7 @@ core::Result<void> check(const QuestSpec& spec) {
     if (!(spec.lapse >= 0.0 && spec.lapse < 1.0))
         return bad("lapse: expected a share from 0 to below 1");
     const double upper = 1.0 - spec.lapse * (1.0 - spec.guess);
-    const double nearest = 1e-9 * (upper - spec.guess); // on an asymptote but for rounding
+    const double nearest = 1e-9 * (upper - spec.guess); // equal to an asymptote, except for rounding
     if (!(spec.target > spec.guess + nearest && spec.target < upper - nearest))
         return fail(ErrorCode::badInput, "target: expected a proportion above guess, " + digits(spec.guess) + ", and below 1 - lapse (1 - guess), " + digits(upper));
     if (!(spec.grain > 0.0) || !(spec.range > 0.0) || !(spec.range / spec.grain <= 1e6) || !(spec.range / spec.grain >= 2.0))
@@ -77,7 +77,8 @@ Quest::Quest(QuestSpec spec) : m_spec(std::move(spec)) {
     restart();
 }
 
-/// Both outcomes, each from what it is made of: one less the other loses what is tiny, and far from the threshold that is what tells.
+/// Tabulates both outcomes independently. Computing one as 1 minus the other would lose tiny values, which
+/// carry the information far from the threshold.
 void Quest::tabulate(double epsilon) {
     const double range = (1.0 - m_spec.lapse) * (1.0 - m_spec.guess); // between the asymptotes
     for (std::size_t i = 0; i < m_right.size(); ++i) {
@@ -87,8 +88,8 @@ void Quest::tabulate(double epsilon) {
     }
 }
 
-/// ε as the common implementations have it: on a straight line between points of the grid (of which each that the next one equals is left
-/// out). In closed form where the grid does not reach it.
+/// Returns ε as in the common implementations: by linear interpolation between grid points (of equal
+/// neighbours only the last is used). If the grid does not reach it, the closed form is used.
 double Quest::offset() const {
     const double exact = questEpsilon(m_spec.target, m_spec.slope, m_spec.guess, m_spec.lapse);
     std::size_t before = m_right.size();
@@ -130,7 +131,7 @@ Choice Quest::next() const {
 }
 
 core::Result<void> Quest::take(const RecordedTrial& trial) {
-    // Beyond the grid a stimulus counts as at its end.
+    // A stimulus beyond the grid counts as lying at its end.
     const double offset = std::clamp(std::nearbyint((trial.presented[0] - m_spec.priorMean) / m_spec.grain), -m_half, m_half);
     std::vector<double> pdf = m_pdf;
     double sum = 0.0;
@@ -167,7 +168,8 @@ double Quest::sd() const {
 }
 
 double Quest::quantile(double order) const {
-    // A straight line between the points at which the distribution has risen, the very last among them; where it has not, nothing lies.
+    // Interpolates linearly between the points at which the distribution rises, including the very last one.
+    // Points at which it does not rise have no probability.
     const double wanted = order * std::accumulate(m_pdf.begin(), m_pdf.end(), 0.0);
     double lastP = 0.0;
     double lastX = 0.0;
@@ -186,7 +188,7 @@ double Quest::quantile(double order) const {
 std::pair<double, double> Quest::intervalWithOpenSlope() const {
     constexpr int kSlopes = 13;
     constexpr double kReach = 4.0;
-    constexpr double kMostWork = 1e8; // grids of a million points are for lookups, not for this
+    constexpr double kMostWork = 1e8; // grids of a million points are meant for lookups, not for this
     if (static_cast<double>(m_pdf.size()) * kSlopes * std::max(1, trials()) > kMostWork)
         return {quantile(0.025), quantile(0.975)};
     const double range = (1.0 - m_spec.lapse) * (1.0 - m_spec.guess);
@@ -215,7 +217,7 @@ std::pair<double, double> Quest::intervalWithOpenSlope() const {
         double total = 0.0;
         for (double& p : row)
             total += p = std::exp(p - most);
-        const auto below = [&](double share) { // each point stands for the grain around it
+        const auto below = [&](double share) { // each point represents the interval of one grain around it
             double sum = 0.0;
             for (std::size_t i = 0; i < row.size(); ++i) {
                 if (sum + row[i] >= share * total)

@@ -30,7 +30,8 @@ Choice QuestPlus::next() const {
     return *m_choice;
 }
 
-/// The rows of the stimulus that came as often in a row as it may; none where there is no other.
+/// Returns the rows of the stimulus that has reached its limit of repeats; none if there is no other
+/// stimulus.
 Rows QuestPlus::leftOut() const {
     if (m_model->repeatLimit <= 0 || m_sameInARow < m_model->repeatLimit)
         return {};
@@ -43,7 +44,7 @@ Choice QuestPlus::choose() const {
     Choice choice;
     choice.candidate = best.index;
     choice.entropyMargin = best.margin;
-    // The draw depends on the trial's number alone, so that taking back or resuming changes nothing.
+    // The draw depends only on the trial's number, so that taking back or resuming changes nothing.
     if (m_model->catchShare > 0.0 &&
         core::Random::stream(m_seed, "quest_plus.catch." + std::to_string(m_taken)).uniform() < m_model->catchShare) {
         choice.candidate = m_model->easiest;
@@ -57,7 +58,7 @@ double QuestPlus::expectedEntropy() const { return m_posterior.entropy() + m_mod
 
 bool QuestPlus::done() const noexcept { return stopped(m_model->stop, trials(), 0, m_sd); }
 
-/// The grid's row of a stimulus; -1: none.
+/// Returns the grid's row of a stimulus; -1 if there is none.
 int QuestPlus::candidateOf(const Stimulus& presented) const {
     const auto same = [&presented](const Stimulus& s) {
         for (std::size_t i = 0; i < s.size(); ++i)
@@ -71,7 +72,8 @@ int QuestPlus::candidateOf(const Stimulus& presented) const {
     const auto found = std::find_if(m_model->stimuli.begin(), end, same);
     if (found == end)
         return -1;
-    if (std::find_if(found + 1, end, same) != end) { // given twice: it was the row that was chosen, also when trials are taken anew
+    // The stimulus stands in several rows: it was the chosen row, also when trials are replayed.
+    if (std::find_if(found + 1, end, same) != end) {
         const Choice chosen = choose();
         if (same(chosen.stimulus))
             return chosen.candidate;
@@ -79,7 +81,8 @@ int QuestPlus::candidateOf(const Stimulus& presented) const {
     return static_cast<int>(found - m_model->stimuli.begin());
 }
 
-/// The grid's row nearest to a stimulus, dimensions weighed by their ranges; the first of two alike.
+/// Returns the grid's row nearest to a stimulus, with each dimension scaled by its range; the first of
+/// equally near ones.
 int QuestPlus::nearestTo(const Stimulus& presented) const {
     const std::vector<Stimulus>& grid = m_model->stimuli;
     std::vector<double> range(presented.size());
@@ -121,7 +124,8 @@ core::Result<void> QuestPlus::take(const RecordedTrial& trial) {
         return fail(ErrorCode::badInput, "outcome " + std::to_string(trial.outcome) +
                                              ": impossible at this stimulus for all parameters of the grid: expected a grid with a "
                                              "lapse rate above 0, or another outcome");
-    int row = candidate >= 0 ? candidate : nearestTo(trial.presented); // a rounded stimulus counts as the row it stands for
+    // A rounded stimulus counts as the row that it represents.
+    int row = candidate >= 0 ? candidate : nearestTo(trial.presented);
     if (m_model->repeatLimit > 0)
         row = m_model->alike[static_cast<std::size_t>(row)].front();
     m_sameInARow = row == m_lastCandidate ? m_sameInARow + 1 : 1;
@@ -139,7 +143,7 @@ ProcedureEstimate QuestPlus::estimate() const {
     estimate.method = "posterior mean";
     for (std::size_t k = 0; k < m_posterior.parameters(); ++k)
         estimate.parameters.push_back(m_posterior.estimate(k));
-    constexpr std::size_t kThresholdAndSlope = 2; // shares of lapses and guesses lie at an end by their nature
+    constexpr std::size_t kThresholdAndSlope = 2; // lapse and guess rates naturally lie at an end
     if (estimate.known)
         warnOfGridEdges(estimate, kThresholdAndSlope);
     return estimate;

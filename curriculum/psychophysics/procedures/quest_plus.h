@@ -9,28 +9,32 @@
 
 namespace chiron::psychophysics {
 
-/// What any number of runs of one QUEST+ share: made once, never changed.
+/// The parts that all runs of one QUEST+ specification share. Made once and never changed.
 struct QuestPlusModel {
     std::string id;                         ///< kind and version
     std::vector<Stimulus> stimuli;
     PosteriorGrid prior;
     std::shared_ptr<const OutcomeTables> tables;
-    /// Tables of one stimulus that is not on the grid (presented otherwise than asked); empty: only stimuli of the grid can be recorded.
+    /// Returns the tables of a stimulus that is not on the grid (presented differently from what was asked
+    /// for). Empty: only stimuli of the grid can be recorded.
     std::function<core::Result<std::shared_ptr<const OutcomeTables>>(const Stimulus&)> tablesAt;
     StopRule stop;
     int repeatLimit = 0;
-    std::vector<std::vector<int>> alike; ///< with a limit of repeats: for every stimulus the rows that are the same
+    std::vector<std::vector<int>> alike; ///< with a limit of repeats: for every stimulus, the rows that
+                                         ///< contain it
     double catchShare = 0.0;
     int easiest = -1; ///< candidate of the catch trials
 };
 
-/// Failure: badInput naming the key and what was expected.
+/// Errors: badInput naming the key and what was expected.
 core::Result<std::shared_ptr<const QuestPlusModel>> questPlusModel(const QuestPlusSpec& spec);
 
-/// Limits repeats of a stimulus, in whatever rows it stands. Where one stands in several the id is version 2: version 1 counted rows.
+/// Limits the consecutive repeats of a stimulus, whichever of its rows is chosen. If a stimulus stands in
+/// several rows, the id is version 2: version 1 counted rows.
 void limitRepeats(QuestPlusModel& model, int limit);
 
-/// QUEST+ (Watson 2017): the stimulus that leaves the least expected entropy, by OutcomeTables; posterior means with intervals.
+/// QUEST+ (Watson 2017): presents the stimulus with the least expected entropy, using OutcomeTables; the
+/// estimates are posterior means with intervals.
 class QuestPlus final : public LoggedProcedure {
 public:
     QuestPlus(std::shared_ptr<const QuestPlusModel> model, std::uint64_t seed);
@@ -42,7 +46,7 @@ public:
     ProcedureEstimate estimate() const override;
 
     const PosteriorGrid& posterior() const noexcept { return m_posterior; }
-    /// Expected entropy after the next trial, nats.
+    /// Returns the expected entropy after the next trial, nats.
     double expectedEntropy() const;
 
 protected:
@@ -61,13 +65,14 @@ private:
     std::uint64_t m_seed;
     PosteriorGrid m_posterior;
     int m_taken = 0;
-    int m_lastCandidate = -1; ///< with a limit of repeats: the first of the rows that are alike
+    int m_lastCandidate = -1; ///< with a limit of repeats: the first of the rows with the same stimulus
     int m_sameInARow = 0;
-    double m_sd = 0.0; ///< of the first parameter, where the run stops by it
-    mutable std::optional<Choice> m_choice; ///< kept until the next outcome
+    double m_sd = 0.0; ///< of the first parameter, if the run can stop by it
+    mutable std::optional<Choice> m_choice; ///< cached until the next outcome
 };
 
-/// Runs that share one model. `purpose`: what their random numbers are drawn for. Failure: that of the model.
+/// Returns a factory of runs that share one model. `purpose` names the stream of their random numbers.
+/// Errors: that of the model.
 core::Result<ProcedureFactory> factoryOfModel(const core::Result<std::shared_ptr<const QuestPlusModel>>& model, const std::string& purpose);
 
 } // namespace chiron::psychophysics

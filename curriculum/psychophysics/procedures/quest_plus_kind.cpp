@@ -12,14 +12,15 @@ namespace chiron::psychophysics {
 
 namespace {
 
-/// What each parameter of a function may be, for a table of levels.
+/// Returns a default grid for a parameter of a function, given a table of levels.
 ParameterGrid usualGrid(const std::string& parameter, const std::vector<double>& levels, double guess, bool logarithm) {
     const double range = std::max(levels.back() - levels.front(), kSmallestDifference);
     if (parameter == "threshold" || parameter == "mean")
         return {parameter, evenGrid(levels.front(), levels.back(), 41), {}, false};
     if (parameter == "sd")
         return {parameter, evenGrid(0.05 * range, range, 9), {}, false};
-    if (parameter == "slope") { // of a change in x: a table of D is as wide as its range
+    // The slope refers to a change in x, so for a table of D it depends on the table's range.
+    if (parameter == "slope") {
         std::vector<double> slopes{1.5, 2.0, 3.0, 4.5, 7.0};
         for (double& slope : slopes)
             slope /= logarithm ? 1.0 : range;
@@ -36,7 +37,7 @@ std::vector<std::string> functionsFor(const Condition& condition) {
     return {"norm_cdf", "norm_cdf_2", "logistic", "hyperbolic_secant"};
 }
 
-/// A grid for each parameter of the function that was chosen.
+/// Sets a grid for each parameter of the chosen function.
 void takeGridsOfFunction(ProcedureSpec& of, const Condition& condition) {
     auto& spec = std::get<QuestPlusSpec>(of);
     const PsychometricFunction* known = psychometricFunction(spec.function);
@@ -117,7 +118,8 @@ public:
         return factoryOfModel(questPlusModel(ours(spec)), std::to_string(ours(spec).seed));
     }
 
-    /// A threshold in logarithms of D (Weibull), or where yes and no are alike likely on the scale of D itself (normal).
+    /// Returns a specification with a threshold in logarithms of D (Weibull) or, if the transition is between
+    /// yes and no, on the scale of D itself (normal).
     ProcedureSpec usual(const Condition& condition) const override {
         QuestPlusSpec spec;
         spec.stimuli = {{"x", usualLevels(condition)}};

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostStimuli = 65'536;
 constexpr std::size_t kMostEntries = 200'000'000; ///< stimuli times cells
 
-/// All combinations, the first dimension outermost.
+/// Returns all combinations, with the first dimension outermost.
 core::Result<std::vector<Stimulus>> stimuliOf(const QuestPlusSpec& spec) {
     if (spec.stimuli.empty())
         return fail(ErrorCode::badInput, "stimuli: expected at least one dimension");
@@ -36,7 +36,7 @@ core::Result<std::vector<Stimulus>> stimuliOf(const QuestPlusSpec& spec) {
     return stimuli;
 }
 
-/// The parameters in the function's order, whatever order they were given in.
+/// Returns the parameters in the function's order, independent of the order given.
 core::Result<std::vector<ParameterGrid>> ordered(const std::vector<ParameterGrid>& given, const std::vector<std::string_view>& names) {
     std::vector<ParameterGrid> inOrder;
     for (const std::string_view name : names) {
@@ -53,7 +53,8 @@ core::Result<std::vector<ParameterGrid>> ordered(const std::vector<ParameterGrid
     return inOrder;
 }
 
-/// For each dimension of the function its place in the stimuli as they were given: by name where there is more than one.
+/// Returns for each dimension of the function its index among the given dimensions, by name if there is more
+/// than one.
 core::Result<std::vector<std::size_t>> placesOf(const QuestPlusSpec& spec, const PsychometricFunction& function) {
     const std::vector<std::string_view>& names = function.stimuli;
     std::string expected;
@@ -90,7 +91,7 @@ core::Result<void> checkRules(const QuestPlusSpec& spec) {
     return {};
 }
 
-/// Where a right answer (the last outcome) is likeliest under the prior.
+/// Returns the stimulus at which a right answer (the last outcome) is most likely under the prior.
 int easiestOf(const QuestPlusModel& model) {
     int easiest = 0;
     double most = -1.0;

@@ -11,7 +11,7 @@ namespace chiron::psychophysics {
 
 class ProcedureKind;
 
-/// Watson & Pelli 1983.
+/// Parameters of QUEST (Watson & Pelli 1983).
 struct QuestSpec {
     static constexpr std::string_view kKind = "quest";
     static const ProcedureKind& kind();

@@ -22,7 +22,8 @@ std::vector<Parameter> rank3Rows() {
                                    .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
                                    .meaning = QT_TRANSLATE_NOOP("Procedures", "A difference is shown at most so often in succession; 0: no limit."),
                                    .sensible = SensibleRange{0, 1000, 4}})};
-    addStopRows<Spec>(rows, {.precision = true, .sd = Quantity::factor}); // log10 of the noise: its spread is a factor, whatever the scale
+    // The parameter is log10 of the noise, so its spread is a factor on any scale.
+    addStopRows<Spec>(rows, {.precision = true, .sd = Quantity::factor});
     std::vector<Parameter> rest{
         rowOf(&Spec::lapse, {.key = "lapse_rates", .quantity = Quantity::share, .maximum = 1, .fewest = 1, .description = "grid of lapse rates.",
                              .item = "A share of trials answered blindly.",

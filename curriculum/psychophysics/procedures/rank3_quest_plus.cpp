@@ -15,7 +15,8 @@ using core::fail;
 namespace {
 
 constexpr double kMostTie = 20.0; ///< σ
-constexpr std::size_t kMostTableEntries = 4'000'000; ///< differences times cells, of which every outcome has a table
+/// Differences times cells; every outcome has a table of this size.
+constexpr std::size_t kMostTableEntries = 4'000'000;
 
 using Table = std::vector<std::vector<std::vector<double>>>;
 
@@ -38,7 +39,8 @@ core::Result<void> check(const Rank3Spec& spec) {
     return {};
 }
 
-/// Probabilities of the outcomes at d = D/σ, without lapses: of six orders, or of the 13 rankings for each threshold of ties.
+/// Probabilities of the outcomes at d = D/σ, without lapses: of the six orders, or of the 13 rankings for
+/// each tie threshold.
 class Observers {
 public:
     explicit Observers(const Rank3Spec& spec) {
@@ -57,7 +59,8 @@ private:
     std::vector<TiedOrderTable> m_ties;
 };
 
-/// The probabilities of one difference for every cell: log10 σ outermost, then the threshold of ties where there is one, then λ.
+/// Fills in the probabilities of one difference for every cell: log10 σ outermost, then the tie threshold if
+/// there is one, then λ.
 void fill(Table& table, std::size_t row, double difference, const Rank3Spec& spec, const Observers& observers) {
     std::size_t cell = 0;
     for (const double log10Sigma : spec.log10Sigma)
@@ -79,7 +82,7 @@ core::Result<std::shared_ptr<const OutcomeTables>> tablesOf(const std::vector<do
     return generalTables(table, grid);
 }
 
-/// From a tenth of the smallest difference to three times the largest.
+/// Returns a grid from a tenth of the smallest difference to three times the largest.
 std::vector<double> defaultLog10Sigma(const std::vector<double>& differences) {
     const auto [least, most] = std::minmax_element(differences.begin(), differences.end());
     const double low = std::log10(*least) - 1.0;
@@ -90,7 +93,8 @@ std::vector<double> defaultLog10Sigma(const std::vector<double>& differences) {
     return grid;
 }
 
-/// Whether all tables together stay of a size that memory and time allow; the grid of log10 σ is there.
+/// Checks that all tables together stay within what memory and time allow. The grid of log10 σ must be filled
+/// in already.
 core::Result<void> checkSize(const Rank3Spec& spec) {
     std::size_t most = kMostTableEntries / spec.differences.size();
     for (const std::size_t factor : {spec.log10Sigma.size(), spec.lapse.size(), spec.allowTies ? 2 * spec.tieThresholds.size() : 1}) // 13 outcomes, not six
@@ -100,7 +104,7 @@ core::Result<void> checkSize(const Rank3Spec& spec) {
     return {};
 }
 
-/// A specification that was checked, with its grid of log10 σ, and what is believed before the first trial.
+/// A checked specification with its grid of log10 σ, and the prior.
 struct Checked {
     Rank3Spec spec;
     PosteriorGrid prior;

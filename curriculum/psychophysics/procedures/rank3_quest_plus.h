@@ -5,13 +5,15 @@
 
 namespace chiron::psychophysics {
 
-/// JND of 75 % correct in 2AFC for an internal noise: √2 z(0.75) σ (2AFC: pc = Φ(D/(√2 σ))).
+/// JND at 75 % correct in 2AFC per unit of internal noise: √2 z(0.75) σ (2AFC: pc = Φ(D/(√2 σ))).
 inline constexpr double kJndPerSigma = 0.9538725524089398;
 
-/// QUEST+ of rankings of three (0, D, 2D) over (log10 σ, λ), where ties are allowed over (log10 σ, tie, λ), by Thurstone's observer; outcomes as rankProbabilities.
-/// Failure: badInput naming the key and what was expected.
+/// Makes the QUEST+ model for rankings of three objects (0, D, 2D) by Thurstone's observer: over (log10 σ, λ)
+/// or, if ties are allowed, over (log10 σ, tie, λ). The outcomes are those of rankProbabilities.
+/// Errors: badInput naming the key and what was expected.
 core::Result<std::shared_ptr<const QuestPlusModel>> rank3Model(const Rank3Spec& spec);
-/// Whether rank3Model makes one; fails as that does. Its tables, a second of work for two grids of 41, are not made.
+/// Returns whether rank3Model would make a model; fails as that does. It does not make the tables, which take
+/// a second for two grids of 41.
 core::Result<void> checkRank3(const Rank3Spec& spec);
 
 } // namespace chiron::psychophysics

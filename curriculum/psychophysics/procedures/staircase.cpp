@@ -12,7 +12,8 @@ using core::fail;
 namespace {
 
 constexpr double kLeastRatio = 1e-300; ///< of a level on a log or dB axis
-constexpr double kLargest = 1e100;     ///< of start and steps: no run comes from there to what is no number
+/// For start and steps: from smaller values no run reaches infinity.
+constexpr double kLargest = 1e100;
 
 double sizeAt(const std::vector<double>& sizes, int reversals) {
     return sizes[std::min(static_cast<std::size_t>(reversals), sizes.size() - 1)];
@@ -52,7 +53,7 @@ core::Result<void> check(const StaircaseSpec& spec) {
 } // namespace
 
 double staircaseTarget(int up, int down, double stepRatio) noexcept {
-    const double wanted = 1.0 / (1.0 + stepRatio); // share of steps that go down
+    const double wanted = 1.0 / (1.0 + stepRatio); // share of the steps that go down
     double low = 0.0;
     double high = 1.0;
     for (int i = 0; i < 60; ++i) {
@@ -93,7 +94,7 @@ Choice Staircase::next() const {
     return choice;
 }
 
-/// Where an outcome moves the level; counts consecutive answers.
+/// Returns the direction in which an outcome moves the level; counts consecutive answers.
 Staircase::Direction Staircase::stepFor(int outcome) {
     m_right = outcome == 1 ? m_right + 1 : 0;
     m_wrong = outcome == 1 ? 0 : m_wrong + 1;
@@ -125,7 +126,8 @@ void Staircase::step(Direction direction, int reversalsForSize) {
         break;
     }
     if (m_spec.stepType != StaircaseSpec::StepType::linear)
-        m_level = std::clamp(m_level, kLeastRatio, 1.0 / kLeastRatio); // from 0 or infinity no step would lead back
+        // From 0 or infinity no step would lead back.
+        m_level = std::clamp(m_level, kLeastRatio, 1.0 / kLeastRatio);
     if (m_spec.truncate)
         m_level = clamped(m_level);
 }

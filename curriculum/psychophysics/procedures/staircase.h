@@ -5,12 +5,13 @@
 
 namespace chiron::psychophysics {
 
-/// The proportion correct at which an up–down rule settles: where a run of `down` right answers comes before a run of `up` wrong ones so
-/// often that steps balance (Levitt 1971, Table 1; García-Pérez 1998 for steps down `stepRatio` times steps up: p = (1/(1+r))^(1/down)).
+/// Returns the proportion correct at which an up–down rule converges: where a sequence of `down` right
+/// answers precedes one of `up` wrong answers just often enough for the steps to balance (Levitt 1971, Table
+/// 1; García-Pérez 1998 for steps down that are `stepRatio` times the steps up: p = (1/(1+r))^(1/down)).
 double staircaseTarget(int up, int down, double stepRatio = 1.0) noexcept;
 
-/// Transformed and weighted up–down. Levels step on from what was planned, not from what a device made of it; reversals and the estimate
-/// hold what was presented.
+/// Transformed and weighted up–down staircase. Each level follows from the planned one, not from the one that
+/// a device made of it; reversals and the estimate use the presented levels.
 class Staircase final : public LoggedProcedure {
 public:
     static core::Result<std::unique_ptr<Procedure>> make(const StaircaseSpec& spec);

@@ -100,7 +100,7 @@ public:
         return checkedFactory([of = ours(spec)](std::uint64_t) { return Staircase::make(of); });
     }
 
-    /// 1-up/3-down with García-Pérez's ratio of steps: converges at 83.15 %.
+    /// Returns a 1-up/3-down staircase with García-Pérez's ratio of steps, which converges at 83.15 %.
     ProcedureSpec usual(const Condition& condition) const override {
         constexpr double kRatioOfThreeDown = 0.7393;
         const std::vector<double> levels = usualLevels(condition);

@@ -3,12 +3,12 @@
 
 namespace chiron::psychophysics {
 
-/// When a run ends: whichever comes first. 0: does not end it.
+/// Says when a run ends: at whichever limit is reached first. 0: this limit does not apply.
 struct StopRule {
-    int trials = 0;        ///< at most so many
-    int minimumTrials = 0; ///< never before
+    int trials = 0;        ///< at most this many
+    int minimumTrials = 0; ///< the run never ends before
     int reversals = 0;
-    double sd = 0.0;       ///< posterior sd of the first parameter at most
+    double sd = 0.0;       ///< largest posterior sd of the first parameter
     bool reversalsAndTrials = false; ///< trials and reversals must both be reached (PsychoPy's rule)
 };
 

@@ -10,14 +10,14 @@
 
 namespace chiron::psychophysics {
 
-/// A trial as it was recorded.
+/// One recorded trial.
 struct RecordedTrial {
     int outcome = 0;
     Stimulus presented;
 };
 
-/// What nearly all procedures do alike: they keep their trials, and take one back by starting afresh and hearing all others again, so that
-/// after undo() every double is what it would have been had the trial never happened.
+/// Base of nearly all procedures. It keeps the trials and takes one back by restarting and replaying all
+/// others, so that after undo() every double is what it would have been without that trial.
 class LoggedProcedure : public Procedure {
 public:
     core::Result<void> record(int outcome, const Stimulus& presented) final;
@@ -29,14 +29,15 @@ public:
 protected:
     virtual std::size_t dimensions() const noexcept { return 1; }
     virtual void restart() = 0;
-    /// Takes one trial in, already checked. Failure: nothing was changed.
+    /// Processes one trial that has been checked already. If it fails, nothing was changed.
     virtual core::Result<void> take(const RecordedTrial& trial) = 0;
 
 private:
     std::vector<RecordedTrial> m_log;
 };
 
-/// Whether a run of so many trials and reversals is over. `sd`: of the first parameter, where there is one.
+/// Returns whether a run with this many trials and reversals is over. `sd` is that of the first parameter, if
+/// there is one.
 bool stopped(const StopRule& rule, int trials, int reversals, std::optional<double> sd = std::nullopt) noexcept;
 
 } // namespace chiron::psychophysics

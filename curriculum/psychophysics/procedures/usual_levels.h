@@ -8,17 +8,17 @@
 
 namespace chiron::psychophysics {
 
-// What usual procedures are made of.
+// Building blocks of default procedures.
 
-inline constexpr double kSmallestDifference = 1e-4; ///< that a logarithm is taken of
+inline constexpr double kSmallestDifference = 1e-4; ///< smallest difference whose logarithm is taken
 
-/// The condition's table of differences in the scale of the procedure's x, ascending; never empty.
+/// Returns the condition's table of differences on the scale of the procedure's x, ascending; never empty.
 std::vector<double> usualLevels(const Condition& condition);
-/// The proportion right of somebody who feels nothing.
+/// Returns the proportion of right answers of a person who feels nothing.
 double guessRateOf(Task task);
-/// `count` values from `low` to `high`, both included.
+/// Returns `count` equally spaced values from `low` to `high`, both included.
 std::vector<double> evenGrid(double low, double high, int count);
-/// At most `most` of the values, evenly taken, the ends included.
+/// Returns at most `most` of the values, evenly selected, with both ends included.
 std::vector<double> someOf(const std::vector<double>& values, std::size_t most);
 
 } // namespace chiron::psychophysics

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kMm = 1000.0;
 constexpr int kFewParticipants = 5; ///< P2 had 5
-constexpr int kFewTrials = 10;      ///< P2's of each
+constexpr int kFewTrials = 10;      ///< P2 had 10 per participant
 
 /// Errors of one participant, per cent of the radius.
 struct Own {
@@ -34,7 +34,8 @@ Interval overMeans(const std::vector<double>& means) {
     return {m.mean - half, m.mean + half};
 }
 
-/// The bias is the mean of participants' own, each counted alike; the spread is split by restricted maximum likelihood.
+/// The bias is the mean of the participants' own biases, equally weighted; the spread is split by restricted
+/// maximum likelihood.
 ApexAxis axisOf(const ByParticipant& people, std::size_t axis, double radius_mm) {
     std::vector<double> means;
     std::vector<std::vector<double>> groups;

@@ -32,7 +32,7 @@ const std::vector<Row>& rows() {
 
 const Row& rowOf(Task task) { return rows()[static_cast<std::size_t>(task)]; }
 
-/// The place that differs from both others.
+/// Returns the position whose object differs from both others.
 int oddPlace(const Places& places) {
     for (int place = 0; place < 3; ++place)
         if (places[static_cast<std::size_t>(place)] != places[static_cast<std::size_t>((place + 1) % 3)] &&
@@ -41,7 +41,7 @@ int oddPlace(const Places& places) {
     return -1;
 }
 
-/// What was said, seen from the objects: the rank given to the true 0, 1 and 2.
+/// Returns a ranking in terms of the objects: the ranks given to the true 0, 1 and 2.
 int rankOutcome(const Places& truth, const Ranking& said) {
     Ranking given{};
     for (std::size_t place = 0; place < given.size(); ++place)

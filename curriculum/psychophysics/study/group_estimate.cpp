@@ -37,7 +37,7 @@ bool hasWeber(const RunEstimate& run) {
 }
 
 LogWeber logWeberOf(const RunEstimate& run) {
-    if (!hasWeber(run) || usableInGroup(run) != Usable::yes) // of numbers said there is none
+    if (!hasWeber(run) || usableInGroup(run) != Usable::yes) // magnitude estimates have none
         return {};
     const double low = std::log10(run.weber95.low);
     const double high = std::log10(run.weber95.high);
@@ -45,7 +45,7 @@ LogWeber logWeberOf(const RunEstimate& run) {
     return {true, std::log10(run.weber), error * error};
 }
 
-/// Mean of a statistic over participants drawn, by random effects.
+/// Returns the random-effects mean over the drawn participants.
 double meanOf(const std::vector<LogWeber>& logs, const std::vector<int>& drawn) {
     std::vector<double> y;
     std::vector<double> v;
@@ -72,7 +72,8 @@ bool isSealed(const RunEstimate& run) {
     return std::any_of(run.warnings.begin(), run.warnings.end(), [](const Warning& warning) { return warning.kind == WarningKind::sealed; });
 }
 
-/// Answers that are sealed say nothing yet, which is another thing than answers that give no value.
+/// Warns about the number of participants. Sealed answers are reported separately, because they are merely
+/// not available yet.
 void warnOfNumber(std::vector<Warning>& warnings, int used, int leftOut, int sealed = 0) {
     if (sealed > 0)
         warnings.push_back({WarningKind::sealed});
@@ -88,7 +89,7 @@ void warnOfNumber(std::vector<Warning>& warnings, int used, int leftOut, int sea
         warnings.push_back({WarningKind::fewParticipants, used});
 }
 
-/// Mean over participants with a t interval, of whatever can be had (PSE, exponent).
+/// Computes the mean over participants with a t interval, for values such as PSE and exponent.
 void takeMean(const std::vector<double>& values, double& mean, Interval& interval) {
     const SampleMoments moments = momentsOf(values);
     mean = moments.mean;

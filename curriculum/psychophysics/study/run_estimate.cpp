@@ -19,9 +19,9 @@ namespace {
 
 constexpr double kJndPerSigma = 0.9538725524089398; ///< √2 z(0.75): the 75 % point of 2AFC in units of σ
 
-constexpr double kMostTie = 3.0; ///< σ: whoever calls more than that equal says "equal" nearly always
+constexpr double kMostTie = 3.0; ///< σ: an observer with a larger tie threshold nearly always says "equal"
 
-/// The grids of log10 σ that the condition's procedures look at.
+/// Returns the grids of log10 σ that the condition's procedures use.
 std::vector<std::vector<double>> noiseGrids(const Condition& condition) {
     std::vector<std::vector<double>> grids;
     for (const ProcedureSpec& spec : condition.procedures)
@@ -31,8 +31,8 @@ std::vector<std::vector<double>> noiseGrids(const Condition& condition) {
     return grids;
 }
 
-/// From a tenth of the smallest to ten times the largest difference, and wherever the procedure looks: an observer of three times the σ that a
-/// procedure's grid ends with is still held.
+/// Returns a prior from a tenth of the smallest to ten times the largest difference, extended to the whole
+/// grid of the procedure. This still covers an observer whose σ is three times the end of a procedure's grid.
 ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers) {
     ThurstonePrior prior;
     if (answers.smallestDifference > 0.0) {
@@ -52,7 +52,8 @@ ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers)
         prior.highCriterion = 6.0;
     if (condition.task == Task::rank3Ties)
         prior.highCriterion = kMostTie;
-    if (condition.task == Task::yesNo && !answers.points.empty()) { // from below the lowest value shown to above the highest
+    // From below the lowest presented value to above the highest.
+    if (condition.task == Task::yesNo && !answers.points.empty()) {
         const double margin = 0.5 * answers.largestDifference;
         prior.lowCriterion = std::min(0.0, answers.points.front().difference) - margin;
         prior.highCriterion = std::max(0.0, answers.points.back().difference) + margin;
@@ -60,9 +61,11 @@ ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers)
     return prior;
 }
 
-/// Answers at one difference only: a few of them have few outcomes, and the interval of a posterior, which the prior then shapes, holds some observers in
-/// two of three such runs and some never. It is widened to the exact interval of their share (Clopper & Pearson): its lower end with the lapses that the
-/// posterior expects, its upper end without any.
+/// Widens the interval for answers at a single difference. A few such answers have few possible outcomes, and
+/// the prior then shapes the posterior's interval, which contains the true value for some observers in only
+/// two of three runs and for some never. The interval is extended to the exact interval of the proportion
+/// (Clopper & Pearson), with the posterior's mean lapse rate at the lower end and without lapses at the upper
+/// end.
 void widenToExact(ThurstonePosterior& posterior, const ThurstonePrior& prior, Task task, const ScoredAnswers& answers) {
     if (answers.levels != 1 || (task != Task::rank3 && task != Task::twoAfc && task != Task::threeAfc && task != Task::oddity))
         return;
@@ -73,7 +76,8 @@ void widenToExact(ThurstonePosterior& posterior, const ThurstonePrior& prior, Ta
             of += point.of;
         }
     const ProportionInterval exact = exactInterval(right, of);
-    const auto sigmaAt = [&](double share, double lapse) { // falls as σ grows; the prior's ends where no observer has that share
+    // The proportion falls as σ grows. The result is an end of the prior if no observer has this proportion.
+    const auto sigmaAt = [&](double share, double lapse) {
         double low = prior.lowLog10Sigma, high = prior.highLog10Sigma;
         for (int halving = 0; halving < 60; ++halving) {
             const double between = 0.5 * (low + high);
@@ -147,7 +151,7 @@ std::string_view methodText(EstimateMethod method) {
 }
 
 RunEstimate estimateRun(const Condition& condition, const std::vector<ScoredTrial>& trials, std::uint64_t seed) {
-    (void)seed; // nothing is drawn: intervals are of the posterior, of profiles and of t
+    (void)seed; // nothing is drawn: the intervals come from the posterior, profiles and t
     RunEstimate result;
     result.criterion = condition.criterion;
     result.unit = std::string(unitOf(condition.stimulus.attribute));
@@ -155,7 +159,8 @@ RunEstimate estimateRun(const Condition& condition, const std::vector<ScoredTria
         result.warnings.push_back({WarningKind::noReference});
         return result;
     }
-    if (condition.stimulus.attribute == Attribute::apex) { // nothing is compared: summariseApex says what the marks say
+    // Nothing is compared; summariseApex evaluates the marks.
+    if (condition.stimulus.attribute == Attribute::apex) {
         result.method = EstimateMethod::apexMarks;
         result.trials = static_cast<int>(trials.size());
         return result;

@@ -9,7 +9,8 @@ namespace chiron::psychophysics {
 
 namespace {
 
-/// Texts are "token: words"; # stands for the count, @ for it with "participants", % for of how many, $ for the detail. In the order of the kinds.
+/// Texts are "token: words". # stands for the count, @ for the count with "participants", % for the total, $
+/// for the detail. In the order of the kinds.
 constexpr std::array<std::pair<WarningKind, std::string_view>, static_cast<std::size_t>(WarningKind::end)> kEnglish{{
     {WarningKind::leftOutTrials, "left_out: # trials have no usable difference or answer and were left out"},
     {WarningKind::noTrials, "no_trials: there is no scored trial, so there is nothing to estimate"},

@@ -8,16 +8,17 @@
 
 namespace chiron::psychophysics {
 
-/// What a reader of an estimate must know. Screens and reports put each into a person's words and language
-/// (session_report/study_warning_words); data keep the token and English. A new kind goes before `end` and gets both: the compiler asks
-/// for the English, the test of the translations for the words.
+/// What a reader of an estimate must know. Screens and reports show each in a person's words and language
+/// (session_report/study_warning_words); data contain the token and English. A new kind is inserted before
+/// `end` and needs both: the compiler demands the English text, the test of the translations the words.
 enum class WarningKind : std::uint8_t {
     // One run of comparisons.
     leftOutTrials, noTrials, fewTrials, noDifference, oneLevel, binned, oneAnswer, allRight, chance,
-    priorEdgeLow, priorEdgeHigh,   ///< the answers say nothing at this end: the estimate is the prior's
-    priorBoundLow, priorBoundHigh, ///< the interval ends there by the prior
+    priorEdgeLow, priorEdgeHigh,   ///< the answers do not determine this end: the estimate comes from the
+                                   ///< prior
+    priorBoundLow, priorBoundHigh, ///< the prior determines where the interval ends
     lapses, stepFunction, positionBias, poorFit, curvesDisagree, noRise, notMonotone, noReference,
-    // Settings, and numbers said.
+    // Settings, and numbers given.
     leftOutSettings, noSettings, fewSettings, noSpread, noSettingReference,
     leftOutNumbers, noNumbers, fewNumbers, oneStimulus, fewSubjects,
     // A group.
@@ -27,26 +28,28 @@ enum class WarningKind : std::uint8_t {
     noRadius, leftOutMarks, noMarks, fewMarkers, fewMarks, biasX, biasY, beyondRadius, plannedMarks, untouchedMarks,
     // A plan.
     notSimulated, differencesTooSmall, runsWithoutEstimate,
-    // Shown is not felt.
+    // Force was shown, not felt.
     shownRun, shownLeftOut, shownInGroup,
-    end, ///< no warning: how many there are
+    end, ///< not a warning: the number of kinds
 };
 
 struct Warning {
     WarningKind kind;
-    int count = 0;      ///< how many, where the kind counts
-    int of = 0;         ///< of how many: runsWithoutEstimate
-    std::string detail{}; ///< English: why, of notSimulated
+    int count = 0;      ///< the number that a counting kind reports
+    int of = 0;         ///< total, for runsWithoutEstimate
+    std::string detail{}; ///< English: the reason, for notSimulated
 
     friend bool operator==(const Warning&, const Warning&) = default;
 };
 
-/// What a warning is called in data: "left_out". Several kinds share one where they are of different things. Stable.
+/// Returns the name of a warning in data: "left_out". Several kinds share a name if they differ only in what
+/// they refer to. The names are stable.
 std::string_view warningToken(WarningKind kind);
-/// As data and the command line have it: "left_out: 3 trials have no usable difference or answer and were left out".
+/// Returns the text as in data and on the command line: "left_out: 3 trials have no usable difference or
+/// answer and were left out".
 std::string warningText(const Warning& warning);
 
-/// Kinds of `warnings`, to ask what is among them.
+/// Returns whether `warnings` contains this kind.
 bool hasWarning(const std::vector<Warning>& warnings, WarningKind kind);
 
 } // namespace chiron::psychophysics

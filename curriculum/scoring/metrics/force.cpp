@@ -15,8 +15,9 @@ namespace chiron::scoring {
 
 namespace {
 
-/// What version 1 of a metric measures: visit(‖tissue force‖ N, seconds it was held) for each unpaused sample of the first tool. A
-/// sample's force holds until the next one, as the loop holds it for a tick; the trial's last sample holds for no time.
+/// The samples that version 1 of a metric measures: calls visit(‖tissue force‖ N, seconds it was held) for
+/// each unpaused sample of the first tool. The force of a sample holds until the next one, as the loop holds
+/// it for a tick. The trial's last sample holds for no time.
 struct ForceOfFirstTool {
     template <class Visit> static void forEach(std::span<const PreparedTrial> trials, Visit&& visit) {
         for (const PreparedTrial& trial : trials) {
@@ -30,9 +31,10 @@ struct ForceOfFirstTool {
     }
 };
 
-/// What version 2 measures: visit(load N, seconds it was held, whether anything was touched) for each unpaused sample of every tool. The
-/// load is the tissue force; from where tissue has given way until the tool is out of it, at least the force at which it gave way, because
-/// whoever has broken tissue has not become gentle. Touched: over 0.02 N, or broken.
+/// The samples that version 2 measures: calls visit(load N, seconds it was held, whether anything was
+/// touched) for each unpaused sample of every tool. The load is the tissue force. After tissue has given way,
+/// and until the tool is out of it, the load is at least the force at which it gave way, because breaking
+/// tissue must not count as being gentle. Touched means over 0.02 N, or broken.
 struct LoadOfEveryTool {
     template <class Visit> static void forEach(std::span<const PreparedTrial> trials, Visit&& visit) {
         for (const PreparedTrial& trial : trials)
@@ -115,7 +117,7 @@ Measurement measureForceP95(std::span<const PreparedTrial> trials) {
                            (place - static_cast<double>(below)) * (forces_N[above] - forces_N[below]));
 }
 
-/// The load below which 95 % of the time of touching lies.
+/// Returns the load below which 95 % of the contact time lies.
 Measurement measureForceP95Of2(std::span<const PreparedTrial> trials) {
     std::vector<std::pair<double, double>> loads; // N, s
     double time_s = 0.0;

@@ -11,7 +11,7 @@
 
 namespace chiron::scoring {
 
-/// What a new version of a metric changes; the rest stays as it was, its words with it.
+/// The changes in a new version of a metric. Everything else, including its texts, stays the same.
 struct NextVersion {
     std::optional<Direction> direction{};
     std::optional<MetricWrench> wrench{};
@@ -22,11 +22,11 @@ struct NextVersion {
     Measurement (*measure)(std::span<const PreparedTrial> trials) = nullptr;
 };
 
-/// The rows of one subject, in the order in which metrics are listed.
+/// Collects the rows of one subject, in the order in which metrics are listed.
 class MetricRows {
 public:
     void add(MetricDefinition metric) { m_rows.push_back(std::move(metric)); }
-    /// The next version of the row before.
+    /// Adds the next version of the previous row.
     void next(const NextVersion& change) {
         MetricDefinition metric = m_rows.back();
         ++metric.version;
@@ -45,7 +45,8 @@ private:
     std::vector<MetricDefinition> m_rows;
 };
 
-// One function a subject that several exercises share, in the file of its name; metric_catalogue.cpp lists them and those of single exercises.
+// One function per subject that several exercises share, in the file of that name. metric_catalogue.cpp lists
+// them together with those of single exercises.
 std::vector<MetricDefinition> motionMetrics();
 std::vector<MetricDefinition> forceMetrics();
 std::vector<MetricDefinition> torqueMetrics();

@@ -67,7 +67,7 @@ Measurement measurePathLength(std::span<const PreparedTrial> trials) {
                : Measurement::undefined(UndefinedReason::tooFewPositions);
 }
 
-constexpr double kShortest_m = 0.005; // models.md §6: below, the ratio says nothing
+constexpr double kShortest_m = 0.005; // models.md §6: for shorter distances the ratio is meaningless
 
 Measurement measurePathInefficiency(std::span<const PreparedTrial> trials) {
     double sum_percent = 0.0;
@@ -75,7 +75,7 @@ Measurement measurePathInefficiency(std::span<const PreparedTrial> trials) {
     for (const PreparedTrial& trial : trials) {
         double length_m = 0.0;
         core::Vec3 displacement_m =
-            core::Vec3::Zero(); // run by run: what happens in a pause is no one's path
+            core::Vec3::Zero(); // summed per run, because movement during a pause does not count
         for (const MotionRun& run : trial.motion.runs) {
             displacement_m += run.p_WT_m.back() - run.p_WT_m.front();
             for (std::size_t i = 0; i + 1 < run.p_WT_m.size(); ++i)
@@ -90,12 +90,14 @@ Measurement measurePathInefficiency(std::span<const PreparedTrial> trials) {
                        : Measurement::undefined(UndefinedReason::endsTooNear);
 }
 
-/// Way of the tip and its own way along the centre-line in the stages of one trial that go along it, m.
+/// Length of the tip's path, and its progress along the centre-line, in those stages of one trial that follow
+/// the centre-line, m.
 class StagesOfCanal {
 public:
     explicit StagesOfCanal(const PreparedTrial& trial) : m_trial(trial), m_series(*trial.trial->insertion) {}
 
-    /// 100 (L/D − 1) over the way in and the way out, as far as each is 5 mm long; nothing where none is.
+    /// Returns 100 (L/D − 1) over insertion and withdrawal, using each only if its progress is at least 5 mm;
+    /// none if neither is.
     std::optional<double> percent() {
         double length_m = 0.0, own_m = 0.0;
         for (const auto stage : {core::ProcedureStage::insertion, core::ProcedureStage::withdrawal}) {
@@ -145,12 +147,14 @@ private:
     const InsertionSeries& m_series;
 };
 
-/// Way of the tip and the straight distance in each step of a task that asks for one thing after another (grasp, lift, carry ...).
+/// Length of the tip's path, and the straight distance, in each step of a task that consists of successive
+/// steps (grasp, lift, carry ...).
 class StepsOfTask {
 public:
     StepsOfTask(const PreparedTrial& trial, const QuantityTrace& step) : m_trial(trial), m_step(step) {}
 
-    /// 100 (L/D − 1) over the steps whose ends are 5 mm apart, without those that ask for a still hand; nothing where none is.
+    /// Returns 100 (L/D − 1) over the steps whose ends are at least 5 mm apart, without steps that require a
+    /// still hand; none if there is no such step.
     std::optional<double> percent() {
         for (const MotionRun& run : m_trial.motion.runs) { // a pause ends a step
             m_first.reset();
@@ -191,7 +195,7 @@ private:
     const PreparedTrial& m_trial;
     const QuantityTrace& m_step;
     std::size_t m_at = 0;
-    std::optional<core::Vec3> m_first; ///< where the present step began
+    std::optional<core::Vec3> m_first; ///< start of the current step
     core::Vec3 m_last = core::Vec3::Zero();
     double m_now = 0.0;
     double m_own_m = 0.0;
@@ -210,7 +214,7 @@ Measurement meanOverTrials(std::span<const PreparedTrial> trials, std::optional<
     return counted > 0 ? Measurement::of(sum_percent / counted) : Measurement::undefined(UndefinedReason::endsTooNear);
 }
 
-/// In a canal by its stages, elsewhere as version 1.
+/// In a canal this uses its stages, elsewhere version 1.
 Measurement measurePathInefficiency2(std::span<const PreparedTrial> trials) {
     const auto inCanal = [](const PreparedTrial& trial) { return trial.tool != nullptr && trial.trial->insertion; };
     if (trials.empty() || !std::all_of(trials.begin(), trials.end(), inCanal))
@@ -218,7 +222,7 @@ Measurement measurePathInefficiency2(std::span<const PreparedTrial> trials) {
     return meanOverTrials(trials, [](const PreparedTrial& trial) { return StagesOfCanal(trial).percent(); });
 }
 
-/// A task of steps by them, elsewhere as version 2.
+/// In a task with steps this uses the steps, elsewhere version 2.
 Measurement measurePathInefficiency3(std::span<const PreparedTrial> trials) {
     const auto inSteps = [](const PreparedTrial& trial) { return quantityOf(trial, "step") != nullptr; };
     if (trials.empty() || !std::all_of(trials.begin(), trials.end(), inSteps))

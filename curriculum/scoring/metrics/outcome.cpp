@@ -15,7 +15,8 @@ namespace {
 Measurement shareDone(std::span<const PreparedTrial> trials, std::size_t of) {
     if (trials.empty())
         return Measurement::undefined(UndefinedReason::noTrials);
-    for (const PreparedTrial& trial : trials) // where a mark ends a trial there is no procedure to complete
+    // An exercise in which a mark ends the trial has no procedure to complete.
+    for (const PreparedTrial& trial : trials)
         if (trial.tool == nullptr || (!trial.trial->insertion && trial.trial->quantities.empty()))
             return Measurement::undefined(UndefinedReason::noProcedure);
     std::size_t done = 0;
@@ -31,8 +32,8 @@ Measurement measureProcedureCompleted2(std::span<const PreparedTrial> trials) {
     return shareDone(trials, std::max(planned, trials.size()));
 }
 
-/// When tissue gave way under one tool. It stays given way for longer than any device's packet takes, so that each time has a
-/// sample; one from before the trial is none of its own.
+/// Returns when tissue gave way under one tool. The state lasts longer than a packet of any device, so that
+/// every such event has a sample. An event from before the trial does not count.
 std::vector<double> yieldsOf(const ToolTrace& tool) {
     std::vector<double> times_s;
     bool through = !tool.contact.empty() && (tool.contact.front() & core::contact_bits::kYielded) == 0;
@@ -53,7 +54,7 @@ Measurement measureCriticalErrors(std::span<const PreparedTrial> trials) {
     return Measurement::of(static_cast<double>(count));
 }
 
-/// The number of critical spans, and of times that tissue gave way outside of them.
+/// Returns the number of critical spans plus the number of times that tissue gave way outside of them.
 std::size_t errorsOf(const TrialTrace& trial) {
     const std::vector<CriticalSpan> spans = criticalSpans(trial);
     std::size_t count = spans.size();
@@ -103,7 +104,8 @@ std::vector<MetricDefinition> outcomeMetrics() {
                              "torque its yield torque), or was pressed aside in a canal, over the lateral limit, for more than 1 s or with more "
                              "than 4 N.",
                .measure = measureCriticalErrors2});
-    static_assert(kCriticalSpansCountFrom == 2); // this row: playback marks critical spans from it on
+    static_assert(kCriticalSpansCountFrom == 2); // the row above: playback marks critical spans from this
+                                                 // version on
     return rows.take();
 }
 

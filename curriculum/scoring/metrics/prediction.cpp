@@ -8,7 +8,8 @@ namespace chiron::scoring {
 
 namespace {
 
-/// Root mean square over the samples since an answer to a touch took effect, each answer as often as it stood; mm.
+/// Returns the root mean square in mm over the samples since an answer to a touch took effect. Each answer is
+/// weighted by the number of samples for which it was in effect.
 Measurement rootMeanSquare(std::span<const PreparedTrial> trials, std::string_view id) {
     double sum = 0.0;
     std::size_t count = 0;

@@ -8,7 +8,8 @@
 
 namespace chiron::scoring {
 
-/// One recorded quantity of a trial, as long as its tool's samples; null: the trial has none of this name.
+/// Returns one recorded quantity of a trial, with one value per sample of its tool; null if the trial has
+/// none of this name.
 inline const QuantityTrace* quantityOf(const PreparedTrial& trial, std::string_view id) {
     if (trial.tool == nullptr)
         return nullptr;
@@ -18,7 +19,7 @@ inline const QuantityTrace* quantityOf(const PreparedTrial& trial, std::string_v
     return nullptr;
 }
 
-/// What is true of a trial by name.
+/// Returns a ground-truth value of a trial by its name.
 inline std::optional<double> truthOf(const PreparedTrial& trial, std::string_view id) {
     for (const NamedValue& value : trial.trial->truth)
         if (value.id == id)

@@ -13,8 +13,8 @@ namespace chiron::scoring {
 
 namespace {
 
-/// Calls visit(‖tissue torque about the tip‖ N·m) for each unpaused sample of the first tool. The reason, if a trial has
-/// no torques (a device or a file without orientation).
+/// Calls visit(‖tissue torque about the tip‖ N·m) for each unpaused sample of the first tool. Returns the
+/// reason if a trial has no torques (a device or a file without orientation).
 template <class Visit>
 std::optional<Measurement> forEachTorque(std::span<const PreparedTrial> trials, Visit&& visit) {
     for (const PreparedTrial& trial : trials) {

@@ -112,9 +112,11 @@ QJsonObject parametersJson(const Parameters& p) {
                     {"control", kControls[static_cast<std::size_t>(p.control)]}};
     for (const Number& key : kNumbers)
         out[QLatin1String(key.name)] = p.*key.member;
-    if (p.buttonNeedsAll) // absent in sessions of earlier versions, whose buttons answered at any time
+    // Absent in sessions of earlier versions, whose buttons answered at any time.
+    if (p.buttonNeedsAll)
         out["button_needs_all"] = true;
-    if (p.probeAtLeast_N > 0.0) // absent in sessions of earlier versions, in which any touch counted
+    // Absent in sessions of earlier versions, in which any touch counted.
+    if (p.probeAtLeast_N > 0.0)
         out["probe_at_least_N"] = p.probeAtLeast_N;
     QJsonObject object;
     for (const Fixed& key : kFixed)
@@ -201,7 +203,8 @@ core::Result<Parameters> comparisonOf(const psychophysics::Condition& condition,
     if (!object)
         return core::fail(core::ErrorCode::badInput, "condition " + condition.id + ": " + object.error().message);
     Parameters p;
-    p.attribute = static_cast<simulation::ComparedAttribute>(stimulus.attribute); // in the same order
+    // Both enumerations have the same order.
+    p.attribute = static_cast<simulation::ComparedAttribute>(stimulus.attribute);
     p.object = *object;
     p.places = psychophysics::placesOf(condition.task);
     for (const double difference : stimulus.differences)
@@ -241,7 +244,7 @@ ExerciseLevel comparisonLevel(const Parameters& parameters, const std::string& s
                             {"metrics", QJsonArray{}},
                             {"gates", QJsonArray{}},
                             {"parameters", parametersJson(parameters)}};
-    Problems problems; // none can come: all of it was written just now
+    Problems problems; // none can occur: all of it was written just now
     return levelFromResolved(resolvedDocument(exercise, level), problems);
 }
 

@@ -16,18 +16,20 @@ namespace {
 using Parameters = simulation::ElasticTubeParameters;
 using simulation::TubeTask;
 
-/// models.md §4: with one tick of delay the default and the firm hand are stable on stiffnesses up to here.
+/// models.md §4: with one tick of delay the default hand and the firm hand are stable on stiffnesses up to
+/// this value.
 constexpr double kStiffest_N_per_m = 2000.0;
-/// P2's mechanism has its pivot 180 mm over the floor and a rod that comes no nearer to it than 80 mm.
+/// The pivot of P2's mechanism is 180 mm above the floor, and its rod comes no nearer to the pivot than 80
+/// mm.
 constexpr double kHighest_m = 0.100;
 
-/// As far as a retractor is drawn back in a field of this size.
+/// As far as a retractor is drawn back in an operating field of this size.
 constexpr double kFarthestFold_m = 0.060;
 
 QString mm(double length_m) { return QStringLiteral("%1 mm").arg(core::mmFromM(length_m), 0, 'g', 4); }
 QString newtons(double force_N) { return QStringLiteral("%1 N").arg(force_N, 0, 'g', 4); }
 
-/// One level's checks, each adding what is wrong.
+/// The checks of one level. Each adds its problems.
 class Checks {
 public:
     Checks(const Parameters& p, const QString& path, Problems& problems) : m_p(p), m_path(path), m_problems(problems) {}
@@ -73,7 +75,7 @@ private:
                 QStringLiteral("a stiffness above 0, or there is no tension"));
             return;
         }
-        // Who holds the place between feels the tube below and above it, side by side.
+        // A hand that holds the tube in between feels the part below and the part above, acting in parallel.
         const double parts = m_p.task == TubeTask::transfer ? 1.0 / m_p.gripShare + 1.0 / (1.0 - m_p.gripShare) : 1.0;
         const simulation::TubeLaw law = lawOf(stiffest_N_per_m());
         const double felt = parts * law.slope_N_per_m(law.limit_m);
@@ -110,7 +112,8 @@ private:
                 QStringLiteral("at most maximum_force_N - band_N = %1").arg(newtons(m_p.maximumForce_N - m_p.band_N)));
     }
 
-    /// Held back with the middle of its band, the fold is still within the retractor's reach, and nobody is asked for more than is allowed.
+    /// Checks that the fold, held back with the middle of its force band, is within the retractor's reach,
+    /// and that the task asks for no more force than is allowed.
     void fold() {
         if (!(m_p.retractionLow_N < m_p.retractionHigh_N))
             add("retraction_low_N", newtons(m_p.retractionLow_N), QStringLiteral("less than retraction_high_N, %1").arg(newtons(m_p.retractionHigh_N)));
@@ -133,7 +136,8 @@ private:
                 QStringLiteral("at most over_stretch_ratio - mark_tolerance = %1").arg(m_p.overStretchRatio - m_p.markTolerance));
     }
 
-    /// From the farthest base the part below the grip, straight on to the target.
+    /// Checks the worst case: the part of the tube below the grip runs from the farthest base straight to the
+    /// target.
     void target() {
         const double away_m = std::hypot(m_p.targetX_m - m_p.baseX_m, m_p.targetY_m - m_p.baseY_m) + m_p.baseSpread_m;
         const double length_m = std::hypot(away_m, m_p.targetZ_m) - (1.0 - m_p.gripShare) * m_p.restLength_m;

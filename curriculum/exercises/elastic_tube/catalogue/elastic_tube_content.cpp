@@ -22,7 +22,7 @@ constexpr double kDeg = 180.0 / core::kPi;
 struct Number {
     const char* name;
     double& (*in)(Parameters&);
-    double perUnit; ///< content's units in one SI unit
+    double perUnit; ///< content units per SI unit
 };
 
 constexpr Number kNumbers[] = {

@@ -5,11 +5,13 @@
 
 namespace chiron::catalogue {
 
-/// simulation::ElasticTubeParameters from content/schema/elastic_tube_parameters.json's keys (mm and degrees there, SI here).
+/// Reads simulation::ElasticTubeParameters from the keys of content/schema/elastic_tube_parameters.json.
+/// Unit: mm and degrees in the JSON; SI in the result.
 ExerciseParameters readElasticTube(const ObjectReader& parameters, const std::vector<std::string>& cues);
 
-/// What no single key's range can say: a band above zero that is reached before the tube is damaged, a mark below the tear,
-/// a jaw that lets go wider than it holds, a target within reach, and a tube that a sampled loop can carry.
+/// Checks what the range of a single key cannot express: the tension band is above zero and is reached before
+/// the tube is damaged, the mark is below the tear, the jaw opens wider to release than to hold, the target
+/// is within reach, and a sampled loop can render the tube stably.
 void checkElasticTube(const ExerciseParameters& parameters, const QString& path, Problems& problems);
 
 } // namespace chiron::catalogue

@@ -21,8 +21,8 @@ namespace chiron::scoring {
 
 namespace {
 
-/// Why there is nothing to measure, if a trial lacks what the metric reads: a session's value must not silently leave trials
-/// out. Null where nothing is lacking.
+/// Returns the reason why there is nothing to measure if any trial lacks what the metric reads: a session's
+/// value must not silently leave trials out. Returns none if nothing is missing.
 std::optional<Measurement> withoutTube(std::span<const PreparedTrial> trials, std::string_view quantity,
                                        std::string_view truth = {}) {
     if (trials.empty())
@@ -40,13 +40,14 @@ bool isTubeStep(double step, core::LaparoscopyStep wanted) {
     return step == static_cast<double>(wanted);
 }
 
-/// Which of a trial's holds are meant, where one was broken and begun again.
+/// Selects among the holds of a trial in which a hold was broken and begun again.
 enum class TubeHolds {
-    all,  ///< a broken one too: an error that ended a hold is an error
+    all,  ///< broken ones too: an error that ended a hold still counts as an error
     last, ///< the completed one
 };
 
-/// The samples of these holds. Paused samples are left out. Empty: nothing was held. Only where withoutTube() has nothing to say.
+/// Returns the samples of the selected holds without paused ones; empty if nothing was held. Requires that
+/// withoutTube() returns none.
 std::vector<std::size_t> tubeHold(const PreparedTrial& trial, TubeHolds meant) {
     const std::vector<double>& step = quantityOf(trial, "step")->values;
     std::vector<std::size_t> hold;
@@ -64,7 +65,7 @@ std::vector<std::size_t> tubeHold(const PreparedTrial& trial, TubeHolds meant) {
     return hold;
 }
 
-/// Calls visit(error) with tension − target, N, for each sample of each trial's holds.
+/// Calls visit(error) with tension − target, N, for each sample of the holds of each trial.
 template <class Visit> void forEachTensionError(std::span<const PreparedTrial> trials, Visit&& visit) {
     for (const PreparedTrial& trial : trials) {
         const std::vector<double>& tension = quantityOf(trial, "tension_N")->values;
@@ -78,8 +79,9 @@ Measurement neverHeld() {
     return Measurement::undefined(UndefinedReason::tensionNeverHeld);
 }
 
-/// The samples of a trial from which on the fold is to be kept back: from when it first was, to the trial's end, pauses left out. Empty where it never
-/// was. Only where the trial has `fold_open`.
+/// Returns the samples of a trial during which the fold has to be kept back: from the moment when it first
+/// was, to the trial's end, without paused samples. Empty if it never was. Requires that the trial records
+/// `fold_open`.
 std::vector<std::size_t> sinceFoldOpened(const PreparedTrial& trial) {
     const std::vector<double>& open = quantityOf(trial, "fold_open")->values;
     std::vector<std::size_t> since;
@@ -89,7 +91,7 @@ std::vector<std::size_t> sinceFoldOpened(const PreparedTrial& trial) {
     return since;
 }
 
-/// Why there is no retraction to measure, if there is none.
+/// Returns the reason why there is no retraction to measure, if there is none.
 std::optional<Measurement> withoutFold(std::span<const PreparedTrial> trials) {
     if (auto why = withoutTube(trials, "tension_N"))
         return why;
@@ -116,7 +118,7 @@ Measurement measureTensionErrorSd(std::span<const PreparedTrial> trials) {
         return *why;
     double squares = 0.0;
     std::size_t samples = 0;
-    for (const PreparedTrial& trial : trials) { // about each trial's own mean: its bias is in the RMS
+    for (const PreparedTrial& trial : trials) { // about each trial's own mean: its bias is part of the RMS
         const std::span<const PreparedTrial> one(&trial, 1);
         double sum = 0.0;
         std::size_t count = 0;
@@ -133,7 +135,8 @@ Measurement measureTensionErrorSd(std::span<const PreparedTrial> trials) {
     return samples == 0 ? neverHeld() : Measurement::of(std::sqrt(squares / static_cast<double>(samples)));
 }
 
-/// Stretch about a mark, or tension about a target: what is held, and how near it has to be.
+/// The quantity that is held in this trial (stretch near a mark, or tension near a target) and how near it
+/// has to be.
 struct Band {
     const std::vector<double>* held = nullptr;
     double middle = 0.0;
@@ -150,7 +153,7 @@ std::optional<Band> bandOf(const PreparedTrial& trial) {
     return Band{&held->values, *middle, *half};
 }
 
-/// In whole µs: a sum of ticks is a sum of ticks.
+/// Sums in whole µs, so that the sum of ticks is exact.
 std::int64_t inBand_us(const PreparedTrial& trial, const Band& band) {
     const std::vector<double>& t_s = trial.tool->t_s;
     std::int64_t sum = 0;

@@ -19,13 +19,14 @@ namespace {
 using Parameters = simulation::ObjectHandlingParameters;
 using simulation::HandlingTask;
 
-constexpr double kWidestJaw_rad = 1.4;      ///< 80°: graspers open 60 to 90°
-constexpr double kShareOfSqueezeLimit = 0.8; ///< a grip that just carries leaves so much room below the limit
+constexpr double kWidestJaw_rad = 1.4;      ///< 80°: graspers open by 60 to 90°
+constexpr double kShareOfSqueezeLimit = 0.8; ///< the weakest grip that carries the object leaves this much
+                                             ///< room below the limit
 
 QString mm(double length_m) { return QString::number(core::mmFromM(length_m), 'g', 4) + QStringLiteral(" mm"); }
 QString g(double mass_kg) { return QString::number(1000.0 * mass_kg, 'g', 4) + QStringLiteral(" g"); }
 
-/// Adds problems at keys of one level's parameters.
+/// Adds problems at the keys of one level's parameters.
 class Checks {
 public:
     Checks(const Parameters& p, const QString& path, Problems& problems) : m_p(p), m_path(path), m_problems(problems) {}
@@ -47,7 +48,7 @@ public:
         const bool weigh = m_p.task == HandlingTask::weigh;
         if (weigh ? m_p.objects < 2 : m_p.objects != 1)
             add("objects", QString::number(m_p.objects), weigh ? QStringLiteral("2 or 3 to weigh") : QStringLiteral("1 to place"));
-        // The ring of last resort: objects and target at equal angles on places_radius_mm.
+        // The fallback arrangement: objects and target at equal angles on a ring of placesRadius_m.
         const double chord = 2.0 * m_p.placesRadius_m * std::sin(core::kPi / (m_p.objects + 1));
         const double apart = m_p.objects > 1 ? std::max(simulation::objectSpacing_m(m_p), simulation::targetSpacing_m(m_p))
                                              : simulation::targetSpacing_m(m_p);
@@ -76,13 +77,15 @@ public:
 
     void stability() const {
         const double lightest = m_p.massLow_kg > 0.0 ? m_p.massLow_kg : m_p.object.mass_kg;
-        const auto slopeAtCap = [&](const simulation::ObjectAttributes& a) { // of k/b (e^{bx} - 1): k + b f
+        // The slope of k/b (e^{bx} - 1) at the force f is k + b f.
+        const auto slopeAtCap = [&](const simulation::ObjectAttributes& a) {
             return a.stiffness_N_per_m * (1.0 + a.recoveryShare) + a.stiffening_per_m * m_p.maximumForce_N;
         };
         const double stiffness = slopeAtCap(m_p.object) + slopeAtCap(m_p.bed) + m_p.object.bristleStiffness_N_per_m +
                                  m_p.bed.bristleStiffness_N_per_m;
         constexpr double kT = core::kTickSeconds;
-        // Semi-implicit Euler is stable to 4 m / T²; at a quarter of it an oscillation has six ticks a period.
+        // Semi-implicit Euler is stable up to 4 m / T²; at a quarter of it an oscillation has six ticks per
+        // period.
         if (lightest > 0.0 && stiffness * kT * kT > lightest)
             addBelow("object", "stiffness_N_per_m", QString::number(m_p.object.stiffness_N_per_m),
                      QStringLiteral("less: all stiffnesses at the lightest object, %1, add up to at most %2 N/m (here %3)")
@@ -115,7 +118,8 @@ public:
     void organ() const {
         if (!m_p.organBed)
             return;
-        // The next question waits for the answer: a longer latency would make the organ's own time run slow.
+        // A question to the organ model waits for the previous answer, so a longer latency would slow down
+        // the organ's own time.
         const auto period = static_cast<int>(simulation::SoftBed::period_ticks(m_p));
         if (m_p.bedLatency_ticks > period)
             add("bed_latency_ticks", QString::number(m_p.bedLatency_ticks),

@@ -18,7 +18,7 @@ using Parameters = simulation::ObjectHandlingParameters;
 struct Number {
     const char* name;
     double Parameters::*member;
-    double perUnit; ///< content's units in one SI unit
+    double perUnit; ///< content units per SI unit
 };
 
 struct Whole {

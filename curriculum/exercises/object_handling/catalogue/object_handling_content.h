@@ -5,11 +5,14 @@
 
 namespace chiron::catalogue {
 
-/// simulation::ObjectHandlingParameters from content/schema/object_handling_parameters.json's keys (mm, g there, m, kg here).
+/// Reads simulation::ObjectHandlingParameters from the keys of
+/// content/schema/object_handling_parameters.json.
+/// Unit: mm and g in the JSON; m and kg in the result.
 ExerciseParameters readObjectHandling(const ObjectReader& parameters, const std::vector<std::string>& cues);
 
-/// What no single key's range can say: low ≤ high; objects that have weight, can be held within the squeeze limit, fit between
-/// the jaws and on the bed; steps that a tick of 1 ms carries; a heaviest object that there can be.
+/// Checks what the range of a single key cannot express: low ≤ high; objects that have weight, can be held
+/// within the squeeze limit, and fit between the jaws and on the bed; dynamics that are stable with a tick of
+/// 1 ms; and a heaviest object that can exist.
 void checkObjectHandling(const ExerciseParameters& parameters, const QString& path, Problems& problems);
 
 } // namespace chiron::catalogue

@@ -76,7 +76,7 @@ Measurement measureWeighingCorrect(std::span<const PreparedTrial> trials) {
     return Measurement::of(100.0 * static_cast<double>(correct) / static_cast<double>(trials.size()));
 }
 
-/// Who chooses one of n objects without lifting any is right once in n times.
+/// A person who chooses one of n objects without lifting any is right with a probability of 1/n.
 Measurement measureWeighingCorrectByChance(std::span<const PreparedTrial> trials) {
     if (trials.empty())
         return Measurement::undefined(UndefinedReason::noTrials);

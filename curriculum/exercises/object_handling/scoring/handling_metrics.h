@@ -7,7 +7,7 @@
 
 namespace chiron::scoring {
 
-/// The rows of what is measured of this exercise alone.
+/// Returns the rows of the metrics that only this exercise has.
 std::vector<MetricDefinition> handlingMetrics();
 
 } // namespace chiron::scoring

@@ -17,11 +17,13 @@ namespace chiron::scoring {
 /// An object at the end of a trial.
 struct PlacedObject {
     int number = 0;
-    double fromTarget_m = std::numeric_limits<double>::infinity(); ///< seen from above, from the target's middle
-    bool taken = true; ///< false: nothing was ever held, and it is only the nearest
+    /// Horizontal distance from the target's centre.
+    double fromTarget_m = std::numeric_limits<double>::infinity();
+    bool taken = true; ///< false: no object was ever held, and this one is only the nearest
 };
 
-/// How far object `number` lies from the target at the trial's last sample; none where the trace does not say.
+/// Returns how far object `number` lies from the target at the trial's last sample, or none if the trace does
+/// not record it.
 inline std::optional<double> fromTarget_m(const PreparedTrial& trial, int number) {
     const auto x_m = truthOf(trial, "target_x_m");
     const auto y_m = truthOf(trial, "target_y_m");
@@ -33,14 +35,15 @@ inline std::optional<double> fromTarget_m(const PreparedTrial& trial, int number
     return std::hypot(bodyX->values.back() - *x_m, bodyY->values.back() - *y_m);
 }
 
-/// The object that was held last in the trial (recorded `held`: its number + 1), or none.
+/// Returns the object that was held last in the trial (recorded `held`: its number + 1), or none.
 inline std::optional<int> lastHeld(const QuantityTrace& held) {
     const auto last = std::find_if(held.values.rbegin(), held.values.rend(), [](double value) { return value > 0.5; });
     return last == held.values.rend() ? std::nullopt : std::optional(static_cast<int>(std::lround(*last)) - 1);
 }
 
-/// The trial's answer: the object that was held last, not one that happens to lie nearer. Where nothing was ever held, the one
-/// nearest to the target. None where the trace does not say.
+/// Returns the trial's answer: the object that was held last, even if another happens to lie nearer to the
+/// target. If no object was ever held, it is the object nearest to the target. Returns none if the trace does
+/// not record it.
 inline std::optional<PlacedObject> answerOf(const PreparedTrial& trial) {
     const auto objects = truthOf(trial, "objects");
     const QuantityTrace* held = quantityOf(trial, "held");

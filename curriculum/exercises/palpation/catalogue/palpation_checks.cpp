@@ -20,12 +20,13 @@ using simulation::LumpKind;
 QString mm(double length_m) { return QString::number(core::mmFromM(length_m), 'g', 4) + QStringLiteral(" mm"); }
 QString newtons(double force_N) { return QString::number(force_N, 'g', 4) + QStringLiteral(" N"); }
 
-/// Adds problems at keys of one level's parameters.
+/// Adds problems at the keys of one level's parameters.
 class Checks {
 public:
     Checks(const Parameters& p, const QString& path, Problems& problems)
         : m_p(p), m_path(path), m_problems(problems) {
-        // The softest place sets how deep the force cap lets a finger come; where regions overlap, their gains add.
+        // The softest point determines how deep the force cap lets a finger sink in. Where regions overlap,
+        // their gains add up.
         for (const simulation::StiffRegion& region : p.tissue.regions)
             m_softest += std::min(0.0, region.gain);
         const double stiffness_N_per_m = simulation::TissueContact(p.tissue).normalStiffness_N_per_m() * m_softest;
@@ -52,7 +53,7 @@ public:
             add("yield_force_N", newtons(m_p.yield.force_N),
                 QStringLiteral("more than maximum_force_N and at most three times that, %1 to %2")
                     .arg(newtons(m_p.maximumForce_N), newtons(3.0 * m_p.maximumForce_N)));
-        if (m_p.coverForce_N > m_p.bandLow_N) // the map's bands, too, need ascending edges
+        if (m_p.coverForce_N > m_p.bandLow_N) // the map's bands need ascending edges, too
             add("cover_force_N", newtons(m_p.coverForce_N),
                 QStringLiteral("at most band_low_N, %1: pressing as asked must count as searching").arg(newtons(m_p.bandLow_N)));
     }
@@ -81,7 +82,7 @@ public:
     }
 
     void surface() const {
-        if (m_softest <= 0.0) // told by regions()
+        if (m_softest <= 0.0) // reported by regions()
             return;
         const double unique_m = simulation::TissueSurface(m_p.tissue.shape).deepestUnique_m();
         if (unique_m <= m_deepest_m)
@@ -90,9 +91,9 @@ public:
     }
 
 private:
-    /// Where the law of models.md §3 is valid: R ≤ 0.75 h, a ≤ h/2, λ d ≤ (h − R)/2.
+    /// Checks the validity of the law of models.md §3: R ≤ 0.75 h, a ≤ h/2, λ d ≤ (h − R)/2.
     void lump(const LumpKind& kind, const QString& path) const {
-        const double h_m = kind.depth_m - m_p.depthSpread_m; // the shallowest that is drawn
+        const double h_m = kind.depth_m - m_p.depthSpread_m; // the shallowest depth that can be drawn
         const auto refuse = [&](const char* key, double found_m, const QString& expected) {
             m_problems.push_back({memberPath(path, key), mm(found_m), expected});
         };
@@ -121,7 +122,7 @@ private:
     const Parameters& m_p;
     const QString& m_path;
     Problems& m_problems;
-    double m_softest = 1.0; ///< of the tissue's stiffness
+    double m_softest = 1.0; ///< as a factor of the tissue's stiffness
     double m_deepest_m = 0.0;
 };
 

@@ -19,7 +19,7 @@ constexpr double kMm = 1e3;
 struct Number {
     const char* name;
     double Parameters::*member;
-    double perUnit; ///< content's units in one SI unit
+    double perUnit; ///< content units per SI unit
 };
 
 struct Whole {
@@ -120,7 +120,7 @@ ExerciseParameters readPalpation(const ObjectReader& parameters, const std::vect
     for (const Number& key : kNumbers)
         take(parameters, key.name, p.*key.member, key.perUnit);
     if (parameters.has("yield_force_N"))
-        if (const double yields_N = parameters.number("yield_force_N"); yields_N > 0.0) // 0: never
+        if (const double yields_N = parameters.number("yield_force_N"); yields_N > 0.0) // 0: never yields
             p.yield.force_N = yields_N;
     take(parameters, "yield_fall_ms", p.yield.fall_s, 1e3);
     for (const Whole& key : kWholes)

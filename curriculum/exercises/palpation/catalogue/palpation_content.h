@@ -5,12 +5,14 @@
 
 namespace chiron::catalogue {
 
-/// simulation::PalpationParameters from content/schema/palpation_parameters.json's keys (mm there, m here).
+/// Reads simulation::PalpationParameters from the keys of content/schema/palpation_parameters.json.
+/// Unit: mm in the JSON; m in the result.
 ExerciseParameters readPalpation(const ObjectReader& parameters, const std::vector<std::string>& cues);
 
-/// What no single key's range can say: low ≤ high; catch trials and others; lumps for which the law of models.md §3 is valid and
-/// that fit into regions of their own; a tissue whose nearest point is one as deep as the force cap lets a finger come; at most
-/// four fingers; a move of the lumps after which they are still in the area.
+/// Checks what the range of a single key cannot express: low ≤ high; catch trials as well as others; lumps
+/// for which the law of models.md §3 is valid and that fit into regions of their own; a tissue whose nearest
+/// surface point is unique down to the depth that the force cap allows a finger; at most four fingers; and a
+/// move of the lumps that keeps them in the area.
 void checkPalpation(const ExerciseParameters& parameters, const QString& path, Problems& problems);
 
 } // namespace chiron::catalogue

@@ -8,7 +8,7 @@ namespace chiron::scoring {
 
 namespace {
 
-/// Column or row of a coordinate, none outside |offset| ≤ half.
+/// Returns the column or row of a coordinate; none outside |offset| ≤ half.
 int cellAt(double offset_m, double half_m, int count) noexcept {
     if (!(std::abs(offset_m) <= half_m))
         return FindingMatch::kNone;
@@ -36,7 +36,7 @@ std::vector<DetectionRegion> regionsOf(const PalpationTruth& truth, const simula
             continue;
         DetectionRegion& region = regions[static_cast<std::size_t>(number)];
         if (region.signal != match.hit())
-            continue; // a false alarm beside a lump
+            continue; // a false alarm in a region with a lump
         region.reported = true;
         region.confidence =
             std::max(region.confidence, static_cast<int>(findings.list()[static_cast<std::size_t>(match.finding)].confidence));

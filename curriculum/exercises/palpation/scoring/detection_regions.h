@@ -10,21 +10,26 @@
 
 namespace chiron::scoring {
 
-/// One region of the search area as a unit of detection: was a lump there, was one reported, and how surely.
+/// One region of the search area as a unit of detection: whether it had a lump, whether one was reported, and
+/// with which confidence.
 struct DetectionRegion {
-    static constexpr int kSilent = -1; ///< confidence of a region that nothing was reported of
+    static constexpr int kSilent = -1; ///< confidence of a region without a report
 
-    bool signal = false;   ///< the place of a lump lies in it
-    bool reported = false; ///< signal: one of its lumps was found; noise: a false alarm lies in it
-    int confidence = kSilent; ///< the highest of what was reported of it, 1..5; 0: reported, but nobody said how surely
+    bool signal = false;   ///< a lump's position lies in it
+    /// For a signal region: one of its lumps was found. For a noise region: a false alarm lies in it.
+    bool reported = false;
+    /// Highest confidence among its reports, 1..5; 0: reported, but without a confidence.
+    int confidence = kSilent;
 };
 
-/// Number of the region in which a place lies, row by row from (−x, −y); a place on the border of two belongs to the one further
-/// along +x or +y, the area's own far edges to the last ones. FindingMatch::kNone outside the search area.
+/// Returns the number of the region in which a position lies, counted row by row from (−x, −y). A position on
+/// the border of two regions belongs to the one further along +x or +y; the area's own far edges belong to
+/// the last regions. Returns FindingMatch::kNone outside the search area.
 int regionAt(const PalpationTruth& truth, const core::Vec3& place_W) noexcept;
 
-/// All regions of a trial. A finding that found a lump counts for the lump's region, wherever it lies itself; a false alarm for the
-/// lump-free region in which it lies: in a lump's region or outside the area it is none of any region's.
+/// Returns all regions of a trial. A finding that found a lump counts for the lump's region, wherever the
+/// finding itself lies. A false alarm counts for the lump-free region in which it lies; in a lump's region or
+/// outside the area it counts for none.
 std::vector<DetectionRegion> regionsOf(const PalpationTruth& truth, const simulation::FindingsBook& findings,
                                        const std::vector<FindingMatch>& matches);
 

@@ -8,32 +8,32 @@
 
 namespace chiron::scoring {
 
-/// What a sum of errors is made of: adds up over trials.
+/// A sum of errors and their number, which can be added up over trials.
 struct ErrorSum {
     double sum = 0.0;
     int count = 0;
 };
 
-/// Distances of hits from their lumps' places, m.
+/// Distances of the hits from the positions of their lumps, m.
 ErrorSum localisationErrors(const std::vector<FindingMatch>& matches);
-/// |reported − true radius| of hits whose size was said, m.
+/// Errors |reported − true radius| of the hits for which a size was reported, m.
 ErrorSum sizeErrors(const PalpationTruth& truth, const simulation::FindingsBook& findings, const std::vector<FindingMatch>& matches);
 
-/// The true radii of the hits whose size was said, m.
+/// True radii of the hits for which a size was reported, m.
 std::vector<double> saidSizes(const PalpationTruth& truth, const simulation::FindingsBook& findings, const std::vector<FindingMatch>& matches);
 
-/// True and said hardness of the hits that were rated, 1..5.
+/// True and reported hardness of the hits that were rated, 1..5.
 std::vector<std::pair<int, int>> ratedHits(const PalpationTruth& truth, const simulation::FindingsBook& findings, const std::vector<FindingMatch>& matches);
 
-/// Pairs of lumps of different hardness that were found and rated.
+/// Counts of pairs of lumps of different hardness that were both found and rated.
 struct HardnessPairs {
-    int right = 0; ///< the harder one was called harder; alike is not right
+    int right = 0; ///< the harder one was rated harder; equal ratings are not right
     int pairs = 0;
     int rated = 0; ///< found lumps with a rating
     double rightByChance = 0.0; ///< share of pairs right if the same ratings were given in random order, 0..1/2
 };
 HardnessPairs hardnessPairs(const std::vector<std::pair<int, int>>& rated);
-/// Of one trial.
+/// The same for one trial.
 HardnessPairs hardnessPairs(const PalpationTruth& truth, const simulation::FindingsBook& findings,
                             const std::vector<FindingMatch>& matches);
 

@@ -13,7 +13,7 @@ namespace {
 
 struct Pair {
     double distance_m = 0.0;
-    std::size_t match = 0; ///< in the order of findings
+    std::size_t match = 0; ///< index of the match, in the order of findings
     int lump = 0;
 };
 

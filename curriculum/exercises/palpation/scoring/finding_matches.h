@@ -8,25 +8,28 @@
 
 namespace chiron::scoring {
 
-/// What became of a finding.
+/// The judgement of one finding.
 struct FindingMatch {
     static constexpr int kNone = -1;
 
-    int finding = 0;        ///< its number in the book
+    int finding = 0;        ///< its index in the FindingsBook
     int lump = kNone;       ///< the lump it found; kNone: a false alarm
-    double distance_m = 0.0; ///< to that lump's place, or to the nearest lump's; infinite where there is none
-    int region = kNone;     ///< in which it lies (regionAt); kNone: outside the search area
+    double distance_m = 0.0; ///< to that lump's position, or to the nearest lump's; infinite if there is no
+                             ///< lump
+    int region = kNone;     ///< region in which it lies (regionAt); kNone: outside the search area
 
     bool hit() const noexcept { return lump != kNone; }
 };
 
-/// Which finding found which lump: among all pairs of a finding and a lump within reach, the nearest pair first, each finding and
-/// each lump once. Reach is the hit radius, or the lump's own radius where that is larger; distance is the straight line between the
-/// two places on the surface (within 12 mm and radii of curvature from 30 mm on at most 0.7 % shorter than along it). One match a
-/// finding, in the order of their numbers. Pairs at the same distance: lower finding, then lower lump.
+/// Returns which finding found which lump. Among all pairs of a finding and a lump within reach, the nearest
+/// pair is matched first, and each finding and each lump is matched once. The reach is the hit radius, or the
+/// lump's own radius if that is larger. The distance is the straight line between the two points on the
+/// surface (within 12 mm, and for radii of curvature of at least 30 mm, at most 0.7 % shorter than along the
+/// surface). The result has one match per finding, in the order of their numbers. Of pairs at the same
+/// distance the lower finding comes first, then the lower lump.
 std::vector<FindingMatch> matchesOf(const simulation::FindingsBook& findings, const PalpationTruth& truth);
 
-/// The match of the finding that found this lump, or null: missed.
+/// Returns the match of the finding that found this lump, or null if the lump was missed.
 const FindingMatch* foundBy(const std::vector<FindingMatch>& matches, int lump) noexcept;
 
 core::Vec3 placeOf(const simulation::Finding& finding) noexcept; ///< W, m

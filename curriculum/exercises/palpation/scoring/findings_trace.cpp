@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kColumns{"report_count", "report_field", "report_finding", "report_value",
                                                    "finding_x_m",  "finding_y_m",  "finding_z_m"};
-constexpr double kMostCounted = 1e6; ///< no trial has so many reports
+constexpr double kMostCounted = 1e6; ///< no trial has this many reports
 
 using Columns = std::array<const std::vector<double>*, kColumns.size()>;
 
@@ -29,7 +29,7 @@ std::optional<Columns> columnsOf(const TrialTrace& trial) {
     return columns;
 }
 
-/// A whole number in [low, high]; a trace file may say any.
+/// Rounds to a whole number in [low, high]; none outside, because a trace file may contain any number.
 std::optional<int> whole(double value, int low, int high) {
     const double rounded = std::round(value);
     return rounded >= low && rounded <= high ? std::optional(static_cast<int>(rounded)) : std::nullopt;
@@ -87,7 +87,8 @@ std::optional<ReportsOfTrial> reportsOf(const TrialTrace& trial) {
         if (!(count > counted) || count > kMostCounted)
             continue;
         const auto report = reportAt(*columns, i, trial.tools.front().t_s[i]);
-        out.lost += static_cast<int>(count - counted) - (report ? 1 : 0); // only the last of several is told
+        // Of several reports only the last is recorded.
+        out.lost += static_cast<int>(count - counted) - (report ? 1 : 0);
         if (report)
             out.reports.push_back(*report);
         counted = count;

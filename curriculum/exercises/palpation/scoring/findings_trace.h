@@ -12,26 +12,27 @@
 
 namespace chiron::scoring {
 
-/// One report as a recording tells it.
+/// One report as it is recorded.
 struct TimedReport {
-    double t_s = 0.0; ///< of the trace
+    double t_s = 0.0; ///< time of the trace
     core::ReportField field = core::ReportField::found;
-    int finding = simulation::FindingsBook::kNone; ///< which it was about
-    unsigned value = 0;                      ///< as in the report word
+    int finding = simulation::FindingsBook::kNone; ///< the finding that it is about
+    unsigned value = 0;                      ///< as encoded in the report word
     core::Vec3 place_W = core::Vec3::Zero(); ///< of the finding, on the surface, m
 };
 
 struct ReportsOfTrial {
     std::vector<TimedReport> reports; ///< in the order in which they were made
-    int lost = 0;                     ///< made, but the trace does not tell what they said
+    int lost = 0;                     ///< reports that were made but whose content the trace does not record
 };
 
-/// What was reported in a trial, from its recorded quantities (modules/exercises/palpation/simulation/palpation_quantities.h): a report each
-/// time `report_count` rises, in pauses too. Nothing where the trace has no such quantities. A report that makes no sense (a field
-/// or finding that there is not) counts as lost.
+/// Reads what was reported in a trial from its recorded quantities
+/// (modules/exercises/palpation/simulation/palpation_quantities.h): one report each time `report_count`
+/// rises, also in pauses. Returns none if the trace has no such quantities. A report that makes no sense (an
+/// unknown field or finding) counts as lost.
 std::optional<ReportsOfTrial> reportsOf(const TrialTrace& trial);
 
-/// The book after the reports until `until_s` (included).
+/// Returns the list of findings after all reports up to and including `until_s`.
 simulation::FindingsBook findingsAfter(std::span<const TimedReport> reports,
                                  double until_s = std::numeric_limits<double>::infinity());
 

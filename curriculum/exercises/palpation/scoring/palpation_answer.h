@@ -12,12 +12,12 @@
 
 namespace chiron::scoring {
 
-/// One trial of a palpation, judged: what was there, what was reported, and what became of each finding. The one judgement behind
-/// metrics, debrief, report and ROC.
+/// One judged palpation trial: which lumps there were, what was reported, and how each finding was judged.
+/// Metrics, debrief, report and ROC all use this one judgement.
 struct PalpationAnswer {
     PalpationTruth truth;
     std::vector<TimedReport> reports;
-    simulation::FindingsBook findings; ///< at the trial's end: what was taken back is not in it
+    simulation::FindingsBook findings; ///< at the trial's end, without findings that were taken back
     std::vector<FindingMatch> matches;
     std::vector<DetectionRegion> regions;
 
@@ -29,10 +29,10 @@ struct PalpationAnswer {
 /// A trial's answer, or the reason why there is none.
 struct JudgedTrial {
     std::optional<PalpationAnswer> answer;
-    UndefinedReason reason = UndefinedReason::noTrials; ///< where there is none
+    UndefinedReason reason = UndefinedReason::noTrials; ///< valid if there is no answer
 };
 
-/// A trial that time ended is judged by what had been reported.
+/// Judges a trial. A trial that ended because its time was up is judged by what had been reported until then.
 JudgedTrial judgePalpation(const TrialTrace& trial);
 
 } // namespace chiron::scoring

@@ -26,7 +26,8 @@ Measurement measureLocalisationError(std::span<const PreparedTrial> trials) {
     return all.count > 0 ? Measurement::of(1e3 * all.sum / all.count) : Measurement::undefined(UndefinedReason::noLumpFound);
 }
 
-/// A place drawn at random from a disc of radius r lies 2r/3 from its middle on average, and a finding farther off is no hit.
+/// A position drawn at random from a disc of radius r is on average 2r/3 from its centre, and a finding
+/// farther away than r is not a hit.
 Measurement measureLocalisationErrorByChance(std::span<const PreparedTrial> trials) {
     const auto [answers, undefined] = judged(trials);
     if (undefined)
@@ -59,7 +60,7 @@ Measurement measureSizeError(std::span<const PreparedTrial> trials) {
     return Measurement::undefined(asked ? UndefinedReason::noSizeSaid : UndefinedReason::noSizeAsked);
 }
 
-/// The median of the true radii is the answer that is best if it is always the same.
+/// The median of the true radii is the best constant answer.
 Measurement measureSizeErrorByChance(std::span<const PreparedTrial> trials) {
     const auto [answers, undefined] = judged(trials);
     if (undefined)
@@ -77,7 +78,8 @@ Measurement measureSizeErrorByChance(std::span<const PreparedTrial> trials) {
     return Measurement::of(1e3 * sum_m / static_cast<double>(radii_m.size()));
 }
 
-/// Of all lumps that were there: of a few that were found, the best answer in hindsight errs by nothing and says nothing.
+/// Uses all lumps that were present. If only a few were found, the best constant answer in hindsight has
+/// almost no error and is no baseline.
 Measurement measureSizeErrorByChance2(std::span<const PreparedTrial> trials) {
     const auto [answers, undefined] = judged(trials);
     if (undefined)
@@ -121,7 +123,7 @@ Measurement measureHardnessOrder(std::span<const PreparedTrial> trials) {
                                                 : UndefinedReason::equallyHard);
 }
 
-/// All rated hits of the session: they were rated on one scale.
+/// Pools all rated hits of the session, because they were rated on one scale.
 Measurement measureHardnessOrder2(std::span<const PreparedTrial> trials) {
     const auto [answers, undefined] = judged(trials);
     if (undefined)
@@ -207,7 +209,7 @@ std::vector<MetricDefinition> palpationFindingsMetrics() {
               .definition = "Share of the pairs of lumps found in one trial whose harder one was called harder; pairs truly alike are left out, "
                             "called alike is not right; all trials pooled.",
               .source = "models.md §6 (hardness-rank correctness); our definition",
-              .chance = {.value = 50.0}, // of two lumps, the harder one is named by luck half of the time
+              .chance = {.value = 50.0}, // of two lumps, a guess names the harder one half of the time
               .measure = measureHardnessOrder});
     rows.next({.definition = "Share of the pairs of lumps found in the session whose harder one was called harder, on one scale from 1 to 5; pairs "
                              "truly alike are left out, called alike is not right.",

@@ -14,7 +14,8 @@
 
 namespace chiron::scoring {
 
-/// All trials judged, or why a session's value would silently leave one out.
+/// The judgements of all trials, or the reason why there is no value. One trial without a judgement makes the
+/// whole value undefined, because a session's value must not silently leave a trial out.
 struct JudgedTrials {
     std::vector<PalpationAnswer> answers;
     std::optional<Measurement> undefined;
@@ -35,7 +36,8 @@ inline JudgedTrials judged(std::span<const PreparedTrial> trials) {
     return out;
 }
 
-/// Whether any finger pressed harder than the limit within reach of the lump's place, seen from above, or had broken tissue there.
+/// Returns whether any finger pressed harder than the limit within reach of the lump's position (horizontal
+/// distance), or broke tissue there.
 inline bool isForced(const PreparedTrial& trial, const PalpationTruth& truth, const LumpTruth& lump) {
     const double reach_m = std::max(truth.hitRadius_m, lump.radius_m);
     for (const ToolTrace& tool : trial.trial->tools)
@@ -48,8 +50,9 @@ inline bool isForced(const PreparedTrial& trial, const PalpationTruth& truth, co
     return false;
 }
 
-/// As judged(), but a lump that was pressed harder than the limit is not found, whatever was said of it: in a patient that pain is the
-/// end of the examination, and a lump that is felt by crushing it says nothing of the touch. Findings of it are in no region.
+/// Returns the same as judged(), except that a lump that was pressed harder than the limit counts as not
+/// found, whatever was reported about it. In a patient the pain ends the examination, and a lump that is felt
+/// by crushing it says nothing about the sense of touch. Findings of such a lump count for no region.
 inline JudgedTrials judgedSafely(std::span<const PreparedTrial> trials) {
     JudgedTrials out = judged(trials);
     for (std::size_t t = 0; t < out.answers.size(); ++t) {
@@ -73,7 +76,7 @@ inline int lumpsOf(const std::vector<PalpationAnswer>& answers) {
     return lumps;
 }
 
-/// Regions of all trials, pooled; those of an introduction are left out.
+/// Returns the counts of the regions of all trials, pooled. Introduction trials are left out.
 inline core::DetectionCounts countsOf(const std::vector<PalpationAnswer>& answers) {
     core::DetectionCounts counts;
     for (const PalpationAnswer& answer : answers)
@@ -82,12 +85,12 @@ inline core::DetectionCounts countsOf(const std::vector<PalpationAnswer>& answer
     return counts;
 }
 
-/// Why d′, c and the ROC's area of so few regions would say nothing.
+/// Returns the reason why d′, c and the area under the ROC would be meaningless for so few regions.
 inline Measurement tooFewRegions(const core::DetectionCounts& n) {
     return Measurement::undefined(UndefinedReason::tooFewRegions, {static_cast<int>(n.ofSignal), static_cast<int>(n.ofNoise), core::kUsableCounts});
 }
 
-/// `measure` of the regions of all trials, once there are enough of them.
+/// Returns `measure` of the regions of all trials if there are enough of them.
 template <class Measure> Measurement ofRegions(const JudgedTrials& trials, Measure&& measure) {
     const auto& [answers, undefined] = trials;
     if (undefined)
@@ -96,8 +99,8 @@ template <class Measure> Measurement ofRegions(const JudgedTrials& trials, Measu
     return core::isUsable(counts) ? Measurement::of(measure(counts)) : tooFewRegions(counts);
 }
 
-/// Calls visit(force on the tissue in N, beginning in s, end in s) for each unpaused sample of each finger that presses (over
-/// 0.02 N); a sample's force holds until that finger's next one.
+/// Calls visit(force on the tissue in N, start in s, end in s) for each unpaused sample of each finger that
+/// presses (more than 0.02 N). The force of a sample holds until the next sample of the same finger.
 template <class Visit> void forEachPress(const PreparedTrial& trial, Visit&& visit) {
     for (const ToolTrace& tool : trial.trial->tools)
         for (std::size_t i = 0; i + 1 < tool.t_s.size(); ++i)

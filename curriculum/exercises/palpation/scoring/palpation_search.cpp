@@ -44,7 +44,7 @@ Measurement measureForceBandTime(std::span<const PreparedTrial> trials) {
     return pressing_s > 0.0 ? Measurement::of(100.0 * inBand_s / pressing_s) : Measurement::undefined(UndefinedReason::nothingPressed);
 }
 
-/// Length of the union of all fingers' presses: two that press at once count once.
+/// Length of the union of all fingers' presses: simultaneous presses count once.
 double pressed_s(const PreparedTrial& trial) {
     std::vector<std::pair<double, double>> spans;
     forEachPress(trial, [&](double, double begin_s, double end_s) {

@@ -11,9 +11,9 @@ namespace chiron::scoring {
 
 namespace {
 
-constexpr int kMostRegions = 64; ///< a side
+constexpr int kMostRegions = 64; ///< per side
 
-/// Reads named values; remembers whether one lacked or could not be.
+/// Reads named values, and remembers whether one was missing or impossible.
 class TruthReader {
 public:
     explicit TruthReader(std::span<const NamedValue> truth) : m_truth(truth) {}
@@ -36,7 +36,7 @@ public:
         m_whole = m_whole && value >= least;
         return value;
     }
-    /// A trace file may say any number: checked while it is still one.
+    /// A trace file may contain any number, so the value is checked before it is converted to an integer.
     int count(std::string_view id, int least, int most) {
         const double value = std::round(number(id));
         m_whole = m_whole && value >= least && value <= most;

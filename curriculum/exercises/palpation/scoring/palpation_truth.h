@@ -11,15 +11,16 @@
 
 namespace chiron::scoring {
 
-/// A lump that was there. W, m.
+/// A lump that was present. W, m.
 struct LumpTruth {
     core::Vec3 place_W = core::Vec3::Zero(); ///< the surface point above it
     double depth_m = 0.0;                    ///< of its centre
     double radius_m = 0.0;
-    int hardness = 0; ///< what a person should call it, 1..5; 0: not told
+    int hardness = 0; ///< correct answer, 1..5; 0: not recorded
 };
 
-/// What is true of one trial of a palpation (TrialTrace::truth). Area and regions: |x| ≤ half.x, |y| ≤ half.y round W's origin.
+/// The truth of one palpation trial (TrialTrace::truth). Area and regions: |x| ≤ half.x, |y| ≤ half.y around
+/// W's origin.
 struct PalpationTruth {
     std::vector<LumpTruth> lumps; ///< at most simulation::kMaxShownLumps
     core::Vec2 areaHalf_m{0.04, 0.04};
@@ -29,12 +30,14 @@ struct PalpationTruth {
     double bandLow_N = 0.0; ///< high ≤ low: the trace has no band
     double bandHigh_N = 0.0;
     double coverForce_N = 0.0;
-    bool introduction = false; ///< had a lump because the level says so, and is left out of d′, c and the ROC
+    bool introduction = false; ///< has a lump because the level prescribes it, and is left out of d′, c and
+                               ///< the ROC
     bool asksSize = false;
     bool asksHardness = false;
 };
 
-/// Nothing where the trace does not say it all (band, cover force and what is asked may lack), or says what cannot be.
+/// Returns none if the trace does not record all of it (the band, the cover force and the questions asked may
+/// be missing) or records impossible values.
 std::optional<PalpationTruth> palpationTruthOf(std::span<const NamedValue> truth);
 
 } // namespace chiron::scoring

@@ -27,9 +27,9 @@ double trapezoids(const std::vector<RocPoint>& points) {
 
 bool isInside(double rate) { return rate > 0.0 && rate < 1.0; }
 
-/// Slope and d_a from the points that have finite z on both axes.
+/// Fits slope and d_a to the points that have finite z on both axes.
 void fitLine(RocCurve& curve) {
-    std::vector<std::pair<double, double>> z; // of F and H
+    std::vector<std::pair<double, double>> z; // pairs of z(F) and z(H)
     for (const RocPoint& point : curve.points)
         if (isInside(point.falseAlarmRate) && isInside(point.hitRate))
             z.emplace_back(core::normalQuantile(point.falseAlarmRate), core::normalQuantile(point.hitRate));

@@ -11,8 +11,8 @@
 
 namespace chiron::scoring {
 
-/// How often each answer was given, from the surest yes to no: [0] confidence 5 … [4] confidence 1, [5] yes without saying how
-/// surely, [6] no. Adds up over trials and sessions.
+/// Counts of each answer, from the most confident yes to no: [0] confidence 5 … [4] confidence 1, [5] yes
+/// without a confidence, [6] no. Counts can be added up over trials and sessions.
 struct RatingCounts {
     static constexpr std::size_t kAnswers = 7;
     std::array<int, kAnswers> ofSignal{};
@@ -20,10 +20,10 @@ struct RatingCounts {
 
     void add(std::span<const DetectionRegion> regions) noexcept;
     RatingCounts& operator+=(const RatingCounts& other) noexcept;
-    core::DetectionCounts counts() const noexcept; ///< yes, however surely
+    core::DetectionCounts counts() const noexcept; ///< yes with any confidence
 };
 
-/// Rates of answering at least so surely.
+/// Rates of answering with at least this confidence.
 struct RocPoint {
     double falseAlarmRate = 0.0;
     double hitRate = 0.0;
@@ -33,15 +33,16 @@ struct RocPoint {
 /// Receiver operating characteristic from ratings (Macmillan & Creelman 2005, ch. 3).
 struct RocCurve {
     std::vector<RocPoint> points; ///< from strict (0, 0) to lax (1, 1), both included; as observed, uncorrected
-    double area = 0.5;            ///< under the straight lines between them: 0.5 says nothing, 1 is perfect
-    /// Sensitivity of unequal variances, d_a = √(2/(1+s²)) (z(H) − s z(F)) (eq. 3.5), at the middle of the points in z coordinates;
-    /// s, their slope, is the ratio of the spreads of z(H) and z(F) (reduced major axis: neither is free of error). Absent with
-    /// fewer than two different points that are neither 0 nor 1 on both axes.
+    double area = 0.5;            ///< trapezoidal area below the points: 0.5 is chance, 1 is perfect
+    /// Sensitivity for unequal variances, d_a = √(2/(1+s²)) (z(H) − s z(F)) (eq. 3.5), at the centroid of the
+    /// points in z coordinates. Their slope s is the ratio of the spreads of z(H) and z(F) (reduced major
+    /// axis, because neither is free of error). Absent if fewer than two different points lie strictly
+    /// between 0 and 1 on both axes.
     std::optional<double> dA;
     std::optional<double> slope;
 };
 
-/// Nothing where there is no signal or no noise: a rate of none is no rate.
+/// Returns none if there is no signal or no noise, because a rate over no cases is undefined.
 std::optional<RocCurve> rocOf(const RatingCounts& ratings);
 
 } // namespace chiron::scoring

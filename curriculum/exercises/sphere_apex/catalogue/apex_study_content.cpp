@@ -15,8 +15,10 @@ namespace {
 
 using Parameters = simulation::SphereApexParameters;
 
-constexpr double kSmallestRadius_m = 0.005, kLargestRadius_m = 0.045; // leaves centres a disc of at least 20 mm
-constexpr double kNoLimit_s = 600.0;                                  ///< of a trial without one: nobody searches longer
+// Leaves the centres a disc of at least 20 mm.
+constexpr double kSmallestRadius_m = 0.005, kLargestRadius_m = 0.045;
+/// For a trial without a limit: nobody searches longer.
+constexpr double kNoLimit_s = 600.0;
 
 constexpr const char* kMetrics[] = {"apex_error_mean", "apex_error_sd", "apex_misses",  "apex_bias_x", "apex_bias_y",
                                     "time",            "path_length",   "sparc",        "force_max",   "force_mean",
@@ -40,7 +42,7 @@ bool take(Parameters& p, const std::string& name, double value) {
     return true;
 }
 
-/// Keys of content/schema/sphere_apex_parameters.json.
+/// Writes the keys of content/schema/sphere_apex_parameters.json.
 QJsonObject json(const Parameters& p) {
     constexpr double kMm = 1000.0;
     return {{"radius_mm", p.radius_m * kMm},
@@ -103,7 +105,7 @@ ExerciseLevel apexLevel(const Parameters& parameters, const std::string& study, 
                             {"gates", QJsonArray{}},
                             {"parameters", json(parameters)}};
     const QJsonObject exercise{{"id", "sphere_apex"}, {"version", 1}};
-    Problems problems; // none can come: all of it was written just now
+    Problems problems; // none can occur: all of it was written just now
     return levelFromResolved(resolvedDocument(exercise, level), problems);
 }
 

@@ -10,18 +10,22 @@
 
 namespace chiron::catalogue {
 
-/// The number of a study's level of "sphere_apex": none of the exercise's own, so that no list of a level's sessions holds one.
+/// The level number of "sphere_apex" that studies use. The exercise itself has no such level, so that no list
+/// of a level's sessions contains a study's sessions.
 inline constexpr int kApexStudyLevel = 1000;
-/// What a session holds at most, as the exercise does.
+/// Largest number of trials per session, as in the exercise.
 inline constexpr int kApexTrialsAtMost = 32;
 
-/// The hidden sphere of a condition: its reference is the radius, its fixed attributes are what it is made of; the place is drawn
-/// anew in each trial. Failure: badInput (another attribute; a radius that leaves no room for other places; a fixed key that a
-/// sphere does not have: it has stiffness_N_per_m, damping_Ns_per_m, friction, bristle_stiffness_N_per_m).
+/// Returns the hidden sphere of a condition: the condition's reference is the radius, and its fixed
+/// attributes are the material (stiffness_N_per_m, damping_Ns_per_m, friction, bristle_stiffness_N_per_m).
+/// The position is drawn anew in each trial.
+/// Errors: badInput for another attribute, a radius that leaves no room for other positions, or a fixed key
+/// that a sphere does not have.
 core::Result<simulation::SphereApexParameters> apexOf(const psychophysics::Condition& condition,
                                                       const psychophysics::TrialRules& trial, int trials);
 
-/// The level that a sitting of such a condition is recorded under: the exercise's metrics, no gates, no help.
+/// Returns the level under which a session of such a condition is recorded: with the exercise's metrics,
+/// without gates or help.
 ExerciseLevel apexLevel(const simulation::SphereApexParameters& parameters, const std::string& study, const std::string& condition);
 
 } // namespace chiron::catalogue

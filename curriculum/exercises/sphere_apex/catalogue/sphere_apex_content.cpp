@@ -18,7 +18,7 @@ using Parameters = simulation::SphereApexParameters;
 struct Key {
     const char* name;
     double Parameters::*member;
-    double perUnit; ///< content's units in one SI unit
+    double perUnit; ///< content units per SI unit
 };
 
 constexpr double kMm = 1000.0;
@@ -55,7 +55,7 @@ constexpr Key kKeys[] = {
     {"maximum_force_N", &Parameters::maximumForce_N, 1.0},
 };
 
-/// Whole numbers beside `trials`.
+/// Whole numbers, `trials` among them.
 constexpr struct {
     const char* name;
     int Parameters::*member;
@@ -86,7 +86,7 @@ void checkNone(double value, const char* key, const QString& path, Problems& pro
                             QStringLiteral("0: a surface of triangles has it from bumps and roughness instead")});
 }
 
-/// A mesh that can be made, fine enough to have a ball and coarse enough for its organ.
+/// Checks that the mesh can be made, is fine enough to have a ball, and is coarse enough for its organ model.
 void checkMesh(const Parameters& p, const QString& path, Problems& problems) {
     checkNone(p.dimpleDepth_m, "dimple_depth_mm", path, problems);
     checkNone(p.stiffnessVariation, "stiffness_variation", path, problems);
@@ -102,7 +102,8 @@ void checkMesh(const Parameters& p, const QString& path, Problems& problems) {
     if (p.surface == simulation::ApexSurface::organ && ball > kMost)
         problems.push_back({memberPath(path, "mesh_edge_mm"), mm(p.meshEdge_m),
                             QStringLiteral("so long that the ball has at most %1 vertices, not %2").arg(kMost).arg(ball)});
-    else if (const auto dome = simulation::TouchedDome::make(p, {}); !dome) // the real thing: surface, springs and clock
+    // Builds the real dome: surface, springs and clock.
+    else if (const auto dome = simulation::TouchedDome::make(p, {}); !dome)
         problems.push_back({memberPath(path, "surface"), QStringLiteral("a dome that cannot be made"),
                             QString::fromStdString(dome.error().message)});
 }
@@ -143,14 +144,16 @@ void checkSphereApex(const ExerciseParameters& parameters, const QString& path, 
     checkOrder(p.stiffnessLow_N_per_m, p.stiffnessHigh_N_per_m, path, "stiffness_low_N_per_m", problems);
     checkOrder(p.frictionLow, p.frictionHigh, path, "friction_low", problems);
     checkYield(p.yield, p.maximumForce_N, path, problems);
-    // models.md §2.3: all of the sphere inside the workspace; a micrometre for decimals that are no doubles.
+    // models.md §2.3: the whole sphere lies inside the workspace. One micrometre is allowed for decimals that
+    // have no exact double.
     if (p.centreDiscRadius_m + p.radius_m > p.workspaceRadius_m + 1e-6)
         problems.push_back({memberPath(path, "centre_disc_radius_mm"), mm(p.centreDiscRadius_m),
                             QStringLiteral("at most workspace_radius_mm - radius_mm = ") +
                                 mm(p.workspaceRadius_m - p.radius_m)});
     if (p.surface != simulation::ApexSurface::exact) {
         checkMesh(p, path, problems);
-        // The next question waits for the answer: a longer latency would make the organ's own time run slow.
+        // A question to the organ model waits for the previous answer, so a longer latency would slow down
+        // the organ's own time.
         if (p.surface == simulation::ApexSurface::organ && p.slowLatency_ms > p.slowPeriod_ms)
             problems.push_back({memberPath(path, "slow_latency_ms"), QString::number(p.slowLatency_ms),
                                 QStringLiteral("at most slow_period_ms = %1, so that a step of the organ lasts as long as it says")

@@ -5,12 +5,12 @@
 
 namespace chiron::catalogue {
 
-/// simulation::SphereApexParameters from content/schema/sphere_apex_parameters.json's keys (mm there, m
-/// here).
+/// Reads simulation::SphereApexParameters from the keys of content/schema/sphere_apex_parameters.json.
+/// Unit: mm in the JSON; m in the result.
 ExerciseParameters readSphereApex(const ObjectReader& parameters, const std::vector<std::string>& cues);
 
-/// low ≤ high; the sphere inside the workspace wherever its centre falls; a dimple on the ball that leaves
-/// the apex.
+/// Checks what the range of a single key cannot express: low ≤ high, a sphere that is inside the workspace
+/// wherever its centre falls, and a dimple on the ball that leaves the apex intact.
 void checkSphereApex(const ExerciseParameters& parameters, const QString& path, Problems& problems);
 
 } // namespace chiron::catalogue

@@ -12,7 +12,7 @@ namespace chiron::scoring {
 
 namespace {
 
-/// How far an answer is off on each axis, % of R.
+/// Absolute error of an answer on each axis, % of R.
 struct OffBy {
     double x = 0.0;
     double y = 0.0;
@@ -63,7 +63,7 @@ template <double ApexAnswer::*error> Measurement measureBias(std::span<const Pre
     return Measurement::of(sum / static_cast<double>(all.answers.size()));
 }
 
-/// The median of the true places is the answer that is best if it is always the same.
+/// The median of the true positions is the best constant answer.
 Measurement measureApexErrorMeanByChance(std::span<const PreparedTrial> trials) {
     if (trials.empty())
         return Measurement::undefined(UndefinedReason::noTrials);
@@ -134,7 +134,8 @@ std::vector<MetricDefinition> apexMetrics() {
               .definition = "Sample standard deviation (n - 1) of the absolute errors pooled over both axes and all trials.",
               .source = "models.md §2.3; P2, Preliminary Validation",
               .measure = measureErrorSd<asMarked>});
-    rows.next({.direction = Direction::neutral, // a hand that always misses by R has none
+    rows.next({.direction = Direction::neutral, // a person who always misses by R has a standard deviation of
+                                                // 0
                .definition = "Sample standard deviation (n - 1) of the absolute errors pooled over both axes and all trials; a miss counts as an "
                              "error of R at least.",
                .measure = measureErrorSd<missesCounted>});

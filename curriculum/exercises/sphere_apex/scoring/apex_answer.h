@@ -19,7 +19,8 @@ struct ApexAnswer {
     bool miss =
         false; ///< out of contact, farther than R from the apex (x, y), or no mark before the time was up
 
-    /// Absolute errors with a miss counted as an error of R at least: who marks without touching shows no place.
+    /// Absolute errors in which a miss counts as an error of at least R, because a mark made without touching
+    /// the sphere says nothing about where the apex was felt.
     double countedX_percent() const { return counted(errorX_percent); }
     double countedY_percent() const { return counted(errorY_percent); }
 
@@ -27,13 +28,13 @@ private:
     double counted(double error_percent) const { return miss ? std::max(100.0, std::abs(error_percent)) : std::abs(error_percent); }
 };
 
-/// The marked position, or the last one of the first tool where nothing was marked, so that leaving hard
-/// trials unmarked improves no score. Misses keep their value. None without the truth or without any
-/// position.
+/// Returns the answer at the marked position. If nothing was marked, it is at the last position of the first
+/// tool, so that leaving hard trials unmarked improves no score. Misses keep their value. Returns none
+/// without the truth or without any position.
 std::optional<ApexAnswer> apexAnswer(const PreparedTrial& trial);
 
-/// The answers of all trials. Failure as a reason in `undefined` if any trial has none: a session's error
-/// must not silently leave trials out.
+/// The answers of all trials. If any trial has none, `undefined` holds the reason: a session's error must not
+/// silently leave trials out.
 struct ApexAnswers {
     std::vector<ApexAnswer> answers;
     std::optional<Measurement> undefined;

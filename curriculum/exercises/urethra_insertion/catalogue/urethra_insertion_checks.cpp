@@ -20,7 +20,8 @@ QString mm(double length_m) { return QStringLiteral("%1 mm").arg(core::mmFromM(l
 
 constexpr double kWayStep_m = 0.001;
 
-/// Why P1's mechanism (D is W) cannot have its tip at `p_W` with the endoscope along the canal; empty: it can.
+/// Returns why P1's mechanism (D is W) cannot hold its tip at `p_W` with the endoscope along the canal; empty
+/// if it can.
 QString outsideMechanism(const core::Vec3& p_W, double psi_rad) {
     static const mechanisms::FiveBarPlantParameters kPlant;
     const QString place = QStringLiteral("(%1 inwards, %2 up)").arg(mm(p_W.y()), mm(p_W.z()));
@@ -37,7 +38,8 @@ QString outsideMechanism(const core::Vec3& p_W, double psi_rad) {
     return {};
 }
 
-/// `changes[1].radius_m` of the structs is `local_changes[1].radius_mm` of the content.
+/// Translates a field of the structs, such as `changes[1].radius_m`, into the key of the content,
+/// `local_changes[1].radius_mm`.
 QString contentKey(const QString& field) {
     static const std::pair<const char*, const char*> kNames[] = {
         {"curvature_per_m", "centreline_curvature_per_m"},
@@ -84,7 +86,7 @@ QString contentKey(const QString& field) {
     return field;
 }
 
-/// One level's checks, each adding what is wrong.
+/// The checks of one level. Each adds its problems.
 class Checks {
 public:
     Checks(const Parameters& p, const QString& path, Problems& problems)
@@ -114,7 +116,8 @@ private:
         m_problems.push_back({memberPath(m_path, QLatin1String(key)), found, expected});
     }
 
-    /// What makes a urethra impossible is known where it is built; here it only gets the content's names and values.
+    /// The code that builds a urethra knows what makes it impossible. This function only adds the content's
+    /// names and values.
     void geometry() {
         for (const simulation::UrethraProblem& problem : simulation::urethraProblems(m_p.anatomy, m_p.endoscope, m_p.mesh)) {
             const QString key = contentKey(QString::fromStdString(problem.field));
@@ -141,7 +144,8 @@ private:
                 QStringLiteral("in the bladder, at least %1, since landmarks are inspected from there").arg(mm(m_length_m)));
     }
 
-    /// The way from the start to the bladder's middle, which is as deep as a goal may lie, has to be one that P1's mechanism can go.
+    /// Checks that P1's mechanism can follow the path from the start to the bladder's middle, which is the
+    /// deepest position a goal may have.
     void workspace() {
         const simulation::UrethraCentreline line(m_p.anatomy);
         const double deepest_m = m_length_m + m_p.anatomy.bladderRadius_m;

@@ -19,12 +19,12 @@ using Parameters = simulation::UrethraInsertionParameters;
 
 constexpr double kMm = 1000.0;
 constexpr double kDeg = 180.0 / core::kPi;
-constexpr double kFr = 6000.0; // of a radius: 1 Fr = 1/3 mm of diameter
+constexpr double kFr = 6000.0; // converts a radius: 1 Fr = 1/3 mm of diameter
 
 struct Number {
     const char* name;
     double& (*in)(Parameters&);
-    double perUnit; ///< content's units in one SI unit
+    double perUnit; ///< content units per SI unit
 };
 
 struct Whole {

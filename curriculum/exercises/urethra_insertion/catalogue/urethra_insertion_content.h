@@ -5,11 +5,14 @@
 
 namespace chiron::catalogue {
 
-/// simulation::UrethraInsertionParameters from content/schema/urethra_insertion_parameters.json's keys (mm, degrees and Fr there, SI here).
+/// Reads simulation::UrethraInsertionParameters from the keys of
+/// content/schema/urethra_insertion_parameters.json.
+/// Unit: mm, degrees and Fr in the JSON; SI in the result.
 ExerciseParameters readUrethraInsertion(const ObjectReader& parameters, const std::vector<std::string>& cues);
 
-/// What no single key's range can say: a canal that does not run into itself, changes that lie in it, a bladder the endoscope
-/// fits into, goals that can be reached, landmarks that can be seen.
+/// Checks what the range of a single key cannot express: a canal that does not intersect itself, local
+/// changes that lie inside it, a bladder into which the endoscope fits, goals that can be reached, and
+/// landmarks that can be seen.
 void checkUrethraInsertion(const ExerciseParameters& parameters, const QString& path, Problems& problems);
 
 } // namespace chiron::catalogue

@@ -70,12 +70,15 @@ Measurement measureCurveAlignment(std::span<const PreparedTrial> trials) {
                              : Measurement::of(core::degFromRad(angle_rad.value()));
 }
 
-constexpr double kHalfWindow_s = 0.1; ///< a turn's rate is taken over twice this, two periods of 10 Hz tremor
-constexpr double kTurning_rad_per_s = 5.0 * core::kPi / 180.0; ///< half of what following P1's parabola at 6 mm/s asks for at B, 9°/s
+/// The rate of turning is measured over twice this time, two periods of a 10 Hz tremor.
+constexpr double kHalfWindow_s = 0.1;
+/// About half of the rate needed at B to follow P1's parabola at 6 mm/s, 9°/s.
+constexpr double kTurning_rad_per_s = 5.0 * core::kPi / 180.0;
 
 core::Vec3 axisOf(const ToolTrace& tool, std::size_t i) { return tool.q_WT[i] * core::Vec3::UnitZ(); }
 
-/// Way of new depth in the curve, m; `reached`: the tip was there.
+/// Measures how far the tip reached new depth in the curve while the axis turned, m. `reached` is set if the
+/// tip was in the curve.
 class TurningAdvance {
 public:
     explicit TurningAdvance(const TrialTrace& trial) : m_tool(trial.tools.front()), m_series(*trial.insertion) {}
@@ -188,11 +191,11 @@ Measurement measureLandmarksSeen(std::span<const PreparedTrial> trials) {
                       : Measurement::of(100.0 * static_cast<double>(seen) / static_cast<double>(asked));
 }
 
-/// The stage at a time, asked in ascending order or nearly so.
+/// Finds the stage at a time. The times asked for must be in ascending or nearly ascending order.
 class StageAt {
 public:
     StageAt(const ToolTrace& tool, const InsertionSeries& series) : m_tool(tool), m_series(series) {}
-    /// By the last sample at or before `t_s`.
+    /// Uses the last sample at or before `t_s`.
     bool inspects(double t_s) {
         while (m_at + 1 < m_tool.t_s.size() && m_tool.t_s[m_at + 1] <= t_s)
             ++m_at;
@@ -233,12 +236,12 @@ Measurement measureInsertionDepth(std::span<const PreparedTrial> trials) {
         return *why;
     double sum_mm = 0.0;
     for (const PreparedTrial& trial : trials) {
-        double deepest_m = 0.0; // a tip that never entered
+        double deepest_m = 0.0; // stays 0 if the tip never entered
         forEachCanalSample({&trial, 1}, [&](const InsertionSeries& series, std::size_t i) {
-            if (series.offset_m[i] <= core::kCanalReach_m) // beside the canal is not in it
+            if (series.offset_m[i] <= core::kCanalReach_m) // a tip beside the canal is not in it
                 deepest_m = std::max(deepest_m, std::min(series.s_m[i], series.goal_m));
         });
-        sum_mm += std::nearbyint(deepest_m * 1e9) / 1e6; // nearest to the decimal: a gate at the goal holds
+        sum_mm += std::nearbyint(deepest_m * 1e9) / 1e6; // rounded, so that a gate at the goal is met
     }
     return Measurement::of(sum_mm / static_cast<double>(trials.size()));
 }

@@ -12,8 +12,8 @@
 
 namespace chiron::scoring {
 
-/// Why there is nothing to measure, if a trial does not know its canal: a session's value must not silently leave
-/// trials out.
+/// Returns the reason why there is nothing to measure if any trial lacks its canal: a session's value must
+/// not silently leave trials out.
 inline std::optional<Measurement> withoutCanal(std::span<const PreparedTrial> trials) {
     if (trials.empty())
         return Measurement::undefined(UndefinedReason::noTrials);
@@ -27,29 +27,30 @@ inline bool isStage(const InsertionSeries& series, std::size_t i, core::Procedur
     return series.stage[i] == static_cast<std::uint8_t>(stage);
 }
 
-/// Whether the tip is in the urethra, 0 ≤ s ≤ L, whichever way it goes.
+/// Returns whether the tip is in the urethra, 0 ≤ s ≤ L, in either direction of travel.
 inline bool isInUrethra(const InsertionSeries& series, std::size_t i) {
     return series.s_m[i] >= 0.0 && series.s_m[i] <= series.length_m;
 }
 
-/// Half the stretch that counts as the bend: there its forces set in (models.md §1.2, a_i).
+/// Half the length of the stretch that counts as the bend, where the bend's forces set in (models.md §1.2,
+/// a_i).
 inline constexpr double kBendHalf_nm = 10e6;
 
-/// Whether the tip is within 10 mm of s_B; in whole nm, so that both ends belong to it.
+/// Returns whether the tip is within 10 mm of s_B. Compared in whole nm, so that both ends are included.
 inline bool isAtBend(const InsertionSeries& series, std::size_t i) {
     return std::abs(std::nearbyint(series.s_m[i] * 1e9) - std::nearbyint(series.bend_m * 1e9)) <= kBendHalf_nm;
 }
 
-/// Past the bend the curve is sharpest over this: with P1's parabola it turns there by 36° of 59°.
+/// Length of the sharpest part of the curve, past the bend: P1's parabola turns there by 36° of its 59°.
 inline constexpr double kCurve_m = 0.030;
 
-/// Whether the tip is within 30 mm past s_B; in whole nm, both ends included.
+/// Returns whether the tip is within 30 mm past s_B. Compared in whole nm, so that both ends are included.
 inline bool isInCurve(const InsertionSeries& series, std::size_t i) {
     const double past_nm = std::nearbyint(series.s_m[i] * 1e9) - std::nearbyint(series.bend_m * 1e9);
     return past_nm >= 0.0 && past_nm <= kCurve_m * 1e9;
 }
 
-/// Calls visit(series, i) for each unpaused sample of tool 0. Only where withoutCanal() has nothing to say.
+/// Calls visit(series, i) for each unpaused sample of tool 0. Requires that withoutCanal() returns none.
 template <class Visit> void forEachCanalSample(std::span<const PreparedTrial> trials, Visit&& visit) {
     for (const PreparedTrial& trial : trials)
         for (std::size_t i = 0; i < trial.tool->t_s.size(); ++i)
@@ -57,7 +58,7 @@ template <class Visit> void forEachCanalSample(std::span<const PreparedTrial> tr
                 visit(*trial.trial->insertion, i);
 }
 
-/// Root mean square over the samples that are taken; every sample counts alike, as in the force metrics.
+/// Root mean square over the added samples. Every sample has the same weight, as in the force metrics.
 class RootMeanSquare {
 public:
     void add(double value) {

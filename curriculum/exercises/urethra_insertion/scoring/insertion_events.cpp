@@ -15,7 +15,7 @@ constexpr std::int64_t kTrauma_us = 20'000;       // models.md §6
 constexpr double kRearmShare = 0.8;               // models.md §6
 constexpr std::int64_t kHysteresis_nm = 1'000'000; // 1 mm: ten times the tremor of models.md §4
 
-/// Whole µs and nm: thresholds are met exactly, not to within a rounding.
+/// Convert to whole µs and nm, so that thresholds are met exactly and not to within a rounding error.
 std::int64_t microseconds(double t_s) {
     return std::llround(t_s * 1e6);
 }
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    /// The last sample's force held until now.
+    /// The force of the last sample has held until now.
     void hold(double t_s) {
         if (!m_over || microseconds(t_s) - microseconds(m_since_s) < kTrauma_us)
             return;
@@ -69,9 +69,9 @@ private:
 
     double m_limit_N;
     std::vector<InsertionEvent>& m_found;
-    bool m_armed = true; ///< below 80 % since the last event
-    bool m_open = false; ///< the last event goes on
-    bool m_over = false; ///< over the limit since m_since_s, not yet for 20 ms
+    bool m_armed = true; ///< the force has been below 80 % since the last event
+    bool m_open = false; ///< the last event is not over yet
+    bool m_over = false; ///< over the limit since m_since_s, but not yet for 20 ms
     double m_since_s = 0.0;
     double m_peak_N = 0.0;
 };
@@ -117,8 +117,8 @@ private:
     std::vector<InsertionEvent>& m_found;
     bool m_started = false;
     bool m_back = false;
-    Place m_farthest; ///< while it goes back: where that began
-    Place m_turn;     ///< while it goes back: the lowest place so far
+    Place m_farthest; ///< while the tip goes back: where that began
+    Place m_turn;     ///< while the tip goes back: the least depth so far
 };
 
 } // namespace

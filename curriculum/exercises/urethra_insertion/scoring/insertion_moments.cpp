@@ -10,7 +10,7 @@ namespace chiron::scoring {
 
 namespace {
 
-/// Nothing where the quantity's metrics leave the sample out.
+/// Returns none if the quantity's metrics leave the sample out.
 std::optional<double> valueAt(const TrialTrace& trial, InsertionQuantity quantity, std::size_t i) {
     const ToolTrace& tool = trial.tools.front();
     const InsertionSeries& series = *trial.insertion;

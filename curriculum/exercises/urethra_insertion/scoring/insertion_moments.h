@@ -11,7 +11,8 @@
 
 namespace chiron::scoring {
 
-/// What metrics of an insertion measure sample by sample, and so what can be looked at where it was worst.
+/// Quantities that the metrics of an insertion measure sample by sample, so that a viewer can go to the
+/// moment where a quantity was worst.
 enum class InsertionQuantity : std::uint8_t {
     offset,        ///< m, in the urethra: offset_rms, offset_max
     alignment,     ///< rad, in the urethra: alignment_rms
@@ -20,21 +21,25 @@ enum class InsertionQuantity : std::uint8_t {
     torque,        ///< N·m, everywhere: torque_max, torque_rms
 };
 
-/// All of them, in this order.
+/// Returns all of them, in the order of the enumeration.
 std::span<const InsertionQuantity> insertionQuantities() noexcept;
-/// The metrics that measure a quantity.
+/// Returns the metrics that measure a quantity.
 std::span<const std::string_view> metricsOf(InsertionQuantity quantity) noexcept;
-/// Nothing for a metric of another kind.
+/// Returns none for a metric that measures no such quantity.
 std::optional<InsertionQuantity> insertionQuantityOf(std::string_view metric) noexcept;
-/// A value in the unit that the quantity's metrics have (mm, °, mN·m), by the very product that they use.
+/// Converts a value to the unit of the quantity's metrics (mm, °, mN·m), with the same multiplication that
+/// they use.
 double inMetricUnit(InsertionQuantity quantity, double value) noexcept;
 const char* metricUnitOf(InsertionQuantity quantity) noexcept;
 
-/// The sample with the largest value among those that the quantity's metrics take (no pause), the first of equal ones:
-/// begin_s = end_s. Nothing where there is none. `trial` must be on the stored grids (trace_grid.h), here and below. Pure.
+/// Returns the sample with the largest value among the samples that the quantity's metrics use (no paused
+/// ones), with begin_s = end_s; the first of equal values. Returns none if there is no such sample. `trial`
+/// must be on the stored grids (trace_grid.h), here and below. The function is pure.
 std::optional<InsertionEvent> largestOf(const TrialTrace& trial, InsertionQuantity quantity);
-/// The stretches over `limit` (in the metrics' unit; equal holds, as a gate's end does), in the order of time: from the first
-/// sample over it to the next one that is not, is left out, or to the trial's end; value: the largest.
+/// Returns the stretches over `limit`, in the order of time. The limit is in the metrics' unit, and a value
+/// equal to it is not over it, as with the end of a gate. A stretch lasts from the first sample over the
+/// limit to the next sample that is not over it or is left out, or to the trial's end. Its value is the
+/// largest one.
 std::vector<InsertionEvent> stretchesOver(const TrialTrace& trial, InsertionQuantity quantity, double limit);
 
 } // namespace chiron::scoring
