@@ -189,8 +189,9 @@ void UrethraInsertionScene::fillPicture(const core::Quat& q_WT, EndoscopeCues& c
     cues.lumenDistance_m = distance_m;
 }
 
-/// A landmark lies in the picture when it is within the field of view and nearer than it has to be to count.
-/// The tip is then in the bladder, whose sphere is convex, so nothing lies between.
+/// A landmark lies in the picture when it is within the field of view, at whatever distance (to count as seen
+/// it also has to be near enough). The tip is then past the neck, in the bladder, whose sphere is convex, so
+/// nothing lies between.
 void UrethraInsertionScene::fillLandmark(const core::Quat& q_WT, EndoscopeCues& cues) const noexcept {
     const int next = m_tracker.nextLandmark();
     if (next < 0 || m_response.foot.at.s_m <= m_tracker.plan().neck_m)
