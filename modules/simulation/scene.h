@@ -23,9 +23,9 @@ struct SceneInput {
     bool paused = false;     ///< trial clocks stand still
     bool forceReady = false; ///< the supervisor's gain is full (on an input-only device: always true)
     bool mark = false;       ///< the mark command arrived this tick (button marks come with the tools)
-    /// number of report commands in this tick (reports by button come with the tools)
+    /// Number of report commands in this tick (reports by button come with the tools).
     int reports = 0;
-    /// arguments of these commands (exercises/palpation/cues/palpation_cues.h)
+    /// Arguments of these commands (exercises/palpation/cues/palpation_cues.h).
     std::array<std::uint16_t, core::kMaxCommandsPerTick> report{};
     bool present = false;        ///< the command to present a stimulus arrived this tick
     std::uint16_t presented = 0; ///< argument of that command (core/presentation_word.h)
@@ -70,7 +70,7 @@ struct SceneOutput {
     std::array<double, core::kMaxTools> bodyEnergy_J{};
     std::array<double, core::kMaxTools> bodyStiffness_N_per_m{};
     std::array<std::uint8_t, core::kMaxTools> contact{};   ///< core::contact_bits of each tool; recorded
-    /// recorded; each exercise names its quantities in this order
+    /// Recorded; each exercise names its quantities in this order.
     std::array<double, core::kMaxQuantities> quantities{};
 };
 

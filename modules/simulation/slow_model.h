@@ -9,7 +9,7 @@ namespace chiron::simulation {
 /// request that the scene made at tick n is due at tick n + L.
 enum class SlowUpdate : std::uint8_t {
     asDue,     ///< faster than real time: exactly at n + L; the tick itself computes the answer, in lock-step
-    /// real time: at n + L, or at the first later tick that finds the answer; that tick is recorded
+    /// Real time: at n + L, or at the first later tick that finds the answer; that tick is recorded.
     whenReady,
     now,       ///< replay: at this tick, computed in lock-step
     notNow,    ///< replay: not at this tick

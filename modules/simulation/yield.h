@@ -9,11 +9,11 @@ namespace chiron::simulation {
 /// Says when tissue gives way and how fast its force falls from then on. Data of a level or a tissue; by
 /// default tissue never gives way.
 struct YieldLaw {
-    /// > 0: yield force F_y, the largest force that the tissue ever exerts
+    /// > 0: yield force F_y, the largest force that the tissue ever exerts.
     double force_N = std::numeric_limits<double>::infinity();
-    /// > 0: duration T of the fall from the yield force to zero
+    /// > 0: duration T of the fall from the yield force to zero.
     double fall_s = 0.020;
-    /// > 0: yield torque τ_y, the largest torque that the tissue ever exerts
+    /// > 0: yield torque τ_y, the largest torque that the tissue ever exerts.
     double torque_Nm = std::numeric_limits<double>::infinity();
 };
 

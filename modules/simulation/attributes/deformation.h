@@ -91,7 +91,7 @@ private:
                  (law.elastic.slope(d) + law.extraStiffness_N_per_m);
         return std::max(0.0, d);
     }
-    /// leaves an error of 1e-15 of q after the linear guess for b q ≤ 5
+    /// These steps leave an error of 1e-15 of q after the linear guess for b q ≤ 5.
     static constexpr int kNewtonSteps = 8;
 
     double m_stretch_m = 0.0; ///< q

@@ -39,7 +39,7 @@ struct Elasticity {
 /// slope a there is k here).
 struct ElasticLaw {
     static constexpr double kLargestExponent = 20.0;
-    /// bound of b|x|; above it expm1(u) − u loses less than 5·10⁻¹⁵
+    /// Bound of b|x|; above it expm1(u) − u loses less than 5·10⁻¹⁵.
     static constexpr double kSeriesBelow = 0.1;
 
     double stiffness_N_per_m = 0.0; ///< k

@@ -8,7 +8,7 @@ namespace chiron::simulation {
 
 namespace {
 
-/// a smaller displacement leaves the normals at rest, since no edge is shorter than some tenths of a
+/// A smaller displacement leaves the normals at rest, since no edge is shorter than some tenths of a
 /// millimetre.
 constexpr double kStill_m = 1e-9;
 

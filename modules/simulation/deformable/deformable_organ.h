@@ -35,7 +35,7 @@ using OrganTouches = std::array<OrganTouch, core::kMaxTools>;
 /// Unit: m.
 struct PredictionError {
     double predicted_m = 0.0; ///< of the surface as shown, predicted and blended
-    /// Of the surface if the last answers had been held and blended without prediction.
+    /// Error of the surface if the last answers had been held and blended without prediction.
     double held_m = 0.0;
 };
 
@@ -120,7 +120,7 @@ private:
     void setWeights(std::uint64_t tick) noexcept;
     /// Compares the answer with the surface that was shown when it was requested.
     void compare(std::uint64_t number) noexcept;
-    /// According to one answer.
+    /// Displacement of the surface under a touch according to one answer.
     core::Vec3 displacementOf(std::uint64_t number, const OrganTouch& touch) const noexcept;
 
     /// Contribution of one answer to the shown surface.

@@ -9,7 +9,7 @@ namespace chiron::simulation {
 namespace {
 
 constexpr std::size_t kContacts = core::kMaxTools;
-/// Gauss-Seidel over at most four contacts converges to rounding; the number is always the same.
+/// Number of Gauss-Seidel sweeps, always the same; over at most four contacts they converge to rounding.
 constexpr int kSweeps = 64;
 
 core::Vec3 three(const std::vector<double>& field, std::size_t unknown) noexcept {

@@ -29,7 +29,7 @@ struct SpringNetworkParameters {
     double mass_kg = 0.030;           ///< of the moving part; 1 g..1 kg
     double recoveryTime_s = 0.060;    ///< τ: time constant of giving way and of recovering; 0..2 s
     double volumeKeeping = 0.7;       ///< q: share of the volume pressed in that bulges out elsewhere; 0..0.95
-    /// a press moves the surface by no more than this (bone lies beyond); 1..30 mm.
+    /// A press moves the surface by no more than this (bone lies beyond); 1..30 mm.
     double deepest_m = 0.008;
     double step_s = 0.033;            ///< one step of the slow model; 10..50 ms
 };
@@ -134,7 +134,7 @@ private:
 
     // Per unknown, in the factor's order; vectors take three entries each.
     std::vector<double> m_mass;   ///< kg
-    std::vector<double> m_ground; ///< N/m: spring to the rest place, and to anchored neighbours
+    std::vector<double> m_ground; ///< N/m: spring to the rest position, and to anchored neighbours
     std::vector<Edge> m_edges;
     double m_edgeStiffness = 0.0;         ///< σ, N/m
     std::vector<double> m_volumeGradient; ///< g = a_i n_i, m²

@@ -24,9 +24,9 @@ namespace chiron::simulation {
 /// Thread: haptic.
 class FeltPlace {
 public:
-    /// in one tick; a larger step is not a motion (models.md §5)
+    /// In one tick; a larger step is not a motion (models.md §5).
     static constexpr double kTeleport_m = 0.020;
-    /// c: 0.03 N at 600 N/m; a lag of 2 mm is made up within a twentieth of a second (assumption)
+    /// c: 0.03 N at 600 N/m; a lag of 2 mm is made up within a twentieth of a second (assumption).
     static constexpr double kCatchUp_m = 5e-5;
 
     /// Returns the contact as it is felt. `p` is the tool's position (m) in the frame of `place`. `found`:

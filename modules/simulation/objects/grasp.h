@@ -70,7 +70,7 @@ private:
 /// and the object stores 2 U(c/2).
 struct Squeeze {
     double compression_m = 0.0; ///< c
-    /// N, of each jaw; shown and recorded but not felt, because the jaw has no motor
+    /// N, of each jaw; shown and recorded but not felt, because the jaw has no motor.
     double force_N = 0.0;
     double energy_J = 0.0;
 
@@ -115,7 +115,7 @@ public:
     /// Advances by one tick; `mass_kg` > 0. Returns the grip's force on the object, −f in the equation above.
     /// The tool receives the opposite force, so that it feels the load that it holds.
     core::Vec3 step(const core::Vec3& load_N, double limit_N, double mass_kg, double dt_s) noexcept {
-        // the force that would bring it to rest within this tick
+        // The force that would bring it to rest within this tick
         const core::Vec3 stopping = load_N + m_velocity * (mass_kg / dt_s);
         const GripLoad grip = GripLoad::of(stopping, limit_N);
         m_slipping = grip.slips;

@@ -16,7 +16,7 @@ namespace chiron::simulation {
 struct ContactPlace {
     double depth_m = 0.0;                    ///< d, signed: negative outside, needed down to −reach_m() of the contact
     core::Vec3 normal = core::Vec3::UnitZ(); ///< n, outward, unit
-    /// ∇d; −n for a true distance. A mesh's blended normal: −n too, but then not conservative
+    /// ∇d; −n for a true distance. A mesh's blended normal: −n too, but then not conservative.
     core::Vec3 depthGradient = -core::Vec3::UnitZ();
     core::Vec3 foot = core::Vec3::Zero();    ///< C, the surface point under the tool: where roughness is read
     /// How far C moves per metre of the tool's sideways motion: 1 on a plane (and a mesh's facet), R/(R − d)
@@ -24,7 +24,7 @@ struct ContactPlace {
     double footScale = 1.0;
     core::Vec3 position = core::Vec3::Zero(); ///< of the tool, for friction
     core::Vec3 velocity = core::Vec3::Zero(); ///< of the tool
-    /// the part of the tool's damping budget that this contact may use
+    /// The part of the tool's damping budget that this contact may use.
     double mostDamping_Ns_per_m = kUnboundedDamping;
 };
 
@@ -46,12 +46,12 @@ struct ObjectContactResponse {
     core::Vec3 normal = core::Vec3::UnitZ();  ///< m, outward, roughness included
     double depth_m = 0.0;                     ///< d' = d + h, 0 out of contact
     double normalForce_N = 0.0;               ///< ≥ 0
-    /// stored in the springs, also while the surface is still recovering
+    /// Energy stored in the springs, also while the surface is still recovering.
     double energy_J = 0.0;
     double stiffness_N_per_m = 0.0;           ///< along m; 0 out of contact
-    /// the part of the tool's budget that damping and viscosity use
+    /// The part of the tool's budget that damping and viscosity use.
     double damping_Ns_per_m = 0.0;
-    /// how deep the surface lies below its rest position (for drawing)
+    /// How deep the surface lies below its rest position (for drawing).
     double surface_m = 0.0;
     bool inContact = false;
 };
@@ -89,7 +89,7 @@ public:
     /// any negative depth when far away), so that bristle and dent end as they should.
     ObjectContactResponse respond(const ContactPlace& place, double dt_s, ObjectContactState& state) const noexcept;
 
-    /// a contact may begin this far above the rest surface
+    /// A contact may begin this far above the rest surface.
     double reach_m() const noexcept { return m_roughness.bound_m(); }
     const ElasticLaw& elastic() const noexcept { return m_surface.elastic; }
     const Deformation::Parameters& deformation() const noexcept { return m_surface; }

@@ -68,7 +68,7 @@ public:
     /// The catalogue checks the ranges; entries beyond the maxima of TissueParameters are ignored.
     explicit TissueContact(const TissueParameters& parameters);
 
-    /// At most kMaxLumps; computes the lumps' centres in W.
+    /// Takes at most kMaxLumps lumps and computes their centres in W.
     void setLumps(std::span<const Lump> lumps) noexcept;
     int lumps() const noexcept { return m_lumpCount; }
     core::Vec3 lumpCentre_W(int lump) const noexcept;

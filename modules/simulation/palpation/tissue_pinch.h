@@ -30,12 +30,12 @@ struct PinchResponse {
     double force_N = 0.0;
     /// Force on the tool by the tissue that it pulls along, ≤ 2 μ N.
     core::Vec3 hold = core::Vec3::Zero();
-    /// Of the hold; the work of squeezing goes through the handle.
+    /// Energy of the hold; the work of squeezing goes through the handle.
     double energy_J = 0.0;
     double compression_m = 0.0;                   ///< c
     double stiffness_N_per_m = 0.0;               ///< bound on how fast `hold` changes as the tool moves
     double squeezeStiffness_N_per_m = 0.0;        ///< bound on how fast N changes as the tool moves
-    /// a face is nearer to a lump than the lump's law has been checked.
+    /// A face is nearer to a lump than the lump's law has been checked.
     bool beyondChecked = false;
 };
 

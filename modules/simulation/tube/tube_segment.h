@@ -9,14 +9,14 @@ namespace chiron::simulation {
 
 /// The pull of a segment of tube between two points.
 struct SegmentPull {
-    /// N, W, force on the holder of the first point, towards the second; on the second: the opposite
+    /// N, W, force on the holder of the first point, towards the second; on the second: the opposite.
     core::Vec3 onFirst = core::Vec3::Zero();
     double tension_N = 0.0;                  ///< ≥ 0, damping included
-    /// stretch of the whole tube if all of it were strained like this segment; 0 when slack
+    /// Stretch of the whole tube if all of it were strained like this segment; 0 when slack.
     double stretch_m = 0.0;
     double energy_J = 0.0;                   ///< elastic
     double stiffness_N_per_m = 0.0;          ///< tangent stiffness along the segment
-    /// along the segment, as one end feels it while the other is at rest
+    /// Damping along the segment, as one end feels it while the other is at rest.
     double damping_Ns_per_m = 0.0;
 };
 

@@ -12,7 +12,7 @@ namespace chiron::simulation {
 /// ticks of 1 ms.
 struct TwoRateTiming {
     std::uint64_t period_ticks = 33;  ///< least time between two requests: 30 Hz (P2); 10..34 (30-100 Hz)
-    /// L: the answer to the request of tick n is due at n + L (architecture.md, Determinism)
+    /// L: the answer to the request of tick n is due at n + L (architecture.md, Determinism).
     std::uint64_t latency_ticks = 33;
 };
 
@@ -73,13 +73,13 @@ public:
         return true;
     }
 
-    /// the last answer that was applied. Thread: haptic.
+    /// The last answer that was applied. Thread: haptic.
     const Answer& answer() const noexcept { return m_answer; }
-    /// number of the last request: 1, 2, ... Thread: haptic.
+    /// Number of the last request: 1, 2, ... Thread: haptic.
     std::uint64_t number() const noexcept { return m_posted; }
-    /// tick of the last request. Thread: haptic.
+    /// Tick of the last request. Thread: haptic.
     std::uint64_t postedAt_ticks() const noexcept { return m_postedAt; }
-    /// the answer to the last request has not been applied yet. Thread: haptic.
+    /// The answer to the last request has not been applied yet. Thread: haptic.
     bool waiting() const noexcept { return m_waiting; }
 
     /// Answers the newest request if it has not been answered; `solve(number, request)` computes the answer.

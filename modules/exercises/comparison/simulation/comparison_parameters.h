@@ -52,7 +52,7 @@ struct ComparisonParameters {
     /// The tool's mark button, pressed while a place is touched, answers that place.
     bool buttonAnswers = false;
     bool buttonNeedsAll = false;  ///< only once every place has been touched
-    /// a place counts as touched once its object exerted this force; 0: at any touch, as in earlier versions.
+    /// A place counts as touched once its object exerted this force; 0: at any touch, as in earlier versions.
     double probeAtLeast_N = 0.0;
     bool adjusts = false;         ///< a new `present` in a running trial changes the level
     ComparisonControl control = ComparisonControl::none;

@@ -25,7 +25,7 @@ enum class TubeGoal {
 /// its hands say.
 struct ElasticTubeBriefing {
     TubeGoal goal = TubeGoal::tension;
-    /// Mark: length over rest length; used where the screen does not show the mark …
+    /// mark: length over rest length; used where the screen does not show the mark …
     double markRatio = 1.0;
     double markTolerance = 0.04; ///< … and the distance to it that still counts, in either direction
     bool retracts = false; ///< the last instrument holds back a fold that lies over the tube

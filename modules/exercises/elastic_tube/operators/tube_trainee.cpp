@@ -13,7 +13,7 @@ using core::LaparoscopyCues;
 using core::Vec3;
 
 namespace {
-constexpr double kSmoothing = 0.1; ///< share per observation for smoothing place and force: 0.1 s
+constexpr double kSmoothing = 0.1; ///< share per observation for smoothing position and force: 0.1 s
 
 bool anchored(const LaparoscopyCues& screen, int grip) noexcept {
     return screen.gripAnchored[static_cast<std::size_t>(grip)];
@@ -127,7 +127,7 @@ TensionView TubeTrainee::view(const GraspLook& felt) const noexcept {
     view.restLength_m = screen.restLength_m;
     view.length_m = screen.restLength_m + felt.first().stretch_m;
     view.dwell = screen.dwell;
-    // a length is to be kept: convert it to the tension of a tube with the assumed stiffness
+    // A length is to be kept: convert it to the tension of a tube with the assumed stiffness
     if (m_briefing.goal == TubeGoal::mark) {
         const double k = m_settings.assumedStiffness_N_per_m;
         const bool seen = screen.targetShown;

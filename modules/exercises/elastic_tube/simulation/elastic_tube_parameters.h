@@ -44,7 +44,7 @@ struct ElasticTubeParameters {
     double targetY_m = 0.0;
     double targetZ_m = 0.045;
     double targetRadius_m = 0.008;
-    /// Transfer: where the second instrument may grip, as a share of the rest length.
+    /// transfer: where the second instrument may grip, as a share of the rest length.
     double gripShare = 0.78;
     double hold_s = 3.0;                 ///< time in the band, at the mark or in the target
 

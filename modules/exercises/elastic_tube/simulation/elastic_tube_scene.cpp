@@ -13,11 +13,11 @@ namespace bits = core::event_bits;
 
 namespace {
 
-/// a pull of 2 N then changes by 7 mN per tick, which is not felt as a step. Our choice.
+/// A pull of 2 N then changes by 7 mN per tick, which is not felt as a step. Our choice.
 constexpr std::uint64_t kFadeTicks = 300;
 /// Share of the pull that opens a fold; below it the fold lies over the tube again. Our choice.
 constexpr double kClosesShare = 0.8;
-/// a pull of 6 N then changes by 90 mN per tick when the tube is let go of. Our choice.
+/// A pull of 6 N then changes by 90 mN per tick when the tube is let go of. Our choice.
 constexpr std::uint64_t kSlipTicks = 100;
 
 double fallen(double x) noexcept {

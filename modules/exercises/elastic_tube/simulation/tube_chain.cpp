@@ -164,7 +164,7 @@ TubeAnswer TubeChain::step(const Holds& holds) noexcept {
         if (!counts(b))
             continue;
         if (pulls(a) && pulls(b)) {
-            // a recoiling part does not have the velocity of a hand
+            // A recoiling part does not have the velocity of a hand
             const bool damped = attached(a) && attached(b);
             const core::Vec3 rate = damped ? core::Vec3(m_holds[b].v_W - m_holds[a].v_W) : core::Vec3(core::Vec3::Zero());
             const SegmentPull pull = pullOf(m_shape.law, m_shape.length_m, rest_m(a, b), m_p[a], m_p[b], rate, mostDampingOf(a, b));

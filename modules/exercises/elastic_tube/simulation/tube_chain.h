@@ -37,7 +37,7 @@ struct NodeHold {
 
 /// Response of the tube.
 struct TubeAnswer {
-    /// N, on the holder of the node.
+    /// Force on the holder of the node, N.
     std::array<core::Vec3, TubeShape::kMaxNodes> force{core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero()};
     /// Stiffness that the holder feels.
     std::array<double, TubeShape::kMaxNodes> stiffness_N_per_m{};

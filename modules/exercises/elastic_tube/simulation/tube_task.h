@@ -13,13 +13,13 @@ namespace chiron::simulation {
 /// The goal of one trial. Unit: SI.
 struct TubeGoal {
     TubeTask task = TubeTask::hold;
-    /// Hold, twoHanded: the tension has to be within ± band_N of it.
+    /// hold, twoHanded: the tension has to be within ± band_N of it.
     double target_N = 0.0;
     double band_N = 0.0;
-    /// Stretch: the stretch has to be within ± markTolerance_m of it.
+    /// stretch: the stretch has to be within ± markTolerance_m of it.
     double mark_m = 0.0;
     double markTolerance_m = 0.0;
-    /// Transfer: the free end has to be within targetRadius_m of it.
+    /// transfer: the free end has to be within targetRadius_m of it.
     core::Vec3 target_W = core::Vec3::Zero();
     double targetRadius_m = 0.0;
     /// Beyond this stretch the tube is damaged; counted again only after it fell below 80 % of it.

@@ -13,7 +13,7 @@ using core::Vec3;
 
 namespace {
 // Habits that all operators share: assumptions.
-constexpr double kSmoothing = 0.1;      ///< share per observation for smoothing place and force: 0.1 s
+constexpr double kSmoothing = 0.1;      ///< share per observation for smoothing position and force: 0.1 s
 constexpr double kSlowSmoothing = 0.01; ///< 1 s
 constexpr double kJawRoom_m = 0.004;    ///< room between each open jaw and the object
 /// Squeeze that it infers when an object looks flattened by its whole radius.

@@ -115,8 +115,8 @@ void HandlingTrainee::weigh(const GraspPercept& felt, double jaw_rad, GraspWish&
 
 void HandlingTrainee::carry(const GraspPercept& felt, double jaw_rad, GraspWish& wish) noexcept {
     squeeze(felt, jaw_rad, wish);
+    // As seen while held, so that an error of sight affects tip and object in the same way
     if (m_thereSince_s < 0.0 && since(felt) < m_settings.attention_s + Senses::kLook_s)
-        // As seen while held, so that an error of sight affects tip and object in the same way
         m_hold = object(felt) - m_place;
     const Vec3 target = m_deciding || !felt.screen().targetShown ? m_from : vectorOf(felt.screen().p_WTarget);
     const Vec3 goal(target.x() - m_hold.x(), target.y() - m_hold.y(), m_place.z());

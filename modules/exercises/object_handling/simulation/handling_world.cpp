@@ -47,7 +47,7 @@ void HandlingWorld::begin(const ObjectHandlingTrial& trial) noexcept {
         body.it.lieDown(trial.place_m[i], height_m, m_parameters.radius_m, trial.mass_kg[i], m_bodyBed);
         body.tip.reset();
         body.yield = ContactYield(m_parameters.yield);
-        // a body that appears around the tip is touched only after the tip has left it
+        // A body that appears around the tip is touched only after the tip has left it
         body.inside = body.embraced = true;
         body.airborne = body.dropCounts = false;
     }
@@ -135,7 +135,7 @@ void HandlingWorld::touchBody(Body& body, const HandlingTool& tool, HandlingAnsw
     m_budget.spend(touch.damping_Ns_per_m);
     body.load -= touch.force;
     answer.force += touch.force;
-    // a ball's force turns with its nearest point
+    // A ball's force turns with its nearest point
     const double turning = place.depth_m / std::max(distance, (1.0 - kPiercedShare) * radius);
     // Simultaneous contacts add up
     answer.stiffness_N_per_m += touch.stiffness_N_per_m * std::max(1.0, turning);

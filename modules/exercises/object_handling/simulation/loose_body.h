@@ -35,7 +35,7 @@ public:
     void lieStill() noexcept;
 
     bool onBed() const noexcept { return m_onBed.inContact; }
-    /// In the last pressBed(); ≤ 0: it does not touch.
+    /// Depth in the last pressBed(); ≤ 0: it does not touch.
     double bedDepth_m() const noexcept { return m_depth_m; }
     double restDepth_m() const noexcept { return m_restDepth_m; } ///< d_0
     double rolling_Ns_per_m() const noexcept; ///< present resistance to motion across the bed

@@ -44,7 +44,7 @@ public:
     bool advance(int places) noexcept;
     /// Evidence for a lump exactly there, with the width that fits best.
     Suspicion at(const core::Vec2& place_m) const noexcept;
-    /// Valid when all places are evaluated; evidence 0: nothing was found.
+    /// The strongest suspicion; valid when all places are evaluated. Evidence 0: nothing was found.
     Suspicion strongest() const noexcept;
     /// Leaves out of the next evaluation what this lump accounts for.
     void explain(const Suspicion& lump) noexcept;

@@ -13,7 +13,7 @@ namespace chiron::operators {
 /// in every tick; allocates nothing. Frame: D. Unit: SI.
 class FingerReach {
 public:
-    /// Of the remaining distance, so that it slows down before the goal; assumption.
+    /// Speed per remaining distance, so that it slows down before the goal; assumption.
     static constexpr double kGain_per_s = 22.0;
     static constexpr double kAcceleration_m_per_s2 = 4.0;  ///< brisk: assumption
 

@@ -60,7 +60,7 @@ struct PalpationOperatorSettings {
     double hold_s = 0.32;        ///< duration of each press
 
     int revisits = 4;            ///< number of candidates that it presses again before it decides
-    /// a candidate is pressed in the middle and at this distance on four sides.
+    /// A candidate is pressed in the middle and at this distance on four sides.
     double revisitRadius_m = 0.005;
     double revisitAbove = 1.2;   ///< only candidates with at least this evidence
     double criterion = 3.6;      ///< evidence, in standard errors, from which it reports a lump

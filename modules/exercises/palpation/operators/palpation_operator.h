@@ -31,8 +31,8 @@ struct PalpationBriefing {
     bool asksSize = false;               ///< what has to be stated about a finding
     bool asksHardness = false;
     bool asksConfidence = true;
-    /// Of each finger's device, in the order of the tools (a hand's fingers together); for missing ones D is
-    /// W.
+    /// Mapping of each finger's device, in the order of the tools (a hand's fingers together); for missing
+    /// ones D is W.
     std::vector<devices::WorkspaceMapping> places;
 };
 

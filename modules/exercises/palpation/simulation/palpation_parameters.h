@@ -44,7 +44,7 @@ struct PalpationParameters {
     core::Vec2 areaHalf_m{0.040, 0.040}; ///< the search area |x| ≤ , |y| ≤ around W's origin
     int regionColumns = 3;            ///< the units of detection: d′ counts regions of the search area
     int regionRows = 3;
-    /// a mark within this distance of a lump counts as a hit (at least the lump's radius).
+    /// A mark within this distance of a lump counts as a hit (at least the lump's radius).
     double hitRadius_m = 0.012;
 
     double bandLow_N = 0.8;           ///< force band for pressing

@@ -5,7 +5,7 @@
 
 namespace chiron::operators {
 
-/// Least-squares fit of slope = b (place − apex): felt slope against felt position, with one b for both axes.
+/// Least-squares fit of slope = b (position − apex): felt slope against felt position, with one b for both axes.
 /// Older observations are forgotten exponentially, because the felt position drifts, and an old observation
 /// says little about where the apex now feels to be. Keeps only sums; allocates nothing.
 class ApexFit {

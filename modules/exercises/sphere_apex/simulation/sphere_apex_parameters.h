@@ -40,7 +40,7 @@ struct SphereApexParameters {
     double meshEdge_m = 0.0015;       ///< mean edge length
     double bumpHeight_m = 0.0;        ///< of smooth bumps; none at the apex, which stays the highest point
     double bumpWavelength_m = 0.009;
-    /// Of their pattern; each trial rotates it about the vertical by its own angle.
+    /// Seed of the bumps' pattern; each trial rotates the pattern about the vertical by its own angle.
     std::uint64_t bumpSeed = 1;
     double roughness_m = 0.0;         ///< rms of the micro-height (attributes/roughness.h)
     double roughnessWavelength_m = 0.002; ///< shortest; >= 1 mm

@@ -73,7 +73,7 @@ private:
     bool markPressed(const SceneInput& in) noexcept;
     bool objectPresent() const noexcept;
     ContactResponse touchWith(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept;
-    /// Bound on how fast the force changes, N/m.
+    /// Bounds how fast the force changes with position, N/m.
     double steepest(const ContactResponse& response, const core::Vec3& p_WT) const noexcept;
     ContactResponse touchExact(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept;
     void touch(const SceneInput& in, SceneOutput& out) noexcept;

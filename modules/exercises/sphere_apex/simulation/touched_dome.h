@@ -76,7 +76,8 @@ private:
         core::Vec3 carried = core::Vec3::Zero();
         ContactYield yield;
         bool used = false;
-        /// Beyond the mesh; true for a tool that is new, because it can only have come in from above.
+        /// The tool is beyond the mesh. Also true for a new tool, because it can only have come in from
+        /// above.
         bool onPlane = true;
     };
     struct Place {

@@ -87,7 +87,7 @@ private:
         std::uint64_t t_us = 0;
         std::array<double, 3> p{};
     };
-    // a power of two that exceeds the window at one position per millisecond
+    // A power of two that exceeds the window at one position per millisecond
     static constexpr std::size_t kPlaces = 128;
     static constexpr std::uint64_t kPlaceEvery_us = 1000;
 

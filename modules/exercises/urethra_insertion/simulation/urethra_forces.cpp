@@ -75,7 +75,7 @@ FreeHold holdFreePart(const UrethraForces::Tables& tables, const CentrelineFoot&
     hold.cross_N_per_m = k * beyond * std::abs(weightSlope);
     hold.gradient_N = k * beyond * rise * fall / offset * core::Vec2(foot.ex_m, foot.en_m);
     hold.stiffness_N_per_m = k * rise * fall;
-    // Of the smoothsteps
+    // Bounds the second derivatives of the two smoothsteps
     const double steep = 6.0 * (1.0 / (tables.freeRise_m * tables.freeRise_m) + 0.25 / (tables.freeBlend_m * tables.freeBlend_m));
     hold.axial_N_per_m = (in > 0.0 && in < 1.0) || (on > 0.0 && on < 1.0) ? half * steep : 0.0;
     return hold;
@@ -120,7 +120,7 @@ UrethraResponse UrethraForces::respond(const EndoscopeMotion& motion) const noex
     const BladderResponse bladder = tables.bladder.respond(motion.p_A);
     r.bladder_A = bladder.force_A;
     r.touching = at.s_m > -tables.ahead_m || bladder.energy_J > 0.0;
-    // There is none outside the body
+    // There is no angular stiffness outside the body
     const double k_phi = r.touching ? tables.angular.value_Nm_per_rad(at.s_m) : 0.0;
     const UrethraPivot::Turn pivot = tables.pivot.at(at.s_m);
     const core::Vec2 twist = orient(r, a, k_phi, pivot.turn_per_m);
@@ -131,9 +131,9 @@ UrethraResponse UrethraForces::respond(const EndoscopeMotion& motion) const noex
     const double bent = std::abs(at.curvature_per_m), turned = std::abs(pivot.slope_per_m2);
     const FreeHold hold = holdFreePart(tables, r.foot);
     r.energy_J = sums.energy_J + hold.energy_J + 0.5 * k_phi * tilt2 + bladder.energy_J;
+    // ∂U/∂s_t: ψ turns by κ_c per metre
     const double slope = sums.slope_N + hold.slope_N + 0.5 * tables.angular.slope(at.s_m) * tilt2 +
                          k_phi * (twist.x() * (at.curvature_per_m + pivot.slope_per_m2 * r.foot.en_m) -
-                                  // ∂U/∂s_t: ψ turns by κ_c per metre
                                   twist.y() * pivot.slope_per_m2 * r.foot.ex_m);
     r.elastic_N = -slope * r.foot.gradientOfS_A.dot(at.t_A);
     const core::Vec2 gradient = sums.gradient_N + hold.gradient_N + k_phi * pivot.turn_per_m * core::Vec2(-twist.y(), twist.x());

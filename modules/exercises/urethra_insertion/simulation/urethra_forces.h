@@ -18,8 +18,8 @@ enum class ForceSections {
 
 struct UrethraForceSettings {
     ForceSections sections = ForceSections::fine;
-    /// Of fine: Δs = L/⌈L/step⌉, where step is this value or, if less, the narrowest edge of a local change /
-    /// 3.2.
+    /// For ForceSections::fine: Δs = L/⌈L/step⌉, where step is this value or, if less, the narrowest edge of
+    /// a local change / 3.2.
     double maximumStep_m = 0.00125;
     int basicSections = 26;           ///< of p1Basic: number of sections, equidistant along z; ≥ 2
     /// One count at the tip, V₀ ≥ count/15 ms (models.md §0); a session sets its device's value here.

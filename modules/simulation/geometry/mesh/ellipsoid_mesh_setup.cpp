@@ -12,7 +12,7 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-// Atan 2: the angle that an edge subtends at the centre
+// atan 2: the angle that an edge subtends at the centre
 constexpr double kIcosahedronEdge_rad = 1.1071487177940904;
 
 struct Icosahedron {

@@ -32,7 +32,7 @@ struct MeshFoot {
     bool within() const noexcept { return track != MeshTrack::apart; }
 };
 
-/// Tracks the closest place of one spherical tool tip on one mesh, once per tick.
+/// Tracks the closest place (MeshPlace) of one spherical tool tip on one mesh, once per tick.
 /// - In contact, projectAlongNormals() finds the place under the tool from the last one. The place is a
 ///   continuous function of the tool's position as long as the tool is nearer to the sheet than the sheet's
 ///   radius of curvature; the cost does not depend on the size of the mesh.

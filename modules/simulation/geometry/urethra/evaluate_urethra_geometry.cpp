@@ -77,8 +77,8 @@ UrethraAnatomy anatomyFrom(std::span<const double> p) noexcept {
     anatomy.friction = p[4];
     anatomy.freeLength_m = p[5];
     anatomy.freeBlend_m = p[6];
+    // The laws evaluated here need no torques and no bladder, so their values must not cause a refusal
     anatomy.angularCorner_m =
-        // The laws evaluated here need no torques and no bladder, so their values must not cause a refusal
         std::min(1e-4, p[5]);
     anatomy.bladderRadius_m = 1.0;
     anatomy.straight_m = p[16];

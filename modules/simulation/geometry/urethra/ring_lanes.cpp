@@ -26,8 +26,8 @@ constexpr int kEdge = 2 * kFour;
 constexpr int kSlope = 3 * kFour;
 constexpr int kSlopeStep = 4 * kFour;
 constexpr int kCurve = kCurveFours * kFour;
+/// Added to a normal's squared length (1e-20 or more), so that a wall without extent gives no NaN.
 constexpr float kLeastSquare =
-    /// Added to a normal's squared length (1e-20 or more), so that a wall without extent gives no NaN.
     1e-36F;
 
 [[gnu::always_inline]] inline const Lane& lane(const float* from) noexcept {
@@ -179,8 +179,8 @@ CHIRON_LANES void curveColumns(const SpanColumns& in, const std::array<float, 3>
         four(curve + kStep) = step;
         four(curve + kEdge) = 0.5F * (stepBefore - step);
         four(curve + kSlopeStep) = four(curve + kCurve + kSlope) - four(curve + kSlope);
+        // Added last, so that the differences above keep the precision of their own size
         four(curve) +=
-            // Added last, so that the differences above keep the precision of their own size
             four(in.point + j * kFour);
         stepBefore = step;
     }

@@ -34,8 +34,8 @@ public:
     /// Writes the section before the loaded span. If keepEnd() was called for the previous span, the normals
     /// are the mean of both spans.
     void firstRing(bool endIsKept, const RingPlanes& out) noexcept;
-    void
     /// Writes the section after the loaded span, with this span's normals.
+    void
     lastRing(const RingPlanes& out) noexcept;
     /// Keeps the slopes with which the loaded span arrives at its last section.
     void keepEnd() noexcept;

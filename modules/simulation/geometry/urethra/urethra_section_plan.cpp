@@ -8,8 +8,8 @@ namespace chiron::simulation {
 
 namespace {
 
+/// Sections that were nudged are at least this far apart, whatever the rounding.
 constexpr double kApart_m =
-    /// Sections that were nudged are at least this far apart, whatever the rounding.
     0.99 * UrethraSectionPlan::kNudge_m;
 
 } // namespace
