@@ -15,13 +15,16 @@ namespace chiron::simulation {
 
 using MeshTriangle = std::array<std::uint32_t, 3>; ///< vertex numbers, counter-clockwise from outside
 
-/// A closed surface from which a network is built. Frame: the mesh's own. Unit: m.
+/// A closed surface from which a network is built.
+/// Unit: m.
+/// Frame: the mesh's own.
 struct SurfaceView {
     std::span<const core::Vec3> vertices;
     std::span<const MeshTriangle> triangles;
 };
 
-/// Material of the network. Unit: SI.
+/// Material of the network.
+/// Unit: SI.
 struct SpringNetworkParameters {
     /// K: force per depth of a lasting press on the reference vertex; 20..5000.
     double stiffness_N_per_m = 400.0;

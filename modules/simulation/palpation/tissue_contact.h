@@ -29,7 +29,9 @@ struct TissueTouch {
     void release() noexcept { *this = TissueTouch{}; }
 };
 
-/// Response of the tissue to one finger. Frame: W. Unit: SI.
+/// Response of the tissue to one finger.
+/// Unit: SI.
+/// Frame: W.
 struct TissueResponse {
     core::Vec3 force = core::Vec3::Zero();        ///< F_ext on the tool
     core::Vec3 surfacePoint = core::Vec3::Zero(); ///< C; the nearest surface point also out of contact

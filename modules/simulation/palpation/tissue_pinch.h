@@ -24,7 +24,9 @@ struct PinchTouch {
     void release() noexcept { *this = PinchTouch{}; }
 };
 
-/// Effect of the tissue between the jaws. Frame: W. Unit: SI.
+/// Effect of the tissue between the jaws.
+/// Unit: SI.
+/// Frame: W.
 struct PinchResponse {
     /// N, the force of each jaw, ≥ 0; acts on the index finger's pad.
     double force_N = 0.0;

@@ -8,8 +8,8 @@
 
 namespace chiron::simulation {
 
-/// How often a slow model is asked, and how long after a request its answer takes effect. Unit: executed
-/// ticks of 1 ms.
+/// How often a slow model is asked, and how long after a request its answer takes effect.
+/// Unit: executed ticks of 1 ms.
 struct TwoRateTiming {
     std::uint64_t period_ticks = 33;  ///< least time between two requests: 30 Hz (P2); 10..34 (30-100 Hz)
     /// L: the answer to the request of tick n is due at n + L (architecture.md, Determinism).
@@ -42,12 +42,14 @@ public:
     SlowLink(const SlowLink&) = delete;
     SlowLink& operator=(const SlowLink&) = delete;
 
-    /// Says whether a request may go out at this tick. Thread: haptic.
+    /// Says whether a request may go out at this tick.
+    /// Thread: haptic.
     bool mayPost(std::uint64_t tick) const noexcept {
         return !m_waiting && (m_posted == 0 || tick >= m_postedAt + m_timing.period_ticks);
     }
 
-    /// Sends a request. Precondition: mayPost(). Thread: haptic.
+    /// Sends a request. Precondition: mayPost().
+    /// Thread: haptic.
     void post(std::uint64_t tick, const Request& request) noexcept {
         m_waiting = true;
         m_postedAt = tick;
@@ -73,17 +75,22 @@ public:
         return true;
     }
 
-    /// The last answer that was applied. Thread: haptic.
+    /// The last answer that was applied.
+    /// Thread: haptic.
     const Answer& answer() const noexcept { return m_answer; }
-    /// Number of the last request: 1, 2, ... Thread: haptic.
+    /// Number of the last request: 1, 2, ...
+    /// Thread: haptic.
     std::uint64_t number() const noexcept { return m_posted; }
-    /// Tick of the last request. Thread: haptic.
+    /// Tick of the last request.
+    /// Thread: haptic.
     std::uint64_t postedAt_ticks() const noexcept { return m_postedAt; }
-    /// The answer to the last request has not been applied yet. Thread: haptic.
+    /// The answer to the last request has not been applied yet.
+    /// Thread: haptic.
     bool waiting() const noexcept { return m_waiting; }
 
     /// Answers the newest request if it has not been answered; `solve(number, request)` computes the answer.
-    /// Returns false if there was nothing to answer. Thread: the slow model's.
+    /// Returns false if there was nothing to answer.
+    /// Thread: the slow model's.
     template <class Solve>
     bool serve(Solve&& solve) noexcept {
         Numbered<Request> newest;

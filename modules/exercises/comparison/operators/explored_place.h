@@ -11,7 +11,9 @@
 
 namespace chiron::operators {
 
-/// What a hand feels at a place in one tick. Frame: W. Unit: SI.
+/// What a hand feels at a place in one tick.
+/// Unit: SI.
+/// Frame: W.
 struct FeltSample {
     /// As seen at the tip: stretch, height above the ring, or depth below the pad's rest surface.
     double displacement_m = 0.0;

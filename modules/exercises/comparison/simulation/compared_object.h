@@ -10,7 +10,8 @@
 
 namespace chiron::simulation {
 
-/// Response of the object at a place, on the tool. Frame: W.
+/// Response of the object at a place, on the tool.
+/// Frame: W.
 struct ComparedResponse {
     core::Vec3 force = core::Vec3::Zero(); ///< N
     core::Vec3 surfacePoint = core::Vec3::Zero(); ///< where to draw the tool

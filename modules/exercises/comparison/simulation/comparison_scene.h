@@ -42,7 +42,6 @@ inline constexpr std::size_t kCount = 10;
 /// Deterministic: values follow from the parameters and the presented word, micro-heights from session seed,
 /// trial and place.
 /// Thread: haptic for respond(); any for construction.
-/// respond() haptic; construction anywhere.
 class ComparisonScene final : public IScene {
 public:
     ComparisonScene(const ComparisonParameters& parameters, std::uint64_t seed);

@@ -34,7 +34,8 @@ struct ElasticTubeBriefing {
 };
 
 /// The names of the scripted laparoscopists of the elastic tube: novice, intermediate, expert, unsafe. Static
-/// data. Thread: any.
+/// data.
+/// Thread: any.
 std::span<const std::string_view> elasticTubeOperatorNames() noexcept;
 
 /// Returns the settings of the laparoscopist with this name.

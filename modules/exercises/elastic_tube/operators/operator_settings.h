@@ -10,7 +10,8 @@
 namespace chiron::operators {
 
 /// One scripted laparoscopist at the elastic tube: how it moves, grasps and controls tension. The values are
-/// assumptions that are plausible for people; no gate of a level is tuned to them (README.md). Unit: SI.
+/// assumptions that are plausible for people; no gate of a level is tuned to them (README.md).
+/// Unit: SI.
 struct ElasticTubeOperatorSettings {
     std::string name = "expert";
     GraspPerceptionSettings perception;

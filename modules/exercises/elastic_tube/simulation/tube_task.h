@@ -10,7 +10,8 @@
 
 namespace chiron::simulation {
 
-/// The goal of one trial. Unit: SI.
+/// The goal of one trial.
+/// Unit: SI.
 struct TubeGoal {
     TubeTask task = TubeTask::hold;
     /// hold, twoHanded: the tension has to be within ± band_N of it.

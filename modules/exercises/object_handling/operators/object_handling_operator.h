@@ -24,7 +24,8 @@ struct ObjectHandlingBriefing {
 };
 
 /// The names of the scripted laparoscopists of object handling: novice, intermediate, expert, unsafe. Static
-/// data. Thread: any.
+/// data.
+/// Thread: any.
 std::span<const std::string_view> objectHandlingOperatorNames() noexcept;
 
 /// Returns the settings of the laparoscopist with this name.

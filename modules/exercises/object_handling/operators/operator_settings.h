@@ -10,7 +10,8 @@
 namespace chiron::operators {
 
 /// One scripted laparoscopist at object handling: how it moves, squeezes, weighs and sets down. The values
-/// are assumptions that are plausible for people; no gate of a level is tuned to them (README.md). Unit: SI.
+/// are assumptions that are plausible for people; no gate of a level is tuned to them (README.md).
+/// Unit: SI.
 struct ObjectHandlingOperatorSettings {
     std::string name = "expert";
     GraspPerceptionSettings perception;

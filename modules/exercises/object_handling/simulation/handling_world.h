@@ -14,7 +14,9 @@
 
 namespace chiron::simulation {
 
-/// State of the grasper in one tick, as the world needs it. Frame: W. Unit: SI.
+/// State of the grasper in one tick, as the world needs it.
+/// Unit: SI.
+/// Frame: W.
 struct HandlingTool {
     bool present = false; ///< false: it touches nothing, and what it held is let go
     core::Vec3 p_W = core::Vec3::Zero();

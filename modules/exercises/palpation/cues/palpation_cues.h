@@ -14,7 +14,9 @@ inline constexpr std::size_t kMaxFindings = 8;   ///< most findings in one trial
 inline constexpr std::size_t kMaxShownLumps = 6; ///< most lumps in one trial
 
 /// Something that a person reports to be there. It keeps its number (its index in the list) until it is
-/// removed. Frame: W. Unit: m.
+/// removed.
+/// Unit: m.
+/// Frame: W.
 struct Finding {
     bool present = false;
     std::array<double, 3> p_W{}; ///< on the surface
@@ -29,14 +31,18 @@ enum class FindingOutcome : std::uint8_t { open, hit, falseAlarm };
 /// Which map of the searched surface is shown: coverage (where it was pressed hard enough) or force.
 enum class SurfaceMapKind : std::uint8_t { coverage, force };
 
-/// A lump that the level shows (cue "object"). Frame: W. Unit: m.
+/// A lump that the level shows (cue "object").
+/// Unit: m.
+/// Frame: W.
 struct LumpCue {
     std::array<double, 3> p_W{}; ///< its centre, below the surface
     double radius_m = 0.0;
 };
 
 /// What the screen of a palpation shows, apart from the hands. Values that the level does not show stay zero.
-/// Trivially copyable. Frame: W. Unit: SI.
+/// Trivially copyable.
+/// Unit: SI.
+/// Frame: W.
 struct PalpationCues {
     bool present = false;
 

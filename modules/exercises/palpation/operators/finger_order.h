@@ -7,7 +7,9 @@
 
 namespace chiron::operators {
 
-/// What the operator's strategy wants of one finger until the next order. Frame: W. Unit: SI.
+/// What the operator's strategy wants of one finger until the next order.
+/// Unit: SI.
+/// Frame: W.
 struct FingerOrder {
     core::Vec3 goal_W = core::Vec3::Zero();
     double speed_m_per_s = 0.1;

@@ -10,7 +10,9 @@
 namespace chiron::operators {
 
 /// The motor command: turns a goal into a smooth desired position with bounded speed and acceleration. Called
-/// in every tick; allocates nothing. Frame: D. Unit: SI.
+/// in every tick; allocates nothing.
+/// Unit: SI.
+/// Frame: D.
 class FingerReach {
 public:
     /// Speed per remaining distance, so that it slows down before the goal; assumption.

@@ -37,7 +37,8 @@ enum class SearchKind {
 };
 
 /// One scripted palpator: how it searches, presses and decides. The values are assumptions that are plausible
-/// for people; no gate of a level is tuned to them (README.md). Unit: SI.
+/// for people; no gate of a level is tuned to them (README.md).
+/// Unit: SI.
 struct PalpationOperatorSettings {
     std::string name = "expert";
     PalpationPerceptionSettings perception;

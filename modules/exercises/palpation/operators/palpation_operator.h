@@ -36,7 +36,8 @@ struct PalpationBriefing {
     std::vector<devices::WorkspaceMapping> places;
 };
 
-/// The names of the scripted palpators: novice, intermediate, expert, unsafe. Static data. Thread: any.
+/// The names of the scripted palpators: novice, intermediate, expert, unsafe. Static data.
+/// Thread: any.
 std::span<const std::string_view> palpationOperatorNames() noexcept;
 
 /// Returns the settings of the palpator with this name.

@@ -10,8 +10,9 @@
 
 namespace chiron::operators {
 
-/// The part of the search area that one hand takes, and the fingers with which it searches it. Frame: W.
+/// The part of the search area that one hand takes, and the fingers with which it searches it.
 /// Unit: m.
+/// Frame: W.
 struct SearchShare {
     core::Vec2 low_m = core::Vec2::Zero();
     core::Vec2 high_m = core::Vec2::Zero();

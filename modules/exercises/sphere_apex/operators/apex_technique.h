@@ -15,8 +15,8 @@ struct SurfaceWish {
     bool noHill = false;                      ///< the surface felt flat, so it is the table
 };
 
-/// How a trainee finds the apex once it is on top of something. Uses percepts only. Thread: haptic; allocates
-/// nothing.
+/// How a trainee finds the apex once it is on top of something. Uses percepts only.
+/// Thread: haptic; allocates nothing.
 class ApexTechnique {
 public:
     ApexTechnique() = default;

@@ -8,7 +8,9 @@ namespace chiron::operators {
 
 /// The motor command: turns a wished velocity into a smooth desired position. Acceleration is bounded, and so
 /// is the distance of the desired position from where the trainee began (its arm is no longer). Called in
-/// every tick; allocates nothing. Frame: D. Unit: SI.
+/// every tick; allocates nothing.
+/// Unit: SI.
+/// Frame: D.
 class Reach {
 public:
     static constexpr double kAcceleration_m_per_s2 = 1.5; ///< unhurried arm movements: assumption

@@ -13,7 +13,8 @@
 namespace chiron::operators {
 
 /// The names of the scripted trainees of the sphere-apex exercise: novice, intermediate, expert, unsafe.
-/// Static data. Thread: any.
+/// Static data.
+/// Thread: any.
 std::span<const std::string_view> sphereApexOperatorNames() noexcept;
 
 /// Returns the settings of the trainee with this name.

@@ -12,7 +12,8 @@
 
 namespace chiron::simulation {
 
-/// What a tool feels at one position, as a force on the tool. Frame: W.
+/// What a tool feels at one position, as a force on the tool.
+/// Frame: W.
 struct ContactResponse {
     core::Vec3 force = core::Vec3::Zero();   ///< N: normal, lateral elastic and friction forces together
     core::Vec3 normal = core::Vec3::UnitZ(); ///< outward, unit, of the touched surface (dimple included)

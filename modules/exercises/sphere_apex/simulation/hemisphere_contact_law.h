@@ -7,7 +7,8 @@ namespace chiron::simulation {
 
 /// The law "hemisphere" as a table for the command line (evaluate_laws.h): HemisphereContact without friction
 /// computes force, outward normal, depth and energy from the tool's position and velocity. The data are
-/// static. Thread: any.
+/// static.
+/// Thread: any.
 core::LawDescription hemisphereLaw() noexcept;
 
 } // namespace chiron::simulation

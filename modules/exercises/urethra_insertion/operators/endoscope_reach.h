@@ -17,7 +17,9 @@ struct EndoscopeWish {
 
 /// The motor command: turns wished speeds into a smooth desired pose. Accelerations are bounded, and so are
 /// the desired angles (no wrist turns further). The instrument is not rolled. Called in every tick; allocates
-/// nothing. Frame: D. Unit: SI.
+/// nothing.
+/// Unit: SI.
+/// Frame: D.
 class EndoscopeReach {
 public:
     static constexpr double kAcceleration_m_per_s2 = 0.3;   ///< fine movements of a held instrument: assumption

@@ -20,7 +20,8 @@ enum class SteeringKind {
 
 /// One scripted endoscopist: how it moves, turns and reacts to force. The values are assumptions that are
 /// plausible for people; nothing is fitted to a measurement, and gates of levels are not tuned to them
-/// (README.md). Unit: SI.
+/// (README.md).
+/// Unit: SI.
 struct UrethraInsertionOperatorSettings {
     std::string name = "expert";
     EndoscopePerceptionSettings perception;

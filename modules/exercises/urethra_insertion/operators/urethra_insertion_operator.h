@@ -13,7 +13,8 @@
 namespace chiron::operators {
 
 /// The names of the scripted endoscopists of urethra insertion: novice, intermediate, expert, unsafe,
-/// hesitant. Static data. Thread: any.
+/// hesitant. Static data.
+/// Thread: any.
 std::span<const std::string_view> urethraInsertionOperatorNames() noexcept;
 
 /// Returns the settings of the endoscopist with this name.

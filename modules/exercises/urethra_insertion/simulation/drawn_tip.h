@@ -26,7 +26,9 @@ public:
 
     DrawnTip(const UrethraInsertionParameters& parameters) noexcept;
 
-    /// `foot` is that of p_A. Frame: A. Unit: m.
+    /// `foot` is that of p_A.
+    /// Unit: m.
+    /// Frame: A.
     core::Vec3 at(const core::Vec3& p_A, const CentrelineFoot& foot) const noexcept;
     /// Computes the same in W, including the foot.
     core::Vec3 inW(const core::Vec3& p_WT) const noexcept;

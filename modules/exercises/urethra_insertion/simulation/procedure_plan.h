@@ -13,11 +13,15 @@ inline constexpr double kGoalBeyondNeck_m = 0.010;
 /// A procedure starts with the tip on the straight line before the entrance, at this distance outside.
 inline constexpr double kStartBeforeEntrance_m = 0.025;
 
-/// Centre of the bladder's sphere, whose wall meets the centre-line at C: C + R t(C). Unit: m. Frame: A.
+/// Centre of the bladder's sphere, whose wall meets the centre-line at C: C + R t(C).
+/// Unit: m.
+/// Frame: A.
 core::Vec3 bladderCentre_A(const UrethraAnatomy& anatomy, const UrethraCentreline& line) noexcept;
 
 /// Position of a landmark of the bladder: centre + R (cos θ t + sin θ (cos φ x̂ + sin φ n)), with θ polar and
-/// φ azimuth in the frame of C. Unit: m. Frame: A.
+/// φ azimuth in the frame of C.
+/// Unit: m.
+/// Frame: A.
 core::Vec3 landmark_A(const UrethraAnatomy& anatomy, const UrethraCentreline& line, const BladderLandmark& landmark) noexcept;
 
 /// The requirements of a level as the tracker follows them. Landmarks beyond the sixteenth are omitted

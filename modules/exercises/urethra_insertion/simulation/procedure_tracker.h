@@ -12,7 +12,9 @@
 namespace chiron::simulation {
 
 /// The requirements of a trial of an endoscopic procedure. Plain data with fixed storage, because the tick
-/// copies it. Unit: m for lengths. Frame: A.
+/// copies it.
+/// Unit: m for lengths.
+/// Frame: A.
 struct ProcedurePlan {
     static constexpr std::size_t kMaxLandmarks = 16;
 

@@ -39,7 +39,9 @@ struct EndoscopeMotion {
     double mostDamping_Ns_per_m = kUnboundedDamping;
 };
 
-/// All values that P1's Info window shows, and more. They act on the tool. Frame: A. Unit: SI.
+/// All values that P1's Info window shows, and more. They act on the tool.
+/// Unit: SI.
+/// Frame: A.
 struct UrethraResponse {
     core::Wrench wrench_A;    ///< the total: force at the tip, torque about it
     CentrelineFoot foot;      ///< s_t and e

@@ -34,7 +34,8 @@ struct BladderLandmark {
 };
 
 /// One level of urethra insertion (models.md §1), filled from content by the catalogue, which checks the
-/// ranges. Unit: SI.
+/// ranges.
+/// Unit: SI.
 struct UrethraInsertionParameters {
     UrethraAnatomy anatomy;
     Endoscope endoscope;

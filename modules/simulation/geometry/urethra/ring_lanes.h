@@ -13,7 +13,6 @@ namespace chiron::simulation {
 /// padded. Row arrays hold 6 lanes per block, β(v) in x, y, z and dβ/dv in x, y, z; slope arrays hold 3 lanes
 /// per block. Column arrays hold 4 numbers (x, y, z and one unused) for each curve along the canal, and
 /// repeat the first curve's numbers at the end.
-/// end.
 inline constexpr int kLaneWidth = 8;
 inline constexpr int kRowLanes = 6;
 inline constexpr int kSlopeLanes = 3;

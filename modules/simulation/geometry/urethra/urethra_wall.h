@@ -7,7 +7,8 @@ namespace chiron::simulation {
 
 /// The wall's local values as continuous functions of arc length (models.md §1.1), and the functions of
 /// §1.1/§1.2 that the drawn surface and the forces share. They are defined once, so that the user sees what
-/// is felt. Pure. Thread: haptic.
+/// is felt. Pure.
+/// Thread: haptic.
 class UrethraWall {
 public:
     UrethraWall(const UrethraAnatomy& anatomy, const Endoscope& endoscope) noexcept : m_anatomy(anatomy), m_scope(endoscope) {}
