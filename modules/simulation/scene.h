@@ -15,8 +15,7 @@
 
 namespace chiron::simulation {
 
-/// What the loop passes to the scene in each tick: the states of the tools, the commands and the conditions
-/// of the session.
+/// Input of a scene for one tick: the states of the tools, the commands and the conditions of the session.
 struct SceneInput {
     core::ToolStates tools;
     bool started = false;    ///< the start command was given
@@ -38,7 +37,7 @@ struct SceneInput {
     std::array<double, core::kMaxTools> dampingBudget_Ns_per_m{kUnboundedDamping, kUnboundedDamping, kUnboundedDamping, kUnboundedDamping};
 };
 
-/// What the scene returns for one tick.
+/// Output of a scene for one tick.
 struct SceneOutput {
     core::ToolWrenches tissue;
     std::array<core::DisplayPose, core::kMaxTools> display{};

@@ -14,10 +14,10 @@ struct BlendWeights {
     double before = 0.0;   ///< of A(k-2)
 };
 
-/// Computes what the fast loop shows between two answers of a slow model. It predicts from the last answers
-/// and blends the old and the new prediction after each update (P2, "Haptic-Visual Graphic Integration";
-/// models.md §2.2, two rates). Answer A(k) belongs to the request of tick n(k) and is applied at tick t(k) ≥
-/// n(k) + L.
+/// Computes the value that the fast loop shows between two answers of a slow model. It predicts from the last
+/// answers and blends the old and the new prediction after each update (P2, "Haptic-Visual Graphic
+/// Integration"; models.md §2.2, two rates). Answer A(k) belongs to the request of tick n(k) and is applied
+/// at tick t(k) ≥ n(k) + L.
 ///
 ///   prediction   P_k(t) = A(k) + γ e_k(t) (A(k) − A(k−1)),  e_k = min(1, (t − n(k)) / (n(k) − n(k−1)))
 ///   shown        x(t) = (1 − s(w)) P_{k−1}(t) + s(w) P_k(t),  w = min(1, (t − t(k)) / B),  s(w) = 3w² − 2w³

@@ -13,9 +13,9 @@
 
 namespace chiron::operators {
 
-/// What a simulated participant knows. It knows where the places are and what to attend to, and, from the
-/// practice, how strong such objects usually are, so that it can move by a sensible amount. It never knows
-/// what lies at a place.
+/// The knowledge of a simulated participant: where the places are, which attribute matters, and, from the
+/// practice, how strong such objects usually are, so that it can move by a sensible amount. It never includes
+/// the value at a place.
 struct ComparisonBriefing {
     simulation::ComparedAttribute attribute = simulation::ComparedAttribute::stiffness;
     int places = 3;

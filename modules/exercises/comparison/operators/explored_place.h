@@ -11,7 +11,7 @@
 
 namespace chiron::operators {
 
-/// What a hand feels at a place in one tick.
+/// Sensations of a hand at a place in one tick.
 /// Unit: SI.
 /// Frame: W.
 struct FeltSample {

@@ -3,7 +3,8 @@
 
 namespace chiron::operators {
 
-/// What the runner of a study asks of a simulated participant, after each tick and on the same thread.
+/// Interface through which the runner of a study queries a simulated participant, after each tick and on the
+/// same thread.
 class IParticipantMind {
 public:
     IParticipantMind() = default;

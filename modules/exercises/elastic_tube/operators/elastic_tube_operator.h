@@ -21,8 +21,8 @@ enum class TubeGoal {
     bring,   ///< hand the end over and lead it to its target
 };
 
-/// What a trainee is told before it begins. It contains nothing beyond what the screen and the instruments in
-/// its hands say.
+/// Instructions to a trainee before it begins. They contain nothing beyond what the screen and the
+/// instruments in its hands say.
 struct ElasticTubeBriefing {
     TubeGoal goal = TubeGoal::tension;
     /// mark: length over rest length; used where the screen does not show the mark …

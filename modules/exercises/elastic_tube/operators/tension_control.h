@@ -20,7 +20,7 @@ private:
     double m_weight = 0.0, m_length = 0.0, m_tension = 0.0, m_spread = 0.0, m_both = 0.0;
 };
 
-/// What the control knows about the wanted tension and the present pull.
+/// Inputs of the tension control: the wanted tension and the present pull, as far as the trainee knows them.
 struct TensionView {
     double tension_N = 0.0;  ///< as read or felt
     double length_m = 0.0;   ///< between the ends, as seen

@@ -14,8 +14,8 @@
 
 namespace chiron::operators {
 
-/// What a trainee is told before it begins. It contains nothing beyond what the instruction and the
-/// instrument in its hand say.
+/// Instructions to a trainee before it begins. They contain nothing beyond what the instruction on the screen
+/// and the instrument in its hand say.
 struct ObjectHandlingBriefing {
     bool weigh = false;           ///< the heaviest object is to be set down in the target
     double liftHeight_m = 0.030;  ///< height to which an object has to be lifted on the way

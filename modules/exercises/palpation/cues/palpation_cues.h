@@ -39,8 +39,8 @@ struct LumpCue {
     double radius_m = 0.0;
 };
 
-/// What the screen of a palpation shows, apart from the hands. Values that the level does not show stay zero.
-/// Trivially copyable.
+/// Contents of the screen of a palpation, apart from the hands. Values that the level does not show stay
+/// zero. Trivially copyable.
 /// Unit: SI.
 /// Frame: W.
 struct PalpationCues {

@@ -7,7 +7,7 @@
 
 namespace chiron::operators {
 
-/// What the operator's strategy wants of one finger until the next order.
+/// An order from the operator's strategy to one finger, valid until the next order.
 /// Unit: SI.
 /// Frame: W.
 struct FingerOrder {

@@ -15,9 +15,9 @@
 
 namespace chiron::operators {
 
-/// What a palpator is told and shown before it begins. It contains nothing beyond what the instruction, the
-/// drawn surface and its own hands say. It names no lump; lumps that a level shows come with the screen's
-/// cues.
+/// Instructions to a palpator before it begins. They contain nothing beyond what the instruction on the
+/// screen, the drawn surface and its own hands say. They name no lump; lumps that a level shows come with the
+/// screen's cues.
 struct PalpationBriefing {
     simulation::SurfaceShape surface;    ///< as drawn
     /// Where the instruction says that firmness is normal; the strategy does not read how firm.

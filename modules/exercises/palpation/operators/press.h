@@ -5,7 +5,7 @@
 
 namespace chiron::operators {
 
-/// What one finger believes it felt in one press.
+/// One press, as the finger believes it felt it.
 struct Press {
     core::Vec2 place_m = core::Vec2::Zero(); ///< x, y in W, position of the finger as it saw it
     double force_N = 0.0;                    ///< along the surface's normal

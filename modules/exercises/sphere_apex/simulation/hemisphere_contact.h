@@ -12,7 +12,7 @@
 
 namespace chiron::simulation {
 
-/// What a tool feels at one position, as a force on the tool.
+/// Response of the surface to a tool at one position; forces are on the tool.
 /// Frame: W.
 struct ContactResponse {
     core::Vec3 force = core::Vec3::Zero();   ///< N: normal, lateral elastic and friction forces together

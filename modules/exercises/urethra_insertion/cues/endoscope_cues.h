@@ -9,7 +9,7 @@
 
 namespace chiron::simulation {
 
-/// What the picture at an endoscope's tip and the marks on its shaft show in this tick, for scripted
+/// Contents of the picture at an endoscope's tip and of the marks on its shaft in this tick, for scripted
 /// operators and for the screen's texts. The camera frame is T: it looks along −z of T, with x to the right
 /// and y up. Values that the level does not show stay zero. Trivially copyable.
 struct EndoscopeCues {

@@ -19,8 +19,9 @@ struct SeenThing {
     double distance_m = 0.0;
 };
 
-/// What an endoscopist believes it feels and sees: all that its strategy may use. Forces and torques are as
-/// the hand feels them: along the instrument, and across it in the plane in which the tip moves.
+/// The sensations and sights that an endoscopist believes to have; its strategy may use nothing else. Forces
+/// and torques are as the hand feels them: along the instrument, and across it in the plane in which the tip
+/// moves.
 struct EndoscopePercept {
     double time_s = 0.0;
     double pitch_rad = 0.0; ///< felt pitch of the instrument above the table
@@ -35,8 +36,8 @@ struct EndoscopePercept {
     core::VisibleCues cues; ///< as shown; directions and depth must be read from the members above instead
 };
 
-/// Converts what really happens to a hand and on the screen into what is felt and seen: 100 observations per
-/// second, each from the mean of ten ticks, with the noises of EndoscopePerceptionSettings. Seeded.
+/// Converts the true state of a hand and of the screen into sensations: 100 observations per second, each
+/// from the mean of ten ticks, with the noises of EndoscopePerceptionSettings. Seeded.
 /// Thread: haptic; allocates nothing.
 class EndoscopeSenses {
 public:

@@ -23,7 +23,7 @@ struct MeshContactState {
     void reset() noexcept { *this = MeshContactState(); }
 };
 
-/// Response of a mesh: what the tool feels. Forces are on the tool, in the mesh's frame.
+/// Response of a mesh to a tool. Forces are on the tool, in the mesh's frame.
 struct MeshResponse {
     ObjectContactResponse contact; ///< force and its parts, normal, depth, energy, stiffness, inContact
     MeshFoot foot;                 ///< place on the surface: triangle, weights, point, blended normal, how it was found
