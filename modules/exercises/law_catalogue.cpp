@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The laws that the command line tabulates: a line each, those of single exercises among them.
+// The laws that the command line tabulates, one per line, including those of single exercises.
 #include "modules/exercises/sphere_apex/simulation/hemisphere_contact_law.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_forces_law.h"
 #include "simulation/attributes/evaluate_attributes.h"

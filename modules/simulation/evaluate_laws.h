@@ -7,8 +7,10 @@
 
 namespace chiron::simulation {
 
-/// The laws of this module that the command line can evaluate over a table; the list is modules/exercises/law_catalogue.cpp, and each law's
-/// own header says what goes in and comes out. Static data; thread: any.
+/// The laws of this module that the command line can evaluate over a table.
+/// modules/exercises/law_catalogue.cpp lists the laws of all modules; the header of each law states its
+/// inputs and outputs. The data is static.
+/// Thread: any.
 std::span<const core::LawDescription> evaluateLaws() noexcept;
 
 } // namespace chiron::simulation

@@ -5,17 +5,19 @@
 
 namespace chiron::simulation {
 
-/// When the answer of a slow model takes effect in the tick (architecture.md, Determinism). A request that the scene made at
-/// tick n is due at tick n + L.
+/// Says at which tick the answer of a slow model takes effect (architecture.md, Determinism). The answer to a
+/// request that the scene made at tick n is due at tick n + L.
 enum class SlowUpdate : std::uint8_t {
-    asDue,     ///< as-fast runs: exactly at n + L, computed in lock-step by the tick itself
-    whenReady, ///< real time: at n + L, or at the first tick after it that finds the answer; that tick is recorded
+    asDue,     ///< faster than real time: exactly at n + L; the tick itself computes the answer, in lock-step
+    /// Real time: at n + L, or at the first later tick that finds the answer; that tick is recorded.
+    whenReady,
     now,       ///< replay: at this tick, computed in lock-step
     notNow,    ///< replay: not at this tick
 };
 
-/// A model that is too slow for the tick, stepped beside it: takes the request of tick n, answers for tick n + L. Its state
-/// is changed by step() alone, so that the same requests give the same answers wherever it is stepped.
+/// A model that is too slow for the tick and is stepped beside it. It takes the request of tick n and answers
+/// it for tick n + L. Only step() changes its state, so that the same requests give the same answers on
+/// whichever thread it is stepped.
 class ISlowModel {
 public:
     ISlowModel() = default;
@@ -23,8 +25,10 @@ public:
     ISlowModel& operator=(const ISlowModel&) = delete;
     virtual ~ISlowModel() = default;
 
-    /// Takes the newest request, if there is one that has not been answered, and answers it; false: there was none. Thread:
-    /// the slow model's in real time; else the haptic one, in which case nothing else calls it. Never allocates or throws.
+    /// Answers the newest request if it has not been answered yet. Returns false if there was nothing to
+    /// answer.
+    /// Thread: the slow model's in real time, otherwise haptic, in which case no other thread calls it; never
+    /// allocates or throws.
     virtual bool step() noexcept = 0;
 };
 

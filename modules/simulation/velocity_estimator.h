@@ -8,9 +8,10 @@
 
 namespace chiron::simulation {
 
-/// The one velocity estimator of the house (models.md §0): first-order adaptive windowing, FOAW
+/// The program's only velocity estimator (models.md §0). It uses first-order adaptive windowing, FOAW
 /// (Janabi-Sharifi, Hayward & Chen 2000, "Discrete-time adaptive windowing for velocity estimation", IEEE
-/// Trans. Control Syst. Technol. 8(6)), on the integer counts of one tool, axis by axis, against device time.
+/// Trans. Control Syst. Technol. 8(6)), on the integer counts of one tool, separately for each axis, against
+/// device time.
 ///
 /// The window grows backwards from the newest sample, up to 15 ms of device time, as long as every sample in
 /// it lies within one count of the straight line through its two ends (the paper's end-fit test; for a steady
@@ -19,10 +20,13 @@ namespace chiron::simulation {
 /// through the window raises and lowers the estimate smoothly where the end-fit slope would jump by one count
 /// per 15 ms.
 ///
-/// Unit: counts/s of the device's grid. Delay: half the window, at most 7.5 ms for steady acceleration; a
-/// step of velocity is followed completely within 15 ms. A still tool gives exactly 0. Test and sums are in
-/// integers, one division a coordinate makes the double: the same on every machine. Thread: haptic; no
-/// allocation. Copyable (fixed storage); one instance a tool.
+/// The delay is half the window, at most 7.5 ms for steady acceleration; the estimate follows a step of
+/// velocity completely within 15 ms. A still tool gives exactly 0. The end-fit test and the sums use
+/// integers, and one division per coordinate yields the double, so that every machine computes the same
+/// value. Copyable (fixed storage); each tool has one instance.
+///
+/// Unit: counts/s of the device's grid.
+/// Thread: haptic; allocates nothing.
 class VelocityEstimator {
 public:
     using Rates = std::array<double, core::kMaxCoordinates>; ///< counts/s
@@ -34,14 +38,14 @@ public:
     /// `coordinates`: how many axes the device has (clamped to 1..kMaxCoordinates); the others read 0.
     explicit VelocityEstimator(int coordinates = core::kMaxCoordinates) noexcept;
 
-    /// A new packet is taken in; a packet already seen, an older one, or one marked kInvalid leaves the
-    /// estimate as it is (a packet read again is age, not rest: the supervisor's watchdog deals with it). A
-    /// gap of more than 15 ms of device time between packets, or device time that does not advance, forgets
-    /// the past: 0 until the next packet.
+    /// Takes in a new packet. A packet that was already seen, an older one, or one marked kInvalid leaves the
+    /// estimate as it is (a packet that is read again has aged; it does not say that the tool rests, and the
+    /// supervisor's watchdog deals with it). A gap of more than 15 ms of device time between packets, or
+    /// device time that does not advance, clears the history; the estimate is then 0 until the next packet.
     const Rates& update(const core::DeviceSample& sample) noexcept;
 
     const Rates& rates() const noexcept { return m_rates; }
-    void reset() noexcept; ///< forgets everything
+    void reset() noexcept; ///< clears the history
 
 private:
     void push(const core::DeviceSample& sample) noexcept;

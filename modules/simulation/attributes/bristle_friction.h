@@ -7,16 +7,19 @@
 
 namespace chiron::simulation {
 
-/// Friction of one tool on one surface as a clipped bristle, once a tick:
+/// Friction of one tool on one surface, modelled as a clipped bristle and updated once per tick:
 ///   z ← P_n (z + Δx),  ‖z‖ ≤ μ f_n / σ₀,  f = −σ₀ z
-/// Δx = the tool's displacement since the last tick, P_n the projection on the tangent plane of the outward normal n.
-/// σ₀ is constant, so the stored ½ σ₀ z² only ever shrinks by clipping and projecting: never active; it sticks (a still
-/// tool keeps its force) and does not creep (inside the clip a cycle returns to where it began). Source: models.md §2.2.
-/// State lives here: one object a tool. Thread: haptic.
+/// Δx is the tool's displacement since the last tick, and P_n projects on the tangent plane of the outward
+/// normal n. σ₀ is constant, so clipping and projecting can only reduce the stored energy ½ σ₀ z²: the law is
+/// never active. It sticks (a still tool keeps its force) and does not creep (inside the clip a cycle returns
+/// to where it began). Each instance holds the state of one tool. Source: models.md §2.2.
+/// Thread: haptic.
 class BristleFriction {
 public:
-    /// `p_WT` m; `normal` unit, W; `normalForce_N` = f_n ≥ 0; `mu` ≥ 0; `bristleStiffness_N_per_m` = σ₀ > 0. Returns the
-    /// friction force on the tool (N, W), in the tangent plane, at most μ f_n. The first call after release() gives 0.
+    /// Advances by one tick. `p_WT` is the tool's position (m), `normal` a unit vector in W, `normalForce_N`
+    /// = f_n ≥ 0, `mu` ≥ 0 and `bristleStiffness_N_per_m` = σ₀ > 0. Returns the friction force on the tool
+    /// (N, W), which lies in the tangent plane and is at most μ f_n. The first call after release() returns
+    /// 0.
     core::Vec3 update(const core::Vec3& p_WT, const core::Vec3& normal, double normalForce_N, double mu,
                       double bristleStiffness_N_per_m) noexcept {
         if (m_touching)
@@ -31,7 +34,7 @@ public:
         return -bristleStiffness_N_per_m * m_stretch;
     }
 
-    /// Contact ended: the bristle springs back and its energy is lost.
+    /// Ends the contact: the bristle springs back and its energy is lost.
     void release() noexcept {
         m_touching = false;
         m_stretch.setZero();

@@ -6,17 +6,20 @@
 
 namespace chiron::simulation {
 
-/// No bound: a law on its own, or a device that renders no force.
+/// No bound: for a law that is evaluated on its own, or a device that renders no force.
 inline constexpr double kUnboundedDamping = std::numeric_limits<double>::infinity();
 
-/// What may damp one tool in one tick, N·s/m: slope of friction, viscosity, contact damping. All of it acts on the same velocity, which
-/// is counted and late, so it is the sum that a mechanism carries or not (models.md §8). A law asks here before it damps; what is left
-/// over the passivity controller may inject. Pure but for its own count. Thread: haptic; no allocation.
+/// Keeps account of the damping (N·s/m) of one tool in one tick: the slope of friction, viscosity and contact
+/// damping together. All of it acts on the same velocity, which is quantised and delayed, so a mechanism is
+/// stable or not by the sum (models.md §8). Every law asks here before it damps, and the passivity controller
+/// may inject what is left over. Pure except for its own account.
+/// Thread: haptic; allocates nothing.
 class DampingBudget {
 public:
     explicit constexpr DampingBudget(double most_Ns_per_m = kUnboundedDamping) noexcept : m_left_Ns_per_m(std::max(0.0, most_Ns_per_m)) {}
 
-    /// The share, 0..1, of a damper of `wanted_Ns_per_m` ≥ 0 that fits into `most_Ns_per_m`; exactly 1 where all of it does.
+    /// The share, 0..1, of a damper of `wanted_Ns_per_m` ≥ 0 that fits into `most_Ns_per_m`; exactly 1 where
+    /// all of it fits.
     static constexpr double share(double wanted_Ns_per_m, double most_Ns_per_m) noexcept {
         return wanted_Ns_per_m > most_Ns_per_m ? std::max(0.0, most_Ns_per_m) / wanted_Ns_per_m : 1.0;
     }

@@ -7,10 +7,11 @@
 
 namespace chiron::simulation {
 
-/// Elastic contact as a potential: U = ½ k d² (J), f = −∇U = −k d ∇d − ½ d² ∇k (N, on the tool, W).
-/// `depth_m` ≥ 0; `depthGradient` = ∇d (−n for a smooth surface; −n + ∇h with a micro-height h); `stiffness_N_per_m` = k
-/// and its gradient at the tool's place. The second term is the lateral force without which a press–slide–lift loop
-/// over a stiff lump would make energy. Pure. Conservative. Source: models.md §0, §2.2.
+/// Elastic contact as a potential: U = ½ k d² (J), f = −∇U = −k d ∇d − ½ d² ∇k (N, on the tool, W). `depth_m`
+/// ≥ 0; `depthGradient` = ∇d (−n for a smooth surface; −n + ∇h with a micro-height h); `stiffness_N_per_m` =
+/// k and its gradient are taken at the tool's position. The second term is a lateral force; without it a
+/// press–slide–lift loop over a stiff lump would create energy. Pure. Conservative. Source: models.md §0,
+/// §2.2.
 struct Elasticity {
     static double energy(double stiffness_N_per_m, double depth_m) noexcept {
         return 0.5 * stiffness_N_per_m * depth_m * depth_m;
@@ -25,24 +26,28 @@ struct Elasticity {
     }
 };
 
-/// Elasticity along one line, with or without strain stiffening, against the extension (or depth) x in m:
+/// Elasticity along one line, with or without strain stiffening, as a function of the extension (or depth) x
+/// in m:
 ///   b = 0:  f = −k x,                   U = ½ k x²
 ///   b > 0:  f = −(k/b) (e^{bx} − 1),    U = (k/b²) (e^{bx} − 1 − bx)
-/// k = stiffness at small strain (N/m, ≥ 0), b = stiffening (1/m, ≥ 0); the slope k e^{bx} doubles every 0.69/b metres.
-/// The limit b → 0 is exact: below b|x| = 0.1 both are summed as series. Beyond b x = kLargestExponent the law goes on
-/// straight, with the force and slope it has there, so that no input overflows: far outside what a device renders (the
-/// slope there is 5·10⁸ k). x < 0 pushes back the other way; who has slack (a tube) or no pull (a contact) asks for x > 0
-/// only. Pure; conservative. Source: P2 "Elastic Tube Model"; models.md §2.2 (small-strain slope a there is k here).
+/// k is the stiffness at small strain (N/m, ≥ 0) and b the stiffening (1/m, ≥ 0); the slope k e^{bx} doubles
+/// every 0.69/b metres. The limit b → 0 is exact: below b|x| = 0.1 both expressions are summed as series.
+/// Beyond b x = kLargestExponent the law continues linearly with the force and slope that it has there, so
+/// that no input overflows; this is far outside what a device renders (the slope there is 5·10⁸ k). For x < 0
+/// the force acts in the opposite direction; a caller that has slack (a tube) or must not pull (a contact)
+/// evaluates only x > 0. Pure; conservative. Source: P2 "Elastic Tube Model"; models.md §2.2 (small-strain
+/// slope a there is k here).
 struct ElasticLaw {
     static constexpr double kLargestExponent = 20.0;
-    static constexpr double kSeriesBelow = 0.1; ///< of b|x|: above it expm1(u) − u loses less than 5·10⁻¹⁵
+    /// Bound of b|x|; above it expm1(u) − u loses less than 5·10⁻¹⁵.
+    static constexpr double kSeriesBelow = 0.1;
 
     double stiffness_N_per_m = 0.0; ///< k
     double stiffening_per_m = 0.0;  ///< b
 
-    /// −f: N, rises with x.
+    /// Returns −f (N), which rises with x.
     double tension(double x_m) const noexcept {
-        if (stiffening_per_m == 0.0) // the usual case, to the same bits
+        if (stiffening_per_m == 0.0) // the usual case, bit for bit the linear law
             return stiffness_N_per_m * x_m;
         const double u = stiffening_per_m * x_m;
         if (std::abs(u) < kSeriesBelow)
@@ -52,7 +57,7 @@ struct ElasticLaw {
         return stiffness_N_per_m / stiffening_per_m * std::expm1(u);
     }
 
-    /// U, J, ≥ 0.
+    /// Returns U (J), ≥ 0.
     double energy(double x_m) const noexcept {
         if (stiffening_per_m == 0.0)
             return stiffness_N_per_m * x_m * x_m * 0.5;
@@ -66,14 +71,15 @@ struct ElasticLaw {
         return u > kLargestExponent ? stored + over * (tensionAtEnd() + 0.5 * endSlope() * over) : stored;
     }
 
-    /// −df/dx: N/m, the stiffness felt at x.
+    /// Returns −df/dx (N/m), the stiffness felt at x.
     double slope(double x_m) const noexcept {
         const double u = stiffening_per_m * x_m;
         return stiffness_N_per_m * (u == 0.0 ? 1.0 : std::exp(u > kLargestExponent ? kLargestExponent : u));
     }
 
 private:
-    /// (e^u − 1 − u)/u² by its series, |u| < kSeriesBelow: the first term left out is below 3·10⁻¹⁸.
+    /// Returns (e^u − 1 − u)/u² by its series for |u| < kSeriesBelow; the first omitted term is below
+    /// 3·10⁻¹⁸.
     static double excess(double u) noexcept {
         double sum = 1.0 / 39916800.0;
         for (const double term : {1.0 / 3628800.0, 1.0 / 362880.0, 1.0 / 40320.0, 1.0 / 5040.0, 1.0 / 720.0, 1.0 / 120.0,

@@ -79,8 +79,8 @@ std::string deformationProblem(std::span<const double>, std::span<const double> 
     return in[2] < 0.0 ? core::lawProblem("released_s", in[2], "at least 0") : std::string();
 }
 
-/// Pressed at once to depth_m at time 0, held there until held_s (force_N), then the tool is gone for released_s, after which
-/// the surface lies at surface_m.
+/// Presses to depth_m at time 0 and holds it until held_s (force_N). The tool then stays away for released_s,
+/// after which the surface lies at surface_m.
 void evaluateDeformation(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
     const Deformation::Parameters law{{p[0], p[1]}, p[2] * p[0], p[3]};
     Deformation dent;
@@ -120,8 +120,9 @@ std::string tubeProblem(std::span<const double>, std::span<const double> in) {
     return !in.empty() && in[0] < 0.0 ? core::lawProblem("length_m", in[0], "at least 0") : std::string();
 }
 
-/// A segment of rest length l = share · L0, taut at `length_m`: each part of it is stretched alike, so that the whole tube
-/// would be by x = (length − l)/share: T = F(x), U = share · U_F(x); slack, nothing.
+/// A segment of rest length l = share · L0, taut at `length_m`. All parts of the tube are strained equally,
+/// so the whole tube would be stretched by x = (length − l)/share. T = F(x), U = share · U_F(x); both are 0
+/// when slack.
 void evaluateTube(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
     const ElasticLaw law{p[1], p[2]};
     const double stretch = in[0] - p[3] * p[0];

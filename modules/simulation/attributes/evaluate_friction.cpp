@@ -15,7 +15,7 @@ using core::LawParameter;
 constexpr std::array<LawColumn, 2> kFrictionInputs{{{"normal_force_N", "N"}, {"velocity_m_per_s", "m/s"}}};
 constexpr std::array<LawColumn, 2> kFrictionOutputs{
     {{"friction_force_N", "N"}, {"regularisation_velocity_m_per_s", "m/s"}}};
-/// A regularisation velocity of 0 asks for the rule of models.md §0.
+/// A regularisation velocity of 0 selects the rule of models.md §0.
 constexpr std::array<LawParameter, 4> kFrictionParameters{{
     {"mu", "1", 0.3, 0.0, 5.0},
     {"regularisation_velocity_m_per_s", "m/s", 0.0, 0.0, 1.0},

@@ -5,8 +5,9 @@
 
 namespace chiron::simulation {
 
-/// "friction" as a table for the command line (evaluate_laws.h): CoulombFriction, normal force and velocity → force, V₀. Static data;
-/// thread: any.
+/// The law "friction" as a table for the command line (evaluate_laws.h): CoulombFriction computes friction
+/// force and V₀ from normal force and velocity. The data are static.
+/// Thread: any.
 core::LawDescription frictionLaw() noexcept;
 
 } // namespace chiron::simulation

@@ -25,7 +25,7 @@ constexpr std::array<LawParameter, 4> kRoughnessParameters{{{"roughness_m", "m",
                                                             {"seed", "1", 1.0, 0.0, 1e9, true},
                                                             {"stiffness_N_per_m", "N/m", 500.0, 0.0, 100000.0}}};
 
-/// On the plane z = 0: a tool at (px, py, −depth).
+/// Evaluates roughness on the plane z = 0 for a tool at (px, py, −depth).
 void evaluateRoughness(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
     const RoughnessSample micro =
         Roughness(p[0], p[1], static_cast<std::uint64_t>(p[2])).sample(core::Vec3(in[0], in[1], 0.0));
@@ -54,7 +54,8 @@ constexpr std::array<LawColumn, 6> kBristleOutputs{{{"fx_N", "N"},
 constexpr std::array<LawParameter, 2> kBristleParameters{
     {{"mu", "1", 0.3, 0.0, 5.0}, {"bristle_stiffness_N_per_m", "N/m", 1000.0, 1.0, 100000.0}}};
 
-/// The stretch that came before is put there by two updates without a limit; then the row's own, with its limit.
+/// Two updates without a limit bring the bristle to the given stretch; the third makes the row's step, with
+/// its limit.
 void evaluateBristle(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
     const double normalForce = in[4] > 0.0 ? in[4] : 0.0; // a surface does not pull
     const core::Vec3 before(in[0], in[1], 0.0);

@@ -8,11 +8,12 @@
 
 namespace chiron::simulation {
 
-/// What an object of the abdomen feels like: P2's building blocks, each with its law in a file of this folder, combined as
-/// data (models.md §2.2; an ovary = mass + deformability + roughness + friction). A value of 0 leaves a block out. Filled from
-/// content/objects by the catalogue, which also checks the ranges. SI.
+/// The attributes that determine what an object of the abdomen feels like. They are P2's building blocks:
+/// each has its law in a file of this folder, and an object combines them as data (models.md §2.2; an ovary =
+/// mass + deformability + roughness + friction). A value of 0 leaves a block out. The catalogue fills this
+/// struct from content/objects and checks the ranges. All units are SI.
 struct ObjectAttributes {
-    std::string id = "plain"; ///< of the content's object, for people
+    std::string id = "plain"; ///< of the object in the content, shown to people
 
     // elasticity: f = -k x, or with strain stiffening f = -(k/b)(e^{bx} - 1), small-strain slope k
     double stiffness_N_per_m = 500.0; ///< k
@@ -20,9 +21,9 @@ struct ObjectAttributes {
 
     double mass_kg = 0.0; ///< m g downward while lifted (P2)
 
-    // deformation: the surface gives way under a lasting press and comes back with a time constant
-    double recoveryTime_s = 0.0; ///< τ; 0: at once
-    double recoveryShare = 0.0;  ///< how much stiffer a quick press is than a slow one: k₁/k, ≥ 0
+    // deformation: the surface gives way under a lasting press and recovers with a time constant
+    double recoveryTime_s = 0.0; ///< τ; 0: recovers at once
+    double recoveryShare = 0.0;  ///< k₁/k ≥ 0: how much stiffer a quick press is than a slow one
 
     // roughness: micro-height, band-limited, fixed by its seed; U = ½ k (d + h)²
     double roughness_m = 0.0;                ///< rms of h
@@ -37,7 +38,7 @@ struct ObjectAttributes {
     double damping_Ns_per_m = 1.0;   ///< along the contact normal, weighted by min(1, d/0.5 mm)
 };
 
-/// The elasticity of an object: of its surface against the depth, of a tube against its stretch.
+/// The elasticity of an object: of its surface as a function of depth, or of a tube as a function of stretch.
 inline ElasticLaw elasticOf(const ObjectAttributes& attributes) noexcept {
     return {attributes.stiffness_N_per_m, attributes.stiffening_per_m};
 }

@@ -5,11 +5,12 @@ namespace chiron::simulation {
 
 namespace {
 
-/// Adding and taking away 1.5·2⁵² rounds to the nearest whole number, |t| < 2⁵¹, without a call.
+/// Adding and then subtracting 1.5·2⁵² rounds |t| < 2⁵¹ to the nearest integer without a function call.
 constexpr double kRound = 6755399441055744.0;
 
-/// S(t) = t (1 − 4t²) Q(t²) on |t| ≤ ½: interpolates sin 2πt at the Chebyshev points of t², error 3.3·10⁻¹¹. The first two
-/// factors make it zero at the wrap, so that S and S' are continuous there.
+/// S(t) = t (1 − 4t²) Q(t²) on |t| ≤ ½ interpolates sin 2πt at the Chebyshev points of t², with an error of
+/// 3.3·10⁻¹¹. The first two factors make it zero where the phase wraps, so that S and S' are continuous
+/// there.
 constexpr double kQ[] = {6.283185307009146,  -16.208960944848467, 16.769400945426586, -9.628135704707535,
                          3.54455356482471,   -0.9046675556551789, 0.1523560546312187};
 

@@ -8,45 +8,48 @@
 
 namespace chiron::simulation {
 
-/// Micro-height at a place and its slope.
+/// Micro-height at one position, and its gradient.
 struct RoughnessSample {
     double height_m = 0.0;
-    core::Vec3 gradient = core::Vec3::Zero(); ///< ∇h, m/m, all three directions
+    core::Vec3 gradient = core::Vec3::Zero(); ///< ∇h, m/m, in all three directions
 };
 
-/// Roughness as a pseudo-random micro-height fixed by a seed:
+/// Roughness as a pseudo-random micro-height that is fixed by a seed:
 ///   h(p) = rms √(2/N) Σ S(κ u_i·p/2π + φ_i),   S(t) = sin 2πt,   κ = 2π/λ,   N = kWaves
-/// a sum of plane waves of the one wavelength λ = `shortestWavelength_m` (≥ 1 mm) whose directions u_i are even over the
-/// sphere. Their wave numbers along any straight track are then even over 0..κ (Archimedes: the sphere's projection on a line
-/// is uniform), so along every track, in whichever direction and on whichever plane, h is white up to 1/λ and has nothing
-/// beyond: N lines at a spacing of about 1/(Nλ). Over many λ h is Gaussian with the rms asked for (m, 0..1 mm).
+/// It is a sum of plane waves, all of the wavelength λ = `shortestWavelength_m` (≥ 1 mm), whose directions
+/// u_i are evenly distributed over the sphere. Their wave numbers along any straight track are then evenly
+/// distributed over 0..κ (Archimedes: the projection of the sphere on a line is uniform). Along every track,
+/// in whichever direction and on whichever plane, h is therefore white up to 1/λ and has nothing beyond: N
+/// lines at a spacing of about 1/(Nλ). Over many λ, h is Gaussian with the requested rms (m, 0..1 mm).
 ///
-/// Added to the depth, d' = d + h, U = U_e(d'), f = −∇U with its lateral part: conservative, fixed in place (a still probe
-/// feels a constant; the same path the same force), and felt as strongly as one presses. On a surface it is read at the foot
-/// point C of the tool, with ∇h projected and scaled by how C moves with the tool (object_contact.h).
-/// S is a polynomial of our own within 4·10⁻¹¹ of the sine, continuous with its slope over the wrap, and the gradient is the
-/// exact derivative of what is summed: same bits on every machine, energy kept to rounding, about 0.3 µs a sample.
-/// Pure after construction; fixed size, no allocation. Thread: any. Source: P2 "a random white noise type function";
-/// models.md §2.2; the even directions are our choice.
+/// h is added to the depth: d' = d + h, U = U_e(d'), f = −∇U with its lateral part. The contact is therefore
+/// conservative and fixed in place (a still probe feels a constant, and the same path gives the same force),
+/// and the roughness is felt the more strongly, the harder one presses. On a surface it is read at the foot
+/// point C of the tool, with ∇h projected and scaled by how C moves with the tool (object_contact.h). S is a
+/// polynomial of our own within 4·10⁻¹¹ of the sine; it and its slope are continuous where the phase wraps.
+/// The gradient is the exact derivative of the sum, so every machine computes the same bits and energy is
+/// kept to rounding, at about 0.3 µs per sample. Pure after construction; fixed size. Source: P2 "a random
+/// white noise type function"; models.md §2.2; the even directions are our choice.
+/// Thread: any; allocates nothing.
 class Roughness {
 public:
     static constexpr int kWaves = 64;
     static constexpr double kShortestWavelength_m = 0.001;
 
     Roughness() = default; ///< smooth
-    /// `rms_m` ≥ 0; a wavelength below kShortestWavelength_m is taken as that.
+    /// `rms_m` ≥ 0; a wavelength below kShortestWavelength_m is raised to it.
     Roughness(double rms_m, double shortestWavelength_m, std::uint64_t seed) noexcept;
 
-    /// `p` m, in the object's frame.
+    /// Returns the micro-height and its gradient at `p` (m), in the object's frame.
     RoughnessSample sample(const core::Vec3& p) const noexcept;
 
     bool smooth() const noexcept { return m_amplitude_m == 0.0; }
-    /// No place is higher: rms √(2N).
+    /// Upper bound of |h| at any position: rms √(2N).
     double bound_m() const noexcept { return m_amplitude_m * kWaves; }
     double shortestWavelength_m() const noexcept { return m_wavelength_m; }
 
 private:
-    double m_amplitude_m = 0.0; ///< of each wave
+    double m_amplitude_m = 0.0; ///< amplitude of each wave
     double m_wavelength_m = kShortestWavelength_m;
     std::array<double, kWaves> m_x{}; ///< wave vectors, turns per metre
     std::array<double, kWaves> m_y{};

@@ -10,7 +10,7 @@ namespace chiron::simulation {
 
 namespace {
 
-/// A rotation drawn evenly (Shoemake 1992), so that no track is special.
+/// Returns a uniformly distributed rotation (Shoemake 1992), so that no direction of a track is special.
 core::Quat randomRotation(core::Random& random) noexcept {
     const double u = random.uniform();
     const double a = random.uniform(0.0, 2.0 * core::kPi);
@@ -26,7 +26,8 @@ Roughness::Roughness(double rms_m, double shortestWavelength_m, std::uint64_t se
       m_wavelength_m(std::max(kShortestWavelength_m, shortestWavelength_m)) {
     core::Random random = core::Random::stream(seed, "roughness");
     const core::Quat turn = randomRotation(random);
-    // A wave and its opposite are one, so a half sphere is enough: points of a Fibonacci spiral, even to a few per cent.
+    // A wave and its opposite are the same, so directions on a half sphere suffice: the points of a Fibonacci
+    // spiral, even to within a few per cent.
     const double golden = core::kPi * (3.0 - std::sqrt(5.0));
     for (std::size_t i = 0; i < kWaves; ++i) {
         const double z = (static_cast<double>(i) + 0.5) / kWaves;

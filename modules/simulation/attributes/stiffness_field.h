@@ -8,7 +8,7 @@
 
 namespace chiron::simulation {
 
-/// Stiffness at a place, with its gradient (horizontal: the field varies over x and y only).
+/// Stiffness at one position, with its gradient (horizontal, because the field varies over x and y only).
 struct StiffnessSample {
     double value_N_per_m = 0.0;
     core::Vec2 gradient_N_per_m2 = core::Vec2::Zero();

@@ -7,11 +7,12 @@
 
 namespace chiron::simulation {
 
-/// Viscosity inside an object: f = −b w v (N, on the tool), w = min(1, d/0.5 mm), so that nothing steps at first contact
-/// (models.md §0). `viscosity_Ns_per_m` = b ≥ 0, 0..50; `depth_m` = d of the tool inside; `v` its velocity relative to the
-/// object, m/s. Not conservative: never does positive work (f·v ≤ 0). A sampled loop with one tick of delay carries up to about 50 N·s/m
-/// (models.md §0). Pure. Source: P2 "viscosity forces opposes motion with a force proportional to velocity";
-/// models.md §2.2.
+/// Viscosity inside an object: f = −b w v (N, on the tool). The weight w = min(1, d/0.5 mm) avoids a step of
+/// the force at first contact (models.md §0). `viscosity_Ns_per_m` = b ≥ 0, 0..50; `depth_m` = d is the
+/// tool's depth inside the object; `v` is its velocity relative to the object, m/s. The law is not
+/// conservative: it never does positive work (f·v ≤ 0). A sampled loop with one tick of delay carries up to
+/// about 50 N·s/m (models.md §0). Pure. Source: P2 "viscosity forces opposes motion with a force proportional
+/// to velocity"; models.md §2.2.
 struct Viscosity {
     static constexpr double kFullDepth_m = 0.0005;
 

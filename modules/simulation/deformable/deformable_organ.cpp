@@ -8,7 +8,9 @@ namespace chiron::simulation {
 
 namespace {
 
-constexpr double kStill_m = 1e-9; ///< less far moved, the organ has the normals it lies with: no edge is shorter than some tenths of a millimetre
+/// A smaller displacement leaves the normals at rest, since no edge is shorter than some tenths of a
+/// millimetre.
+constexpr double kStill_m = 1e-9;
 
 core::Vec3 vec(const std::array<double, 3>& a) noexcept { return {a[0], a[1], a[2]}; }
 

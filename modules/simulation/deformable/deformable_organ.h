@@ -16,7 +16,8 @@
 
 namespace chiron::simulation {
 
-/// What a tool does at the surface, for the slow model: plain numbers, since they travel through a triple buffer.
+/// The contact of one tool at the surface, as sent to the slow model. It holds plain numbers, because it
+/// travels through a triple buffer.
 struct OrganTouch {
     bool touching = false;
     std::uint32_t triangle = 0;
@@ -28,27 +29,33 @@ struct OrganTouch {
 
 using OrganTouches = std::array<OrganTouch, core::kMaxTools>;
 
-/// How far the surface under the tools, as it was shown at the tick of a request, lay from the slow model's answer to it (P2: "after a
-/// visual loop update, the haptic loop compares predicted values"): the largest of all tools that touched. m; 0 where none did.
+/// Distance between the surface under the tools as it was shown at the tick of a request, and the slow
+/// model's answer to that request (P2: "after a visual loop update, the haptic loop compares predicted
+/// values"). It is the largest of all tools that touched; 0 where none did.
+/// Unit: m.
 struct PredictionError {
-    double predicted_m = 0.0; ///< of what was shown: predicted and blended
-    double held_m = 0.0;      ///< had the last answers been held and blended, without prediction
+    double predicted_m = 0.0; ///< of the surface as shown, predicted and blended
+    /// Error of the surface if the last answers had been held and blended without prediction.
+    double held_m = 0.0;
 };
 
-/// A deformable organ at two rates (P2, "Haptic-Visual Graphic Integration"): a SpringNetwork that is asked at 30 Hz beside the
-/// loop, and the moving surface that the loop renders from, predicted and blended between its answers.
+/// A deformable organ at two rates (P2, "Haptic-Visual Graphic Integration"): a SpringNetwork that is asked
+/// at 30 Hz beside the loop, and the moving surface that the loop renders from. Between the network's answers
+/// the surface is predicted and blended.
 ///
-/// The stiffness that is felt. The fast loop renders f = k d against the shown surface; the slow model is told where the tool
-/// is and finds how far the organ gives way under that same spring. Held x deep in the rest shape:
-///   at once (the surface has not heard of it):  f = k x
+/// The felt stiffness is as follows. The fast loop renders f = k d against the shown surface; the slow model
+/// is told where the tool is and computes how far the organ gives way under that same spring. For a tool that
+/// is held x deep in the rest shape:
+///   at once (the surface has not reacted yet):    f = k x
 ///   from L ticks on:                             f = k (x − u),  u = x k/(k + K)  →  f = x k K/(k + K)
-/// the series of the local stiffness k and the organ's K. A quick touch meets k, a lasting one the series; in between the
-/// blend leads from the one to the other in B ticks, then τ of the network. To feel K_felt in the end choose
-/// K = k K_felt/(k − K_felt), k > K_felt.
+/// This is the series of the local stiffness k and the organ's K. A quick touch meets k, a lasting one the
+/// series; in between, the blend leads from one to the other in B ticks, and then the network's τ applies. To
+/// feel K_felt in the end, choose K = k K_felt/(k − K_felt), k > K_felt.
 ///
-/// Rendering from it: position(), normal(), triangle(), largestDisplacement_m() and tree() are what a mesh contact asks of a
-/// surface (geometry/mesh); only the vertices that are asked for are blended. Threads: create(), restart() by its owner before
-/// a run or in the tick; update(), ask() and the surface haptic; step() as ISlowModel says.
+/// For rendering, position(), normal(), triangle(), largestDisplacement_m() and tree() are what a mesh
+/// contact needs of a surface (geometry/mesh); only the vertices that are requested are blended.
+/// Thread: the owner's for create(), and for restart() before a run (or haptic, in the tick); haptic for
+/// update(), ask() and the surface; step() as ISlowModel says.
 class DeformableOrgan final : public ISlowModel {
 public:
     static constexpr bool kMoves = true; ///< a place of the surface moves from tick to tick
@@ -56,36 +63,40 @@ public:
     struct Settings {
         SpringNetworkParameters network;
         TwoRateTiming timing;
-        std::uint64_t blend_ticks = 33; ///< B, at most timing.latency_ticks
+        /// B, ticks over which an answer is blended in; at most timing.latency_ticks.
+        std::uint64_t blend_ticks = 33;
         double prediction = 0.5;        ///< γ, 0..1
     };
 
-    /// Fails as SpringNetwork::create does, or (badInput) where B > L. The mesh is copied.
+    /// Copies the mesh.
+    /// Errors: those of SpringNetwork::create; badInput where B > L.
     static core::Result<std::unique_ptr<DeformableOrgan>> create(const TriangleMesh& mesh, const std::vector<bool>& anchored,
                                                                  std::uint32_t reference, const Settings& settings);
     ~DeformableOrgan() override;
 
-    /// At rest again, from this tick on: another trial. An answer that is still on its way is taken and left out.
+    /// Puts the organ at rest from this tick on, for another trial. An answer that is still pending is
+    /// received and discarded.
     void restart(std::uint64_t tick) noexcept;
-    /// Once a tick, before the surface is asked for: applies an answer that takes effect (true: kSlowApplied), sets weights.
+    /// Call once per tick, before the surface is used: applies an answer that takes effect (then returns
+    /// true: kSlowApplied) and sets the weights.
     bool update(std::uint64_t tick, SlowUpdate when) noexcept;
-    /// Once a tick, after the contacts are known: asks the slow model, if it is time.
+    /// Call once per tick, after the contacts are known: sends a request to the slow model if it is time.
     void ask(std::uint64_t tick, const OrganTouches& touches) noexcept;
 
     bool step() noexcept override;
 
-    // The shown surface of this tick.
+    // The surface that is shown in this tick.
     core::Vec3 position(std::uint32_t vertex) const noexcept;
     core::Vec3 normal(std::uint32_t vertex) const noexcept; ///< unit
     const SurfaceTriangle& triangle(std::uint32_t index) const noexcept { return m_mesh.triangle(index); }
     const MeshTree& tree() const noexcept { return m_mesh.tree(); }
     double largestDisplacement_m() const noexcept { return m_largest_m; } ///< bound for this tick
-    double elasticEnergy_J() const noexcept { return m_energy_J; }        ///< of the organ, as blended, ≥ 0
+    double elasticEnergy_J() const noexcept { return m_energy_J; }        ///< of the organ, blended, ≥ 0
     const PredictionError& predictionError() const noexcept { return m_error; } ///< of the last answer that took effect
 
     const TriangleMesh& restMesh() const noexcept { return m_mesh; }
-    const SpringNetwork& network() const noexcept { return *m_network; } ///< while no step runs
-    /// Tests only: an answer takes effect at once, unblended.
+    const SpringNetwork& network() const noexcept { return *m_network; } ///< only while no step runs
+    /// For tests only: an answer takes effect at once, unblended.
     void switchBlendingOffForTests() noexcept { m_blends = false; }
 
 private:
@@ -98,7 +109,7 @@ private:
         double largest_m = 0.0;
         double energy_J = 0.0;
     };
-    struct Moved { ///< a vertex as an answer has it
+    struct Moved { ///< a vertex according to one answer
         core::Vec3 displacement = core::Vec3::Zero();
         core::Vec3 normal = core::Vec3::UnitZ();
     };
@@ -107,10 +118,12 @@ private:
     DeformableOrgan(const TriangleMesh& mesh, std::unique_ptr<SpringNetwork> network, const Settings& settings);
     Answer solve(std::uint64_t number, const Request& request) noexcept;
     void setWeights(std::uint64_t tick) noexcept;
-    void compare(std::uint64_t number) noexcept; ///< the answer with what was shown when it was asked for
-    core::Vec3 displacementOf(std::uint64_t number, const OrganTouch& touch) const noexcept; ///< as an answer has it
+    /// Compares the answer with the surface that was shown when it was requested.
+    void compare(std::uint64_t number) noexcept;
+    /// Displacement of the surface under a touch according to one answer.
+    core::Vec3 displacementOf(std::uint64_t number, const OrganTouch& touch) const noexcept;
 
-    /// One answer's share of the shown surface.
+    /// Contribution of one answer to the shown surface.
     struct Share {
         double weight = 0.0;
         const Moved* moved = nullptr; ///< null: the rest shape
@@ -126,13 +139,15 @@ private:
     double m_largest_m = 0.0;
     double m_energy_J = 0.0;
     OrganTouches m_asked{}; ///< of the last request
-    std::array<core::Vec3, core::kMaxTools> m_shown{}; ///< displacements under those touches, as they were shown then
+    /// Displacements under those touches, as shown at the request.
+    std::array<core::Vec3, core::kMaxTools> m_shown{};
     std::array<core::Vec3, core::kMaxTools> m_held{};  ///< the same without prediction
     PredictionError m_error;
-    bool m_moves = false; ///< any share has moved
+    bool m_moves = false; ///< the surface differs from the rest shape
     bool m_blends = true;
     Link m_link;
-    std::array<std::vector<Moved>, Link::kSlots> m_slots; ///< the model writes one, the tick reads the others
+    /// The model writes one of them while the tick reads the others.
+    std::array<std::vector<Moved>, Link::kSlots> m_slots;
     // Slow model.
     std::unique_ptr<SpringNetwork> m_network;
     std::uint32_t m_modelEpoch = 0;

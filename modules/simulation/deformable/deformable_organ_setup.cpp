@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making and ending an organ: allocates and frees, apart from the tick.
+// Construction and destruction of an organ. They allocate and free, and therefore stand apart from the tick.
 #include "simulation/deformable/deformable_organ.h"
 
 #include <string>

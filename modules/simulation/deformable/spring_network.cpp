@@ -9,7 +9,8 @@ namespace chiron::simulation {
 namespace {
 
 constexpr std::size_t kContacts = core::kMaxTools;
-constexpr int kSweeps = 64; ///< of Gauss-Seidel over at most four contacts: to rounding, and always the same number
+/// Number of Gauss-Seidel sweeps, always the same; over at most four contacts they converge to rounding.
+constexpr int kSweeps = 64;
 
 core::Vec3 three(const std::vector<double>& field, std::size_t unknown) noexcept {
     return {field[3 * unknown], field[3 * unknown + 1], field[3 * unknown + 2]};
@@ -27,7 +28,7 @@ core::Vec3 SpringNetwork::displacement(std::uint32_t vertex) const noexcept {
     return unknown < 0 ? core::Vec3(core::Vec3::Zero()) : three(m_u, static_cast<std::size_t>(unknown));
 }
 
-/// x ← A⁻¹ x for interleaved columns: L D Lᵀ by substitution.
+/// x ← A⁻¹ x for interleaved columns, by substitution with L D Lᵀ.
 template <std::size_t Columns>
 void SpringNetwork::solve(double* x) const noexcept {
     const std::size_t n = m_mass.size();
@@ -87,7 +88,7 @@ core::Vec3 SpringNetwork::at(const Contact& contact, const std::vector<double>& 
     return sum;
 }
 
-/// δ without contacts and volume.
+/// Computes δ without contacts and volume spring.
 void SpringNetwork::freeStep() noexcept {
     const double h = m_parameters.step_s;
     stiffnessTimes(m_u.data(), m_delta.data());
@@ -99,7 +100,8 @@ void SpringNetwork::freeStep() noexcept {
         m_volumeRest += m_volumeGradient[i] * (m_u[i] + m_delta[i]);
 }
 
-/// How the contacts move each other, with the volume's multiplier eliminated (it is linear in theirs).
+/// Computes how the contacts move each other. The volume's multiplier is eliminated, because it is linear in
+/// theirs.
 void SpringNetwork::coupleContacts(std::span<Contact> contacts) noexcept {
     std::fill(m_columns.begin(), m_columns.end(), 0.0);
     for (std::size_t c = 0; c < contacts.size(); ++c)
@@ -125,8 +127,8 @@ void SpringNetwork::coupleContacts(std::span<Contact> contacts) noexcept {
         }
 }
 
-/// λ in [0, largest] with compliance λ_c + Σ coupling λ_r = depth_c where it is inside: projected Gauss-Seidel on a symmetric
-/// positive definite system, which converges.
+/// Finds λ in [0, largest] so that compliance λ_c + Σ coupling λ_r = depth_c where λ_c is inside that range.
+/// Projected Gauss-Seidel converges, because the system is symmetric positive definite.
 void SpringNetwork::solveContacts(std::span<const Contact> contacts,
                                   std::array<double, core::kMaxTools>& pushes) const noexcept {
     for (int sweep = 0; sweep < kSweeps; ++sweep)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Building the network: allocates, apart from what is stepped.
+// Building the network allocates, and therefore stands apart from the stepping.
 #include "simulation/deformable/spring_network.h"
 
 #include <Eigen/Sparse>
@@ -69,7 +69,7 @@ core::Result<void> check(const SurfaceView& surface, const std::vector<bool>& an
 
 } // namespace
 
-/// Puts a network together; checked input.
+/// Builds a network from input that has been checked.
 class SpringNetworkBuilder {
 public:
     SpringNetworkBuilder(const SurfaceView& surface, const std::vector<bool>& anchored, std::uint32_t reference,
@@ -107,7 +107,7 @@ private:
     void areasAndEdges() {
         m_normalArea.assign(m_surface.vertices.size(), core::Vec3::Zero());
         m_area.assign(m_surface.vertices.size(), 0.0);
-        std::set<std::pair<std::uint32_t, std::uint32_t>> edges; // each once, in order
+        std::set<std::pair<std::uint32_t, std::uint32_t>> edges; // each edge once, in order
         for (const MeshTriangle& t : m_surface.triangles) {
             const core::Vec3& a = m_surface.vertices[t[0]];
             const core::Vec3 third =
@@ -121,7 +121,7 @@ private:
         m_edges.assign(edges.begin(), edges.end());
     }
 
-    /// K for κ = 1 N/m³, by free vertices.
+    /// The matrix K for κ = 1 N/m³, by free vertices.
     Sparse stiffness() {
         const double l = m_network->m_parameters.spread_m;
         m_sigma = l * l / std::sqrt(3.0);
@@ -136,7 +136,7 @@ private:
             for (const int end : {a, b})
                 if (end >= 0) {
                     diagonal[static_cast<std::size_t>(end)] += m_sigma;
-                    if (a < 0 || b < 0) // the other end stays: a spring to the ground
+                    if (a < 0 || b < 0) // the other end is anchored: a spring to the ground
                         m_ground[static_cast<std::size_t>(end)] += m_sigma;
                 }
             if (a >= 0 && b >= 0)
@@ -150,7 +150,8 @@ private:
         return matrix;
     }
 
-    /// κ, so that a lasting press on the reference vertex feels stiffness_N_per_m, volume spring included.
+    /// Determines κ so that a lasting press on the reference vertex feels stiffness_N_per_m, including the
+    /// volume spring.
     bool scale(const Solver& atRest) {
         const auto n = static_cast<Eigen::Index>(m_vertexOf.size());
         Eigen::MatrixX3d g(n, 3);
@@ -165,7 +166,7 @@ private:
         press[at] = 1.0;
         const double pressed = atRest.solve(press)[at];
         const double moved = normal.dot(core::Vec3(y.row(at)));
-        // α = (1/q − 1) g·K⁻¹g: of the volume that a press would move, the share q is kept.
+        // α = (1/q − 1) g·K⁻¹g: of the volume that a press would displace, the share q is kept.
         const double compliance = pressed - (keeping > 0.0 ? keeping * moved * moved / all : 0.0);
         m_kappa = m_network->m_parameters.stiffness_N_per_m * compliance;
         m_volumeCompliance = keeping > 0.0 ? (1.0 / keeping - 1.0) * all / m_kappa : 0.0;
@@ -235,7 +236,7 @@ private:
         net.m_volumeResponse.assign(net.m_volumeGradient.size(), 0.0);
         net.m_volumeCompliance = m_volumeCompliance;
         if (m_volumeCompliance <= 0.0)
-            return; // none is kept: no response, and a diagonal of 1 that divides zeros
+            return; // no volume is kept: no response, and a diagonal of 1 to divide zeros by
         net.m_volumeResponse = net.m_volumeGradient;
         net.solveVolume();
         double sum = m_volumeCompliance;
@@ -253,8 +254,8 @@ private:
     std::vector<double> m_area;           ///< of a vertex, m²
     std::vector<core::Vec3> m_normalArea; ///< a_i n_i
     std::vector<std::pair<std::uint32_t, std::uint32_t>> m_edges;
-    std::vector<double> m_ground; ///< for κ = 1
-    double m_sigma = 0.0;         ///< for κ = 1
+    std::vector<double> m_ground; ///< values for κ = 1
+    double m_sigma = 0.0;         ///< value for κ = 1
     double m_kappa = 1.0;
     double m_volumeCompliance = 0.0;
 };

@@ -7,7 +7,8 @@
 
 namespace chiron::simulation {
 
-/// Nearest point of a surface, as a contact sees it. `normal` is outward, unit; nearest = p − signedDistance·normal.
+/// Distance to the nearest point of a surface, as a contact needs it. `normal` is the outward unit vector;
+/// nearest = p − signedDistance·normal.
 struct SurfaceDistance {
     double signedDistance_m = 0.0; ///< negative inside; depth d = −signedDistance
     core::Vec3 normal = core::Vec3::UnitZ();
@@ -15,22 +16,26 @@ struct SurfaceDistance {
 
 /// The union of the half-space under a horizontal plane and a ball whose centre lies in that plane (models.md §2.3).
 ///
-/// Distance to the *boundary of the union*, ζ = z − plane height, ρ = horizontal distance from the axis, r = √(ρ²+ζ²):
+/// The function gives the distance to the *boundary of the union*, with ζ = z − plane height, ρ = horizontal
+/// distance from the axis and r = √(ρ²+ζ²):
 ///   outside (ζ > 0, r > R):  min(r − R, ζ)
 ///   in the ball, ζ ≥ 0:      −(R − r),                n = (p − c)/r
 ///   ζ < 0, ρ ≥ R:            ζ,                       n = +z
 ///   ζ < 0, ρ < R:            −√((R−ρ)² + ζ²),         n towards the rim circle, the nearest point of the union
-/// Continuous everywhere; d·n is continuous too (inside, except on the axis below the centre, ≥ R deep), so the force
-/// k·d·n changes by at most k·max(1, R/r − 1) per metre and is the gradient of ½ k d²: loops make no energy. ("The deeper
-/// contact wins" jumps at the rim instead.) On the axis, where the nearest point is not unique, +z at the centre and
-/// +x below it are chosen. Frame W, metres.
+/// The distance is continuous everywhere. d·n is continuous too (inside, except on the axis below the
+/// centre, ≥ R deep), so the force k·d·n changes by at most k·max(1, R/r − 1) per metre and is the gradient
+/// of ½ k d²: loops create no energy. (The alternative "the deeper contact wins" jumps at the rim.) On the
+/// axis, where the nearest point is not unique, the normal is +z at the centre and +x below it.
+/// Unit: m.
+/// Frame: W.
 struct HemisphereOnPlane {
     double radius_m = 0.020;      ///< > 0; P2: 20 mm
     double planeHeight_m = 0.0;   ///< z in W
     core::Vec2 centre_m = core::Vec2::Zero(); ///< x, y in W
 
-    /// Pure; defined for every finite p. Thread: any.
-    /// Inlined by order: a result that goes through memory is read back as vectors and costs a third of the force law.
+    /// Pure; defined for every finite p. Always inlined, because a result that is passed through memory is
+    /// read back as vectors, which costs a third of the force law.
+    /// Thread: any.
     [[gnu::always_inline]] SurfaceDistance distance(const core::Vec3& p_WT) const noexcept {
         const double dx = p_WT.x() - centre_m.x();
         const double dy = p_WT.y() - centre_m.y();

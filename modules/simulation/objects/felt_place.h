@@ -7,24 +7,31 @@
 
 namespace chiron::simulation {
 
-/// What is felt of a place whose geometry may jump or turn faster than the tool goes: a mesh's sheet that is left for another one, a
-/// surface that folds or moves under the tool, a floor that is the deeper one all of a sudden.
+/// Limits how fast the felt contact may change where its geometry jumps or turns faster than the tool moves:
+/// where a mesh's sheet is left for another one, a surface folds or moves under the tool, or another floor
+/// suddenly becomes the deeper one.
 ///
-/// With s = d n, the way out to the surface, and w, how far the tool went since the tick before:
+/// Let s = d n be the vector from the tool out to the surface, and w the distance that the tool has moved
+/// since the previous tick:
 ///   ‖s(t) − s(t−1)‖ ≤ g w + c
-/// so that an elastic force k s changes by at most k (g w + c) in a tick, whatever the geometry does. And a tool that is found deep behind a
-/// sheet that it has not gone in by is pushed only by what it goes deeper from there:
+/// An elastic force k s therefore changes by at most k (g w + c) per tick, whatever the geometry does. A tool
+/// that is found deep behind a sheet through which it did not enter is pushed only by the depth that it gains
+/// from there:
 ///   d' = d − o,  o = d − ‖s(t−1)‖ − (g w + c) ≥ 0 when the sheet is found; never more than d later
-/// so that it feels nothing all at once, is let out freely, and meets the sheet itself as soon as it has been out.
-/// A tool that is seen for the first time, or has jumped, is taken as it is: an object that appears is armed (models.md §5).
-/// One object a tool and body. Fixed size; thread: haptic.
+/// It therefore feels no sudden force, can leave freely, and meets the sheet itself once it has been outside.
+/// A tool that is seen for the first time, or has jumped, is taken as it is, because force is armed anew when
+/// an object appears (models.md §5). Use one instance for each pair of tool and body. Fixed size.
+/// Thread: haptic.
 class FeltPlace {
 public:
-    static constexpr double kTeleport_m = 0.020; ///< in one tick: no motion (models.md §5)
-    static constexpr double kCatchUp_m = 5e-5;   ///< c: 0.03 N at 600 N/m, so that a place that lags is where it should be in a twentieth of a second for 2 mm (assumption)
+    /// In one tick; a larger step is not a motion (models.md §5).
+    static constexpr double kTeleport_m = 0.020;
+    /// c: 0.03 N at 600 N/m; a lag of 2 mm is made up within a twentieth of a second (assumption).
+    static constexpr double kCatchUp_m = 5e-5;
 
-    /// The place as it is felt. `p` m: the tool, in the frame of the place; `found`: this sheet was not touched at the tick before;
-    /// `perWay` g ≥ 1: how much faster than the tool the way out may change (1 on a plane).
+    /// Returns the contact as it is felt. `p` is the tool's position (m) in the frame of `place`. `found`:
+    /// the tool did not touch this sheet in the previous tick. `perWay` = g ≥ 1: how much faster than the
+    /// tool s may change (1 on a plane).
     ContactPlace step(ContactPlace place, const core::Vec3& p, bool found, double perWay = 1.0) noexcept {
         const double moved = (p - m_p).norm();
         const bool known = m_known && !(moved > kTeleport_m);
@@ -47,9 +54,10 @@ public:
         return place;
     }
 
-    double geometric_m() const noexcept { return m_geometric_m; } ///< depth as the geometry has it, signed
-    double felt_m() const noexcept { return m_felt_m; }           ///< and as it is felt
-    /// How much less deep than that it is felt (negative: deeper, where the surface went away faster): for who is told where the tool is.
+    double geometric_m() const noexcept { return m_geometric_m; } ///< signed depth according to the geometry
+    double felt_m() const noexcept { return m_felt_m; }           ///< depth as it is felt
+    /// How much less than the geometric depth is felt (negative: more is felt, where the surface receded
+    /// faster than s may change). Needed to report the tool's position to others as it is felt.
     double less_m() const noexcept { return m_felt_m > 0.0 ? m_geometric_m - m_felt_m : 0.0; }
     void reset() noexcept { *this = FeltPlace(); }
 
@@ -70,7 +78,7 @@ private:
     }
 
     core::Vec3 m_p = core::Vec3::Zero();
-    core::Vec3 m_out = core::Vec3::Zero(); ///< s as it was felt
+    core::Vec3 m_out = core::Vec3::Zero(); ///< s as it was felt in the previous tick
     double m_geometric_m = -1.0;
     double m_felt_m = -1.0;
     double m_left_m = 0.0; ///< o

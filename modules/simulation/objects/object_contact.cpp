@@ -32,7 +32,7 @@ ObjectContactResponse ObjectContact::respond(const ContactPlace& place, double d
     out.depth_m = depth;
     out.stiffness_N_per_m = pressed.stiffness_N_per_m;
     const double leaving = place.velocity.dot(out.normal);
-    if (pressed.force_N > 0.0) { // a surface that has not come back yet neither pushes nor rubs
+    if (pressed.force_N > 0.0) { // a surface that has not recovered yet neither pushes nor rubs
         const double both = m_damping_Ns_per_m + m_viscosity_Ns_per_m;
         const double fits = DampingBudget::share(both, place.mostDamping_Ns_per_m);
         out.normalForce_N = ContactDamping::normalForce(pressed.force_N * slant, fits * both, depth, leaving);

@@ -10,21 +10,25 @@
 
 namespace chiron::simulation {
 
-/// Where a tool is against the rest surface of an object, as its geometry says: sphere, plane, mesh. Axes of W; places and
-/// velocities relative to the object where it moves (p_WT − p_WO), so that what is fixed to it goes along.
+/// Where a tool is relative to the rest surface of an object, as computed from the object's geometry: sphere,
+/// plane or mesh. Axes are those of W. If the object moves, positions and velocities are relative to it (p_WT
+/// − p_WO), so that everything fixed to the object moves with it.
 struct ContactPlace {
     double depth_m = 0.0;                    ///< d, signed: negative outside, needed down to −reach_m() of the contact
     core::Vec3 normal = core::Vec3::UnitZ(); ///< n, outward, unit
-    core::Vec3 depthGradient = -core::Vec3::UnitZ(); ///< ∇d; −n for a true distance. A mesh's blended normal: −n too, not conservative
+    /// ∇d; −n for a true distance. A mesh's blended normal: −n too, but then not conservative.
+    core::Vec3 depthGradient = -core::Vec3::UnitZ();
     core::Vec3 foot = core::Vec3::Zero();    ///< C, the surface point under the tool: where roughness is read
-    /// How far C moves for a metre that the tool moves sideways: 1 on a plane (and a mesh's facet), R/(R − d) on a sphere.
+    /// How far C moves per metre of the tool's sideways motion: 1 on a plane (and a mesh's facet), R/(R − d)
+    /// on a sphere.
     double footScale = 1.0;
     core::Vec3 position = core::Vec3::Zero(); ///< of the tool, for friction
     core::Vec3 velocity = core::Vec3::Zero(); ///< of the tool
-    double mostDamping_Ns_per_m = kUnboundedDamping; ///< what of the tool's budget this contact may use
+    /// The part of the tool's damping budget that this contact may use.
+    double mostDamping_Ns_per_m = kUnboundedDamping;
 };
 
-/// What one tool has done to one object so far: its bristle and its dent.
+/// State of the contact between one tool and one object: its bristle and its dent.
 struct ObjectContactState {
     BristleFriction bristle;
     Deformation dent;
@@ -34,24 +38,27 @@ struct ObjectContactState {
     }
 };
 
-/// What the object answers, on the tool, W.
+/// Response of the object: forces on the tool, in W.
 struct ObjectContactResponse {
-    core::Vec3 force = core::Vec3::Zero();    ///< N: all of it
-    core::Vec3 friction = core::Vec3::Zero(); ///< the bristle's share, at most μ normalForce_N
-    core::Vec3 viscous = core::Vec3::Zero();  ///< the share of viscosity across the normal
+    core::Vec3 force = core::Vec3::Zero();    ///< N, the whole force
+    core::Vec3 friction = core::Vec3::Zero(); ///< the part due to the bristle, at most μ normalForce_N
+    core::Vec3 viscous = core::Vec3::Zero();  ///< the part due to viscosity, across the normal
     core::Vec3 normal = core::Vec3::UnitZ();  ///< m, outward, roughness included
     double depth_m = 0.0;                     ///< d' = d + h, 0 out of contact
     double normalForce_N = 0.0;               ///< ≥ 0
-    double energy_J = 0.0;                    ///< stored in the springs, also while the surface still recovers
+    /// Energy stored in the springs, also while the surface is still recovering.
+    double energy_J = 0.0;
     double stiffness_N_per_m = 0.0;           ///< along m; 0 out of contact
-    double damping_Ns_per_m = 0.0;            ///< what damping and viscosity use of the tool's budget
-    double surface_m = 0.0;                   ///< how deep the surface lies below its rest place (to draw it)
+    /// The part of the tool's budget that damping and viscosity use.
+    double damping_Ns_per_m = 0.0;
+    /// How deep the surface lies below its rest position (for drawing).
+    double surface_m = 0.0;
     bool inContact = false;
 };
 
-/// A contact whose tissue holds back only `factor` of what its law answers (contact_yield.h).
+/// Scales a contact whose tissue exerts only the share `factor` of its law's force (contact_yield.h).
 inline void scale(ObjectContactResponse& response, double factor) noexcept {
-    if (factor == 1.0) // to the same bits
+    if (factor == 1.0) // keeps every bit
         return;
     response.force *= factor;
     response.friction *= factor;
@@ -62,25 +69,28 @@ inline void scale(ObjectContactResponse& response, double factor) noexcept {
     response.damping_Ns_per_m *= factor;
 }
 
-/// An object's attributes on a given surface, one law each, combined:
+/// Combines the attributes of an object on a given surface, one law for each attribute:
 ///   d' = d + h(C),  m = (−∇d − s(I − nnᵀ)∇h)/‖·‖,  (F, U) = Deformation(d')            elasticity, deformation, roughness
 ///   f_n = max(0, F ‖−∇d − s(I − nnᵀ)∇h‖ − (c + b) w v·m),  w = min(1, d'/0.5 mm)       damping, viscosity: never pulls
 ///   f = f_n m − b w (v − (v·m) m) + friction(μ, σ₀, f_n)
-/// c and b together are never more than the place's damping budget: both shrink alike where they are.
-/// With elasticity and roughness alone f = −∇U exactly where ∇d is a distance's and s is C's own (sphere, plane): conservative.
-/// The rest only takes energy. The weight is not here: it acts while the object is lifted (attributes/mass.h).
-/// Immutable after construction (which allocates nothing); all state is the caller's, one a tool. Thread: haptic.
-/// Source: P2 "Object Orientated Modeling"; models.md §0, §2.2.
+/// c and b together never exceed the contact's damping budget; where they would, both shrink by the same
+/// factor. With elasticity and roughness alone the contact is conservative: f = −∇U exactly, where ∇d is the
+/// gradient of a distance and s is C's own (sphere, plane). The other laws only take energy. The weight is
+/// not included, because it acts while the object is lifted (attributes/mass.h). Immutable after construction
+/// (which allocates nothing); the caller keeps all state, one ObjectContactState per tool. Source: P2 "Object
+/// Orientated Modeling"; models.md §0, §2.2.
+/// Thread: haptic.
 class ObjectContact {
 public:
     ObjectContact() noexcept : ObjectContact(ObjectAttributes{}) {}
     explicit ObjectContact(const ObjectAttributes& attributes) noexcept;
 
-    /// One tick of `dt_s`. Call it every tick, outside too (with the signed depth, or any negative one far away): bristle
-    /// and dent then end as they should.
+    /// Advances by one tick of `dt_s`. Call it in every tick, also outside contact (with the signed depth, or
+    /// any negative depth when far away), so that bristle and dent end as they should.
     ObjectContactResponse respond(const ContactPlace& place, double dt_s, ObjectContactState& state) const noexcept;
 
-    double reach_m() const noexcept { return m_roughness.bound_m(); } ///< so far above the rest surface it may begin
+    /// A contact may begin this far above the rest surface.
+    double reach_m() const noexcept { return m_roughness.bound_m(); }
     const ElasticLaw& elastic() const noexcept { return m_surface.elastic; }
     const Deformation::Parameters& deformation() const noexcept { return m_surface; }
     const Roughness& roughness() const noexcept { return m_roughness; }

@@ -13,8 +13,8 @@ struct ContactFrame {
     core::Vec3 y{0.0, 1.0, 0.0};
     core::Vec3 z{0.0, 0.0, 1.0};
 
-    /// `normal` unit; `fibre` of any length. A fibre within 0.06° of the normal has no direction in the plane: the axis of W that
-    /// lies flattest in it takes its place.
+    /// `normal` is a unit vector; `fibre` may have any length. A fibre within 0.06° of the normal has no
+    /// direction in the plane; the axis of W that lies flattest in the plane then replaces it.
     static ContactFrame on(const core::Vec3& normal, const core::Vec3& fibre) noexcept {
         core::Vec3 x = fibre - normal * normal.dot(fibre);
         double length2 = x.squaredNorm();
@@ -31,8 +31,10 @@ struct ContactFrame {
     core::Vec3 from(const core::Vec3& v) const noexcept { return v.x() * x + v.y() * y + v.z() * z; }
 };
 
-/// P3's eq. 1 in the contact frame, F = K d + B v, K and B diagonal: `d_m` from the tool to its contact point (z = depth), `v` how
-/// fast d grows. The normal part never pulls. N; pure.
+/// P3's eq. 1 in the contact frame, F = K d + B v with diagonal K and B. `d_m` points from the tool to its
+/// contact point (z = depth), and `v_m_per_s` is the rate at which d grows. The normal part never pulls.
+/// Pure.
+/// Unit: N.
 inline core::Vec3 voigtForce(const core::Vec3& stiffness_N_per_m, const core::Vec3& d_m, const core::Vec3& damping_Ns_per_m,
                              const core::Vec3& v_m_per_s) noexcept {
     core::Vec3 f = stiffness_N_per_m.cwiseProduct(d_m) + damping_Ns_per_m.cwiseProduct(v_m_per_s);

@@ -32,7 +32,8 @@ constexpr std::array<LawParameter, 6> kVoigtParameters{{{"kx_N_per_m", "N/m", 80
                                                         {"by_Ns_per_m", "N·s/m", 0.045, 0.0, 1000.0},
                                                         {"bz_Ns_per_m", "N·s/m", 0.055, 0.0, 1000.0}}};
 
-/// In the contact frame: d from the tool to its contact point (dz the depth), v how fast it grows. Without depth there is no contact.
+/// The inputs are in the contact frame: d from the tool to its contact point (dz is the depth), and v, the
+/// rate at which d grows. Without depth there is no contact.
 void evaluateVoigt(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
     for (double& value : out)
         value = 0.0;
@@ -66,7 +67,8 @@ std::string contactProblem(std::span<const double> p, std::span<const double> in
     return !in.empty() && !(Vec3(in[3], in[4], in[5]).norm() > 0.0) ? "nx, ny, nz 0: expected a normal of any length but 0" : "";
 }
 
-/// n of any length but 0 (then nothing is shown); (finger_x, finger_y, finger_z): across the finger, of any length.
+/// n may have any length but 0 (then nothing is shown); (finger_x, finger_y, finger_z) points across the
+/// finger and may have any length.
 void evaluateContact(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
     const Vec3 n(in[3], in[4], in[5]), x(p[0], p[1], p[2]);
     const double length = n.norm();
@@ -93,7 +95,8 @@ constexpr std::array<LawParameter, 6> kLumpParameters{{{"a_m", "m", 0.005, 0.000
                                                        {"k_N_per_m", "N/m", 2.0 * 0.005 * 17e3 / 0.75, 0.0, 100000.0},
                                                        {"lambda", "1", 0.25, 0.0, 1.0}}};
 
-/// Where the law of models.md §3 is valid: R ≤ 0.75 h, a ≤ h/2, λ d ≤ (h − R)/2; content is held to the same.
+/// Checks the range in which the law of models.md §3 is valid: R ≤ 0.75 h, a ≤ h/2, λ d ≤ (h − R)/2. Content
+/// is held to the same limits.
 std::string lumpProblem(std::span<const double> p, std::span<const double> in) {
     if (p[1] == 0.0) // no lump
         return {};
@@ -106,7 +109,7 @@ std::string lumpProblem(std::span<const double> p, std::span<const double> in) {
     return {};
 }
 
-/// Above the surface (depth_m ≤ 0) χ is what a touch would meet, and there is no force.
+/// Above the surface (depth_m ≤ 0) χ is the value that a touch would meet, and there is no force.
 void evaluateLump(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
     const double depth = in[0] > 0.0 ? in[0] : 0.0;
     SunkContact at;

@@ -5,9 +5,10 @@
 
 namespace chiron::simulation {
 
-/// P3's laws as tables for the command line (evaluate_laws.h). Static data; thread: any.
+/// P3's laws as tables for the command line (evaluate_laws.h). The data are static.
+/// Thread: any.
 core::LawDescription voigtLaw() noexcept;            ///< eq. 1
-core::LawDescription palpationContactLaw() noexcept; ///< eq. 2 and 3, and what the platform shows of it
+core::LawDescription palpationContactLaw() noexcept; ///< eq. 2 and 3, and how the platform shows the force
 core::LawDescription palpationLumpLaw() noexcept;    ///< models.md §3: a lump under a flat surface
 
 } // namespace chiron::simulation

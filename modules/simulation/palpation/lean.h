@@ -10,15 +10,16 @@
 
 namespace chiron::simulation {
 
-/// How far P3's platform leans: 30° in all, of which pitch ±30°, roll ±20°.
+/// Limits of the lean of P3's platform: 30° in all, with pitch up to ±30° and roll up to ±20°.
 struct LeanLimits {
     double pitch_rad = 0.52359877559829887; ///< > 0
     double roll_rad = 0.34906585039886592;  ///< > 0
-    double lean_rad = 0.52359877559829887;  ///< > 0; of √(pitch² + roll²)
+    double lean_rad = 0.52359877559829887;  ///< > 0; limit of √(pitch² + roll²)
 };
 
-/// atan2(‖F_t‖, F_n) for ‖F_t‖ > 0, within 2e-15 rad: an odd polynomial (Chebyshev interpolation of degree 19 over |u| ≤ tan 22.5°) about the
-/// nearest of 0, 45° and 90°. The library's was the dearest part of a contact. Pure.
+/// Computes atan2(‖F_t‖, F_n) for ‖F_t‖ > 0, within 2e-15 rad, by an odd polynomial (Chebyshev interpolation
+/// of degree 19 over |u| ≤ tan 22.5°) about the nearest of 0, 45° and 90°. The library's atan2 was the most
+/// expensive part of a contact. Pure.
 inline double leanAngle(double lateral_N, double along_N) noexcept {
     constexpr double kTan = 0.41421356237309503, kQuarter = 0.78539816339744831;
     const double a = std::abs(along_N);
@@ -41,24 +42,26 @@ inline double leanAngle(double lateral_N, double along_N) noexcept {
     return along_N < 0.0 ? 4.0 * kQuarter - angle : angle;
 }
 
-/// What the fingertip platform shows of a force.
+/// How the fingertip platform shows a force.
 struct Lean {
     double angle_rad = 0.0;       ///< α, eq. 2, unlimited
-    double normalForce_N = 0.0;   ///< eq. 3, F_ext·S_n, ≥ 0: with the angle that the force really has
+    double normalForce_N = 0.0;   ///< eq. 3, F_ext·S_n, ≥ 0, with the unlimited angle
     core::DisplayPose display;    ///< limited
     bool saturated = false;       ///< the limits cut the lean
 };
 
-/// P3's eq. 2 and 3 (models.md §3): α = atan2(‖F_t‖, F_n) · smoothstep(‖F‖/0.05 N), so that the direction of next to no force tilts
-/// nothing; displayed normal force F·S_n, whatever is limited below. The lean vector l (in the contact plane, along the lateral
-/// force, as long as α) is split with x_F = the tool's x projected on the plane, y_F = S_n × x_F: roll = l·x_F, pitch = −l·y_F,
-/// both scaled by one factor until |pitch|, |roll| and √(pitch² + roll²) are within limits. A tool whose x stands on the plane (within 11°) has no such
-/// split: the lean fades out there. `normal` unit, `xTool` unit, W; pure; continuous in the force and, but for x_T on the normal, in
-/// both directions.
+/// Computes how the platform shows a force by P3's eq. 2 and 3 (models.md §3). The angle is α = atan2(‖F_t‖,
+/// F_n) · smoothstep(‖F‖/0.05 N), so that the direction of a negligible force tilts nothing. The displayed
+/// normal force is F·S_n, whatever the limits below cut. The lean vector l lies in the contact plane along
+/// the lateral force and is as long as α. It is split with x_F, the tool's x axis projected on the plane, and
+/// y_F = S_n × x_F: roll = l·x_F, pitch = −l·y_F. Both are scaled by one factor until |pitch|, |roll| and
+/// √(pitch² + roll²) are within limits. A tool whose x axis is perpendicular to the plane (within 11°) has no
+/// such split, and the lean fades out there. `normal` and `xTool` are unit vectors in W. The result is
+/// continuous in the force and, except for x_T on the normal, in both directions. Pure.
 inline Lean leanOf(const core::Vec3& force, const core::Vec3& normal, const core::Vec3& xTool,
                    const LeanLimits& limits = {}) noexcept {
     constexpr double kFullForce_N = 0.05;
-    constexpr double kFlatEnough = 0.2; // of x_T in the plane
+    constexpr double kFlatEnough = 0.2; // length of x_T's projection below which the lean fades
     Lean out;
     const double along_N = force.dot(normal);
     const core::Vec3 lateral = force - along_N * normal;

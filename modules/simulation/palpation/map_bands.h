@@ -5,7 +5,7 @@
 
 namespace chiron::simulation {
 
-/// In what steps a SurfaceMap is shown, in every picture of it.
+/// The steps in which every picture of a SurfaceMap shows its forces.
 enum class MapBand : std::uint8_t {
     untouched,
     light,  ///< pressed, but too lightly to count as searched
@@ -15,14 +15,14 @@ enum class MapBand : std::uint8_t {
     over  ///< above the limit
 };
 
-/// The steps' edges, N, ascending: PalpationParameters has them.
+/// Edges of the steps, N, ascending. PalpationParameters supplies the values.
 struct MapBands {
     double cover_N = 0.5;
     double low_N = 0.8;
     double high_N = 2.5;
     double limit_N = 4.0;
 
-    static constexpr double kTouched_N = 0.02; ///< as for the time pressing
+    static constexpr double kTouched_N = 0.02; ///< the same threshold as for the time spent pressing
 
     constexpr MapBand of(double force_N) const noexcept {
         if (!(force_N > kTouched_N))
@@ -38,7 +38,7 @@ struct MapBands {
     bool operator==(const MapBands&) const = default;
 };
 
-/// Whether a place of this step counts as searched.
+/// Says whether a cell in this band counts as searched.
 constexpr bool isSearched(MapBand band) noexcept { return band > MapBand::light; }
 
 } // namespace chiron::simulation

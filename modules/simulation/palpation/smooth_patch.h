@@ -8,8 +8,9 @@
 
 namespace chiron::simulation {
 
-/// A smooth function over an ellipse of the x-y plane of W: height · (1 − t²)³ where t < 1, else 0; t² = rᵀ·shape·r, r = xy − centre.
-/// Twice continuously differentiable. One bump of a surface (height in m) or one stiffer region (height: a pure number). Pure.
+/// A smooth function over an ellipse in the x-y plane of W: height · (1 − t²)³ where t < 1, else 0, with t² =
+/// rᵀ·shape·r and r = xy − centre. It is twice continuously differentiable. It describes one bump of a
+/// surface (height in m) or one stiffer region (height is dimensionless). Pure.
 struct SmoothPatch {
     core::Vec2 centre_m = core::Vec2::Zero();
     Eigen::Matrix2d shape = Eigen::Matrix2d::Zero(); ///< 1/m²
@@ -21,7 +22,7 @@ struct SmoothPatch {
         return {centre_m, axes * inverse2.asDiagonal() * axes.transpose(), height};
     }
 
-    /// Adds the value, and its gradient by x and y.
+    /// Adds the value and its gradient with respect to x and y.
     void add(const core::Vec2& xy_m, double& value, core::Vec2& slope) const noexcept {
         const core::Vec2 r = xy_m - centre_m;
         const core::Vec2 half = shape * r; // ½ ∇t²
@@ -32,7 +33,7 @@ struct SmoothPatch {
         slope -= 6.0 * height * rest * rest * half;
     }
 
-    /// Adds the second derivatives too.
+    /// Adds the second derivatives as well.
     void add(const core::Vec2& xy_m, double& value, core::Vec2& slope, Eigen::Matrix2d& curvature) const noexcept {
         const core::Vec2 r = xy_m - centre_m;
         const core::Vec2 half = shape * r;

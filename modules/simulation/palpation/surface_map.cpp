@@ -26,7 +26,7 @@ void SurfaceMap::press(const core::Vec2& p_m, double normalForce_N) noexcept {
         return;
     const auto force = static_cast<float>(normalForce_N);
     const core::Vec2 cell(2.0 * m_half_m.x() / kColumns, 2.0 * m_half_m.y() / kRows);
-    // Clamped while still real numbers: a far-away tool must not overflow an int.
+    // Clamped as a double, because the cell of a tool far away would overflow an int.
     const auto cellOf = [](double offset_m, double size_m, int count) {
         return static_cast<int>(std::clamp(std::floor(offset_m / size_m), -1.0, static_cast<double>(count)));
     };

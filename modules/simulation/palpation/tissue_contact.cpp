@@ -9,17 +9,19 @@
 namespace chiron::simulation {
 
 namespace {
-/// The tool's x in W, from its unit quaternion.
+/// The tool's x axis in W, from its unit quaternion.
 core::Vec3 xOf(const core::Quat& q) noexcept {
     return {1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()), 2.0 * (q.x() * q.y() + q.w() * q.z()),
             2.0 * (q.x() * q.z() - q.w() * q.y())};
 }
 
-/// Of P3's re-cast contact point, what counts: all of it down to 60° off the normal, nothing from 75° on, where a ray grazes.
+/// Weight of P3's re-cast contact point: 1 up to 60° off the normal, 0 from 75° on, where a ray grazes the
+/// surface.
 double rayWeight(double cosine) noexcept { return smoothstep((cosine - 0.25) / 0.25); }
 } // namespace
 
-// Parts of one tick, inlined by order: handed over in memory, small vectors are read back before they are written.
+// Parts of one tick. They are always inlined: small vectors that are passed in memory would be read back
+// before their writes complete.
 
 [[gnu::always_inline]] inline TissueContact::Meeting TissueContact::meet(const core::ToolState& tool, const SurfaceFoot& foot) const noexcept {
     Meeting out{foot, foot.p_W, foot.depth_m * foot.normal, m_flatFrame};
@@ -40,8 +42,8 @@ double rayWeight(double cosine) noexcept { return smoothstep((cosine - 0.25) / 0
     return out;
 }
 
-/// Beyond the depth to which the lumps' law is valid the contact comes no nearer to them than a quarter of that depth more, smoothly:
-/// or the law would pass through the lump, and its force turn round.
+/// Beyond the depth to which the lumps' law is valid, the contact smoothly approaches the lumps by at most
+/// another quarter of that depth. Otherwise it would pass through the lump, and the force would reverse.
 [[gnu::always_inline]] inline SunkContact TissueContact::sunk(const SurfaceFoot& foot, const core::Vec3& p_W) const noexcept {
     const double a = m_parameters.contactRadius_m;
     double lambda = m_parameters.sinkage;
@@ -57,10 +59,12 @@ double rayWeight(double cosine) noexcept { return smoothstep((cosine - 0.25) / 0
     return {(1.0 - lambda) * foot.p_W + lambda * p_W, foot.normal, foot.follows, d, lambda, 5.0 / 3.0 * a * a, m_surface.flat(), slope};
 }
 
-/// From m_uprightFrom_m on the energy goes over to one that has no centre of curvature: U = (1 − w) U + w U₂, w a smoothstep of the depth.
-/// U₂ = ½ k (δ² − g² σ), δ = z(x, y) − z_p, σ = ‖∇z‖²/(1 + ‖∇z‖²): to begin with, where g = δ, the distance to the tangent plane straight
-/// above; g ends at twice m_uprightTo_m, or the lateral force would become steeper without bound. f = −∇U, with ∇d = −n and
-/// ∇σ = 2 H ∇z/(1 + ‖∇z‖²)², H the second derivatives of z. The contact frame turns over likewise.
+/// From m_uprightFrom_m on, the energy changes over to one that has no centre of curvature: U = (1 − w) U + w
+/// U₂, with w a smoothstep of the depth. U₂ = ½ k (δ² − g² σ), δ = z(x, y) − z_p, σ = ‖∇z‖²/(1 + ‖∇z‖²). At
+/// first g = δ, and U₂ belongs to the distance to the tangent plane straight above; g ends at twice
+/// m_uprightTo_m, because otherwise the lateral force would become steeper without bound. f = −∇U, with ∇d =
+/// −n and ∇σ = 2 H ∇z/(1 + ‖∇z‖²)², H the second derivatives of z. The contact frame changes over in the same
+/// way.
 void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic& elastic) const noexcept {
     const SurfaceFoot& foot = meeting.foot;
     const double span = m_uprightTo_m - m_uprightFrom_m;
@@ -82,9 +86,11 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
         upwards_m * over.slope - (counted_m * counted_m / ((1.0 + slope2) * (1.0 + slope2))) * (over.curvature_per_m * over.slope);
     const core::Vec3 upright = k * core::Vec3(-sideways.x(), -sideways.y(), upwards_m);
     const double energy_J = 0.5 * k * (down_m * down_m - counted_m * counted_m * sigma);
-    // Second derivatives of U₂ and of the blend, bounded: with D = δ, H and h = ‖∇z‖, ∂²U₂ ≤ k (1 + h² + D H + 4 g h H + 4 g² H²).
+    // Bounds of the second derivatives of U₂ and of the blend: with D = δ, H and h = ‖∇z‖, ∂²U₂ ≤ k (1 + h² +
+    // D H + 4 g h H + 4 g² H²).
     const double bent = over.curvature_per_m.norm(), steep = std::sqrt(slope2);
-    // What the change of H adds is taken as half of the parts with H: an assumption (test_tissue_reach).
+    // The contribution of the change of H is taken as half of the terms with H: an assumption
+    // (test_tissue_reach).
     double steepest = k * (1.0 + slope2 + 1.5 * (down_m * bent + 4.0 * counted_m * steep * bent + 4.0 * counted_m * counted_m * bent * bent));
     if (w < 1.0) {
         const double slope_per_m = 6.0 * x * (1.0 - x) / span;
@@ -129,8 +135,9 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
     const SurfaceFoot& foot = meeting.foot;
     const double k = m_normalStiffness;
     StiffnessGain sum = gainAt(foot, p_W);
-    // What lies in the tissue counts with a depth g(d) that ends at twice the lumps' valid one: its lateral force, which grows with g²,
-    // would else become steeper without bound. U = ½ k d² + ½ k g² gain; the normal force still grows while the gains add up to less than 2.
+    // Lumps and regions count with a depth g(d) that ends at twice the depth to which the lumps' law is
+    // valid. Otherwise their lateral force, which grows with g², would become steeper without bound. U = ½ k
+    // d² + ½ k g² gain; the normal force still grows while the gains add up to less than 2.
     double counted_m = foot.depth_m;
     double countedSlope = 1.0;
     if (foot.depth_m > m_sunkDepth_m) {
@@ -143,8 +150,10 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
     if (m_parameters.lumps == LumpLaw::stiffnessTimesDepth) // as published: no lateral part, no potential
         sum.lateral_m2.setZero();
     Elastic out;
-    // The force turns with the normal of the nearest place, which runs `follow` times as fast as the tool; what lies in the tissue answers
-    // sideways as its gain is steep and bent, and once more times `follow` where the surface's own curvature changes over it (an assumption; test_tissue_reach).
+    // The force turns with the normal of the nearest point, which moves `follow` times as fast as the tool.
+    // Lumps and regions add lateral stiffness by the slope and curvature of their gain, and this counts once
+    // more times `follow` where the surface's own curvature changes over the region (an assumption;
+    // test_tissue_reach).
     const double follow = m_surface.flat() ? 1.0 : foot.follows.cwiseAbs().rowwise().sum().maxCoeff();
     out.stiffness_N_per_m = k * (1.0 + sum.gain) * std::max(1.0, follow - 1.0) +
                             k * std::max(1.0, follow) * (4.0 * sum.lateral_m2.norm() / std::max(counted_m, 1e-9) + 0.5 * counted_m * counted_m * follow * follow * sum.bent_per_m2);
@@ -152,7 +161,7 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
     if (m_parameters.contact == TissueContactLaw::anchored) {
         out.force = (k * (foot.depth_m + sum.gain * gainDepth_m)) * foot.normal - k * sum.lateral_m2;
     } else {
-        // K acts on the spring to the re-cast point; what lies in the tissue adds to it by its own potential.
+        // K acts on the spring to the re-cast point; lumps and regions add their own potential.
         const core::Vec3 stiffness(m_parameters.tangentAlong_N_per_m, m_parameters.tangentAcross_N_per_m, k);
         const core::Vec3 d = meeting.frame.to(meeting.spring_m);
         const core::Vec3 f = voigtForce(stiffness, d, core::Vec3::Zero(), core::Vec3::Zero());
@@ -239,7 +248,8 @@ TissueResponse TissueContact::respond(const core::ToolState& tool, TissueTouch& 
     out.energy_J = elastic.energy_J;
     out.stiffness_N_per_m = std::max(elastic.stiffness_N_per_m, m_largestTangent);
 
-    // F = K d + B v (eq. 1); the normal part never pulls, and a finger that leaves faster than the tissue follows drags nothing along.
+    // F = K d + B v (eq. 1). The normal part never pulls, and a finger that leaves faster than the tissue
+    // follows is not damped sideways either.
     const core::Vec3& damping = m_parameters.damping_Ns_per_m;
     const double largest = damping.maxCoeff();
     const double weight = smoothstep(foot.depth_m * m_perDampingDepth) * DampingBudget::share(largest, mostDamping_Ns_per_m);

@@ -17,17 +17,21 @@
 
 namespace chiron::simulation {
 
-/// What one finger keeps from tick to tick. One object a tool.
+/// State that one finger keeps from tick to tick; one instance per tool.
 struct TissueTouch {
     bool touching = false;
-    core::Vec2 stretch_m = core::Vec2::Zero(); ///< bristle, along and across the fibres: kept in the contact frame, so that
-                                               ///< turning the frame makes no energy
+    /// Bristle, along and across the fibres; kept in the contact frame, so that turning the frame creates no
+    /// energy.
+    core::Vec2 stretch_m = core::Vec2::Zero();
     core::Vec3 previous_W = core::Vec3::Zero();
-    core::Vec2 foot_m = core::Vec2::Zero(); ///< where the nearest point was, to begin from
+    /// Nearest point of the previous tick, from which the next search starts.
+    core::Vec2 foot_m = core::Vec2::Zero();
     void release() noexcept { *this = TissueTouch{}; }
 };
 
-/// What the tissue does to one finger. W, SI.
+/// Response of the tissue to one finger.
+/// Unit: SI.
+/// Frame: W.
 struct TissueResponse {
     core::Vec3 force = core::Vec3::Zero();        ///< F_ext on the tool
     core::Vec3 surfacePoint = core::Vec3::Zero(); ///< C; the nearest surface point also out of contact
@@ -35,46 +39,55 @@ struct TissueResponse {
     double depth_m = 0.0;                         ///< d ≥ 0
     double normalForce_N = 0.0;                   ///< eq. 3, with the unlimited α; ≥ 0
     double lean_rad = 0.0;                        ///< α, eq. 2, unlimited
-    core::DisplayPose display;                    ///< for the fingertip platform: limited
+    core::DisplayPose display;                    ///< for the fingertip platform; limited
     bool leanSaturated = false;
     double energy_J = 0.0;                        ///< U + ½ zᵀK z
-    double stiffness_N_per_m = 0.0;               ///< largest of the contact, for the passivity credit
-    double damping_Ns_per_m = 0.0;                ///< what its damping uses of the tool's budget
+    /// Largest stiffness of the contact, for the passivity credit.
+    double stiffness_N_per_m = 0.0;
+    /// The part of the tool's budget that the contact's damping uses.
+    double damping_Ns_per_m = 0.0;
     bool inContact = false;
-    bool beyondChecked = false;                   ///< deeper than the lump's law, or nearer to the surface's centre of curvature, than is checked
+    /// Deeper than the lump's law has been checked, or nearer to the surface's centre of curvature.
+    bool beyondChecked = false;
 };
 
-/// By how much the lumps stiffen the tissue for faces that press in another direction than a finger: summed over the faces asked about.
+/// How much the lumps stiffen the tissue for faces that press in another direction than a finger, summed over
+/// all faces that were added.
 struct LumpsAcross {
     double gain = 0.0;          ///< Σ χ
-    double slope_per_m = 0.0;   ///< bounds ‖∂gain/∂q‖
-    bool beyondChecked = false; ///< nearer to a lump's middle than R/0.75
+    double slope_per_m = 0.0;   ///< bound of ‖∂gain/∂q‖
+    bool beyondChecked = false; ///< a face is nearer to a lump's centre than R/0.75
 };
 
-/// P3's rendering (eq. 1–3) on a tissue with lumps: models.md §3. Contact frame: z = S_n, x = fibre direction projected on the
-/// plane, y = z × x. Defined, continuous and conservative (where its law is) at every depth: beyond the range of the lumps' law the
-/// finger sinks no nearer to them, and near the surface's centre of curvature the depth along the normal gives way to the depth
-/// straight down. Such samples say so (`beyondChecked`). Immutable but for setLumps(); thread: haptic, nothing allocates.
+/// P3's rendering (eq. 1–3) on a tissue with lumps: models.md §3. The contact frame has z = S_n, x = the
+/// fibre direction projected on the plane, and y = z × x. The contact is defined and continuous at every
+/// depth, and conservative where its law is. Beyond the range of the lumps' law the finger sinks no nearer to
+/// them. Near the surface's centre of curvature the depth straight down replaces the depth along the normal.
+/// Samples in either range are flagged (`beyondChecked`). Immutable except for setLumps().
+/// Thread: haptic; allocates nothing.
 class TissueContact {
 public:
-    /// Ranges are the catalogue's; at most the maxima of TissueParameters are read.
+    /// The catalogue checks the ranges; entries beyond the maxima of TissueParameters are ignored.
     explicit TissueContact(const TissueParameters& parameters);
 
-    void setLumps(std::span<const Lump> lumps) noexcept; ///< at most kMaxLumps; computes their centres in W
+    /// Takes at most kMaxLumps lumps and computes their centres in W.
+    void setLumps(std::span<const Lump> lumps) noexcept;
     int lumps() const noexcept { return m_lumpCount; }
     core::Vec3 lumpCentre_W(int lump) const noexcept;
 
-    /// `touch` is the tool's own, `mostDamping_Ns_per_m` of its budget: B shrinks to it. Not finite: releases it and answers nothing.
+    /// Computes the response to one tool, whose state is `touch`. B shrinks to `mostDamping_Ns_per_m`, the
+    /// tool's budget. If the tool's state is not finite, releases `touch` and returns an empty response.
     TissueResponse respond(const core::ToolState& tool, TissueTouch& touch, double mostDamping_Ns_per_m = kUnboundedDamping) const noexcept;
 
-    /// Adds what the lumps are for a face of the pad's radius at `face_W` that presses along `across` (at most 1 long): χ as in lump_law.h, with
-    /// that direction in place of the normal's.
+    /// Adds the gain of all lumps for a face of the pad's radius at `face_W` that presses along `across`
+    /// (length at most 1): χ as in lump_law.h, with that direction in place of the normal.
     void addLumpsAcross(const core::Vec3& face_W, const core::Vec3& across, LumpsAcross& sum) const noexcept;
 
     const TissueSurface& surface() const noexcept { return m_surface; }
-    /// Of what holds the finger sideways, N/m: the smaller of along and across the fibres.
+    /// Stiffness that holds the finger sideways, N/m: the smaller one of along and across the fibres.
     double tangentStiffness_N_per_m() const noexcept { return std::min(m_parameters.tangentAlong_N_per_m, m_parameters.tangentAcross_N_per_m); }
-    double normalStiffness_N_per_m() const noexcept { return m_normalStiffness; } ///< k, from layers where not given
+    /// k; computed from the layers where it is not given.
+    double normalStiffness_N_per_m() const noexcept { return m_normalStiffness; }
 
 private:
     struct PlacedLump {
@@ -82,13 +95,13 @@ private:
         double radius_m = 0.0;
         double strength_m4 = 0.0; ///< (8/π) a R³ (m − 1)/(1 + 0.4 (m − 1))
     };
-    /// What pushes without regard to speed or what was before, but for the bristle.
+    /// The elastic part of the response, without the bristle. It depends neither on speed nor on history.
     struct Elastic {
         core::Vec3 force = core::Vec3::Zero();
         double energy_J = 0.0;
         double stiffness_N_per_m = 0.0;
     };
-    /// Where a finger touches. Out of P3's re-cast ray, `spring_m` is d along the normal.
+    /// Where a finger touches. Except with P3's re-cast ray, `spring_m` is d along the normal.
     struct Meeting {
         SurfaceFoot foot;                              ///< nearest point
         core::Vec3 contact_W = core::Vec3::Zero();     ///< C
@@ -114,9 +127,12 @@ private:
     std::size_t m_regionCount = 0;
     std::array<SmoothPatch, TissueParameters::kMaxRegions> m_regions{};
     std::array<double, TissueParameters::kMaxRegions> m_regionBend_per_m2{}; ///< largest second derivative of each region's gain
-    double m_sunkDepth_m;     ///< to this depth the lumps' law is valid: λ d ≤ (h − R)/2; infinite without lumps
-    double m_uprightFrom_m;   ///< from here to m_uprightTo_m the law of a curved surface changes over to one that has no centre of curvature
-    double m_uprightTo_m;     ///< both infinite where flat
+    /// The lumps' law is valid to this depth, λ d ≤ (h − R)/2; infinite without lumps.
+    double m_sunkDepth_m;
+    /// From here to m_uprightTo_m the law of a curved surface changes over to one without a centre of
+    /// curvature.
+    double m_uprightFrom_m;
+    double m_uprightTo_m;     ///< both are infinite where the surface is flat
     int m_lumpCount = 0;
     std::array<PlacedLump, TissueParameters::kMaxLumps> m_lumps{};
 };

@@ -9,11 +9,13 @@ namespace chiron::simulation {
 
 namespace {
 constexpr double kNever_m = std::numeric_limits<double>::infinity();
-/// Shares of the smallest radius of curvature. Towards 1 a foot follows its tool without bound, 1/(1 − share): 5 times at the first.
+/// Shares of the smallest radius of curvature. A foot moves 1/(1 − share) times as fast as its tool, without
+/// bound towards 1 and 5 times at the first value.
 constexpr double kUprightFrom = 0.80;
 constexpr double kUprightTo = 0.98;
 
-/// k of a flat punch of radius a (Johnson, Contact Mechanics, §3.5): 2 a E/(1 − ν²), with the modulus that the layers amount to.
+/// k of a flat punch of radius a (Johnson, Contact Mechanics, §3.5): 2 a E/(1 − ν²), with the effective
+/// modulus of the layers.
 double punchStiffness(const TissueParameters& p) {
     const std::size_t count = std::min(p.layers.size(), TissueParameters::kMaxLayers);
     const double modulus_Pa =
@@ -34,7 +36,8 @@ TissueContact::TissueContact(const TissueParameters& parameters)
         if (m_regionCount == m_regions.size())
             break;
         const double radius_m = region.radii_m.minCoeff();
-        m_regionBend_per_m2[m_regionCount] = 6.0 * std::abs(region.gain) / (radius_m * radius_m); // of (1 − t²)³: 6, in its middle
+        // (1 − t²)³ bends most in its middle, by 6
+        m_regionBend_per_m2[m_regionCount] = 6.0 * std::abs(region.gain) / (radius_m * radius_m);
         m_regions[m_regionCount++] = SmoothPatch::over(region.centre_m, region.radii_m, region.turn_rad, region.gain);
     }
 }

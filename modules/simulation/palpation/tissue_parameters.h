@@ -25,11 +25,11 @@ struct SurfaceShape {
     std::vector<SurfaceBump> bumps; ///< none: flat
 };
 
-/// Tissue from the surface down; the last layer goes on for ever.
+/// One layer of the tissue. Layers are listed from the surface down; the last one has no lower end.
 struct TissueLayer {
     std::string name;          ///< "skin", "fat", ...
-    double thickness_m = 0.0;  ///< > 0; of the last one without meaning
-    double modulus_Pa = 17e3;  ///< Young's
+    double thickness_m = 0.0;  ///< > 0; not used for the last layer
+    double modulus_Pa = 17e3;  ///< Young's modulus
 };
 
 /// A stiff ball in the tissue. Its depth is that of its centre below the surface, along the normal there.
@@ -37,7 +37,7 @@ struct Lump {
     core::Vec2 place_m = core::Vec2::Zero(); ///< x, y in W of the surface point above it
     double depth_m = 0.012;
     double radius_m = 0.0075;
-    double ratio = 10.0; ///< its modulus over the tissue's; 1: cannot be felt
+    double ratio = 10.0; ///< ratio of its modulus to the tissue's; 1: cannot be felt
 };
 
 /// A stiffer (or softer) region that is normal anatomy: U = ½ k d² (1 + gain·(1 − t²)³), t as in SurfaceBump.
@@ -52,17 +52,20 @@ struct StiffRegion {
 /// How the contact point is found.
 enum class TissueContactLaw {
     anchored, ///< nearest surface point; tangential stiffness acts on a clipped bristle (models.md §3)
-    p3Recast, ///< P3 as worded: the ray along the instrument is cast again each tick; makes energy (`conservative: false`)
+    /// P3 as worded: the ray along the instrument is cast again in each tick; creates energy (`conservative:
+    /// false`).
+    p3Recast,
 };
 
 /// How a lump is felt.
 enum class LumpLaw {
     inclusion,          ///< χ of models.md §3 in the potential: felt before it is touched, with its lateral force
     secondSurface,      ///< P3: a second surface below adds its own contact force along its own normal
-    stiffnessTimesDepth ///< as published elsewhere: (1 + χ)·k·d along the normal, no lateral part; makes energy
+    /// As published elsewhere: (1 + χ)·k·d along the normal, no lateral part; creates energy.
+    stiffnessTimesDepth
 };
 
-/// A tissue to be palpated: what the finger touches. P3 and models.md §3; ranges are checked by the catalogue.
+/// A tissue to be palpated, as the finger touches it (P3 and models.md §3). The catalogue checks the ranges.
 struct TissueParameters {
     static constexpr std::size_t kMaxLayers = 4;
     static constexpr std::size_t kMaxRegions = 4;
@@ -76,13 +79,13 @@ struct TissueParameters {
     double tangentAlong_N_per_m = 800.0;  ///< K along the fibres, x of the contact frame (P3, fig. 6)
     double tangentAcross_N_per_m = 700.0; ///< K across them
     core::Vec3 fibreDirection{1.0, 0.0, 0.0}; ///< W; projected on the contact plane
-    double friction = 0.2;              ///< μ, clips the lateral anchor
+    double friction = 0.2;              ///< μ; limits the lateral bristle
     core::Vec3 damping_Ns_per_m{2.0, 2.0, 2.0}; ///< B along, across, normal
-    double dampingDepth_m = 0.001;      ///< smoothstep over this depth
-    double sinkage = 0.25;              ///< λ: share of the depth by which the contact nears a lump
+    double dampingDepth_m = 0.001;      ///< damping fades in with a smoothstep over this depth
+    double sinkage = 0.25;              ///< λ: share of the depth by which the contact approaches a lump
     TissueContactLaw contact = TissueContactLaw::anchored;
     LumpLaw lumps = LumpLaw::inclusion;
-    double secondStiffness_N_per_m = 1200.0; ///< of a lump's own surface, law secondSurface
+    double secondStiffness_N_per_m = 1200.0; ///< of a lump's own surface, for LumpLaw::secondSurface
     std::vector<StiffRegion> regions;   ///< 0..kMaxRegions: distractors
 };
 

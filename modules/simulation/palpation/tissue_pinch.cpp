@@ -25,7 +25,8 @@ PinchResponse pinchTissue(const TissueContact& tissue, const PinchParameters& p,
     const double share = x * x * (3.0 - 2.0 * x), shareSlope_per_m = 6.0 * x * (1.0 - x) / p.fullDepth_m;
     const double half = 0.5 * tissue.normalStiffness_N_per_m() * out.compression_m;
     if (half > 0.0) {
-        // By the tool's own axes: the surface's nearest point and normal run away near its centre of curvature.
+        // The tool's own axes are used, because the surface's nearest point and normal change fast near its
+        // centre of curvature.
         const Vec3 across = tool.q_WT * Vec3::UnitX();
         const Vec3 middle = tool.p_WT + 0.5 * std::min(touched.depth_m, p.fullDepth_m) * (tool.q_WT * Vec3::UnitZ());
         LumpsAcross lumps;
@@ -37,7 +38,7 @@ PinchResponse pinchTissue(const TissueContact& tissue, const PinchParameters& p,
         out.squeezeStiffness_N_per_m = half * ((1.0 + gain) * shareSlope_per_m + 0.75 * lumps.slope_per_m * share);
     }
 
-    // The hold: a spring from where the tissue was taken, as far as friction carries it.
+    // The hold is a spring from where the tissue was taken, limited by friction.
     if (touch.inside)
         touch.stretch_m += tool.p_WT - touch.previous_W;
     touch.inside = true;

@@ -12,14 +12,14 @@ constexpr int kMostSteps = 24;           ///< three or four are usual
 constexpr int kMostHalvings = 20;
 constexpr double kSmallStep2_m2 = 1e-16; ///< after a last Newton step of 10 nm the error is below 1e-13 m
 constexpr double kRayStep2_m2 = 1e-26;   ///< 0.1 pm
-constexpr double kFarthest_m = 0.1;      ///< of a ray
+constexpr double kFarthest_m = 0.1;      ///< longest ray
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 core::Vec3 upNormal(const core::Vec2& slope) noexcept {
     return core::Vec3(-slope.x(), -slope.y(), 1.0) / std::sqrt(1.0 + slope.squaredNorm());
 }
 
-/// ∇²(½‖p − C‖²) by x and y, `above_m` = z_C − z_p.
+/// ∇²(½‖p − C‖²) with respect to x and y; `above_m` = z_C − z_p.
 Eigen::Matrix2d distanceHessian(const SurfaceHeight& at, double above_m) noexcept {
     return Eigen::Matrix2d::Identity() + at.slope * at.slope.transpose() + above_m * at.curvature_per_m;
 }
@@ -33,7 +33,8 @@ core::Vec2 newtonMove(const core::Vec3& p_W, const core::Vec2& xy_m, const Surfa
     const double above = at.z_m - p_W.z();
     const core::Vec2 gradient = (xy_m - p_W.head<2>()) + above * at.slope;
     Eigen::Matrix2d hessian = distanceHessian(at, above);
-    if (!(hessian.determinant() > 1e-5) || !(hessian.trace() > 0.0)) // beyond a centre of curvature: Gauss–Newton's, positive
+    // Beyond a centre of curvature: Gauss–Newton's, which is positive
+    if (!(hessian.determinant() > 1e-5) || !(hessian.trace() > 0.0))
         hessian = distanceHessian(at, 0.0);
     return hessian.inverse() * gradient;
 }
@@ -83,7 +84,8 @@ SurfaceFoot TissueSurface::curvedFoot(const core::Vec3& p_W, const core::Vec2& g
     return unique ? foot : farFoot(p_W, foot);
 }
 
-/// Beyond the uniqueness of feet, or after a jump: the nearer of what was found and what lies below the tool.
+/// Used where the foot is not unique, or after a jump. Returns the nearer one of the given foot and the foot
+/// that a search from the tool's own x and y finds.
 SurfaceFoot TissueSurface::farFoot(const core::Vec3& p_W, const SurfaceFoot& found) const noexcept {
     const SurfaceFoot below = descend(p_W, p_W.head<2>());
     SurfaceFoot foot = std::abs(below.depth_m) + 1e-9 < std::abs(found.depth_m) ? below : found;
@@ -95,7 +97,8 @@ SurfaceFoot TissueSurface::farFoot(const core::Vec3& p_W, const SurfaceFoot& fou
     return foot;
 }
 
-/// Zero of the gradient of ½‖p − (xy, z(xy))‖², (xy − p_xy) + (z − p_z)·slope, always downhill.
+/// Descends to the zero of the gradient of ½‖p − (xy, z(xy))‖², (xy − p_xy) + (z − p_z)·slope; every step
+/// goes downhill.
 SurfaceFoot TissueSurface::descend(const core::Vec3& p_W, const core::Vec2& from_m) const noexcept {
     core::Vec2 xy = from_m;
     SurfaceHeight at = heightAt(xy);
@@ -124,7 +127,7 @@ bool TissueSurface::meets(const core::Vec3& p_W, const core::Vec3& direction, co
         const core::Vec3 p = p_W + along_m * direction;
         const SurfaceHeight at = heightAt(p.head<2>());
         const double approach = direction.z() - at.slope.dot(direction.head<2>()); // d(z_p − z)/d along
-        if (std::abs(approach) < 0.05) // along the surface: no place to speak of
+        if (std::abs(approach) < 0.05) // the line runs along the surface, without a distinct intersection
             return false;
         const double move_m = (at.z_m - p.z()) / approach;
         along_m += move_m;

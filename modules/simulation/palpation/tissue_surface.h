@@ -18,7 +18,7 @@ struct SurfaceHeight {
     Eigen::Matrix2d curvature_per_m = Eigen::Matrix2d::Zero();
 };
 
-/// The nearest surface point of a tool.
+/// The surface point nearest to a tool.
 struct SurfaceFoot {
     core::Vec3 p_W = core::Vec3::Zero();
     core::Vec3 normal{0.0, 0.0, 1.0}; ///< outward, unit
@@ -27,8 +27,10 @@ struct SurfaceFoot {
     core::Mat3 follows = core::Mat3::Identity();
 };
 
-/// The smooth surface of a tissue (SurfaceShape): the one geometry that is felt and drawn. Immutable; any thread; no allocation
-/// after construction. W, m.
+/// The smooth surface of a tissue (SurfaceShape). The same geometry is felt and drawn. Immutable.
+/// Unit: m.
+/// Frame: W.
+/// Thread: any; allocates nothing after construction.
 class TissueSurface {
 public:
     explicit TissueSurface(const SurfaceShape& shape);
@@ -37,21 +39,24 @@ public:
     SurfaceHeight heightAt(const core::Vec2& xy_m) const noexcept;
     core::Vec3 pointAt(const core::Vec2& xy_m) const noexcept;  ///< on the surface
     core::Vec3 normalAt(const core::Vec2& xy_m) const noexcept; ///< outward, unit
-    /// Nearest surface point of `p_W`, sought from a guess (x, y) by damped Newton steps (two or three from the tick before).
-    /// Depths to deepestUnique_m() have one foot, the same from every guess; deeper, a continuous one while the tool moves on. The sign
-    /// of the depth is right everywhere.
+    /// Finds the surface point nearest to `p_W` by damped Newton steps from a guess (x, y); from the foot of
+    /// the previous tick it takes two or three. Down to deepestUnique_m() there is one foot, the same from
+    /// every guess; deeper, the foot is continuous while the tool moves on. The sign of the depth is right
+    /// everywhere.
     SurfaceFoot nearest(const core::Vec3& p_W, const core::Vec2& guess_m) const noexcept {
         return flat() ? flatFoot(p_W) : curvedFoot(p_W, guess_m);
     }
-    /// No point of the tissue down to this depth has two nearest surface points; infinite where flat. The smallest radius of curvature
-    /// towards the tissue, by a grid of 81² points a bump (1 % below what they find). That is all it takes: two feet of one
-    /// point with opposite normals, the other way to lose uniqueness, need a surface that is no height over x and y.
+    /// Down to this depth no point of the tissue has two nearest surface points; infinite where the surface
+    /// is flat. It is the smallest radius of curvature towards the tissue, searched on a grid of 81² points
+    /// per bump and reduced by 1 %. This criterion is sufficient: the other way to lose uniqueness, two feet
+    /// of one point with opposite normals, needs a surface that is not a height over x and y.
     double deepestUnique_m() const noexcept { return m_deepestUnique_m; }
-    /// The same outwards, over furrows.
+    /// The same bound outwards, above furrows.
     double highestUnique_m() const noexcept { return m_highestUnique_m; }
-    /// Where the line p_W + s·direction meets the surface, nearest to p_W; false where it does not within ±0.1 m.
+    /// Finds where the line p_W + s·direction meets the surface nearest to p_W. Returns false if it does not
+    /// within ±0.1 m.
     bool meets(const core::Vec3& p_W, const core::Vec3& direction, core::Vec3& hit_W) const noexcept;
-    double highest_m() const noexcept; ///< z that no point of the surface exceeds
+    double highest_m() const noexcept; ///< upper bound of z over the whole surface
 
 private:
     SurfaceFoot flatFoot(const core::Vec3& p_W) const noexcept {

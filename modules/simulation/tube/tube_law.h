@@ -7,14 +7,17 @@
 
 namespace chiron::simulation {
 
-/// Tension of the whole tube over its stretch x beyond the rest length L₀ (m): its elasticity, zero when slack,
+/// Tension of the whole tube as a function of its stretch x beyond the rest length L₀ (m). It is the tube's
+/// elasticity, zero when slack:
 ///   T(x) = k x,  or with strain stiffening  T(x) = (k/b)(e^{bx} − 1);  U(x) = ∫₀ˣ T
-/// Beyond `limit_m` (where it tears) tension stays what it is there, so that a pause in which a hand goes far off overflows
-/// nothing. N, J, N/m. T and U are continuous, T′ is but at 0 and at the limit. Pure. Thread: any. Source: P2 "Elastic Tube
-/// Model"; models.md §2.2, §2.4.
+/// Beyond `limit_m` (where the tube tears) the tension keeps its value, so that nothing overflows when a hand
+/// moves far away during a pause. T and U are continuous, and so is T′ except at 0 and at the limit. Pure.
+/// Source: P2 "Elastic Tube Model"; models.md §2.2, §2.4.
+/// Unit: N, J, N/m.
+/// Thread: any.
 struct TubeLaw {
     ElasticLaw elastic{100.0, 0.0};
-    double viscosity_Ns_per_m = 0.0; ///< ≥ 0, along the tube, of its whole length
+    double viscosity_Ns_per_m = 0.0; ///< ≥ 0, along the tube, for its whole length
     double limit_m = 1.0;            ///< > 0
 
     double tension_N(double x_m) const noexcept { return elastic.tension(std::clamp(x_m, 0.0, limit_m)); }

@@ -10,9 +10,10 @@ namespace chiron::simulation {
 
 namespace {
 
-constexpr double kShortest_m = 1e-9; ///< below it a chord has no direction
+constexpr double kShortest_m = 1e-9; ///< a shorter chord has no direction
 
-/// Unit and perpendicular to the chord: mostly down, never without a direction on the ways that tubes lie.
+/// A unit vector perpendicular to the chord, mostly downward. It is well defined for all directions in which
+/// tubes lie.
 core::Vec3 bulgeDirection(const core::Vec3& chord, double length_m) noexcept {
     const core::Vec3 down(0.35, 0.0, -1.0); // a standing tube bulges to +x
     core::Vec3 n = down;

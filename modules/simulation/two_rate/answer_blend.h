@@ -7,24 +7,27 @@
 
 namespace chiron::simulation {
 
-/// Weights of a slow model's last answers at one tick; they sum to 1.
+/// Weights of the last three answers of a slow model at one tick; they sum to 1.
 struct BlendWeights {
     double newest = 1.0;   ///< of A(k)
     double previous = 0.0; ///< of A(k-1)
     double before = 0.0;   ///< of A(k-2)
 };
 
-/// What the fast loop shows between two answers of a slow model: predicted from the last ones, and blended after each
-/// update (P2, "Haptic-Visual Graphic Integration"; models.md §2.2, two rates). Answer A(k) is of the request of tick n(k) and
-/// is applied at tick t(k) ≥ n(k) + L.
+/// Computes the value that the fast loop shows between two answers of a slow model. It predicts from the last
+/// answers and blends the old and the new prediction after each update (P2, "Haptic-Visual Graphic
+/// Integration"; models.md §2.2, two rates). Answer A(k) belongs to the request of tick n(k) and is applied
+/// at tick t(k) ≥ n(k) + L.
 ///
 ///   prediction   P_k(t) = A(k) + γ e_k(t) (A(k) − A(k−1)),  e_k = min(1, (t − n(k)) / (n(k) − n(k−1)))
 ///   shown        x(t) = (1 − s(w)) P_{k−1}(t) + s(w) P_k(t),  w = min(1, (t − t(k)) / B),  s(w) = 3w² − 2w³
 ///
-/// The prediction never runs further than one interval of the answers, and only by the share γ of it. B ≤ L: the next answer
-/// comes at t(k) + L at the earliest, so that w is 1 by then and x is continuous at every application. From one tick to the
-/// next it moves by at most 1.5/B ‖P_k − P_{k−1}‖ + γ ‖A(k) − A(k−1)‖ / (n(k) − n(k−1)) (plus the same of k−1 while it fades).
-/// Everything is a linear combination of three answers: a tick computes three weights, whatever the size of the answer.
+/// The prediction extends over at most one interval between answers, and only by the share γ of it. Because B
+/// ≤ L and the next answer comes at t(k) + L at the earliest, w has reached 1 by then and x is continuous
+/// whenever an answer is applied. From one tick to the next, x moves by at most 1.5/B ‖P_k − P_{k−1}‖ + γ
+/// ‖A(k) − A(k−1)‖ / (n(k) − n(k−1)) (plus the same term of k−1 while it fades). Everything is a linear
+/// combination of three answers, so a tick computes only three weights, however large an answer is.
+///
 /// Thread: haptic.
 class AnswerBlend {
 public:
@@ -32,7 +35,7 @@ public:
     AnswerBlend(std::uint64_t blend_ticks, double prediction) noexcept
         : m_blend_ticks(std::max<std::uint64_t>(1, blend_ticks)), m_prediction(prediction) {}
 
-    /// Forgets what was: from here on all three answers are number 0, the model at rest.
+    /// Clears the history: from here on all three answers have number 0, the model at rest.
     void reset(std::uint64_t tick) noexcept {
         m_numbers = {};
         m_asked = {tick, tick, tick};
@@ -40,7 +43,7 @@ public:
         m_settled = true;
     }
 
-    /// The answer `number` (SlowLink::number()) of the request of tick `asked` takes effect.
+    /// Lets answer `number` (SlowLink::number()), which belongs to the request of tick `asked`, take effect.
     void apply(std::uint64_t tick, std::uint64_t asked, std::uint64_t number) noexcept {
         m_numbers = {number, m_numbers[0], m_numbers[1]};
         m_asked = {asked, m_asked[0], m_asked[1]};
@@ -60,7 +63,7 @@ public:
         return {s * (1.0 + newer), (1.0 - s) * (1.0 + older) - s * newer, -(1.0 - s) * older};
     }
 
-    /// The same without any prediction (γ = 0): the last answers held, and blended alike.
+    /// Weights without prediction (γ = 0): the last answers are held and blended in the same way.
     BlendWeights heldWeights(std::uint64_t tick) const noexcept {
         if (m_settled)
             return {};
@@ -75,7 +78,7 @@ private:
         return w * w * (3.0 - 2.0 * w);
     }
 
-    /// γ e(t); 0 where two answers are of one tick (after reset()).
+    /// γ e(t); 0 where two answers belong to the same tick (after reset()).
     double reach(std::uint64_t tick, std::uint64_t asked, std::uint64_t askedBefore) const noexcept {
         if (asked <= askedBefore || tick <= asked)
             return 0.0;

@@ -14,24 +14,30 @@ using simulation::ComparedAttribute;
 
 namespace {
 
-constexpr double kPull_N = 1.3;     ///< what it pulls a usual tube, and presses a usual pad, with
-constexpr double kTooHard_N = 2.4;  ///< felt at a tube: the next trial's pulls are shorter ...
-constexpr double kEnough_N = 1.8;   ///< ... so that they come to about this: people pull to a force, not to a place
-constexpr double kShortestPull = 0.25; ///< of the usual way
-constexpr double kOverProbe = 1.5;     ///< so many times the smallest force that is asked for, it pulls at least: the grip gives way, too
-constexpr double kAbove_m = 0.014;  ///< over a pad on the way
-constexpr double kWaiting_m = 0.050; ///< between trials
-constexpr double kOverPads_m = 0.010; ///< the same where it strokes the air meanwhile: how an instrument runs depends on its depth
-constexpr double kInAir_m = 0.006;   ///< higher than this it touches no pad
+constexpr double kPull_N = 1.3;     ///< force with which it pulls a usual tube and presses a usual pad
+/// If a tube resists with more than this, the next trial's pulls are shorter ...
+constexpr double kTooHard_N = 2.4;
+/// ... so that they reach about this force: people pull to a force, not to a position.
+constexpr double kEnough_N = 1.8;
+constexpr double kShortestPull = 0.25; ///< share of the usual distance
+/// It pulls with at least this multiple of the smallest force that is asked for, because the grip gives way,
+/// too.
+constexpr double kOverProbe = 1.5;
+constexpr double kAbove_m = 0.014;  ///< height above a pad while moving to it
+constexpr double kWaiting_m = 0.050; ///< height between trials
+/// The same where it strokes the air meanwhile, because an instrument's friction depends on its depth.
+constexpr double kOverPads_m = 0.010;
+constexpr double kInAir_m = 0.006;   ///< above this height it touches no pad
 constexpr double kSwing_m = 0.007;  ///< half of a stroke
-constexpr int kTracks = 7;          ///< along which a rough pad is stroked ...
-constexpr double kTracks_m = 0.0048; ///< ... so far to both sides
-constexpr double kTaken_m = 0.0055;  ///< so near to a ring it knows that it has it
-constexpr double kSetDown_m = 0.003; ///< so far below a ring it has put down what it had
+constexpr int kTracks = 7;          ///< tracks along which a rough pad is stroked ...
+constexpr double kTracks_m = 0.0048; ///< ... up to this distance on both sides
+constexpr double kTaken_m = 0.0055;  ///< at this distance from a ring it knows that it holds the object
+constexpr double kSetDown_m = 0.003; ///< at this distance below a ring it has put the object down
 constexpr double kFromEdge_m = 0.0004;
-constexpr double kSettled_s = 0.15; ///< after the last way, for the arm to come after
+constexpr double kSettled_s = 0.15; ///< time after the last movement for the arm to catch up
 
-/// Share of a way done at a share of its time: minimum jerk (Flash & Hogan 1985), and its slope.
+/// Share of a path that is covered at a share of its time, for minimum jerk (Flash & Hogan 1985), and its
+/// slope.
 double minimumJerk(double t) noexcept { return t * t * t * (10.0 + t * (-15.0 + 6.0 * t)); }
 double minimumJerkSlope(double t) noexcept { return 30.0 * t * t * (1.0 - t) * (1.0 - t); }
 
@@ -73,7 +79,7 @@ ComparisonExplorer::Way ComparisonExplorer::pressedWay(const Vec3& pad, int step
     if (m_briefing.attribute == ComparedAttribute::deformation) {
         switch (step) {
         case 0: return {pad + Vec3(0.0, 0.0, 0.006), 0.30};
-        case 1: return {pad + lower, 0.12}; // quickly, and stay
+        case 1: return {pad + lower, 0.12}; // quickly; then it stays
         case 2: return {pad + lower, 0.90};
         case 3: return {pad + Vec3(0.0, 0.0, kAbove_m), 0.20};
         default: return {};
@@ -91,7 +97,7 @@ ComparisonExplorer::Way ComparisonExplorer::pressedWay(const Vec3& pad, int step
     }
 }
 
-/// A rough pad is felt along several tracks, so far apart that each meets heights of its own.
+/// Feels a rough pad along several tracks that are so far apart that each meets heights of its own.
 ComparisonExplorer::Way ComparisonExplorer::roughWay(const Vec3& pad, int step) const noexcept {
     const double pressed_m = kPull_N / m_briefing.usualStiffness_N_per_m + kPull_N / m_arm_N_per_m;
     const Vec3 side(-kTracks_m, step % 2 == 1 ? -kSwing_m : kSwing_m, -pressed_m);
@@ -129,7 +135,7 @@ void ComparisonExplorer::begin() noexcept {
     nextWay();
 }
 
-/// From the present target on; a way of no time ends the place's.
+/// Continues from the present target. An empty Way (target at the origin) ends the visit of a place.
 void ComparisonExplorer::nextWay() noexcept {
     m_at = m_way.to;
     m_way_s = 0.0;
@@ -146,7 +152,8 @@ void ComparisonExplorer::nextWay() noexcept {
     m_way = way(m_place, m_step);
 }
 
-/// From the trial before: the arm answers a fifth of a second after the hand has felt, too late for the pull it was felt in.
+/// Learns from the previous trial: the arm reacts a fifth of a second after the hand has felt a force, too
+/// late for the same pull.
 void ComparisonExplorer::learnPull() noexcept {
     const double shortest = std::clamp(kOverProbe * m_briefing.probe_N / kPull_N, kShortestPull, 1.0);
     if (m_hardest_N > kTooHard_N)
@@ -161,7 +168,8 @@ void ComparisonExplorer::notice(const mechanisms::HandPerception& seen) noexcept
         m_calm = false;
         learnPull();
         begin();
-    } else if (!m_calm && seen.cues.phase != core::TrialPhase::running) { // over: out of the way, for the next one
+    // The trial is over: moves out of the way and waits for the next one
+    } else if (!m_calm && seen.cues.phase != core::TrialPhase::running) {
         m_calm = true;
         m_moving = false;
         m_explored = false;
@@ -220,7 +228,7 @@ bool ComparisonExplorer::feels(int place, const Vec3& tip, double& displacement_
     return displacement_m > 0.001;
 }
 
-/// On the flat top alone: beyond, the edge falls off by more than any roughness.
+/// Uses only the flat top, because beyond it the edge falls off by more than any roughness.
 bool ComparisonExplorer::feelsRough(int place, double& displacement_m) const noexcept {
     const Vec3& tip = m_instrument.tip();
     displacement_m = -tip.z();
@@ -239,7 +247,7 @@ void ComparisonExplorer::feel(const mechanisms::HandPerception& seen) noexcept {
         m_air.add(felt);
     if (m_calm || m_explored || seen.cues.force != core::ForceState::on)
         return;
-    const Vec3 tip = seen.p_DT + seen.f_T_D / m_grip_N_per_m; // it sees it
+    const Vec3 tip = seen.p_DT + seen.f_T_D / m_grip_N_per_m; // it sees its tip
     for (int place = 0; place < m_briefing.places; ++place) {
         if (std::abs(tip.x() - m_briefing.x_m[static_cast<std::size_t>(place)]) > 0.006)
             continue;
@@ -248,7 +256,7 @@ void ComparisonExplorer::feel(const mechanisms::HandPerception& seen) noexcept {
         const bool slack = m_briefing.attribute != ComparedAttribute::stiffness || felt.displacement_m <= 0.0;
         m_taken[index] = m_taken[index] || (m_takes[index] && slack && (tip - ring(place)).norm() < kTaken_m);
         if (m_places[index].samples() > 0 && tip.z() < ring(place).z() - kSetDown_m)
-            m_taken[index] = m_takes[index] = false; // set down, or slack: it is about to let go
+            m_taken[index] = m_takes[index] = false; // put down, or slack: it is about to let go
         if (there)
             m_hardest_N = std::max(m_hardest_N, felt.force.norm());
         if (there && (m_taken[index] || !simulation::isHooked(m_briefing.attribute)))

@@ -13,27 +13,32 @@
 
 namespace chiron::operators {
 
-/// What a participant knows: where the places are and what to attend to; and how strong an object of the kind is on the whole, from
-/// the practice, to move by a sensible amount. Never what lies at a place.
+/// The knowledge of a simulated participant: where the places are, which attribute matters, and, from the
+/// practice, how strong such objects usually are, so that it can move by a sensible amount. It never includes
+/// the value at a place.
 struct ComparisonBriefing {
     simulation::ComparedAttribute attribute = simulation::ComparedAttribute::stiffness;
     int places = 3;
     std::array<double, 3> x_m{};
     double height_m = 0.030;       ///< of the rings
-    double usualStiffness_N_per_m = 200.0; ///< of a tube or pad
-    double padRadius_m = 0.009;    ///< of a pad's flat top: it sees it
-    double probe_N = 0.0;          ///< it was told to feel every object with so much at least; 0: nothing
-    double share = 0.0;            ///< how much stiffer a quick press is: k₁/k
+    double usualStiffness_N_per_m = 200.0; ///< of a usual tube or pad
+    double padRadius_m = 0.009;    ///< of a pad's flat top, which it can see
+    /// It was told to feel every object with at least this force; 0: it was told nothing.
+    double probe_N = 0.0;
+    double share = 0.0;            ///< k₁/k: how much stiffer a quick press is than a slow one
 };
 
 ComparisonBriefing comparisonBriefing(const simulation::ComparisonParameters& parameters) noexcept;
-/// A steady arm: firm, with little tremor and the usual reaction delay.
+/// The hand of a steady arm: firm, with little tremor and the usual reaction delay.
 mechanisms::HandParameters comparisonHand() noexcept;
 
-/// A simulated participant's hand: in each trial it goes to every place from left to right, does there what the attribute asks for
-/// (Lederman & Klatzky 1987: pulls a tube, hefts an object, presses and holds, strokes) and fits the attribute to what it feels
-/// (ExploredPlace). It sees its instrument's tip, so what its own grip gives is no stretch of the object. It moves by time alone:
-/// min-jerk ways from point to point; after a trial in which a tube resisted too much it pulls all tubes less far. Haptic thread; no allocation.
+/// The hand of a simulated participant. In each trial it visits every place from left to right, makes the
+/// exploratory movement that suits the attribute (Lederman & Klatzky 1987: pulls a tube, hefts an object,
+/// presses and holds, strokes) and fits the attribute to what it feels (ExploredPlace). It sees its
+/// instrument's tip, so the give of its own grip does not count as stretch of the object. Its movements
+/// depend on time alone: minimum-jerk paths from point to point. After a trial in which a tube resisted too
+/// much, it pulls all tubes less far.
+/// Thread: haptic; allocates nothing.
 class ComparisonExplorer final : public mechanisms::HandStrategy, public IParticipantMind {
 public:
     ComparisonExplorer(const ComparisonBriefing& briefing, const mechanisms::HandParameters& hand) noexcept;
@@ -72,14 +77,14 @@ private:
     std::array<ExploredPlace, 3> m_places;
     AirStroke m_air; ///< strokes without an object
     InstrumentFeel m_instrument;
-    core::Vec3 m_at = core::Vec3::Zero(); ///< where the present way began
+    core::Vec3 m_at = core::Vec3::Zero(); ///< where the present movement began
     Way m_way;
-    double m_way_s = 0.0;   ///< along it
+    double m_way_s = 0.0;   ///< time since it began
     core::Vec3 m_lastVelocity = core::Vec3::Zero();
-    std::array<bool, 3> m_taken{}; ///< held now
-    std::array<bool, 3> m_takes{}; ///< and not yet put down, in this trial
-    double m_pull = 1.0;      ///< share of the usual way that it pulls a tube
-    double m_hardest_N = 0.0; ///< felt in this trial
+    std::array<bool, 3> m_taken{}; ///< the object is held now
+    std::array<bool, 3> m_takes{}; ///< the object has not been put down yet in this trial
+    double m_pull = 1.0;      ///< share of the usual distance by which it pulls a tube
+    double m_hardest_N = 0.0; ///< largest force felt in this trial
     int m_place = 0;
     int m_step = 0;
     int m_trial = -1;
@@ -88,7 +93,7 @@ private:
     bool m_calm = true; ///< no trial runs
 };
 
-/// Failure: badInput (no or too many places). Allocates.
+/// Errors: badInput if there are no places or too many. Allocates.
 core::Result<std::unique_ptr<ComparisonExplorer>> makeComparisonExplorer(const ComparisonBriefing& briefing);
 
 } // namespace chiron::operators

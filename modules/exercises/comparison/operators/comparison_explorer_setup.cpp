@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes participants: allocates, so it is kept apart from what the tick calls.
+// Makes participants. This allocates, so it is kept apart from the code of the tick.
 #include "modules/exercises/comparison/operators/comparison_explorer.h"
 
 #include <cmath>

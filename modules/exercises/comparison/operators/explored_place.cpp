@@ -13,9 +13,11 @@ using simulation::ComparedAttribute;
 
 namespace {
 
-constexpr double kSticking_m_per_s = 0.004; ///< below it a drive's friction is not yet in full
+/// Below this speed a drive's friction has not reached its full value.
+constexpr double kSticking_m_per_s = 0.004;
 constexpr double kStroking_m_per_s = 0.015;
-constexpr double kSliding_m_per_s = 0.060; ///< well after a turn, where what sticks has come along
+/// Reached well after a reversal, when a sticking contact has begun to slide.
+constexpr double kSliding_m_per_s = 0.060;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 double way(double v) noexcept { return std::tanh(v / kSticking_m_per_s); }

@@ -11,22 +11,25 @@
 
 namespace chiron::operators {
 
-/// One tick of what a hand feels at a place. W, SI.
+/// Sensations of a hand at a place in one tick.
+/// Unit: SI.
+/// Frame: W.
 struct FeltSample {
-    double displacement_m = 0.0;  ///< stretch, height above the ring, depth below the pad's rest surface: as seen at the tip
+    /// As seen at the tip: stretch, height above the ring, or depth below the pad's rest surface.
+    double displacement_m = 0.0;
     core::Vec3 force = core::Vec3::Zero(); ///< on the hand
     core::Vec3 velocity = core::Vec3::Zero();
     core::Vec3 acceleration = core::Vec3::Zero();
-    InstrumentFeel::Own own{}; ///< what of f_z may be the instrument's
+    InstrumentFeel::Own own{}; ///< terms of f_z that may be due to the instrument
 };
 
-/// What an instrument feels like when nothing is touched, along y and along z: it takes force to move it.
+/// Model of the force that it takes to move the instrument when nothing is touched, along y and along z.
 class AirStroke {
 public:
     void add(const FeltSample& felt) noexcept;
-    void learn() noexcept; ///< fits what was added so far
-    double force_N(const FeltSample& felt) const noexcept; ///< −f_y that is the device's own; 0 before it learned
-    double lift_N(const FeltSample& felt) const noexcept;  ///< f_z, up to a constant
+    void learn() noexcept; ///< fits the model to all samples so far
+    double force_N(const FeltSample& felt) const noexcept; ///< the device's own −f_y; 0 before learn()
+    double lift_N(const FeltSample& felt) const noexcept;  ///< the device's own f_z, up to a constant
 
 private:
     core::LeastSquares<4> m_line;
@@ -35,36 +38,39 @@ private:
     InstrumentFeel::Own m_ownSlope{};
 };
 
-/// What every object of a kind has in common, known from practice.
+/// Properties that all objects of a study share, known from practice.
 struct KnownObject {
     double stiffness_N_per_m = 200.0; ///< k of a pad
     double share = 0.0;               ///< k₁/k
 };
 
-/// What was felt at one place, and the attribute fitted to it. All fits carry the drives' own part as regressors of their own (Coulomb
-/// friction as tanh(v/v₀), viscosity, moved mass), so that what is left is the object's:
+/// The observations made at one place, and the attribute fitted to them. All fits include the drives' own
+/// force as separate regressors (Coulomb friction as tanh(v/v₀), viscosity, moved mass), so that the
+/// remainder belongs to the object:
 ///   stiffness    −f_z = k x + c + f_c tanh(v_z/v₀) + b v_z + m a_z                 k
 ///   mass         −f_z = w + f_c tanh(v_z/v₀) + b v_z + m a_z  in the air            w/g
 ///   deformation  f_z − k d − k₁(d − q_τ) = c + b v_z + f_c tanh(v_z/v₀) + m a_z over a bank of 41 τ, q_τ′ = (d − q_τ)/τ, k and k₁ known
 ///                from practice: the least residual, by a parabola                  τ
-///   roughness    f_z − k d − device = c while stroking, k known from practice; rms of what is left, over k  rms height
+///   roughness    f_z − k d − device = c while stroking, k known from practice; rms of the residual, over k  rms height
 ///   friction     −(f_y + device)·v̂ = μ f_z  while stroking along y                   μ
 ///   viscosity    −(f_y + device) = b v_y + c                                         b
-/// The device's own −f_y = b v_y + f_c tanh(v_y/v₀) + m a_y + c of the last two, and f_z of roughness (InstrumentFeel), are fitted to strokes in
-/// the air (AirStroke): fitted to the strokes themselves, a moved mass would take what the heights do to the hand for its own.
-/// No allocation. Source: psychophysics.md §6 (own fit to felt force); the regressors are our choice.
+/// For the last two, the device's own −f_y = b v_y + f_c tanh(v_y/v₀) + m a_y + c is fitted to strokes in the
+/// air (AirStroke), and so is f_z for roughness (InstrumentFeel). If they were fitted to the strokes over the
+/// object, the moved mass would absorb the effect of the surface's heights on the hand. Source:
+/// psychophysics.md §6 (own fit to felt force); the regressors are our choice.
+/// Thread: haptic; allocates nothing.
 class ExploredPlace {
 public:
     ExploredPlace() noexcept { reset(); }
     void reset() noexcept;
     void add(simulation::ComparedAttribute attribute, const FeltSample& felt, const AirStroke& air, const KnownObject& known) noexcept;
-    /// SI; not a number where nothing usable was felt.
+    /// The fitted attribute in SI units; NaN where nothing usable was felt.
     double estimate(simulation::ComparedAttribute attribute) const noexcept;
     int samples() const noexcept { return m_n; }
 
 private:
     static constexpr std::size_t kTimes = 41;
-    static constexpr double kShortest_s = 0.01, kLongest_s = 3.0; ///< of the bank
+    static constexpr double kShortest_s = 0.01, kLongest_s = 3.0; ///< time constants of the bank
     double fitted(simulation::ComparedAttribute attribute) const noexcept;
     double roughness() const noexcept;
     double recoveryTime() const noexcept;
@@ -74,7 +80,8 @@ private:
     double m_known_N_per_m = 0.0;
     std::array<core::LeastSquares<4>, kTimes> m_bank;
     std::array<double, kTimes> m_dent{};
-    std::array<double, kTimes> m_share{}; ///< of what is left, that a dent gives way by in a tick
+    /// Share of the remaining distance by which a dent follows in a tick.
+    std::array<double, kTimes> m_share{};
     int m_n = 0;
 };
 

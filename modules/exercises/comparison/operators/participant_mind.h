@@ -3,7 +3,8 @@
 
 namespace chiron::operators {
 
-/// What a study's runner asks a simulated participant, after each tick and on the same thread.
+/// Interface through which the runner of a study queries a simulated participant, after each tick and on the
+/// same thread.
 class IParticipantMind {
 public:
     IParticipantMind() = default;
@@ -11,11 +12,12 @@ public:
     IParticipantMind& operator=(const IParticipantMind&) = delete;
     virtual ~IParticipantMind() = default;
 
-    /// Every place of the trial at hand was explored: an answer can be given.
+    /// Returns true once every place of the present trial has been explored, so that an answer can be given.
     virtual bool explored() const noexcept = 0;
-    /// What it felt at a place, in the attribute's own SI unit, by its own fit; not a number where nothing usable was felt.
+    /// Returns the participant's own estimate of the attribute at a place, in SI units; NaN where nothing
+    /// usable was felt.
     virtual double estimate(int place) const noexcept = 0;
-    /// Explores once more (an adjustment changed the level).
+    /// Makes it explore once more (because an adjustment changed the level).
     virtual void again() noexcept = 0;
 };
 

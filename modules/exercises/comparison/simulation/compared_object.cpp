@@ -74,7 +74,8 @@ ComparedResponse ComparedObject::lift(const core::Vec3& p, const core::Vec3& v, 
         m_awayFirst = true;
         return out;
     }
-    const double below_m = std::max(0.0, -lift_m); // damping fades in from where it lies: none there, none in the air
+    // Damping fades in from the rest position: there is none at rest and none in the air
+    const double below_m = std::max(0.0, -lift_m);
     const double damping = std::min(m_bedDamping_Ns_per_m, mostDamping_Ns_per_m);
     const double support_N = ContactDamping::normalForce(bed_N, damping, below_m, v.z());
     out.damping_Ns_per_m = damping * std::min(1.0, below_m / ContactDamping::kFullDepth_m);

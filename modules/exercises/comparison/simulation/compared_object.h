@@ -10,42 +10,50 @@
 
 namespace chiron::simulation {
 
-/// What the object at a place answers, on the tool, W.
+/// Response of the object at a place, on the tool.
+/// Frame: W.
 struct ComparedResponse {
     core::Vec3 force = core::Vec3::Zero(); ///< N
     core::Vec3 surfacePoint = core::Vec3::Zero(); ///< where to draw the tool
     double energy_J = 0.0;
     double stiffness_N_per_m = 0.0;
-    double damping_Ns_per_m = 0.0; ///< what it uses of the tool's budget
+    double damping_Ns_per_m = 0.0; ///< the part of the tool's budget that it uses
     double displacement_m = 0.0; ///< stretch of the tube, lift of the object (negative: pressed into its bed), depth in the pad
-    double depth_m = 0.0;        ///< below the pad's smooth surface, roughness left out; signed
-    bool touching = false;       ///< force may flow
-    bool held = false;           ///< taken hold of
+    double depth_m = 0.0;        ///< below the pad's smooth surface, without roughness; signed
+    bool touching = false;       ///< a force may act
+    bool held = false;           ///< the tool has taken hold of it
 };
 
-/// The object at one place, made of the exercises' laws:
+/// The object at one place, built from the exercises' laws:
 ///   stiffness     a tube fixed at its foot, taken hold of at its free end: T(x) along it, zero when slack (tube_segment.h)
 ///   mass          f = (0, 0, k_b d − m g), d = max(0, m g/k_b − lift): an object on a soft bed, lifted; its weight alone in the air
 ///   the others    a pad, ObjectContact on z = −max(0, ρ − R)²/(2e): a height field, so that f = −∇U in its conservative part, flat
 ///                 where ρ < R and continuous everywhere
-/// A tube is taken hold of where it is slack within `hookReach_m` of its end, and let go slack beyond `hookLeave_m`. An object is
-/// taken hold of at its ring as it lies (weight and bed cancel), keeps its offset from the tip, and is let go once it was
-/// lifted (kLifted_m), then pressed onto its bed (kPress_N), and that press has gone: both without a step in force. Out of contact the object can be
-/// changed. State: held, bristle, dent. Thread: haptic; allocates nothing. Source: P2; models.md §2.2, §2.4.
+/// A tool takes hold of a tube where it is slack within `hookReach_m` of its end, and lets go of it where it
+/// is slack beyond `hookLeave_m`. A tool takes hold of an object at its ring while the object lies on its bed
+/// (weight and bed cancel); the object then keeps its offset from the tip. The object is let go once it has
+/// been lifted (kLifted_m), then pressed onto its bed (kPress_N), and that press has ended. Taking hold and
+/// letting go cause no step in force. The object can be changed while nothing touches it. The state consists
+/// of held, bristle and dent. Source: P2; models.md §2.2, §2.4.
+/// Thread: haptic; allocates nothing.
 class ComparedObject {
 public:
-    static constexpr double kPress_N = 0.25;    ///< pressed by so much over its weight, an object will be let go ...
-    static constexpr double kLifted_m = 0.005;  ///< ... once it was lifted by so much
+    /// Force beyond its weight with which an object must be pressed to be let go ...
+    static constexpr double kPress_N = 0.25;
+    static constexpr double kLifted_m = 0.005;  ///< ... once it has been lifted by this much
 
-    /// New and untouched. `value`: of the attribute, SI; `seed`: of its roughness.
+    /// Makes the object new and untouched. `value` is that of the attribute, SI; `seed` is that of its
+    /// roughness.
     void set(const ComparisonParameters& parameters, int place, double value, std::uint64_t seed) noexcept;
     void clear() noexcept { m_present = false; }
     bool present() const noexcept { return m_present; }
-    bool free() const noexcept { return !m_touching && !m_held; } ///< out of contact: can be changed unfelt
+    /// Out of contact, so that it can be changed unfelt.
+    bool free() const noexcept { return !m_touching && !m_held; }
 
-    /// One tick with the tool at `p`, moving with `v` (W, finite); `mostDamping_Ns_per_m`: of its budget.
+    /// Advances by one tick with the tool at `p`, moving with `v` (W, finite). `mostDamping_Ns_per_m` is the
+    /// tool's damping budget.
     ComparedResponse respond(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m = kUnboundedDamping) noexcept;
-    /// One tick without a tool.
+    /// Advances by one tick without a tool.
     void release() noexcept;
 
 private:
@@ -68,7 +76,7 @@ private:
     bool m_touching = false;
     bool m_lifted = false;
     bool m_pressed = false;
-    bool m_awayFirst = false; ///< let go: the tip has to leave before it takes hold again
+    bool m_awayFirst = false; ///< after letting go, the tip has to leave before it takes hold again
 };
 
 } // namespace chiron::simulation

@@ -11,21 +11,22 @@
 
 namespace chiron::simulation {
 
-/// What the objects of a study differ in (P2). Its value is N/m, kg, s, m, 1, N·s/m.
+/// The attribute in which the objects of a study differ (P2). Its value is in N/m, kg, s, m, 1 or N·s/m.
 enum class ComparedAttribute : std::uint8_t { stiffness, mass, deformation, roughness, friction, viscosity };
 
-/// Deliberate faults, by which a study shows that it would notice them (psychophysics.md §6). Stored with the session, so that its
-/// replay makes the same forces.
+/// Deliberate faults with which a study shows that it would notice them (psychophysics.md §6). They are
+/// stored with the session, so that its replay computes the same forces.
 enum class ComparisonControl : std::uint8_t {
     none,
     gain,     ///< every force 1.3 times as large
-    swapped,  ///< another arrangement than the one that was asked for
+    swapped,  ///< another arrangement than the requested one
     constant, ///< every place has the reference's value
 };
 inline constexpr double kControlGain = 1.3;
 
-/// Objects side by side that differ in one attribute (P2's studies). What lies where comes with each `present` command: a
-/// candidate (row of `values`) and an arrangement (which multiple, 0..2, of the difference lies at each place).
+/// Objects side by side that differ in one attribute (P2's studies). Each `present` command says what lies
+/// where: a candidate (row of `values`) and an arrangement (which multiple, 0..2, of the difference lies at
+/// each place).
 struct ComparisonParameters {
     static constexpr int kMaxPlaces = 3;
 
@@ -33,45 +34,52 @@ struct ComparisonParameters {
     int places = 3;                                    ///< 1..kMaxPlaces, from left (−x) to right
     std::vector<std::array<double, 3>> values;         ///< [candidate][multiple], SI
     std::vector<std::array<int, kMaxPlaces>> arrangements; ///< multiple at each place; −1 where there is no place
-    ObjectAttributes object;                           ///< everything else, the same at all places
+    ObjectAttributes object;                           ///< all other attributes, the same at all places
 
     double spacing_m = 0.040;     ///< from one place to the next, along x
     double padRadius_m = 0.009;   ///< of the flat top of a pad
-    double padEdge_m = 0.004;     ///< how softly it falls off beyond: e metres out it lies e²/(2·padEdge) lower
-    double hookHeight_m = 0.030;  ///< where a tube or an object is taken hold of, above its foot; a tube's rest length
-    double hookReach_m = 0.006;   ///< how near the tip has to come to it
-    double hookLeave_m = 0.010;   ///< and how far it has to go away to let go, where nothing is stretched
+    /// How softly it falls off beyond: e metres further out it lies e²/(2·padEdge) lower.
+    double padEdge_m = 0.004;
+    /// Height above its foot at which a tube or an object is taken hold of; a tube's rest length.
+    double hookHeight_m = 0.030;
+    double hookReach_m = 0.006;   ///< how near the tip has to come to that point
+    double hookLeave_m = 0.010;   ///< how far it has to go away to let go, where nothing is stretched
 
-    double exploreLimit_s = 30.0; ///< then the objects go; 0: none
-    double answerLimit_s = 20.0;  ///< after that; then the trial ends without an answer; 0: none
+    double exploreLimit_s = 30.0; ///< after this time the objects disappear; 0: no limit
+    /// Counted after exploreLimit_s; then the trial ends without an answer; 0: no limit.
+    double answerLimit_s = 20.0;
     double betweenTrials_s = 1.0;
-    bool buttonAnswers = false;   ///< the tool's mark button at a place that is touched answers that place
-    bool buttonNeedsAll = false;  ///< and only once every place was touched
-    double probeAtLeast_N = 0.0;  ///< a place counts as touched once its object answered with so much; 0: at any touch, as in earlier versions
+    /// The tool's mark button, pressed while a place is touched, answers that place.
+    bool buttonAnswers = false;
+    bool buttonNeedsAll = false;  ///< only once every place has been touched
+    /// A place counts as touched once its object exerted this force; 0: at any touch, as in earlier versions.
+    double probeAtLeast_N = 0.0;
     bool adjusts = false;         ///< a new `present` in a running trial changes the level
     ComparisonControl control = ComparisonControl::none;
     double maximumForce_N = 4.0;  ///< the exercise's cap for the supervisor
     std::vector<std::string> cues; ///< "object": the places are drawn, all alike
 };
 
-/// Arguments of an `answer` command that answer nothing.
+/// Arguments of an `answer` command that are not answers.
 inline constexpr std::uint16_t kAnswerSpoiled = 0xFFFF; ///< the trial ends unanswered
-inline constexpr std::uint16_t kAnswerFinish = 0xFFFE;  ///< the sitting is over: the session ends as completed
+/// The study run is over: the session ends as completed.
+inline constexpr std::uint16_t kAnswerFinish = 0xFFFE;
 
-/// Whether the attribute is felt by taking hold of something (a tube, an object) instead of on a pad.
+/// Says whether the attribute is felt by taking hold of something (a tube, an object) instead of on a pad.
 constexpr bool isHooked(ComparedAttribute attribute) noexcept {
     return attribute == ComparedAttribute::stiffness || attribute == ComparedAttribute::mass;
 }
 
-/// Where a tip takes hold: a ball over the foot of a place, W.
+/// Where a tip takes hold: a ball above the foot of a place, W.
 struct GripZone {
     double height_m = 0.0; ///< of its centre
     double radius_m = 0.0;
 };
 
-/// The zone that is drawn, and in all of which a tip takes hold (ComparedObject). An object is taken hold of as near to its ring as
-/// `hookReach_m`, all around. A tube only where it is slack, that is below its end: the largest ball that lies in that part. Where neither is
-/// taken hold of, a ball of no size.
+/// Returns the zone that is drawn; a tip takes hold anywhere in it (ComparedObject). An object is taken hold
+/// of within `hookReach_m` of its ring, all around. A tube is taken hold of only where it is slack, that is
+/// below its end: the zone is the largest ball that lies in that part. Where neither is taken hold of, the
+/// zone is a ball of no size.
 constexpr GripZone gripZone(const ComparisonParameters& p) noexcept {
     if (!isHooked(p.attribute))
         return {};

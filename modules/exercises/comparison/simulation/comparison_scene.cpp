@@ -22,7 +22,7 @@ void ComparisonScene::respond(const realtime::HapticTick&, const SceneInput& in,
     fillCues(in, out);
 }
 
-/// Every tick, also while paused, so that no command is lost.
+/// Called in every tick, also while paused, so that no command is lost.
 void ComparisonScene::hear(const SceneInput& in) noexcept {
     if (in.present && known(core::decodePresentation(in.presented))) {
         m_next = core::decodePresentation(in.presented);
@@ -120,7 +120,8 @@ void ComparisonScene::leaveTrial(SceneOutput& out) noexcept {
         out.events |= bits::kFinished;
 }
 
-/// `onlyChanged`: where another word is asked for and nobody touches.
+/// Sets the objects at all places. `onlyChanged`: sets only places whose word has changed and that nobody
+/// touches.
 void ComparisonScene::setPlaces(bool onlyChanged) noexcept {
     constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15ull; // golden ratio: streams of trials and places stay apart
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_parameters.places); ++i) {
@@ -158,7 +159,7 @@ bool ComparisonScene::exploring() const noexcept {
     return m_phase == TrialPhase::ready || (m_phase == TrialPhase::running && (m_exploreTicks == 0 || m_clock <= m_exploreTicks));
 }
 
-/// The place that the mark button answers, −1: none.
+/// Returns the place that the mark button answers; −1: none.
 int ComparisonScene::buttonAnswer(const SceneInput& in) noexcept {
     const bool down = in.tools.count > 0 && (in.tools.tools[0].buttons & core::kButtonMark) != 0;
     const bool edge = (down && !m_buttonWasDown) || in.mark;
@@ -191,14 +192,15 @@ void ComparisonScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
     fillQuantities(felt, usable ? tool : core::ToolState{}, out);
 }
 
-/// A graze does not: where the study asks for a force, it has to be reached, and while force is there to be felt.
+/// A graze does not count: where the study asks for a force, the force has to be reached while forces are
+/// rendered.
 bool ComparisonScene::countsAsTouched(const ComparedResponse& response) const noexcept {
     if (!response.touching || m_phase != TrialPhase::running)
         return false;
     return m_parameters.probeAtLeast_N <= 0.0 || (!m_paused && response.force.norm() >= m_parameters.probeAtLeast_N);
 }
 
-/// All places, their forces summed; the answer is that of the one felt most.
+/// Lets all places respond and sums their forces. Returns the response of the place that is felt most.
 ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double mostDamping_Ns_per_m, SceneOutput& out) noexcept {
     DampingBudget budget(mostDamping_Ns_per_m);
     ComparedResponse felt;
@@ -254,7 +256,7 @@ void ComparisonScene::fillCues(const SceneInput& in, SceneOutput& out) const noe
     own.objectShown = true;
     own.bodies = m_parameters.places;
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_parameters.places); ++i) {
-        core::BodyCue& body = own.body[i]; // all alike, and where they are whatever is done to them
+        core::BodyCue& body = own.body[i]; // all alike, and drawn at their places whatever is done to them
         const GripZone grip = gripZone(m_parameters);
         body.p_W = {placeX_m(m_parameters, static_cast<int>(i)), 0.0, grip.height_m};
         body.radius_m = isHooked(m_parameters.attribute) ? grip.radius_m : m_parameters.padRadius_m;

@@ -12,32 +12,36 @@
 
 namespace chiron::simulation {
 
-/// Where each of `SceneOutput::quantities` stands (comparison).
+/// Indices into `SceneOutput::quantities` (comparison).
 namespace comparison_quantity {
 inline constexpr std::size_t kPlace = 0;       ///< touched or held place, from 1; 0: none
 inline constexpr std::size_t kCandidate = 1;   ///< presented, from 1; 0: nothing yet
 inline constexpr std::size_t kArrangement = 2; ///< from 1
-inline constexpr std::size_t kAnswer = 3;      ///< of this trial, from 1; 0: none yet
+inline constexpr std::size_t kAnswer = 3;      ///< in this trial, from 1; 0: none yet
 inline constexpr std::size_t kTouched = 4;     ///< places touched in this trial (with ComparisonParameters::probeAtLeast_N), one bit each
-inline constexpr std::size_t kDisplacement = 5; ///< of that place: ComparedResponse::displacement_m
+inline constexpr std::size_t kDisplacement = 5; ///< of the touched place: ComparedResponse::displacement_m
 inline constexpr std::size_t kDepth = 6;       ///< ComparedResponse::depth_m, 0 out of contact
 inline constexpr std::size_t kVelocity = 7;    ///< x, y, z of the tool, m/s, as the laws use it
 inline constexpr std::size_t kCount = 10;
 } // namespace comparison_quantity
 
-/// Objects side by side, presented and answered one trial after the other (P2's studies). Task state:
+/// Objects side by side that are presented and answered one trial after the other (P2's studies). The task
+/// moves through these states:
 ///
 ///   idle --present--> ready --forceReady--> running --answer or limits--> between --present, betweenTrials_s--> ready ... finished
 ///
-/// as in the other scenes: kSceneChanged with the first tick of `ready`, so that force is armed again; kTrialStarted with the first
-/// running tick; kCompleted (answered), kTimedOut or kFailed (spoiled) with the last one, which still has the objects; kFinished
-/// with the first tick of `finished` (an `answer` of kAnswerFinish). In idle, between and finished there is nothing and force is
-/// zero; so it is between the two limits of a trial, where an answer is waited for. A `present` that comes early waits for its
-/// time. With `adjusts`, a `present` in a running trial changes the objects; each place changes as soon as it is not touched, so
-/// that nobody feels a step. Tool 0 explores. While paused the clocks stand still; contact still answers.
+/// The events are as in the other scenes. kSceneChanged comes with the first tick of `ready`, so that force
+/// is armed again. kTrialStarted comes with the first running tick. kCompleted (answered), kTimedOut or
+/// kFailed (spoiled) comes with the last one, which still has the objects. kFinished comes with the first
+/// tick of `finished` (after an `answer` of kAnswerFinish). In idle, between and finished there are no
+/// objects and force is zero. The same holds between the two limits of a trial, while the scene waits for an
+/// answer. A `present` that comes early waits until it is due. With `adjusts`, a `present` in a running trial
+/// changes the objects; each place changes as soon as it is not touched, so that nobody feels a step. Tool 0
+/// explores. While paused the clocks stand still; contact still produces forces.
 ///
-/// Deterministic: values come from the parameters by the presented word, micro-heights from session seed, trial and place. Thread:
-/// respond() haptic; construction anywhere.
+/// Deterministic: values follow from the parameters and the presented word, micro-heights from session seed,
+/// trial and place.
+/// Thread: haptic for respond(); any for construction.
 class ComparisonScene final : public IScene {
 public:
     ComparisonScene(const ComparisonParameters& parameters, std::uint64_t seed);
@@ -47,7 +51,8 @@ public:
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
 
-    /// What lies at a place for a presented word, SI; the control's fault included. Nothing where word or place do not exist.
+    /// The value of the attribute at a place for a presented word, SI, including the control's fault. Empty
+    /// where the word or the place does not exist.
     std::optional<double> valueAt(const core::PresentationWord& word, int place) const noexcept;
 
 private:
@@ -79,19 +84,20 @@ private:
     bool m_begun = false;    ///< a trial was presented before
     bool m_trialOver = false;
     bool m_finish = false;
-    bool m_pending = false;  ///< a word waits
+    bool m_pending = false;  ///< a word is waiting
     core::PresentationWord m_next;
-    core::PresentationWord m_word; ///< presented
-    bool m_answering = false; ///< an answer came
+    core::PresentationWord m_word; ///< the word that is presented
+    bool m_answering = false; ///< an answer has come
     std::uint16_t m_answerWord = 0;
-    int m_answered = -1;     ///< of this trial
+    int m_answered = -1;     ///< in this trial
     bool m_buttonWasDown = true;
     std::uint32_t m_touched = 0;
     int m_place = -1;
     bool m_touching = false;
     bool m_paused = false;
     std::array<ComparedObject, ComparisonParameters::kMaxPlaces> m_objects;
-    std::array<core::PresentationWord, ComparisonParameters::kMaxPlaces> m_set{}; ///< what each place is now
+    /// The word that each place shows now.
+    std::array<core::PresentationWord, ComparisonParameters::kMaxPlaces> m_set{};
 };
 
 } // namespace chiron::simulation

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes laparoscopists for the tube: allocates, so it is kept apart from their minds, which the tick calls.
+// Makes laparoscopists for the tube. This allocates, so it is kept apart from their strategies, which the
+// tick calls.
 #include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
 
 #include "modules/exercises/elastic_tube/operators/tube_trainee.h"
@@ -75,7 +76,7 @@ ElasticTubeOperatorSettings unsafe() {
     s.correctionRate_per_s = 2.5;
     s.searchSpeed_m_per_s = 0.03;
     s.bringSpeed_m_per_s = 0.12;
-    s.retractShare = 1.9; // as the unsafe palpator: beyond the band by 90 % of its width
+    s.retractShare = 1.9; // as for the unsafe palpator: beyond the band by 90 % of its width
     return s;
 }
 
@@ -143,7 +144,8 @@ TubeTrainee::TubeTrainee(const ElasticTubeOperatorSettings& settings, const Elas
     : m_settings(settings), m_briefing(briefing), m_random(core::Random::stream(seed, "elastic_tube/trainee")),
       m_tension(settings), m_retraction(settings), m_all(std::clamp<std::size_t>(briefing.places.size(), 1, GraspLook::kHands)),
       m_count(m_all - (briefing.retracts ? 1 : 0)) {
-    for (std::size_t i = 0; i < std::max<std::size_t>(m_all, 2); ++i) // two at least: as people's tremor was drawn before there was a third
+    // At least two, to keep the random numbers as they were drawn before there was a third hand
+    for (std::size_t i = 0; i < std::max<std::size_t>(m_all, 2); ++i)
         m_hands[i].jaw = mechanisms::MarkovNoise(settings.jawUnsteadySd_rad, kJawWandering_s, Senses::kLook_s, m_random);
 }
 

@@ -14,31 +14,39 @@
 
 namespace chiron::operators {
 
-/// What is asked for, as the instruction on the screen says.
+/// The goal of the task, as the instruction on the screen states it.
 enum class TubeGoal {
     tension, ///< keep the tension in the band
     mark,    ///< stretch it to the mark, and keep it there
     bring,   ///< hand the end over and lead it to its target
 };
 
-/// What a trainee is told before it begins: nothing that the screen and the instruments in its hands do not say.
+/// Instructions to a trainee before it begins. They contain nothing beyond what the screen and the
+/// instruments in its hands say.
 struct ElasticTubeBriefing {
     TubeGoal goal = TubeGoal::tension;
-    double markRatio = 1.0;     ///< mark: as length over rest length; used where the screen does not show it …
-    double markTolerance = 0.04; ///< … and how near to it counts, either way
+    /// mark: length over rest length; used where the screen does not show the mark …
+    double markRatio = 1.0;
+    double markTolerance = 0.04; ///< … and the distance to it that still counts, in either direction
     bool retracts = false; ///< the last instrument holds back a fold that lies over the tube
-    std::vector<devices::WorkspaceMapping> places{devices::WorkspaceMapping{}}; ///< one an instrument: where it enters
+    /// One per instrument: where it enters.
+    std::vector<devices::WorkspaceMapping> places{devices::WorkspaceMapping{}};
 };
 
-/// The scripted laparoscopists of the elastic tube: novice, intermediate, expert, unsafe. Static data; any thread.
+/// The names of the scripted laparoscopists of the elastic tube: novice, intermediate, expert, unsafe. Static
+/// data.
+/// Thread: any.
 std::span<const std::string_view> elasticTubeOperatorNames() noexcept;
 
-/// The settings a name stands for. Fails (notFound) for an unknown name, listing the known ones.
+/// Returns the settings of the laparoscopist with this name.
+/// Errors: notFound for an unknown name, listing the known ones.
 core::Result<ElasticTubeOperatorSettings> elasticTubeOperatorSettings(std::string_view name);
 
-/// One mind and a hand a tool, in the tools' order, each for a SimulatedDevice at its place. Seeded: the same seed and the same
-/// perceptions give the same intentions. Fails (badInput) when a setting is out of its range or there is not a place for one to three
-/// instruments. Allocates; not in the tick.
+/// Makes one strategy with one hand per tool, in the order of the tools, each for a SimulatedDevice at its
+/// place. It is seeded: the same seed and the same perceptions give the same intentions. Allocates; not for
+/// use in the tick.
+/// Errors: badInput when a setting is out of range or when the places are not those of one to three
+/// instruments.
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>
 makeElasticTubeOperator(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing, std::uint64_t seed);
 

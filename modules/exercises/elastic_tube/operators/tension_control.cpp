@@ -7,14 +7,14 @@
 namespace chiron::operators {
 
 namespace {
-// Habits that all share: assumptions.
-constexpr double kForget = 0.985;        ///< of what was noticed, a look: 0.7 s
-constexpr double kTelling_m = 0.0012;    ///< SD of length from which on a slope can be told
+// Habits that all operators share: assumptions.
+constexpr double kForget = 0.985;        ///< share of past observations that is kept per observation: 0.7 s
+constexpr double kTelling_m = 0.0012;    ///< least SD of the length from which a slope can be estimated
 constexpr double kSoftest_N_per_m = 15.0, kStiffest_N_per_m = 400.0;
-constexpr double kTaut_N = 0.2;          ///< below this nothing is pulled yet
-constexpr double kPatience_s = 0.8;      ///< without counting, before it looks for the tension again
-constexpr double kFeltBand_N = 0.10;     ///< half width of what it takes for the same, by feel
-constexpr double kSweep_s = 3.0;         ///< looks one way for so long, then the other
+constexpr double kTaut_N = 0.2;          ///< below this tension the tube is not pulled yet
+constexpr double kPatience_s = 0.8;      ///< time without counting before it searches for the tension again
+constexpr double kFeltBand_N = 0.10;     ///< half width of the range that feels the same to it
+constexpr double kSweep_s = 3.0;         ///< searches in one direction for this time, then in the other
 } // namespace
 
 void StiffnessSense::begin() noexcept {
@@ -46,7 +46,7 @@ void TensionControl::look(const TensionView& view) noexcept {
         m_stiffness.notice(view.length_m, view.tension_N);
     const bool counts = view.dwell > m_dwell + 1e-9;
     if (counts) {
-        // how it feels while it counts, over a second
+        // average of the felt tension while the screen counts, over a second
         m_remembered_N = m_remembered_N > 0.0 ? m_remembered_N + 0.01 * (view.tension_N - m_remembered_N) : view.tension_N;
         m_counted_s = view.time_s;
         m_lost_s = -1.0;
@@ -66,11 +66,11 @@ double TensionControl::speed_m_per_s(const TensionView& view) noexcept {
 }
 
 double TensionControl::search(const TensionView& view) noexcept {
-    if (m_remembered_N <= 0.0) // nothing has counted yet: pull, slowly once it is taut
+    if (m_remembered_N <= 0.0) // nothing has counted yet: pull, and more slowly once the tube is taut
         return view.tension_N > kTaut_N ? m_settings.searchSpeed_m_per_s : m_settings.pullSpeed_m_per_s;
     if (m_lost_s < 0.0 || view.time_s - m_lost_s < kPatience_s)
         return correct(m_remembered_N - view.tension_N, kFeltBand_N);
-    // It feels right and does not count: a little more, a little less.
+    // It feels right but does not count: try a little more, then a little less.
     const double phase = std::fmod(view.time_s - m_lost_s - kPatience_s, 2.0 * kSweep_s);
     return (phase < kSweep_s ? 0.5 : -0.5) * m_settings.searchSpeed_m_per_s;
 }

@@ -13,7 +13,7 @@ using core::LaparoscopyCues;
 using core::Vec3;
 
 namespace {
-constexpr double kSmoothing = 0.1; ///< of place and force a look: 0.1 s
+constexpr double kSmoothing = 0.1; ///< share per observation for smoothing position and force: 0.1 s
 
 bool anchored(const LaparoscopyCues& screen, int grip) noexcept {
     return screen.gripAnchored[static_cast<std::size_t>(grip)];
@@ -68,8 +68,8 @@ void TubeTrainee::notice(const GraspLook& felt) noexcept {
     m_awake = true;
 }
 
-/// One hand takes the free end; of two free ends each hand takes the one on its side; to hand over, the second hand takes what is
-/// between the free end and the base.
+/// One hand takes the free end. Of two free ends each hand takes the one on its side. To hand over, the
+/// second hand takes the place between the free end and the base.
 void TubeTrainee::share(const LaparoscopyCues& screen) noexcept {
     int far = kNone, other = kNone;
     for (int grip = 0; grip < screen.grips; ++grip) {
@@ -95,10 +95,10 @@ void TubeTrainee::share(const LaparoscopyCues& screen) noexcept {
     }
 }
 
-/// What this hand has to hold now.
+/// The place that this hand has to hold now.
 int TubeTrainee::gripOf(std::size_t hand, const LaparoscopyCues& screen) const noexcept {
     if (m_briefing.retracts && !screen.foldOpen && !holds(hand, screen))
-        return kNone; // it lies under the fold
+        return kNone; // the tube lies under the fold
     if (m_briefing.goal != TubeGoal::bring || m_count == 1)
         return m_hands[hand].grip;
     const bool second = holds(1, screen);
@@ -127,7 +127,8 @@ TensionView TubeTrainee::view(const GraspLook& felt) const noexcept {
     view.restLength_m = screen.restLength_m;
     view.length_m = screen.restLength_m + felt.first().stretch_m;
     view.dwell = screen.dwell;
-    if (m_briefing.goal == TubeGoal::mark) { // a length is to be kept: as if it were the tension of a tube as it takes them to be
+    // A length is to be kept: convert it to the tension of a tube with the assumed stiffness
+    if (m_briefing.goal == TubeGoal::mark) {
         const double k = m_settings.assumedStiffness_N_per_m;
         const bool seen = screen.targetShown;
         const double mark_m = seen ? (vectorOf(screen.p_WTarget) - otherEnd(0, screen)).norm() - screen.restLength_m
@@ -141,7 +142,7 @@ TensionView TubeTrainee::view(const GraspLook& felt) const noexcept {
     view.low_N = screen.bandLow_N;
     view.high_N = screen.bandHigh_N;
     view.tension_N = felt.first().tension_N;
-    if (!screen.tensionShown) { // by feel: the same tension is felt in both hands
+    if (!screen.tensionShown) { // by feel: both hands feel the same tension
         for (std::size_t i = 0; i < m_count; ++i)
             view.tension_N += m_hands[i].force.norm() / static_cast<double>(m_count);
     }

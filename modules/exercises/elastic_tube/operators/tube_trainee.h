@@ -13,10 +13,12 @@
 
 namespace chiron::operators {
 
-/// The mind of one laparoscopist at the elastic tube, with one hand or two. It rests until a trial runs and force is fully on;
-/// then each hand goes to the place of the tube that is its own, closes its jaw there, and, once the tube is held, draws the ends
-/// apart by the tension that it reads or feels, or leads the end to its target and hands it over. It knows what it was told
-/// (ElasticTubeBriefing), what its hands feel and what the screen shows, through GraspSenses alone. Haptic thread: no allocation.
+/// The strategy of one scripted laparoscopist at the elastic tube, with one to three hands. It rests until a
+/// trial runs and force is fully on. Then each hand goes to its own place of the tube and closes its jaw
+/// there. Once the tube is held, the hands draw its ends apart according to the tension that they read or
+/// feel, or lead the end to its target and hand it over. It knows only what it was told
+/// (ElasticTubeBriefing), what its hands feel and what the screen shows, through GraspSenses.
+/// Thread: haptic; allocates nothing.
 class TubeTrainee final : public LaparoscopyMind {
 public:
     TubeTrainee(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing, std::uint64_t seed);
@@ -29,7 +31,7 @@ private:
     struct Hand {
         Doing doing = Doing::wait;
         double began_s = 0.0;
-        int grip = kNone;                        ///< that is its own in this trial
+        int grip = kNone;                        ///< place of the tube that is this hand's in this trial
         core::Vec3 place = core::Vec3::Zero();   ///< smoothed
         core::Vec3 force = core::Vec3::Zero();   ///< smoothed
         core::Vec3 rest = core::Vec3::Zero();    ///< where it waits
@@ -37,7 +39,7 @@ private:
     };
 
     void notice(const GraspLook& felt) noexcept;
-    void share(const core::LaparoscopyCues& screen) noexcept; ///< which hand takes what
+    void share(const core::LaparoscopyCues& screen) noexcept; ///< decides which hand takes which place
     int gripOf(std::size_t hand, const core::LaparoscopyCues& screen) const noexcept;
     bool holds(std::size_t hand, const core::LaparoscopyCues& screen) const noexcept;
     bool allHold(const core::LaparoscopyCues& screen) const noexcept;
@@ -59,15 +61,15 @@ private:
     ElasticTubeBriefing m_briefing;
     core::Random m_random;
     TensionControl m_tension;
-    TensionControl m_retraction; ///< of the hand that holds a fold back: hand m_count
+    TensionControl m_retraction; ///< for hand m_count, which holds a fold back
     std::array<Hand, GraspLook::kHands> m_hands;
-    std::size_t m_all = 1;   ///< hands
-    std::size_t m_count = 1; ///< of them, that work on the tube
+    std::size_t m_all = 1;   ///< number of hands
+    std::size_t m_count = 1; ///< number of hands that work on the tube
     bool m_retracting = false;
     bool m_awake = false;
     bool m_working = false;
     bool m_pulling = false;
-    double m_speed_m_per_s = 0.0; ///< of drawing the ends apart
+    double m_speed_m_per_s = 0.0; ///< with which the ends are drawn apart
     double m_decided_s = -1.0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each hand of the mind does.
+// The actions of the single hands of a TubeTrainee.
 #include "modules/exercises/elastic_tube/operators/tube_trainee.h"
 #include "operators/laparoscopy/movement.h"
 #include "core/laparoscopy_cues.h"
@@ -13,17 +13,19 @@ using core::LaparoscopyCues;
 using core::Vec3;
 
 namespace {
-// Habits that all share: assumptions.
-constexpr double kHover_m = 0.012;        ///< comes to a grip from above
-constexpr double kAbove_m = 0.010;        ///< sideways off it, it stays above
-constexpr double kClosing_s = 1.2;        ///< waits for a hold after closing, then tries again
-constexpr double kGetsOff_m_per_s = 0.02; ///< after letting go
+// Habits that all operators share: assumptions.
+constexpr double kHover_m = 0.012;        ///< height from which it approaches a grip
+constexpr double kAbove_m = 0.010;        ///< height that it keeps while it is not yet over the grip
+/// Time that it waits for a hold after closing before it tries again.
+constexpr double kClosing_s = 1.2;
+constexpr double kGetsOff_m_per_s = 0.02; ///< speed with which it moves away after letting go
 constexpr double kGettingOff_s = 0.6;
-constexpr double kSteering_per_s = 1.0;   ///< towards the direction that it wants to pull in
+constexpr double kSteering_per_s = 1.0;   ///< gain towards the direction in which it wants to pull
 constexpr double kSteering_m_per_s = 0.010;
-constexpr double kUp_m = 0.12;            ///< pulls towards a point this high over the base …
-constexpr double kInward = 0.5;           ///< … and this share of the way to under its entry point
-constexpr double kBack = 0.8, kLift = 0.6; ///< the way in which a fold is drawn: away from the hands, and up
+constexpr double kUp_m = 0.12;            ///< pulls towards a point at this height over the base …
+constexpr double kInward = 0.5;           ///< … and at this share of the distance to below its entry point
+/// Direction in which a fold is drawn: away from the hands, and up.
+constexpr double kBack = 0.8, kLift = 0.6;
 constexpr double kSpan_m = 0.045;         ///< height at which a tube is held between two instruments
 } // namespace
 
@@ -32,7 +34,7 @@ void TubeTrainee::begin(Hand& hand, Doing doing, double now_s) noexcept {
     hand.began_s = now_s;
 }
 
-/// Opens and goes back to where it began.
+/// Opens the jaws and returns to the start positions.
 void TubeTrainee::rest(const GraspLook& felt, GraspWishes& wishes) noexcept {
     for (std::size_t i = 0; i < m_all; ++i) {
         Hand& hand = m_hands[i];
@@ -78,7 +80,7 @@ double TubeTrainee::heldJaw(Hand& hand) noexcept {
     return std::max(0.0, m_settings.heldJaw_rad + hand.jaw.value());
 }
 
-/// To the grip, from above; then the jaw is closed.
+/// Moves to the grip from above, then closes the jaw.
 void TubeTrainee::seek(std::size_t i, const GraspPercept& felt, const Vec3& grip, GraspWish& wish) noexcept {
     Hand& hand = m_hands[i];
     const Vec3 off = grip - hand.place;
@@ -112,12 +114,12 @@ TensionView TubeTrainee::foldView(const GraspPercept& felt) const noexcept {
         view.high_N = screen.retractionHigh_N + beside_N;
     }
     view.length_m = (hand.place - vectorOf(screen.p_WFoldBase)).norm();
-    view.restLength_m = view.length_m; // a fold is not torn: it goes on until the pull is right
-    view.dwell = screen.foldOpen ? view.time_s : 0.0; // counts while the way is free
+    view.restLength_m = view.length_m; // a fold cannot tear: it pulls further until the pull is right
+    view.dwell = screen.foldOpen ? view.time_s : 0.0; // counts while the fold is open
     return view;
 }
 
-/// At every look: how this fold answers.
+/// Observes, at every look, how this fold responds.
 void TubeTrainee::mindFold(const GraspPercept& felt) noexcept {
     const bool holds = (felt.screen().foldHeldBy >> m_count & 1U) != 0;
     if (holds && !m_retracting)
@@ -127,7 +129,7 @@ void TubeTrainee::mindFold(const GraspPercept& felt) noexcept {
         m_retraction.look(foldView(felt));
 }
 
-/// Takes the fold by its edge, draws it back and up, and keeps its pull in the band as long as the trial goes on.
+/// Takes the fold by its edge, draws it back and up, and keeps its pull in the band until the trial ends.
 void TubeTrainee::retract(const GraspPercept& felt, GraspWish& wish) noexcept {
     Hand& hand = m_hands[m_count];
     const LaparoscopyCues& screen = felt.screen();
@@ -166,14 +168,14 @@ Vec3 TubeTrainee::otherEnd(std::size_t hand, const LaparoscopyCues& screen) cons
     return {m_hands[hand].place.x(), m_hands[hand].place.y(), 0.0};
 }
 
-/// Away from the other end, turning towards where there is room. Two hands share the way.
+/// Pulls away from the other end, and steers towards where there is room. Two hands share the distance.
 Vec3 TubeTrainee::pull(std::size_t i, const LaparoscopyCues& screen) const noexcept {
     const Hand& hand = m_hands[i];
     const Vec3 from = otherEnd(i, screen);
     const Vec3 span = hand.place - from;
     const double length = std::max(span.norm(), 1e-3);
     const Vec3 along = span / length;
-    Vec3 wanted; // where this end would be, as far off as it is
+    Vec3 wanted; // where this end would be at its present distance from the other end
     if (m_count == 2) {
         const Vec3 middle = 0.5 * (hand.place + from);
         const double side = i == 0 ? 1.0 : -1.0;
@@ -182,7 +184,8 @@ Vec3 TubeTrainee::pull(std::size_t i, const LaparoscopyCues& screen) const noexc
     } else {
         const auto& place = m_briefing.places[i].origin_m;
         const Vec3 under(place[0], place[1], 0.0);
-        const double inward = m_briefing.goal == TubeGoal::mark ? 0.0 : kInward; // the mark is straight over the base
+        // The mark is straight above the base
+        const double inward = m_briefing.goal == TubeGoal::mark ? 0.0 : kInward;
         const Vec3 direction = (inward * (under - from) + Vec3(0.0, 0.0, kUp_m)).normalized();
         wanted = from + length * direction;
     }
@@ -191,12 +194,13 @@ Vec3 TubeTrainee::pull(std::size_t i, const LaparoscopyCues& screen) const noexc
     return m_speed_m_per_s / static_cast<double>(m_count) * along + steer;
 }
 
-/// Leads the free end, wherever this hand holds the tube, to its target; a hand that is about to be relieved keeps still.
+/// Leads the free end to its target, wherever this hand holds the tube. A hand that is about to hand over
+/// keeps still.
 Vec3 TubeTrainee::bring(std::size_t i, const LaparoscopyCues& screen) const noexcept {
     const int end = m_hands[0].grip;
     if (!screen.targetShown || screen.step == core::LaparoscopyStep::handOver || end == kNone)
         return Vec3::Zero();
-    // Tip and end are seen together: what the eye mistakes of the one it mistakes of the other.
+    // Tip and end are seen together, so an error of sight affects both in the same way.
     const Vec3 held = vectorOf(screen.p_WGrip[static_cast<std::size_t>(m_hands[i].grip)]);
     const Vec3 ahead = vectorOf(screen.p_WGrip[static_cast<std::size_t>(end)]) - held;
     return velocityTo(vectorOf(screen.p_WTarget), m_hands[i].place + ahead, m_settings.moveGain_per_s, m_settings.bringSpeed_m_per_s);

@@ -13,9 +13,12 @@ namespace bits = core::event_bits;
 
 namespace {
 
-constexpr std::uint64_t kFadeTicks = 300; ///< a pull of 2 N then changes by 7 mN a tick: not felt as a step. Ours.
-constexpr double kClosesShare = 0.8;      ///< of the pull that opens a fold: below it the fold lies over the tube again. Ours.
-constexpr std::uint64_t kSlipTicks = 100; ///< a tube of 6 N that is let go of changes by 90 mN a tick. Ours.
+/// A pull of 2 N then changes by 7 mN per tick, which is not felt as a step. Our choice.
+constexpr std::uint64_t kFadeTicks = 300;
+/// Share of the pull that opens a fold; below it the fold lies over the tube again. Our choice.
+constexpr double kClosesShare = 0.8;
+/// A pull of 6 N then changes by 90 mN per tick when the tube is let go of. Our choice.
+constexpr std::uint64_t kSlipTicks = 100;
 
 double fallen(double x) noexcept {
     const double t = std::clamp(x, 0.0, 1.0);
@@ -125,7 +128,8 @@ double ElasticTubeScene::tornShare() const noexcept {
     return fallen(static_cast<double>(m_tornTicks) * core::kTickSeconds / m_parameters.yield.fall_s);
 }
 
-/// The pull on a tool, which goes on a little when it lets go: the tube slides out of its jaws.
+/// The pull on a tool. It continues for a short time after the tool lets go, while the tube slides out of its
+/// jaws.
 core::Vec3 ElasticTubeScene::slipping(std::size_t tool, const core::Vec3& pull, bool holds) noexcept {
     Slip& slip = m_slips[tool];
     if (holds) {
@@ -165,7 +169,7 @@ void ElasticTubeScene::pull(const SceneInput& in, SceneOutput& out) noexcept {
     m_answer = answerOf(m_tube, m_grips);
 }
 
-/// By what it is stretched, not by what a quick hand feels.
+/// Decides by the fold's elastic tension, not by the force that a quick hand feels.
 void ElasticTubeScene::openFold() noexcept {
     const double pull_N = m_fold.shape().law.tension_N(m_foldAnswer.stretch_m);
     m_foldOpen = pull_N >= (m_foldOpen ? kClosesShare : 1.0) * m_parameters.retractionLow_N;
@@ -226,10 +230,11 @@ void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noe
         const int node = used ? (fold ? m_foldGrips : m_grips).nodeOf(i) : TubeGrips::kNobody;
         const bool holds = node != TubeGrips::kNobody;
         core::Vec3 pull = holds ? core::Vec3(share * answer.force[static_cast<std::size_t>(node)]) : core::Vec3::Zero().eval();
-        if (pull.norm() > m_parameters.yield.force_N) // no more than it bears, also where nothing is asked for that could tear it
+        // No more than the tube bears, also in tasks without a tear limit
+        if (pull.norm() > m_parameters.yield.force_N)
             pull *= m_parameters.yield.force_N / pull.norm();
         out.tissue.tools[i].force = used ? slipping(i, pull, holds) : core::Vec3::Zero().eval();
-        if (!holds && out.tissue.tools[i].force != core::Vec3::Zero()) // what slides is still held, by friction
+        if (!holds && out.tissue.tools[i].force != core::Vec3::Zero()) // friction still holds what slides
             stiffest = std::max(stiffest, m_slips[i].share * first_N_per_m);
         if (holds && !fold && m_task.torn())
             out.contact[i] = static_cast<std::uint8_t>(contact::kThrough | (m_tornTicks == 1 ? contact::kYielded : 0));
@@ -242,8 +247,9 @@ void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noe
             out.events |= touching ? bits::kContactBegan : bits::kContactEnded;
         m_touching[i] = touching;
     }
-    // Every held place may move: with two of them a tick can stretch the tube by both ways, ½k(v₁+v₂)² ≤ ½·2k(v₁²+v₂²).
-    // A tube that is held says so while it hangs slack too, by its first slope: its book of energy stays open until it is let go of.
+    // Every held place may move: with two of them a tick can stretch the tube from both sides,
+    // ½k(v₁+v₂)² ≤ ½·2k(v₁²+v₂²). A tube that is held reports its initial slope while it hangs slack, too, so
+    // that its energy balance stays open until it is let go of.
     const double slack = m_grips.count() > 0 ? fade() * m_tube.shape().law.elastic.slope(0.0) : 0.0;
     out.bodyStiffness_N_per_m[0] = std::max(stiffest_N_per_m[0], slack) * std::max(1, m_grips.count());
     const double slackFold = m_foldGrips.count() > 0 ? ending() * m_fold.shape().law.elastic.slope(0.0) : 0.0;

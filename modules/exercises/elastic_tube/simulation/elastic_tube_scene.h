@@ -14,28 +14,35 @@
 
 namespace chiron::simulation {
 
-/// What the scene records, in this order (SceneOutput::quantities).
+/// The quantities that the scene records, in this order (SceneOutput::quantities).
 enum class TubeQuantity : std::uint8_t { tension_N, stretch_m, grip0, grip1, grip2, freeEndX_m, freeEndY_m, freeEndZ_m, step, dwell,
                                          retraction_N, foldOpen, foldEdgeX_m, foldEdgeY_m, foldEdgeZ_m, count };
 
-/// The elastic-tube exercise running (P2 "Elastic Tube Model", "Control Algorithm for Multiple Instruments"; models.md §2.4).
-/// Trials as in SphereApexScene:
+/// The running elastic-tube exercise (P2 "Elastic Tube Model", "Control Algorithm for Multiple Instruments";
+/// models.md §2.4). Trials follow one another as in SphereApexScene:
 ///
 ///   idle --started--> ready --forceReady--> running --done, torn or limit--> between --betweenTrials_s--> ready ... finished
 ///
-/// - kSceneChanged comes with the first tick of `ready`, when the next tube appears: nobody holds it, jaws have to open first.
-///   It may be grasped while force is armed; the task (tube_task.h) begins with kTrialStarted.
-/// - kCompleted (held to the end), kFailed (torn) or kTimedOut ends a trial; that tick still has the tube, at the limit's tick
-///   done and torn count first. kGrasped and kReleased come with the jaws, kSlipped with a release that drops the tube
-///   (kReleased then too), kDamaged with an over-stretch, kStageChanged with a step of the task.
-/// - After a trial the tube's pull fades within 0.3 s, so that no hand is let go with a jerk; one that tears gives way within
-///   parameters.yield.fall_s, told by core::contact_bits of the tools that hold it. What is let go of slides out of the jaws within 0.1 s.
-/// - Pauses: clocks and task stand still, the tube follows the hands (the supervisor ramps).
-/// - Where the level has a fold of tissue over the tube, the last tool takes hold of its edge and draws it back (tissueFoldShape): body 1. While its pull is
-///   too small the tube cannot be taken hold of, and no goal is met.
-/// - Every other tool touches the one body 0. A tool feels the sum of its place's segments; no torque: the place it holds keeps its
-///   distance from the tip in W (tube_grips.h).
-/// Deterministic; all trials are planned at construction. Thread: respond() haptic; construction anywhere.
+/// - kSceneChanged comes with the first tick of `ready`, when the next tube appears. Nobody holds it, and
+///   jaws have to open first. The tube may be grasped while force is armed; the task (tube_task.h) begins
+///   with kTrialStarted.
+/// - kCompleted (held to the end), kFailed (torn) or kTimedOut ends a trial. That tick still has the tube; in
+///   the tick of the time limit, done and torn take precedence. kGrasped and kReleased come with the jaws,
+///   kSlipped with a release that drops the tube (then kReleased comes too), kDamaged with an over-stretch,
+///   and kStageChanged with a step of the task.
+/// - After a trial the tube's pull fades within 0.3 s, so that no hand is let go with a jerk. A tube that
+///   tears gives way within parameters.yield.fall_s, which core::contact_bits of the tools that hold it
+///   report. A tube that is let go of slides out of the jaws within 0.1 s.
+/// - During a pause the clocks and the task stand still, and the tube follows the hands (the supervisor ramps
+///   the force).
+/// - Where the level has a fold of tissue over the tube, the last tool takes hold of its edge and draws it
+///   back (tissueFoldShape); the fold is body 1. While its pull is too small, the tube cannot be taken hold
+///   of, and no goal is met.
+/// - All other tools touch the same body 0. A tool feels the sum of the segments at its place and no torque:
+///   the place that it holds keeps its distance from the tip in W (tube_grips.h).
+///
+/// Deterministic; all trials are planned at construction.
+/// Thread: haptic for respond(); any for construction.
 class ElasticTubeScene final : public IScene {
 public:
     ElasticTubeScene(const ElasticTubeParameters& parameters, std::uint64_t seed);
@@ -57,8 +64,8 @@ private:
     double tornShare() const noexcept;
     core::Vec3 slipping(std::size_t tool, const core::Vec3& pull, bool holds) noexcept;
     bool tubePresent() const noexcept;
-    double fade() const noexcept;   ///< of the tube's pull
-    double ending() const noexcept; ///< of any pull, after a trial
+    double fade() const noexcept;   ///< share of the tube's pull that is left
+    double ending() const noexcept; ///< share of any pull that is left after a trial
     void openFold() noexcept;
     bool retracts(std::size_t tool) const noexcept { return m_parameters.hasFold() && static_cast<int>(tool) == m_parameters.retractor(); }
     void fillFold(core::LaparoscopyCues& cues) const noexcept;
@@ -77,19 +84,19 @@ private:
 
     core::TrialPhase m_phase = core::TrialPhase::idle;
     std::size_t m_trial = 0;
-    std::uint64_t m_clock = 0; ///< ticks spent in the present phase, pauses left out
-    bool m_trialOver = false;  ///< the tick before ended the trial
+    std::uint64_t m_clock = 0; ///< ticks spent in the present phase, without pauses
+    bool m_trialOver = false;  ///< the previous tick ended the trial
     TubeChain m_tube;
     TubeGrips m_grips;
-    TubeChain m_fold; ///< over the tube, where there is one
+    TubeChain m_fold; ///< lies over the tube, if there is one
     TubeGrips m_foldGrips;
     TubeAnswer m_foldAnswer;
     bool m_foldOpen = false;
     TubeTaskTracker m_task;
-    TubeAnswer m_answer; ///< of this tick, faded
+    TubeAnswer m_answer; ///< of this tick, without fading
     std::uint64_t m_tornTicks = 0; ///< since it tore
-    struct Slip { ///< what a tube that is let go of still drags at the jaws
-        core::Vec3 from = core::Vec3::Zero(); ///< N, when it was let go of
+    struct Slip { ///< the pull that a tube still exerts on the jaws after it was let go of
+        core::Vec3 from = core::Vec3::Zero(); ///< N, at the moment of letting go
         std::uint64_t ticks = 0;
         bool held = false;
         double share = 0.0;

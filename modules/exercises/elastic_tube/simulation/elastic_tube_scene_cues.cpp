@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the scene tells beside forces: recorded quantities and what the screen shows.
+// The scene's outputs other than forces: recorded quantities and what the screen shows.
 #include "core/units.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_scene.h"
 
@@ -110,7 +110,7 @@ void ElasticTubeScene::fillTube(core::LaparoscopyCues& cues) const noexcept {
         cues.targetShown = true;
         cues.p_WTarget = arrayOf(goal.target_W);
         cues.targetRadius_m = goal.targetRadius_m;
-    } else if (m_parameters.task == TubeTask::stretch) { // the mark, straight over the base
+    } else if (m_parameters.task == TubeTask::stretch) { // the mark, straight above the base
         cues.targetShown = true;
         cues.p_WTarget = arrayOf(m_tube.shape().base + core::Vec3(0.0, 0.0, m_parameters.restLength_m + goal.mark_m));
         cues.targetRadius_m = goal.markTolerance_m;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Called in the tick that brings the next tube: apart from the plan, which allocates.
+// Called in the tick in which the next tube appears, and therefore kept apart from the plan, which allocates.
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_plan.h"
 
 namespace chiron::simulation {
 
 namespace {
 
-/// What was let go comes back so fast where the object names no time of its own: an assumption.
+/// Time constant with which a released part returns where the object names none: an assumption.
 constexpr double kRecovery_s = 0.1;
 
-// A fold, ours: it hangs 10 mm over the floor a little before the tube, gives way without a tear within an instrument's reach, and falls
-// back within a breath.
+// The fold is our choice: it hangs 10 mm above the floor a little before the tube, does not tear within an
+// instrument's reach, and falls back quickly.
 constexpr double kFoldHeight_m = 0.010;
 constexpr double kFoldBefore_m = 0.004;
 constexpr double kFoldReach_m = 0.200;

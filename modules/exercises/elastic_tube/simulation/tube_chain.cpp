@@ -11,7 +11,8 @@ namespace chiron::simulation {
 
 namespace {
 
-constexpr double kSettled_m = 1e-7; ///< what is left of a recoil below it is dropped: under 0.1 mN of any tube's
+/// The rest of a recoil below this is dropped; it is under 0.1 mN of any tube's pull.
+constexpr double kSettled_m = 1e-7;
 
 } // namespace
 
@@ -29,7 +30,7 @@ double TubeChain::rest_m(std::size_t a, std::size_t b) const noexcept {
     return std::abs(m_shape.share[b] - m_shape.share[a]) * m_shape.length_m;
 }
 
-/// The next node towards the other end that is held or fixed; the end itself where there is none.
+/// The next node towards the other end that is held or fixed; the end itself if there is none.
 std::size_t TubeChain::attachmentOf(std::size_t end) const noexcept {
     if (end == 0) {
         for (std::size_t i = 1; i < m_shape.nodes; ++i)
@@ -43,7 +44,7 @@ std::size_t TubeChain::attachmentOf(std::size_t end) const noexcept {
     return end;
 }
 
-/// The next node on that side that has a place of its own.
+/// The next node on that side that has a position of its own.
 std::size_t TubeChain::neighbour(std::size_t node, int step) const noexcept {
     std::size_t i = step < 0 ? node - 1 : node + 1;
     while (between(i) && !m_holds[i].held)
@@ -51,8 +52,8 @@ std::size_t TubeChain::neighbour(std::size_t node, int step) const noexcept {
     return i;
 }
 
-/// What the hands at both ends can bear of it: a place between two segments gives half its budget to each, and two hands that move
-/// against each other meet twice the damping.
+/// The damping of a segment that the hands at both ends can bear. A place between two segments gives half its
+/// budget to each, and two hands that move against each other meet twice the damping.
 double TubeChain::mostDampingOf(std::size_t a, std::size_t b) const noexcept {
     const auto budget = [this](std::size_t node) {
         return m_holds[node].held ? m_holds[node].mostDamping_Ns_per_m * (between(node) ? 0.5 : 1.0) : kUnboundedDamping;
@@ -80,7 +81,7 @@ core::Vec3 TubeChain::placeBetween(std::size_t node) const noexcept {
     return tubePlace(m_p[a], m_p[b], rest_m(a, b), t);
 }
 
-/// What is stretched when somebody takes hold or lets go stays so: recoils begin from it.
+/// Keeps the present stretch when somebody takes hold or lets go, because recoils begin from it.
 void TubeChain::remember(const Holds& holds) noexcept {
     bool changed = false;
     for (std::size_t i = 0; i < m_shape.nodes; ++i)
@@ -108,7 +109,7 @@ void TubeChain::remember(const Holds& holds) noexcept {
 void TubeChain::relaxEnd(std::size_t end) noexcept {
     const std::size_t at = attachmentOf(end);
     core::Vec3& p = m_p[end];
-    if (at == end) { // nobody holds it
+    if (at == end) { // nobody holds the tube
         p.z() += (m_shape.radius_m - p.z()) * m_share;
         return;
     }
@@ -141,7 +142,7 @@ void TubeChain::relaxBetween(std::size_t node) noexcept {
     m_p[node] = goal + off;
 }
 
-/// Held places first, then what follows them.
+/// Moves the held places first, then the places that follow them.
 void TubeChain::move() noexcept {
     for (std::size_t i = 0; i < m_shape.nodes; ++i)
         if (m_holds[i].held)
@@ -163,7 +164,8 @@ TubeAnswer TubeChain::step(const Holds& holds) noexcept {
         if (!counts(b))
             continue;
         if (pulls(a) && pulls(b)) {
-            const bool damped = attached(a) && attached(b); // what recoils has a velocity of no hand
+            // A recoiling part does not have the velocity of a hand
+            const bool damped = attached(a) && attached(b);
             const core::Vec3 rate = damped ? core::Vec3(m_holds[b].v_W - m_holds[a].v_W) : core::Vec3(core::Vec3::Zero());
             const SegmentPull pull = pullOf(m_shape.law, m_shape.length_m, rest_m(a, b), m_p[a], m_p[b], rate, mostDampingOf(a, b));
             const double felt = (damped ? pull.damping_Ns_per_m : 0.0) * (m_holds[a].held && m_holds[b].held ? 2.0 : 1.0);
@@ -184,7 +186,7 @@ TubeAnswer TubeChain::step(const Holds& holds) noexcept {
 
 bool TubeChain::slackAt(std::size_t node, const core::Vec3& p_W) const noexcept {
     const auto slack = [&](std::size_t other) {
-        const bool follows = !attached(other) && !between(other); // a free end comes along
+        const bool follows = !attached(other) && !between(other); // a free end follows
         return follows || (p_W - m_p[other]).norm() <= rest_m(node, other);
     };
     return (node == 0 || slack(neighbour(node, -1))) && (node + 1 >= m_shape.nodes || slack(neighbour(node, 1)));

@@ -11,61 +11,70 @@
 
 namespace chiron::simulation {
 
-/// A tube before anybody touches it.
+/// A tube before anything touches it.
 struct TubeShape {
     static constexpr std::size_t kMaxNodes = core::LaparoscopyCues::kMaxGrips;
     TubeLaw law;
     double length_m = 0.045;                       ///< L₀, at rest
-    double radius_m = 0.003;                       ///< it lies this high on the floor
-    std::size_t nodes = 2;                         ///< places that are fixed, an end, or where an instrument may grip
-    std::array<double, kMaxNodes> share{0.0, 1.0}; ///< of each along the tube; first 0, last 1, rising
+    double radius_m = 0.003;                       ///< it lies on the floor at this height
+    /// Points that are fixed, an end, or where an instrument may grip.
+    std::size_t nodes = 2;
+    /// Position of each along the tube; first 0, last 1, ascending.
+    std::array<double, kMaxNodes> share{0.0, 1.0};
     bool fixed = true;                             ///< node 0 is fixed to the floor, and the tube stands up from it
-    core::Vec3 base = core::Vec3::Zero();          ///< node 0 where it is fixed; else the middle of where the tube lies along x
-    double recovery_s = 0.1;                       ///< what was let go comes back with this time constant
+    /// Node 0 where it is fixed; otherwise the middle of the tube, which lies along x.
+    core::Vec3 base = core::Vec3::Zero();
+    double recovery_s = 0.1;                       ///< time constant with which a released part returns
 };
 
-/// What holds a node this tick.
+/// How a node is held in this tick.
 struct NodeHold {
     bool held = false;
     core::Vec3 p_W = core::Vec3::Zero(); ///< m
     core::Vec3 v_W = core::Vec3::Zero(); ///< m/s
-    double mostDamping_Ns_per_m = kUnboundedDamping; ///< its tool's budget
+    double mostDamping_Ns_per_m = kUnboundedDamping; ///< budget of its tool
 };
 
-/// What the tube answers.
+/// Response of the tube.
 struct TubeAnswer {
-    std::array<core::Vec3, TubeShape::kMaxNodes> force{core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero()}; ///< N, on what holds the node
-    std::array<double, TubeShape::kMaxNodes> stiffness_N_per_m{};                                                   ///< that it feels
-    std::array<double, TubeShape::kMaxNodes> damping_Ns_per_m{};                                                    ///< that it uses
+    /// Force on the holder of the node, N.
+    std::array<core::Vec3, TubeShape::kMaxNodes> force{core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero()};
+    /// Stiffness that the holder feels.
+    std::array<double, TubeShape::kMaxNodes> stiffness_N_per_m{};
+    /// Part of the holder's budget that is used.
+    std::array<double, TubeShape::kMaxNodes> damping_Ns_per_m{};
     double tension_N = 0.0; ///< largest along the tube
-    double stretch_m = 0.0; ///< largest, as of the whole tube
+    double stretch_m = 0.0; ///< largest, expressed for the whole tube
     double energy_J = 0.0;  ///< elastic
 };
 
-/// A massless elastic tube between what holds it (P2; models.md §2.4): straight segments between fixed and held places, each
-/// with its tension and energy (tube_segment.h), so that forces are equal and opposite and, without viscosity, the gradient
-/// of one potential over all hands.
+/// A massless elastic tube between its holders (P2; models.md §2.4). It consists of straight segments between
+/// fixed and held points, each with its tension and energy (tube_segment.h). Forces are therefore equal and
+/// opposite and, without viscosity, the gradient of one potential over all hands.
 ///
-/// What is let go recoils: a free end comes back to where it rests, a free place between two holders to its share of their
-/// chord, with the time constant `recovery_s`, and what it still pulls with dies out alike. It is dragged along, never left behind: the
-/// remaining stretch (or distance from that place) only ever falls, so a recoil costs energy and makes none, no force steps
-/// when a hand lets go, and once settled a free end pulls at nobody.
-/// A fixed tube's free end rests upright over the base, or straight on from the grip beneath it; an unfixed tube's free end
-/// is dragged behind the other one and sinks to the floor. Both follow from no law of tissue: they are ours.
+/// A released part recoils with the time constant `recovery_s`: a free end returns to its rest position, and
+/// a free point between two holders returns to its share of their chord. Its remaining pull decays in the
+/// same way. The part is dragged along and never left behind, so the remaining stretch (or distance from that
+/// position) only ever falls. A recoil thus costs energy and creates none, no force steps when a hand lets
+/// go, and a free end that has settled pulls at nobody. A fixed tube's free end rests upright over the base,
+/// or straight on from the grip beneath it. An unfixed tube's free end is dragged behind the other one and
+/// sinks to the floor. Neither follows from a law of tissue; both are our choice.
 ///
-/// Deterministic. Thread: haptic. Never allocates.
+/// Deterministic.
+/// Thread: haptic; never allocates.
 class TubeChain {
 public:
     TubeChain() = default;
     explicit TubeChain(const TubeShape& shape) noexcept;
 
     using Holds = std::array<NodeHold, TubeShape::kMaxNodes>;
-    /// One tick of 1 ms. A hold of the fixed node is passed over.
+    /// Advances by one tick of 1 ms. A hold of the fixed node is ignored.
     TubeAnswer step(const Holds& holds) noexcept;
 
-    /// Where a node is, and can be gripped, now: m, W. A free place between two others follows the bulge of a slack tube.
+    /// Where a node is now and can be gripped: m, W. A free point between two others follows the bulge of a
+    /// slack tube.
     const core::Vec3& place(std::size_t node) const noexcept { return m_p[node]; }
-    /// Whether nothing would pull at `node`, were it held at `p_W`.
+    /// Says whether nothing would pull at `node` if it were held at `p_W`.
     bool slackAt(std::size_t node, const core::Vec3& p_W) const noexcept;
 
     const TubeShape& shape() const noexcept { return m_shape; }
@@ -87,11 +96,12 @@ private:
     bool pulls(std::size_t node) const noexcept { return between(node) || attached(node) || m_over_m[node] > 0.0; }
 
     TubeShape m_shape;
-    double m_share = 0.0; ///< of a recoil that is done in one tick
+    double m_share = 0.0; ///< share of a recoil that is completed in one tick
     Holds m_holds{};
     std::array<core::Vec3, TubeShape::kMaxNodes> m_p{core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero()};
-    std::array<double, TubeShape::kMaxNodes> m_over_m{}; ///< of a free end: by how much it is still stretched
-    std::array<double, TubeShape::kMaxNodes> m_lag_m{};  ///< of a free place between: how far it still is from there
+    std::array<double, TubeShape::kMaxNodes> m_over_m{}; ///< of a free end: its remaining stretch
+    /// Of a free point between: its remaining distance from its place on the chord.
+    std::array<double, TubeShape::kMaxNodes> m_lag_m{};
 };
 
 } // namespace chiron::simulation

@@ -10,7 +10,8 @@ namespace chiron::simulation {
 
 namespace {
 
-/// A tenth of a second to slide into the jaws while slack: seen as one movement, felt as nothing. Ours.
+/// A slack tube slides into the jaws within a tenth of a second: this looks like one movement and is not
+/// felt. Our choice.
 constexpr double kSlideShare = core::kTickSeconds / 0.1;
 
 } // namespace

@@ -21,7 +21,7 @@ bool TubeTaskTracker::heldAsNeeded(const TubeTaskSample& now) const noexcept {
         return now.held > 0;
     case TubeTask::twoHanded:
         return now.held > 1;
-    case TubeTask::transfer: // the right hand begins; after that either will do
+    case TubeTask::transfer: // the right hand begins; after that either hand will do
         return now.rightHolds || (!begins() && now.leftHolds);
     }
     return false;

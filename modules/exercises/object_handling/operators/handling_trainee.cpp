@@ -12,12 +12,13 @@ using core::LaparoscopyCues;
 using core::Vec3;
 
 namespace {
-// Habits that all share: assumptions.
-constexpr double kSmoothing = 0.1;      ///< of place and force a look: 0.1 s
+// Habits that all operators share: assumptions.
+constexpr double kSmoothing = 0.1;      ///< share per observation for smoothing position and force: 0.1 s
 constexpr double kSlowSmoothing = 0.01; ///< 1 s
-constexpr double kJawRoom_m = 0.004;    ///< between each open jaw and the object
-constexpr double kFlat_N = 2.0;         ///< takes something flattened by its radius to be squeezed by so much
-constexpr double kFirmest = 1.9;        ///< over the squeeze that it wanted at first
+constexpr double kJawRoom_m = 0.004;    ///< room between each open jaw and the object
+/// Squeeze that it infers when an object looks flattened by its whole radius.
+constexpr double kFlat_N = 2.0;
+constexpr double kFirmest = 1.9;        ///< greatest factor over the squeeze that it wanted at first
 } // namespace
 
 void HandlingTrainee::think(const GraspLook& felt, GraspWishes& wishes) noexcept {
@@ -67,7 +68,8 @@ void HandlingTrainee::begin(Doing doing, double now_s) noexcept {
     m_thereSince_s = -1.0;
 }
 
-/// Each in turn; the two heaviest once more if they are close; then the one that felt heaviest.
+/// Weighs each object in turn, then the two heaviest once more if they are close. Then it chooses the one
+/// that felt heaviest.
 void HandlingTrainee::choose() noexcept {
     if (!m_deciding)
         return;
@@ -121,7 +123,7 @@ bool HandlingTrainee::holds(const GraspPercept& felt) const noexcept {
     return (felt.screen().body[m_object].heldBy & 1U) != 0;
 }
 
-/// It slipped out: the next grip is firmer.
+/// Returns true if the object slipped out; the next grip is then firmer.
 bool HandlingTrainee::lostIt(const GraspPercept& felt) noexcept {
     if (holds(felt))
         return false;
@@ -142,7 +144,8 @@ double HandlingTrainee::wantedSqueeze_N(const LaparoscopyCues& screen) const noe
     return m_firmness * (bar ? m_settings.squeezeShare * screen.squeezeLimit_N : kFlat_N * m_settings.flatteningShare);
 }
 
-/// What is missing, in newtons as far as the eye can tell: positive, squeeze more. Without a bar: how flat it looks.
+/// The missing squeeze, in newtons as far as the eye can tell; positive: squeeze more. Without a bar it is
+/// judged by how flat the object looks.
 double HandlingTrainee::wrongSqueeze_N(const GraspPercept& felt) const noexcept {
     const LaparoscopyCues& screen = felt.screen();
     if (screen.squeezeShown && screen.squeezeLimit_N > 0.0)
@@ -151,7 +154,7 @@ double HandlingTrainee::wrongSqueeze_N(const GraspPercept& felt) const noexcept 
     return wantedSqueeze_N(screen) - kFlat_N * share;
 }
 
-/// Keeps the squeeze.
+/// Keeps the squeeze at the wanted value.
 void HandlingTrainee::squeeze(const GraspPercept& felt, double jaw_rad, GraspWish& wish) const noexcept {
     const double wrong = wrongSqueeze_N(felt);
     const bool right = std::abs(wrong) < m_settings.squeezeTolerance * wantedSqueeze_N(felt.screen());

@@ -10,11 +10,13 @@
 
 namespace chiron::operators {
 
-/// The mind of one laparoscopist at object handling. It rests until a trial runs and force is fully on; then it goes over an
-/// object, lowers the open jaws round it, closes them until the squeeze looks right, lifts, carries and sets down. Of several it
-/// lifts each, feels how heavy it is, and brings the one that felt heaviest. What slips out it takes again, more firmly. It knows
-/// what it was told (ObjectHandlingBriefing), what its hand feels and what the screen shows, through GraspSenses alone. Haptic
-/// thread: no allocation.
+/// The strategy of one scripted laparoscopist at object handling. It rests until a trial runs and force is
+/// fully on. Then it moves over an object, lowers the open jaws around it, closes them until the squeeze
+/// looks right, lifts, carries and sets down. Of several objects it lifts each, feels how heavy it is, and
+/// brings the one that felt heaviest. It picks up again, more firmly, what has slipped out. It knows only
+/// what it was told (ObjectHandlingBriefing), what its hand feels and what the screen shows, through
+/// GraspSenses.
+/// Thread: haptic; allocates nothing.
 class HandlingTrainee final : public LaparoscopyMind {
 public:
     HandlingTrainee(const ObjectHandlingOperatorSettings& settings, const ObjectHandlingBriefing& briefing, std::uint64_t seed);
@@ -28,7 +30,7 @@ private:
     void notice(const GraspPercept& felt) noexcept;
     void beginTrial(const GraspPercept& felt) noexcept;
     void begin(Doing doing, double now_s) noexcept;
-    void choose() noexcept; ///< which object next, and what for
+    void choose() noexcept; ///< decides which object is next, and for what purpose
     void act(const GraspPercept& felt, double jaw_rad, GraspWish& wish) noexcept;
     void rest(GraspWish& wish) noexcept;
     void over(const GraspPercept& felt, GraspWish& wish) noexcept;
@@ -58,17 +60,18 @@ private:
     bool m_awake = false;
     core::Vec3 m_home = core::Vec3::Zero();
     core::Vec3 m_place = core::Vec3::Zero(); ///< smoothed
-    double m_up_N = 0.0;                     ///< felt, upwards, smoothed over 0.1 s
+    double m_up_N = 0.0;                     ///< felt upward force, smoothed over 0.1 s
     double m_slowUp_N = 0.0;                 ///< … and over a second
-    double m_free_N = 0.0;                   ///< felt upwards before it took hold of anything
+    double m_free_N = 0.0;                   ///< felt upward force before it took hold of anything
     WeightMemory m_weights;
-    std::size_t m_object = 0;   ///< that it is after
-    bool m_deciding = false;    ///< still weighing
+    std::size_t m_object = 0;   ///< the object that it wants
+    bool m_deciding = false;    ///< it is still weighing
     int m_rounds = 1;
     core::Vec3 m_grip = core::Vec3::Zero();   ///< where it took hold
     core::Vec3 m_from = core::Vec3::Zero();   ///< where the object lay
-    core::Vec3 m_hold = core::Vec3::Zero();   ///< of the object's middle from the tip, as it looked when it was taken along
-    core::Vec3 m_to = core::Vec3::Zero();     ///< where the tip has to be to set it down
+    /// Offset of the object's centre from the tip, as it looked when carrying began.
+    core::Vec3 m_hold = core::Vec3::Zero();
+    core::Vec3 m_to = core::Vec3::Zero();     ///< where the tip has to be to set the object down
     double m_firmness = 1.0;
     double m_thereSince_s = -1.0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the hand of the mind does, one thing after the other.
+// The single actions of the hand, one after the other.
 #include "core/units.h"
 #include "operators/laparoscopy/movement.h"
 #include "modules/exercises/object_handling/operators/handling_trainee.h"
@@ -12,18 +12,23 @@ namespace chiron::operators {
 using core::Vec3;
 
 namespace {
-// Habits that all share: assumptions.
-constexpr double kOver_m = 0.022;          ///< goes over an object this high above its middle
-constexpr double kBeside_m = 0.006;        ///< within this it lowers itself
-constexpr double kClosing_s = 3.5;         ///< without a hold: tries again
-constexpr double kLongestSqueeze_s = 4.0;  ///< then it lifts what it has
+// Habits that all operators share: assumptions.
+/// Height above an object's middle at which it moves over the object.
+constexpr double kOver_m = 0.022;
+constexpr double kBeside_m = 0.006;        ///< within this horizontal distance it lowers itself
+constexpr double kClosing_s = 3.5;         ///< time without a hold before it tries again
+constexpr double kLongestSqueeze_s = 4.0;  ///< after this time it lifts what it holds
 constexpr double kFirmEnough = 0.25;       ///< share of the wanted squeeze that may be missing when it lifts
 constexpr double kHeft_Hz = 0.6;
-constexpr double kCarried_N = 0.10;        ///< felt change that tells that the bed carries
-constexpr double kNear_m = 0.003;          ///< to where it lay before: what is felt may be the bed
-constexpr double kNoBed_m = 0.002;         ///< lower than expected by more: lets go all the same
+/// Change of the felt force that shows that the bed carries the object.
+constexpr double kCarried_N = 0.10;
+/// Within this distance of where the object lay, the felt change may come from the bed.
+constexpr double kNear_m = 0.003;
+/// If it is lower than expected by more than this, it lets go anyway.
+constexpr double kNoBed_m = 0.002;
 constexpr double kLettingGo_s = 3.0;
-constexpr double kFree_m = 0.003;          ///< wider than the object by so much: it is let go
+/// The object is let go when the jaws are wider than it by this much.
+constexpr double kFree_m = 0.003;
 } // namespace
 
 void HandlingTrainee::rest(GraspWish& wish) noexcept {
@@ -45,7 +50,7 @@ void HandlingTrainee::over(const GraspPercept& felt, GraspWish& wish) noexcept {
     const bool there = (goal - m_place).head<2>().norm() < m_settings.aim_m && std::abs(goal.z() - m_place.z()) < 0.004;
     m_thereSince_s = there ? (m_thereSince_s < 0.0 ? felt.time_s : m_thereSince_s) : -1.0;
     if (there && felt.time_s - m_thereSince_s >= m_settings.settle_s) {
-        m_free_N = m_slowUp_N; // how nothing feels
+        m_free_N = m_slowUp_N; // remembers how it feels to hold nothing
         begin(Doing::lower, felt.time_s);
     }
 }
@@ -91,7 +96,7 @@ void HandlingTrainee::lift(const GraspPercept& felt, double jaw_rad, GraspWish& 
     begin(Doing::carry, felt.time_s);
 }
 
-/// Up and down, so that what rubs in the instrument cancels; or still.
+/// Moves the object up and down, so that friction in the instrument cancels, or holds it still.
 void HandlingTrainee::weigh(const GraspPercept& felt, double jaw_rad, GraspWish& wish) noexcept {
     squeeze(felt, jaw_rad, wish);
     const double phase = 2.0 * core::kPi * kHeft_Hz * since(felt);
@@ -103,15 +108,16 @@ void HandlingTrainee::weigh(const GraspPercept& felt, double jaw_rad, GraspWish&
     choose();
     const bool stays = m_object == here && !m_deciding;
     if (!stays)
-        m_object = here; // it goes back first; the choice is made again then
+        m_object = here; // it goes back first; the choice is made again afterwards
     begin(Doing::carry, felt.time_s);
     m_deciding = m_deciding || !stays;
 }
 
 void HandlingTrainee::carry(const GraspPercept& felt, double jaw_rad, GraspWish& wish) noexcept {
     squeeze(felt, jaw_rad, wish);
+    // As seen while held, so that an error of sight affects tip and object in the same way
     if (m_thereSince_s < 0.0 && since(felt) < m_settings.attention_s + Senses::kLook_s)
-        m_hold = object(felt) - m_place; // as it is held: what the eye mistakes of the tip it mistakes of what that holds
+        m_hold = object(felt) - m_place;
     const Vec3 target = m_deciding || !felt.screen().targetShown ? m_from : vectorOf(felt.screen().p_WTarget);
     const Vec3 goal(target.x() - m_hold.x(), target.y() - m_hold.y(), m_place.z());
     const bool there = (goal - m_place).head<2>().norm() < m_settings.placeAim_m;
@@ -160,7 +166,8 @@ void HandlingTrainee::leave(const GraspPercept& felt, GraspWish& wish) noexcept 
         choose();
         return begin(Doing::over, felt.time_s);
     }
-    // Where the screen still asks for it, what was set down beside its target is fetched again.
+    // If the object was set down beside its target, it is picked up again, provided that the screen still
+    // asks for it.
     const Vec3 lies = object(felt);
     const bool missed = felt.screen().targetShown &&
                         (lies - vectorOf(felt.screen().p_WTarget)).head<2>().norm() > felt.screen().targetRadius_m;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes laparoscopists for object handling: allocates, so it is kept apart from their minds, which the tick calls.
+// Makes laparoscopists for object handling. This allocates, so it is kept apart from their strategies, which
+// the tick calls.
 #include "modules/exercises/object_handling/operators/object_handling_operator.h"
 
 #include "operators/laparoscopy/scripted_hand.h"

@@ -14,22 +14,27 @@
 
 namespace chiron::operators {
 
-/// What a trainee is told before it begins: nothing that the instruction and the instrument in its hand do not say.
+/// Instructions to a trainee before it begins. They contain nothing beyond what the instruction on the screen
+/// and the instrument in its hand say.
 struct ObjectHandlingBriefing {
-    bool weigh = false;           ///< the heaviest is to be set down in the target
-    double liftHeight_m = 0.030;  ///< to be lifted so high on the way
+    bool weigh = false;           ///< the heaviest object is to be set down in the target
+    double liftHeight_m = 0.030;  ///< height to which an object has to be lifted on the way
     double jawLength_m = 0.020;   ///< of the instrument in its hand
-    devices::WorkspaceMapping place; ///< where it enters
+    devices::WorkspaceMapping place; ///< where the instrument enters
 };
 
-/// The scripted laparoscopists of object handling: novice, intermediate, expert, unsafe. Static data; any thread.
+/// The names of the scripted laparoscopists of object handling: novice, intermediate, expert, unsafe. Static
+/// data.
+/// Thread: any.
 std::span<const std::string_view> objectHandlingOperatorNames() noexcept;
 
-/// The settings a name stands for. Fails (notFound) for an unknown name, listing the known ones.
+/// Returns the settings of the laparoscopist with this name.
+/// Errors: notFound for an unknown name, listing the known ones.
 core::Result<ObjectHandlingOperatorSettings> objectHandlingOperatorSettings(std::string_view name);
 
-/// A mind and its hand, for a SimulatedDevice at its place. Seeded: the same seed and the same perceptions give the same
-/// intentions. Fails (badInput) when a setting or the briefing is out of its range. Allocates; not in the tick.
+/// Makes a strategy and its hand, for a SimulatedDevice at its place. It is seeded: the same seed and the
+/// same perceptions give the same intentions. Allocates; not for use in the tick.
+/// Errors: badInput when a setting or the briefing is out of range.
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>
 makeObjectHandlingOperator(const ObjectHandlingOperatorSettings& settings, const ObjectHandlingBriefing& briefing,
                            std::uint64_t seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The world's jaws: taking hold, squeezing, sliding out, letting go.
+// The jaws of the world: taking hold, squeezing, slipping and letting go.
 #include "core/session_state.h"
 #include "modules/exercises/object_handling/simulation/handling_world.h"
 
@@ -12,7 +12,8 @@ namespace bits = core::event_bits;
 
 namespace {
 
-constexpr double kRearmShare = 0.8; ///< of the squeeze limit: a new over-squeeze counts only from below (models.md §6, trauma)
+/// Share of the squeeze limit below which a new over-squeeze counts again (models.md §6, trauma).
+constexpr double kRearmShare = 0.8;
 
 } // namespace
 
@@ -34,7 +35,8 @@ void HandlingWorld::updateGrip(const HandlingTool& tool, HandlingAnswer& answer)
             answer.events |= bits::kReleased;
             break;
         case GraspChange::none:
-            if (m_held != kNone && slidShare() >= 1.0) { // it has slid out: told now, and not again when it lands
+            // It has slid out: reported now, and not again when it lands
+            if (m_held != kNone && slidShare() >= 1.0) {
                 m_latch.lose();
                 Body& slid = m_bodies[static_cast<std::size_t>(m_held)];
                 letGo(tool);
@@ -65,7 +67,7 @@ void HandlingWorld::takeHold(int which, const HandlingTool& tool) noexcept {
     m_held = which;
     m_grip_m = body.it.p_W - tool.p_W;
     m_slide.reset();
-    body.dropCounts = false; // what it fell from before is over
+    body.dropCounts = false; // an earlier fall no longer counts
     body.it.v_W = tool.v_W;
     body.tip.reset();
 }
@@ -75,12 +77,12 @@ void HandlingWorld::letGo(const HandlingTool& tool) noexcept {
     if (!tool.present)
         body.it.v_W.setZero();
     else
-        body.dropCounts = !body.it.onBed(); // set down is no drop
+        body.dropCounts = !body.it.onBed(); // setting down is not a drop
     body.inside = body.embraced = true; // the jaws are still around it
     m_held = kNone;
 }
 
-/// How much of the way out of the jaws it has slid, 0..1: half its thickness.
+/// Share of the distance out of the jaws (half its thickness) that it has slid, 0..1.
 double HandlingWorld::slidShare() const noexcept {
     return m_slide.offset().norm() / m_parameters.radius_m;
 }
@@ -89,7 +91,8 @@ void HandlingWorld::squeezeHeld(const HandlingTool& tool, HandlingAnswer& answer
     m_squeeze = Squeeze{};
     if (m_held != kNone) {
         const double s = std::min(1.0, slidShare());
-        const double grips = 1.0 - s * s * (3.0 - 2.0 * s); // the jaws hold less and less of what slides out
+        // The jaws hold an object less and less while it slides out
+        const double grips = 1.0 - s * s * (3.0 - 2.0 * s);
         const double thickness_m = 2.0 * m_parameters.radius_m;
         const double pressed_m = grips * std::max(0.0, thickness_m - tool.opening_m);
         m_squeeze = Squeeze::of(m_object.elastic(), thickness_m, thickness_m - pressed_m);

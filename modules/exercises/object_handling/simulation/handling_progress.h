@@ -8,23 +8,27 @@
 
 namespace chiron::simulation {
 
-/// What is asked for in a trial and how far it has come: take hold of an object, lift it by `liftHeight_m`, carry it over the
-/// target, set it down there, let go, and let it lie at rest for `hold_s`. An object counts only if it was lifted so high since
-/// it was last grasped: pushed there, it has to be lifted again. In a weigh task any object ends the trial that is laid into the
-/// target so; which one it was is the answer. Thread: haptic.
+/// Progress of a trial. The task is to take hold of an object, lift it by `liftHeight_m`, carry it over the
+/// target, set it down there, let go, and let it lie at rest for `hold_s`. An object counts only if it has
+/// been lifted that high since it was last grasped; one that was pushed into the target has to be lifted
+/// again. In a weigh task any object that is laid into the target in this way ends the trial, and the choice
+/// of the object is the answer.
+/// Thread: haptic.
 class HandlingProgress {
 public:
-    /// Slower than this is at rest, m/s (assumption: below models.md §6's 5 mm/s, at which movement starts).
+    /// A body slower than this is at rest, m/s (assumption: below models.md §6's 5 mm/s, at which movement
+    /// starts).
     static constexpr double kRest_m_per_s = 0.002;
 
     explicit HandlingProgress(const ObjectHandlingParameters& parameters) noexcept;
 
     void begin(const ObjectHandlingTrial& trial) noexcept;
-    /// After each step of the world. `clockRuns`: the trial runs and is not paused; else only the step is told.
+    /// Call after each step of the world. `clockRuns`: the trial runs and is not paused; otherwise only
+    /// step() is updated.
     void follow(const HandlingWorld& world, bool clockRuns) noexcept;
 
     core::LaparoscopyStep step() const noexcept { return m_step; }
-    double dwell() const noexcept; ///< 0..1 of hold_s
+    double dwell() const noexcept; ///< 0..1, share of hold_s
     bool done() const noexcept { return m_step == core::LaparoscopyStep::done; }
 
 private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Set-up of the world and its task, apart from what the tick runs: copying the parameters allocates.
+// Set-up of the world and its task. It is kept apart from the code of the tick, because copying the
+// parameters allocates.
 #include "core/units.h"
 #include "modules/exercises/object_handling/simulation/handling_progress.h"
 #include "modules/exercises/object_handling/simulation/handling_world.h"
@@ -11,7 +12,8 @@ namespace chiron::simulation {
 
 namespace {
 
-/// The ball of a body (11 mm) spans many peaks of a rough bed and has lain on it for long: it rests on their mean.
+/// A body's ball (11 mm) spans many peaks of a rough bed and has lain on it for long, so it rests on their
+/// mean.
 ObjectContact underBody(ObjectAttributes bed) noexcept {
     bed.roughness_m = 0.0;
     bed.recoveryShare = 0.0;

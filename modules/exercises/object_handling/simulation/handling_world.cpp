@@ -15,14 +15,17 @@ namespace bits = core::event_bits;
 namespace {
 
 constexpr double kT = core::kTickSeconds;
-/// Objects that were pushed away roll back from the rim of the field, so that a trial can go on (assumption).
+/// Stiffness with which the rim of the field lets objects that were pushed away roll back, so that a trial
+/// can go on (assumption).
 constexpr double kRim_N_per_m = 100.0;
-/// Slower than this a free body lies still: its height and energy there are what lifting is told from (assumption).
+/// A free body slower than this lies still; its height and energy there are the reference for lifting
+/// (assumption).
 constexpr double kStill_m_per_s = 0.002;
-/// Nearer to a ball's middle than this share of its radius its foot does not run any faster: the law has no place there.
+/// Closer to a ball's centre than this share of its radius, the foot does not move any faster: the law is not
+/// defined there.
 constexpr double kInnermost = 0.1;
-/// A tip that is deeper in a ball than this share of its radius pierces it: nearer to the middle its force turns round faster than
-/// the tip moves (assumption, as of the dome in exercises/sphere_apex).
+/// A tip that is deeper in a ball than this share of its radius pierces it: closer to the centre the force
+/// would turn faster than the tip moves (assumption, as for the dome in exercises/sphere_apex).
 constexpr double kPiercedShare = 0.6;
 
 Vec3 rimForce(const LooseBody& body, double rim_m) noexcept {
@@ -44,7 +47,8 @@ void HandlingWorld::begin(const ObjectHandlingTrial& trial) noexcept {
         body.it.lieDown(trial.place_m[i], height_m, m_parameters.radius_m, trial.mass_kg[i], m_bodyBed);
         body.tip.reset();
         body.yield = ContactYield(m_parameters.yield);
-        body.inside = body.embraced = true; // one that appears round the tip is touched only after the tip has left it
+        // A body that appears around the tip is touched only after the tip has left it
+        body.inside = body.embraced = true;
         body.airborne = body.dropCounts = false;
     }
 }
@@ -95,7 +99,7 @@ bool HandlingWorld::tipTouches(Body& body, double depth_m, const HandlingTool& t
     const bool inside = depth_m > -m_object.reach_m();
     if (!inside)
         body.embraced = false;
-    else if (!body.inside) // it came in now: between open jaws, or with the tip
+    else if (!body.inside) // it has just come in: either between open jaws, or touched by the tip
         body.embraced = tool.opening_m > 2.0 * body.it.radius_m();
     body.inside = inside;
     return !body.embraced;
@@ -131,8 +135,10 @@ void HandlingWorld::touchBody(Body& body, const HandlingTool& tool, HandlingAnsw
     m_budget.spend(touch.damping_Ns_per_m);
     body.load -= touch.force;
     answer.force += touch.force;
-    const double turning = place.depth_m / std::max(distance, (1.0 - kPiercedShare) * radius); // a ball's force turns with its nearest place
-    answer.stiffness_N_per_m += touch.stiffness_N_per_m * std::max(1.0, turning); // what acts at once adds up
+    // A ball's force turns with its nearest point
+    const double turning = place.depth_m / std::max(distance, (1.0 - kPiercedShare) * radius);
+    // Simultaneous contacts add up
+    answer.stiffness_N_per_m += touch.stiffness_N_per_m * std::max(1.0, turning);
     answer.surfacePoint = tool.p_W + std::max(0.0, place.depth_m) * place.normal;
     answer.touching = true;
 }
@@ -152,7 +158,7 @@ void HandlingWorld::layOnBed(std::size_t i) noexcept {
     LooseBody& body = m_bodies[i].it;
     const std::size_t who = SoftBed::kFirstBody + i;
     ContactPlace place = bedPlace(who, body.p_W, body.v_W, body.radius_m(), 0.0);
-    if (isHeld(i)) // moves with the tool
+    if (isHeld(i)) // it moves with the tool
         place.mostDamping_Ns_per_m = m_budget.left_Ns_per_m();
     const ObjectContactResponse& felt = body.pressBed(m_bodyBed, place);
     if (isHeld(i))
@@ -163,7 +169,7 @@ void HandlingWorld::layOnBed(std::size_t i) noexcept {
 
 void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) noexcept {
     const bool clear = m_soft != nullptr ? m_bedYield.gone() && m_soft->isClear(tool.p_W) : tool.p_W.z() > m_bed.reach_m();
-    if (m_bedYield.gone() && clear) { // out again: what it comes to next is whole
+    if (m_bedYield.gone() && clear) { // out again: whatever it touches next is whole
         m_bedYield.reset();
         m_tipOnBed.reset();
         if (m_soft != nullptr)
@@ -192,7 +198,7 @@ void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) n
 }
 
 void HandlingWorld::pushApart(HandlingAnswer& answer) noexcept {
-    // Both are soft: two springs k in series, k/2 over the whole overlap.
+    // Both bodies are soft: two springs k in series give k/2 over the whole overlap.
     const double stiffness = 0.5 * m_parameters.object.stiffness_N_per_m;
     for (std::size_t k = 1; k < m_count; ++k)
         for (std::size_t i = 0; i < k; ++i) {
@@ -206,7 +212,7 @@ void HandlingWorld::pushApart(HandlingAnswer& answer) noexcept {
             const Vec3 push = (stiffness * overlap / distance) * apart;
             other.load += push;
             one.load -= push;
-            if (isHeld(i) || isHeld(k)) // the hand feels it through what it holds
+            if (isHeld(i) || isHeld(k)) // the hand feels it through the held object
                 answer.stiffness_N_per_m += stiffness;
             if (isHeld(i) || isHeld(k) || one.touched || other.touched)
                 answer.energy_J += 0.5 * stiffness * overlap * overlap;
@@ -237,7 +243,7 @@ void HandlingWorld::countEnergy(HandlingAnswer& answer) noexcept {
     if (m_soft == nullptr)
         return;
     const double organ_J = m_soft->organ().elasticEnergy_J();
-    if (answer.touching) // what the organ holds more than the bodies have lain into it
+    if (answer.touching) // the organ's energy beyond that due to the lying bodies
         answer.energy_J += std::max(0.0, organ_J - m_organRest_J);
     else
         m_organRest_J = organ_J;

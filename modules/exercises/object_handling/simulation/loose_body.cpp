@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kT = core::kTickSeconds;
 
-/// Where the bed's law pushes with `force_N`: x of F(x) = f, for F = k x and for (k/b)(e^{bx} - 1).
+/// Depth x at which the bed's law pushes with `force_N`: F(x) = f, for F = k x and for (k/b)(e^{bx} - 1).
 double depthFor(const ElasticLaw& law, double force_N) noexcept {
     const double linear = force_N / law.stiffness_N_per_m;
     return law.stiffening_per_m > 0.0 ? std::log1p(law.stiffening_per_m * linear) / law.stiffening_per_m : linear;
@@ -72,7 +72,7 @@ void LooseBody::moveFreely(const Vec3& load) noexcept {
 
 void LooseBody::roll(const Vec3& step_m) noexcept {
     const double way2 = step_m.x() * step_m.x() + step_m.y() * step_m.y();
-    if (!(way2 > 1e-18)) // a nanometre a tick is not seen
+    if (!(way2 > 1e-18)) // less than a nanometre per tick is invisible
         return;
     const double way = std::sqrt(way2);
     const double half = 0.5 * way / m_radius_m;

@@ -15,7 +15,8 @@ using Parameters = ObjectHandlingParameters;
 using Trial = ObjectHandlingTrial;
 
 constexpr int kDraws = 1000;
-constexpr double kJawRoom_m = 0.006; ///< for a jaw on either side of an object; assumption: a grasper's jaw is 5 mm thick
+/// Room for a jaw on either side of an object; assumption: a grasper's jaw is 5 mm thick.
+constexpr double kJawRoom_m = 0.006;
 
 core::Vec2 uniformInDisc(core::Random& random, double radius_m) {
     const double r = radius_m * std::sqrt(random.uniform());
@@ -70,7 +71,7 @@ void drawMasses(const Parameters& p, core::Random& masses, core::Random& which, 
         return;
     }
     trial.heaviest = static_cast<int>(which.below(static_cast<std::uint64_t>(trial.objects)));
-    const double lighter = std::max(low, high / p.massRatio); // the most that another may weigh
+    const double lighter = std::max(low, high / p.massRatio); // greatest mass of any other object
     double next = low;
     for (std::size_t i = 0; i < count; ++i) {
         if (static_cast<int>(i) == trial.heaviest)

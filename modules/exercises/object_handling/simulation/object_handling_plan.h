@@ -11,7 +11,7 @@
 
 namespace chiron::simulation {
 
-/// What changes from trial to trial of object handling: the truth that scoring needs.
+/// The values that change from trial to trial of object handling: the truth that scoring needs.
 struct ObjectHandlingTrial {
     static constexpr std::size_t kMaxObjects = 3;
     int objects = 1;
@@ -21,15 +21,16 @@ struct ObjectHandlingTrial {
     int heaviest = 0;                         ///< object number, from 0
 };
 
-/// How far apart two objects lie at least at the start, middle to middle (m): a jaw goes between them.
+/// Least distance between two objects at the start, centre to centre (m): a jaw fits between them.
 double objectSpacing_m(const ObjectHandlingParameters& parameters) noexcept;
-/// How far from every object the target's middle is at least (m): no object lies in it at the start.
+/// Least distance of the target's centre from every object (m): no object lies in the target at the start.
 double targetSpacing_m(const ObjectHandlingParameters& parameters) noexcept;
 
-/// Plans every trial of a session from its seed, before the first tick. Objects and target are uniform over the disc of radius
-/// `placesRadius_m` round W's origin, kept apart by the two spacings (drawn again until they are; after 1000 draws they lie on a
-/// ring at equal angles). Masses are uniform in [low, high], both 0: the object's own; a weigh trial draws which is the heaviest
-/// and lets it weigh at least `massRatio` times the next. Each quantity has its own random stream ("object_handling.place",
+/// Plans every trial of a session from its seed, before the first tick. Objects and target are uniform over
+/// the disc of radius `placesRadius_m` around W's origin, kept apart by the two spacings (drawn again until
+/// they are; after 1000 draws they lie on a ring at equal angles). Masses are uniform in [low, high]; if both
+/// are 0, the object's own mass applies. A weigh trial draws which object is the heaviest and lets it weigh
+/// at least `massRatio` times the next. Each quantity has its own random stream ("object_handling.place",
 /// ...). Pure; allocates.
 std::vector<ObjectHandlingTrial> planObjectHandlingTrials(const ObjectHandlingParameters& parameters, std::uint64_t seed);
 

@@ -103,7 +103,7 @@ void ObjectHandlingScene::touch(const SceneInput& in, SceneOutput& out) noexcept
         out.p_WProxy[i] = in.tools.tools[i].p_WT;
     const core::ToolState& tool = in.tools.tools[0];
     HandlingTool grasper;
-    // A pose that is not a number touches nothing; the supervisor deals with the sample.
+    // A pose that is not finite touches nothing; the supervisor deals with the sample.
     grasper.present = count > 0 && tool.p_WT.allFinite() && tool.v_WT.allFinite();
     if (grasper.present) {
         grasper.p_W = tool.p_WT;
@@ -119,7 +119,7 @@ void ObjectHandlingScene::touch(const SceneInput& in, SceneOutput& out) noexcept
         if (hasBed()) {
             answer = m_world.step(grasper);
             m_task.follow(m_world, running);
-        } // without its organ nothing is touched and the trial runs out
+        } // without its organ nothing is touched, and the trial runs out
         if (running)
             endTrial(out);
         if (grasper.present && hasBed())

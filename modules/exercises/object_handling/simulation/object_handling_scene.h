@@ -12,7 +12,7 @@
 
 namespace chiron::simulation {
 
-/// Where each of `SceneOutput::quantities` stands (object handling).
+/// Indices into `SceneOutput::quantities` (object handling).
 namespace handling_quantity {
 inline constexpr std::size_t kStep = 0;      ///< core::LaparoscopyStep
 inline constexpr std::size_t kDwell = 1;     ///< 0..1
@@ -21,23 +21,26 @@ inline constexpr std::size_t kHeld = 3;      ///< object number + 1; 0: none
 inline constexpr std::size_t kBodies = 4;    ///< x, y, z of each of three objects, m; zero where there is none
 inline constexpr std::size_t kBedDepth = 13; ///< m
 inline constexpr std::size_t kPredictionError = 14; ///< m, PredictionError::predicted_m; zero without a soft bed
-inline constexpr std::size_t kHeldError = 15;       ///< m, held_m
+inline constexpr std::size_t kHeldError = 15;       ///< m, PredictionError::held_m
 inline constexpr std::size_t kCount = 16;
 } // namespace handling_quantity
 
-/// Object handling running (P2; models.md §2.2). Task state, one trial after the other:
+/// Running object-handling exercise (P2; models.md §2.2). The task moves through these states, one trial
+/// after the other:
 ///
 ///   idle --started--> ready --forceReady--> running --done or limit--> between --betweenTrials_s--> ready ... finished
 ///
-/// as in the sphere-apex exercise: kSceneChanged with the first tick of `ready`, kTrialStarted with the first running one,
-/// kCompleted or kTimedOut with the last one, which still has the objects, kFinished with the first tick of `finished`. A mark
-/// means nothing here. In idle, between and finished there is no object and no bed, and force is zero.
+/// The events are as in the sphere-apex exercise. kSceneChanged comes with the first tick of `ready`,
+/// kTrialStarted with the first running one, kCompleted or kTimedOut with the last one, which still has the
+/// objects, and kFinished with the first tick of `finished`. A mark has no meaning here. In idle, between and
+/// finished there is no object and no bed, and force is zero.
 ///
-/// Tool 0 grasps; other tools feel nothing. While paused the clocks stand still and the jaw stays as it was, so that putting the
-/// instrument down for a while drops nothing; contact still answers. All of tool 0's energy is body 0's. An organ for a bed is
-/// simulated beside the loop (slowModel()).
+/// Tool 0 grasps; other tools feel nothing. While paused the clocks stand still and the jaw stays as it was,
+/// so that putting the instrument down for a while drops nothing; contact still produces forces. All of tool
+/// 0's energy belongs to body 0. An organ that serves as bed is simulated beside the loop (slowModel()).
 ///
-/// Deterministic; all trials are planned at construction. Thread: respond() haptic; construction anywhere. Not copied.
+/// Deterministic; all trials are planned at construction. Not copyable.
+/// Thread: haptic for respond(); any for construction.
 class ObjectHandlingScene final : public IScene {
 public:
     ObjectHandlingScene(const ObjectHandlingParameters& parameters, std::uint64_t seed);
@@ -57,7 +60,8 @@ private:
     void leaveTrial(SceneOutput& out) noexcept;
     void endTrial(SceneOutput& out) noexcept;
     bool objectsPresent() const noexcept;
-    bool hasBed() const noexcept { return m_softBed != nullptr || !m_parameters.organBed; } ///< false: its organ could not be made
+    /// False: the organ could not be made.
+    bool hasBed() const noexcept { return m_softBed != nullptr || !m_parameters.organBed; }
     void touch(const SceneInput& in, SceneOutput& out) noexcept;
     void fillQuantities(double bedDepth_m, SceneOutput& out) const noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
@@ -72,11 +76,11 @@ private:
 
     core::TrialPhase m_phase = core::TrialPhase::idle;
     std::size_t m_trial = 0;
-    std::uint64_t m_clock = 0; ///< ticks spent in the present phase, pauses left out
-    bool m_trialOver = false;  ///< the tick before ended the trial
+    std::uint64_t m_clock = 0; ///< ticks spent in the present phase, without pauses
+    bool m_trialOver = false;  ///< the previous tick ended the trial
     bool m_touching = false;
     double m_opening_m = 0.0; ///< of the jaws, kept while paused
-    std::unique_ptr<SoftBed> m_softBed; ///< null: a plane
+    std::unique_ptr<SoftBed> m_softBed; ///< null: the bed is a plane
     std::uint64_t m_tick = 0;
     HandlingWorld m_world;
     HandlingProgress m_task;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Set-up of the scene, apart from what the tick runs: this file may allocate.
+// Set-up of the scene. It may allocate, so it is kept apart from the code of the tick.
 #include "core/units.h"
 #include "modules/exercises/object_handling/simulation/object_handling_scene.h"
 
@@ -18,8 +18,9 @@ bool has(const std::vector<std::string>& cues, const char* cue) {
     return std::find(cues.begin(), cues.end(), cue) != cues.end();
 }
 
-/// Content was checked by making it (object_handling_checks.cpp). Parameters that nobody checked and that make no organ have no
-/// bed at all: hasBed() says so, nothing is rendered and the trials run out; a plane would be another exercise.
+/// Content was checked by making its organ (object_handling_checks.cpp). For unchecked parameters that make
+/// no organ there is no bed at all: hasBed() returns false, nothing is rendered and the trials run out. A
+/// plane instead would be another exercise.
 std::unique_ptr<SoftBed> softBed(const ObjectHandlingParameters& parameters) {
     if (!parameters.organBed)
         return nullptr;

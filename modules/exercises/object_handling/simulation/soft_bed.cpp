@@ -55,7 +55,8 @@ void SoftBed::touched(std::size_t who, const Vec3& p, double radius_m, const Con
     touch.triangle = foot.place.triangle;
     touch.weights = array(foot.place.weights);
     touch.normal = array(place.normal);
-    touch.p_Tool = array(p + Vec3(0.0, 0.0, m_lift_m) - (radius_m - m_touchers[who].felt.less_m()) * place.normal); // the ball's nearest point
+    // The ball's nearest point
+    touch.p_Tool = array(p + Vec3(0.0, 0.0, m_lift_m) - (radius_m - m_touchers[who].felt.less_m()) * place.normal);
     touch.stiffness_N_per_m = felt.stiffness_N_per_m;
 }
 
@@ -69,7 +70,7 @@ bool SoftBed::isClear(const Vec3& p) const noexcept {
 }
 
 bool SoftBed::isOutElsewhere(std::size_t who, const Vec3& p) const noexcept {
-    constexpr double kSure_m = 2e-4; // nearer to the sheet, being out is leaving it
+    constexpr double kSure_m = 2e-4; // closer to the sheet than this, being out counts as leaving
     const Toucher& toucher = m_touchers[who];
     const double depth_m = std::max(toucher.felt.geometric_m(), toucher.felt.felt_m());
     if (toucher.onFloor || !(depth_m > 0.0))
@@ -78,7 +79,8 @@ bool SoftBed::isOutElsewhere(std::size_t who, const Vec3& p) const noexcept {
 }
 
 double SoftBed::restHeight_m(const core::Vec2& place_m) const noexcept {
-    // Down from well above: the nearest point's height settles in a few rounds, since the organ is round and wide.
+    // Starts at the height of the organ's top. The height settles in a few rounds, because the organ is round
+    // and wide.
     Vec3 at(place_m.x(), place_m.y(), 0.0);
     constexpr int kRounds = 8;
     for (int i = 0; i < kRounds; ++i) {

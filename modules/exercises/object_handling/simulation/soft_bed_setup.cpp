@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making the organ: allocates, apart from the tick.
+// Makes the organ. This allocates, so it is kept apart from the code of the tick.
 #include "modules/exercises/object_handling/simulation/soft_bed.h"
 
 #include "simulation/geometry/mesh/make_mesh.h"
@@ -11,8 +11,8 @@ namespace chiron::simulation {
 
 namespace {
 
-// What the organ is like beneath its surface (assumptions): it gives as much again as the surface does, in a dent of a finger's
-// width, and comes back within 60 ms.
+// Properties of the organ beneath its surface (assumptions): it gives way by as much again as the surface
+// does, in a dent of a finger's width, and recovers within 60 ms.
 constexpr double kSpread_m = 0.008;
 constexpr double kMass_kg = 0.050;
 constexpr double kRecovery_s = 0.060;

@@ -10,8 +10,10 @@
 
 namespace chiron::simulation {
 
-/// What a person has reported in one trial of a palpation: the one place that says what a report does, for the scene that takes
-/// it, for playback and for scoring, which read it back from the recording. Fixed size; nothing allocates. One thread.
+/// The findings that a person has reported in one trial of a palpation. This class alone defines the effect
+/// of a report: the scene uses it when a report arrives, playback and scoring when they read the recording.
+/// Fixed size.
+/// Thread: a single one; allocates nothing.
 class FindingsBook {
 public:
     static constexpr int kNone = -1;
@@ -19,7 +21,8 @@ public:
 
     void clear() noexcept { *this = FindingsBook{}; }
 
-    /// A new finding at `p_W` (on the surface), in the first free place, and selected. Its number, or kNone if all are taken.
+    /// Stores a new finding at `p_W` (on the surface) in the first free place and selects it. Returns its
+    /// number, or kNone if all places are taken.
     int found(const std::array<double, 3>& p_W) noexcept {
         for (std::size_t i = 0; i < kMaxFindings; ++i)
             if (!m_findings[i].present) {
@@ -28,19 +31,20 @@ public:
             }
         return kNone;
     }
-    /// The same with a known number, as a recording tells it; out of range: nothing.
+    /// Stores a finding under a known number, as a recording states it. Does nothing if the number is out of
+    /// range.
     void place(int finding, const std::array<double, 3>& p_W) noexcept {
         if (finding < 0 || static_cast<std::size_t>(finding) >= kMaxFindings)
             return;
         m_findings[static_cast<std::size_t>(finding)] = Finding{true, p_W, 0.0, 0, 0};
         m_selected = finding;
     }
-    /// A report word. The finding that it was about, kNone where it meant nothing (no such finding, no such value); `done` is
-    /// about none and is always taken.
+    /// Applies a report word. Returns the finding that it was about, or kNone if it had no effect (no such
+    /// finding, no such value). `done` is about no finding and is always accepted.
     int report(core::ReportField field, unsigned value) noexcept {
         switch (field) {
         case core::ReportField::found:
-            return kNone; // marks have a place: found()
+            return kNone; // a mark needs a position: see found()
         case core::ReportField::done:
             m_done = true;
             return kNone;
@@ -55,7 +59,7 @@ public:
         }
         return kNone;
     }
-    /// A rating of a given finding, as a recording tells it.
+    /// Applies a rating to a given finding, as a recording states it.
     int rate(int finding, core::ReportField field, unsigned value) noexcept {
         if (!has(finding))
             return kNone;

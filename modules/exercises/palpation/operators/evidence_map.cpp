@@ -9,14 +9,14 @@ namespace chiron::operators {
 using core::Vec2;
 
 namespace {
-constexpr double kDeviationToSd = 1.4826;  ///< of a normal distribution
-constexpr double kLeastSd = 0.08;          ///< nobody takes stiffness for surer than that: assumption
+constexpr double kDeviationToSd = 1.4826;  ///< for a normal distribution
+constexpr double kLeastSd = 0.08;          ///< least noise that it assumes for stiffness: assumption
 constexpr double kLeastLeanSd_rad = 0.03;
-constexpr double kLeastStiffness_N_per_m = 20.0; ///< softer feels like nothing: assumption
+constexpr double kLeastStiffness_N_per_m = 20.0; ///< anything softer feels like nothing: assumption
 constexpr double kFar2 = 9.0;              ///< (ρ/H)² beyond which a lump is not felt
 constexpr double kWidths_m[] = {0.010, 0.013, 0.017};
 
-/// What a lump of amplitude 1 does to a press so far away: share of stiffness, and lean outwards.
+/// Effect of a lump of amplitude 1 on a press at that distance: share of stiffness, and lean outwards.
 struct Expected {
     double y = 0.0;
     double lean_rad = 0.0;
@@ -114,7 +114,7 @@ EvidenceMap::Weighed EvidenceMap::weigh(const Vec2& place_m, double width_m) con
             most += leanWeight * e.lean_rad * e.lean_rad;
         }
     }
-    if (!(most > yWeight * 0.1)) // nothing was felt near it
+    if (!(most > yWeight * 0.1)) // nothing was felt near this place
         return {};
     return {speaks / most, speaks / std::sqrt(most)};
 }
@@ -149,7 +149,8 @@ Suspicion EvidenceMap::strongest() const noexcept {
     if (!(at(column, row) > 0.0))
         return best;
     best.place_m = placeOf(column, row);
-    const auto between = [&](double left, double middle, double right) { // top of the parabola through three
+    // Vertex of the parabola through three values
+    const auto between = [&](double left, double middle, double right) {
         const double bend = left - 2.0 * middle + right;
         return bend < -1e-9 ? std::clamp(0.5 * (left - right) / bend, -0.5, 0.5) : 0.0;
     };

@@ -9,10 +9,14 @@
 
 namespace chiron::operators {
 
-/// The motor command: a goal becomes a smooth desired place of bounded speed and acceleration. D, SI; every tick, no allocation.
+/// The motor command: turns a goal into a smooth desired position with bounded speed and acceleration. Called
+/// in every tick; allocates nothing.
+/// Unit: SI.
+/// Frame: D.
 class FingerReach {
 public:
-    static constexpr double kGain_per_s = 22.0;            ///< of what is left: slows down before the goal; assumption
+    /// Speed per remaining distance, so that it slows down before the goal; assumption.
+    static constexpr double kGain_per_s = 22.0;
     static constexpr double kAcceleration_m_per_s2 = 4.0;  ///< brisk: assumption
 
     void start(const core::Vec3& p_D) noexcept {

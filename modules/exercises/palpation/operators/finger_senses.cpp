@@ -11,14 +11,15 @@ namespace chiron::operators {
 using core::Vec3;
 
 namespace {
-constexpr double kLeastDepth_m = 0.0005; ///< less far in, nobody speaks of a stiffness: assumption
+constexpr double kLeastDepth_m = 0.0005; ///< with less depth no stiffness can be judged: assumption
 }
 
 FingerSenses::FingerSenses(const PalpationPerceptionSettings& settings, const mechanisms::HandParameters& hand,
                            const devices::WorkspaceMapping& place, std::uint64_t seed, const simulation::SurfaceShape& drawn)
     : m_settings(settings), m_map(place), m_surface(drawn), m_random(core::Random::stream(seed, "palpation/senses")), m_instrument(hand) {}
 
-/// Lean: models.md §3; roll is about y and tilts along x, pitch is about x and tilts against y (P3's platform).
+/// Lean as in models.md §3: roll is about y and tilts along x, pitch is about x and tilts against y (P3's
+/// platform).
 FingerSenses::Touch FingerSenses::padTouch(const mechanisms::HandPerception& real, const Vec3& normal_W) const noexcept {
     const Vec3 across = m_map.orientationToW(real.q_DT) * Vec3::UnitX();
     const Vec3 x = (across - across.dot(normal_W) * normal_W).normalized();
@@ -39,8 +40,9 @@ FingerSenses::Touch FingerSenses::heldTouch(const Vec3& force_W, const Vec3& nor
     return out;
 }
 
-/// Over an organ from the nearest point of the drawn surface, not from the plane at the spot that was meant: the hand still swings to the
-/// side when it touches, and on a bend of 11 mm the plane is a millimetre off where the finger is 5 mm beside.
+/// Over an organ, the height refers to the nearest point of the drawn surface and not to the plane at the
+/// intended spot. The hand still swings sideways when it touches, and on a bend of 11 mm the plane is a
+/// millimetre off where the finger is 5 mm beside the spot.
 FingerSenses::Seen FingerSenses::seenAt(const Vec3& place_W, const FingerOrder& order) const noexcept {
     if (m_surface.flat()) {
         const double height = (place_W - order.surface_W).dot(order.normal_W);

@@ -14,15 +14,18 @@
 
 namespace chiron::operators {
 
-/// Turns what really happens to one finger while it attends to a press into what is felt: force along the seen surface's normal,
-/// how far the finger went into the surface, as drawn, since it touched, lean. On a fingertip platform (HandPerception::fingertip) from what it does to the pad,
-/// whose every force is the tissue's. Of an instrument that `hand` holds, from the force on the hand: its tip is where the grip yields to (InstrumentFeel), and it
-/// touches where it is seen to, since its own friction and mass are felt before. Seeded. Haptic thread, no allocation.
+/// Converts what really happens to one finger while it attends to a press into what is felt: the force along
+/// the normal of the seen surface, how far the finger has moved into the drawn surface since it touched, and
+/// the lean. On a fingertip platform (HandPerception::fingertip) these come from what the platform does to
+/// the pad, whose force is entirely the tissue's. For an instrument that `hand` holds, they come from the
+/// force on the hand: the tip is displaced from the hand by the give of the grip (InstrumentFeel), and it
+/// touches where it is seen to touch, because its own friction and mass are felt earlier. Seeded.
+/// Thread: haptic; allocates nothing.
 class FingerSenses {
 public:
     FingerSenses(const PalpationPerceptionSettings& settings, const mechanisms::HandParameters& hand, const devices::WorkspaceMapping& place,
                  std::uint64_t seed, const simulation::SurfaceShape& drawn = {});
-    /// Every tick. True when a press is over and what was felt is ready in press().
+    /// Call in every tick. Returns true when a press is over and press() holds what was felt.
     bool feel(const mechanisms::HandPerception& real, const FingerOrder& order) noexcept;
     const Press& press() const noexcept { return m_press; }
     bool touching() const noexcept { return m_touching; }
@@ -30,10 +33,10 @@ public:
 private:
     struct Touch {
         double force_N = 0.0;
-        core::Vec3 lean_rad = core::Vec3::Zero(); ///< W, in the surface
+        core::Vec3 lean_rad = core::Vec3::Zero(); ///< W, in the plane of the surface
     };
     struct Seen {
-        double height_m = 0.0; ///< over the surface; < 0 in the tissue
+        double height_m = 0.0; ///< above the surface; < 0 in the tissue
         core::Vec3 foot_W = core::Vec3::Zero();
     };
     Seen seenAt(const core::Vec3& place_W, const FingerOrder& order) const noexcept;
@@ -47,11 +50,11 @@ private:
     core::Random m_random;
     InstrumentFeel m_instrument;
     bool m_touching = false;
-    double m_touchedAt_m = 0.0; ///< height over the surface
-    int m_attended = 0;         ///< presses that it has told of
-    int m_ticks = 0;            ///< that it attended to a press
+    double m_touchedAt_m = 0.0; ///< height above the surface
+    int m_attended = 0;         ///< number of the last press that it has reported
+    int m_ticks = 0;            ///< ticks of attention in the present press
     int m_touchedTicks = 0;
-    double m_force_N = 0.0, m_depth_m = 0.0; ///< sums over the ticks attended to
+    double m_force_N = 0.0, m_depth_m = 0.0; ///< sums over the ticks of attention
     core::Vec3 m_lean_rad = core::Vec3::Zero();
     core::Vec3 m_place_W = core::Vec3::Zero();
     Press m_press;

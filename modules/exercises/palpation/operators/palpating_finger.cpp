@@ -4,7 +4,7 @@
 namespace chiron::operators {
 
 namespace {
-constexpr double kTurning = 0.01; ///< of what is left, a tick: unhurried, assumption
+constexpr double kTurning = 0.01; ///< share of the remaining angle per tick; assumption
 }
 
 mechanisms::HandIntention PalpatingFinger::decide(const mechanisms::HandPerception& seen) noexcept {

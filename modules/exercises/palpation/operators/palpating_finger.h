@@ -12,8 +12,10 @@
 
 namespace chiron::operators {
 
-/// One finger of a scripted palpator: its own senses and reach, and the mind that it shares with the others. Tool 0 is asked first
-/// in a tick, so what is thought in a tick moves the first finger in the next one. Haptic thread: no allocation after construction.
+/// One finger of a scripted palpator: its own senses and reach, and the PalpationTrainee (strategy) that it
+/// shares with the other fingers. Tool 0 is evaluated first in a tick, so a decision made in a tick moves the
+/// first finger in the next tick.
+/// Thread: haptic; allocates nothing after construction.
 class PalpatingFinger final : public mechanisms::HandStrategy {
 public:
     PalpatingFinger(std::shared_ptr<PalpationTrainee> mind, std::size_t tool, const PalpationOperatorSettings& settings,
@@ -22,7 +24,8 @@ public:
     mechanisms::HandIntention decide(const mechanisms::HandPerception& seen) noexcept override;
 
 private:
-    std::shared_ptr<PalpationTrainee> m_mind; ///< shared: the fingers live in different devices, and the last one gone takes it along
+    /// Shared, because the fingers live in different devices; destroyed with the last finger.
+    std::shared_ptr<PalpationTrainee> m_mind;
     std::size_t m_tool;
     devices::WorkspaceMap m_map;
     FingerSenses m_senses;

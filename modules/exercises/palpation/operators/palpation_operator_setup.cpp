@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes palpators: allocates, so it is kept apart from their minds, which the tick calls.
+// Makes palpators. This allocates, so it is kept apart from their strategies, which the tick calls.
 #include "modules/exercises/palpation/operators/palpation_operator.h"
 
 #include "core/random.h"
@@ -50,7 +50,7 @@ PalpationOperatorSettings intermediate() {
 
 PalpationOperatorSettings expert() {
     PalpationOperatorSettings s;
-    s.spacing_m = 0.005; // a pad radius, where time allows: an organ of 40 mm leaves time enough
+    s.spacing_m = 0.005; // the radius of a pad, if there is time; on an organ of 40 mm there is
     return s;
 }
 
@@ -144,7 +144,8 @@ PalpationTrainee::PalpationTrainee(const PalpationOperatorSettings& settings, co
     : m_settings(settings), m_briefing(briefing), m_surface(briefing.surface),
       m_random(core::Random::stream(seed, "palpation/trainee")), m_map(briefing.areaHalf_m),
       m_yield_m_per_N(0.0025 / (0.5 * (briefing.bandLow_N + briefing.bandHigh_N))) {
-    const auto& places = briefing.places; // of two hands, the one that stands further right takes the right half
+    // Of two hands, the one that stands farther right takes the right half
+    const auto& places = briefing.places;
     const auto second = static_cast<std::size_t>(briefing.fingers);
     m_rightFirst = briefing.hands > 1 && places.size() > second && places[0].origin_m[0] > places[second].origin_m[0];
 }

@@ -10,15 +10,17 @@ using core::Vec2;
 using core::Vec3;
 
 namespace {
-// Habits that all share: assumptions.
+// Habits that all operators share: assumptions.
 constexpr int kTicksPerThought = 10;
-constexpr int kPlacesATick = 4;         ///< of the map, while it weighs: about a quarter of a second in all
-constexpr double kLastPress_s = 0.30;   ///< after which the last press has been felt
-constexpr double kDeeper_s = 0.13;      ///< from one pressure to the next
-constexpr double kReport_s = 12.0;      ///< kept for the report
-constexpr double kNoLimit_s = 60.0;     ///< that it takes where the screen shows no limit
-constexpr int kSoonLearned = 5;       ///< presses until it knows how hard this tissue is to press
-constexpr double kSeenSd = 0.025;       ///< lengths seen (Ono 1967, Percept Psychophys 2:201)
+/// Places of the map per tick of the evaluation: about a quarter of a second in all.
+constexpr int kPlacesATick = 4;
+constexpr double kLastPress_s = 0.30;   ///< time after which the last press has been felt
+constexpr double kDeeper_s = 0.13;      ///< time from one pressure to the next
+constexpr double kReport_s = 12.0;      ///< time reserved for the report
+constexpr double kNoLimit_s = 60.0;     ///< time that it assumes where the screen shows no limit
+constexpr int kSoonLearned = 5;       ///< presses until it knows how hard it has to press this tissue
+/// Relative error of seen lengths (Ono 1967, Percept Psychophys 2:201).
+constexpr double kSeenSd = 0.025;
 constexpr double kCertain = 99.0;
 } // namespace
 
@@ -41,12 +43,12 @@ void PalpationTrainee::hear(std::size_t tool, double now_s, const core::VisibleC
     think();
 }
 
-/// Takes it in, and learns how far to go for the force it wants: quickly at first, then slowly.
+/// Stores the press, and learns how far to press for the wanted force: quickly at first, then slowly.
 void PalpationTrainee::felt(std::size_t tool, const Press& press) noexcept {
     if (m_doing == Doing::rest || m_doing == Doing::done)
         return;
     const bool first = tool % fingers() == 0;
-    if (!first && !press.touched) // the other finger bore the hand: tells nothing
+    if (!first && !press.touched) // the other finger carried the hand, so this press says nothing
         return;
     m_map.add(press);
     if (!first)
@@ -120,7 +122,7 @@ void PalpationTrainee::beginTrial() noexcept {
     begin(Doing::search);
 }
 
-/// Until spots or time are used up.
+/// Searches until spots or time are used up.
 void PalpationTrainee::search() noexcept {
     const bool revisit = m_doing == Doing::revisit;
     const double left = m_cues.timeLeft_s > 0.0 ? m_cues.timeLeft_s : m_trialBegan_s + m_limit_s - m_now_s;
@@ -129,11 +131,11 @@ void PalpationTrainee::search() noexcept {
         begin(revisit || m_settings.revisits == 0 ? Doing::decide : Doing::suspect);
 }
 
-/// Once the last press has been felt: what is most suspicious, then what else there is beside it.
+/// Once the last press has been felt, finds the most suspicious place, and then the next ones beside it.
 void PalpationTrainee::weigh() noexcept {
     if (m_weighing || m_now_s < m_began_s + kLastPress_s)
         return;
-    if (m_began_s >= 0.0) { // the first weighing of this stage
+    if (m_began_s >= 0.0) { // the first evaluation of this stage
         m_began_s = -1.0;
         if (m_doing == Doing::decide && m_cues.exercise.of<simulation::PalpationCues>().lumps > 0)
             return takeWhatIsSeen();
@@ -148,7 +150,7 @@ void PalpationTrainee::weigh() noexcept {
         decide(found);
 }
 
-/// The instruction says that something firm there is normal.
+/// Returns true if the instruction says that firmness at this place is normal.
 bool PalpationTrainee::normalThere(const Vec2& place_m) const noexcept {
     for (const simulation::StiffRegion& region : m_briefing.normal) {
         const Vec2 away = Eigen::Rotation2Dd(-region.turn_rad) * (place_m - region.centre_m);
@@ -184,7 +186,7 @@ void PalpationTrainee::decide(const Suspicion& found) noexcept {
     begin(Doing::report);
 }
 
-/// Where the level shows its lumps, it marks what it sees; how hard they are it has felt.
+/// Where the level shows its lumps, it marks what it sees; it takes their hardness from what it felt.
 void PalpationTrainee::takeWhatIsSeen() noexcept {
     m_map.begin();
     const auto& shown = m_cues.exercise.of<simulation::PalpationCues>();
@@ -199,7 +201,7 @@ void PalpationTrainee::takeWhatIsSeen() noexcept {
     begin(Doing::report);
 }
 
-/// The strongest first: its middle and four sides.
+/// Plans the revisits, the strongest suspicion first: its middle and four sides.
 void PalpationTrainee::planRevisits() noexcept {
     const double r = m_settings.revisitRadius_m;
     const std::array<Vec2, 5> cross{Vec2(0.0, 0.0), Vec2(r, 0.0), Vec2(-r, 0.0), Vec2(0.0, r), Vec2(0.0, -r)};

@@ -18,10 +18,12 @@
 
 namespace chiron::operators {
 
-/// The mind of one palpator, shared by all its fingers. It rests above the tissue until a trial runs and force is fully on; then
-/// its hands press spot after spot of the search area, each its share; it weighs what was felt (EvidenceMap), goes back to what is
-/// suspicious, weighs again, marks what exceeds its criterion, rates it as asked, and says that it is done. It knows what it was
-/// told (PalpationBriefing), what its fingers felt (FingerSenses) and what the screen shows. Haptic thread: no allocation.
+/// The strategy of one scripted palpator, shared by all its fingers. It rests above the tissue until a trial
+/// runs and force is fully on. Then its hands press spot after spot of the search area, each hand its share.
+/// It evaluates what was felt (EvidenceMap), returns to suspicious places, evaluates again, marks what
+/// exceeds its criterion, rates it as asked, and reports that it is done. It knows only what it was told
+/// (PalpationBriefing), what its fingers felt (FingerSenses) and what the screen shows.
+/// Thread: haptic; allocates nothing.
 class PalpationTrainee {
 public:
     static constexpr std::size_t kMostTools = 4;
@@ -30,7 +32,8 @@ public:
 
     void wake(std::size_t tool, const core::Vec3& place_W) noexcept;
     void felt(std::size_t tool, const Press& press) noexcept;
-    /// Every tick, of each finger: where it has told its hand to be. Thinks with the last of them, 100 times a second.
+    /// Call in every tick for each finger, with the position that the finger wants of its hand. The last
+    /// finger's call makes decisions, 100 times a second.
     void hear(std::size_t tool, double now_s, const core::VisibleCues& cues, const core::Vec3& wanted_W) noexcept;
     const FingerOrder& order(std::size_t tool) const noexcept { return m_orders[tool]; }
 
@@ -40,13 +43,14 @@ public:
 
 private:
     static constexpr std::size_t kMostFindings = 6;
-    static constexpr int kRise = -3, kOver = -2, kHover = -1, kMark = 0; ///< m_word; then kMark + ReportField
+    /// Values of m_word; then kMark + ReportField.
+    static constexpr int kRise = -3, kOver = -2, kHover = -1, kMark = 0;
     struct Hand {
         enum class Step { idle, rise, over, hover, down, hold, up };
         Step step = Step::idle;
-        core::Vec2 spot_m = core::Vec2::Zero(); ///< of its first finger, where it really goes
+        core::Vec2 spot_m = core::Vec2::Zero(); ///< actual target of its first finger
         int pressure = 0;
-        double deep = 1.0; ///< this press over the usual depth
+        double deep = 1.0; ///< depth of this press over the usual depth
         double since_s = 0.0;
         double intended_m = 0.0; ///< depth of the press last attended to
         SearchPath path;
@@ -66,7 +70,7 @@ private:
     void planRevisits() noexcept;
     bool nextSpot(std::size_t hand, core::Vec2& spot_m) noexcept;
 
-    bool moveHands(bool newSpots) noexcept; ///< false when all are idle
+    bool moveHands(bool newSpots) noexcept; ///< returns false when all hands are idle
     void moveHand(std::size_t hand, bool newSpots) noexcept;
     void startSpot(std::size_t hand, const core::Vec2& spot_m) noexcept;
     void startDown(std::size_t hand) noexcept;
@@ -81,8 +85,9 @@ private:
     void report() noexcept;
     void goToMark(std::size_t hand) noexcept;
     void aimAtFinding() noexcept;
-    bool pressed(std::size_t tool, std::uint32_t buttons) noexcept; ///< true once pressed and let go
-    std::uint32_t wordAbout(const Suspicion& found, int word) const noexcept; ///< 0: not asked
+    /// True once the button has been pressed and released.
+    bool pressed(std::size_t tool, std::uint32_t buttons) noexcept;
+    std::uint32_t wordAbout(const Suspicion& found, int word) const noexcept; ///< 0: not asked for
 
     std::size_t tools() const noexcept { return static_cast<std::size_t>(m_briefing.hands * m_briefing.fingers); }
     std::size_t fingers() const noexcept { return static_cast<std::size_t>(m_briefing.fingers); }
@@ -104,30 +109,30 @@ private:
     core::VisibleCues m_cues;
     double m_now_s = 0.0;
     int m_ticks = 0;
-    double m_began_s = 0.0;  ///< what it does now
-    double m_limit_s = 0.0;  ///< of this trial, as shown at its begin
+    double m_began_s = 0.0;  ///< when the present stage began
+    double m_limit_s = 0.0;  ///< time limit of this trial, as shown at its beginning
     bool m_weighing = false;
     Doing m_doing = Doing::rest;
     double m_trialBegan_s = 0.0;
     std::uint16_t m_trial = 0;
 
-    double m_yield_m_per_N; ///< how far it goes in for a newton, learned
-    int m_learned = 0;      ///< from so many presses
+    double m_yield_m_per_N; ///< indentation per newton, learned
+    int m_learned = 0;      ///< number of presses from which it was learned
 
     std::size_t m_suspected = 0;
     std::array<Suspicion, kMostFindings> m_suspicions{};
-    std::size_t m_spots = 0; ///< of the revisit
+    std::size_t m_spots = 0; ///< number of spots of the revisit
     std::size_t m_nextSpot = 0;
     std::array<core::Vec2, kMostFindings * 5> m_revisit{};
 
     std::size_t m_found = 0;
     std::array<Suspicion, kMostFindings> m_findings{};
-    std::array<double, kMostFindings> m_seenRadius_m{}; ///< where the screen shows it; else 0
-    std::size_t m_reporting = 0; ///< which finding
-    int m_word = kRise;          ///< of it: on the way, the mark, the ratings
+    std::array<double, kMostFindings> m_seenRadius_m{}; ///< as shown on the screen; 0 where it is not shown
+    std::size_t m_reporting = 0; ///< index of the finding that is being reported
+    int m_word = kRise;          ///< stage of the report: on the way, the mark, the ratings
     core::Vec2 m_aim_m = core::Vec2::Zero();
-    bool m_pressing = false;     ///< a button
-    double m_since_s = 0.0;      ///< it presses it, or was there
+    bool m_pressing = false;     ///< holds a button down
+    double m_since_s = 0.0;      ///< when it pressed the button or arrived
 };
 
 } // namespace chiron::operators

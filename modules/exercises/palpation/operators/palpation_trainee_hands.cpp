@@ -10,13 +10,14 @@ using core::Vec2;
 using core::Vec3;
 
 namespace {
-// Habits that all share: assumptions.
-constexpr double kAway_m = 0.020;     ///< above the tissue while nothing is to be done
-constexpr double kFarJump_m = 0.015;  ///< over an organ, a hand rises first for a way so long
-constexpr double kNear_m = 0.0012;    ///< on the way
-constexpr double kDown_m = 0.0004;    ///< at the depth it wants
-constexpr double kBeside_m = 0.006;   ///< so far outside the search area it still attends
-constexpr double kSettle_s = 0.10;    ///< of the arm, before a press tells anything
+// Habits that all operators share: assumptions.
+constexpr double kAway_m = 0.020;     ///< height above the tissue while there is nothing to do
+constexpr double kFarJump_m = 0.015;  ///< over an organ, the hand rises first for a movement this long
+constexpr double kNear_m = 0.0012;    ///< tolerance on the way
+constexpr double kDown_m = 0.0004;    ///< tolerance at the wanted depth
+/// It still attends to presses up to this distance outside the search area.
+constexpr double kBeside_m = 0.006;
+constexpr double kSettle_s = 0.10;    ///< time for the arm to settle before a press counts
 constexpr double kDeepest_m = 0.016;
 } // namespace
 
@@ -54,8 +55,9 @@ bool PalpationTrainee::nextSpot(std::size_t hand, Vec2& spot_m) noexcept {
     return true;
 }
 
-/// Height < 0: into the tissue, along the normal of the surface that it sees. Two fingers are one hand: it turns so that both lie
-/// on the surface, and presses along the normal between them.
+/// Sends a hand to a spot; a height < 0 is in the tissue, along the normal of the surface that it sees. Two
+/// fingers form one hand, which turns so that both lie on the surface and presses along the normal between
+/// them.
 void PalpationTrainee::send(std::size_t hand, const Vec2& spot_m, double height_m, double speed_m_per_s) noexcept {
     const Vec3 surface = m_surface.pointAt(spot_m);
     Vec3 along = Vec3::UnitX(), normal = m_surface.normalAt(spot_m);
@@ -80,7 +82,7 @@ void PalpationTrainee::send(std::size_t hand, const Vec2& spot_m, double height_
     }
 }
 
-/// Straight up, above all of the organ.
+/// Moves straight up, above the whole organ.
 void PalpationTrainee::rise(std::size_t hand) noexcept {
     for (std::size_t tool = firstFinger(hand); tool < firstFinger(hand) + fingers(); ++tool) {
         m_orders[tool].goal_W = m_wanted_W[tool];
@@ -89,7 +91,7 @@ void PalpationTrainee::rise(std::size_t hand) noexcept {
     }
 }
 
-/// The first finger takes the others along.
+/// Judges by the first finger, because the others move with it.
 bool PalpationTrainee::there(std::size_t hand, double within_m) const noexcept {
     const std::size_t tool = firstFinger(hand);
     return (m_orders[tool].goal_W - m_wanted_W[tool]).norm() <= within_m;
@@ -100,7 +102,7 @@ void PalpationTrainee::enter(Hand& hand, Hand::Step step) noexcept {
     hand.since_s = m_now_s;
 }
 
-/// No force, no trial: out of contact. A spot that was begun is begun again afterwards.
+/// Moves out of contact when there is no force or no trial. A spot that was begun is begun again afterwards.
 void PalpationTrainee::keepAway() noexcept {
     for (std::size_t tool = 0; tool < tools(); ++tool) {
         FingerOrder& order = m_orders[tool];
@@ -108,7 +110,8 @@ void PalpationTrainee::keepAway() noexcept {
         order.goal_W = m_wanted_W[tool];
         order.goal_W.z() = std::max(order.goal_W.z(), m_surface.highest_m() + kAway_m);
         order.speed_m_per_s = m_settings.reachSpeed_m_per_s;
-        order.attendUntil_s = std::min(order.attendUntil_s, m_now_s); // what it attended to is broken off
+        // Its attention to the present press ends
+        order.attendUntil_s = std::min(order.attendUntil_s, m_now_s);
     }
     m_pressing = false;
     for (Hand& hand : m_hands)
@@ -147,14 +150,14 @@ void PalpationTrainee::startDown(std::size_t hand) noexcept {
     enter(m_hands[hand], Hand::Step::down);
 }
 
-/// What it does now it feels a reaction delay later.
+/// A motion that it starts now is felt a reaction delay later.
 void PalpationTrainee::startHold(std::size_t hand) noexcept {
     Hand& own = m_hands[hand];
     own.intended_m = depth_m(own);
     for (std::size_t tool = firstFinger(hand); tool < firstFinger(hand) + fingers(); ++tool) {
         FingerOrder& order = m_orders[tool];
         if (!inside(order.surface_W.head<2>()))
-            continue; // not asked for
+            continue; // not to be searched
         ++order.press;
         order.pressure = own.pressure;
         order.attendFrom_s = m_now_s + m_settings.hand.reactionDelay_s + kSettle_s;

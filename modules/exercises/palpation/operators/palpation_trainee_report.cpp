@@ -13,19 +13,22 @@ using core::ReportField;
 using core::Vec2;
 
 namespace {
-// Habits that all share: assumptions.
-constexpr double kPressed_s = 0.06;  ///< a button
-constexpr double kLetGo_s = 0.08;    ///< before the next
-constexpr double kSettle_s = 0.35;   ///< over a place, before it marks: the hand follows a reaction delay later
+// Habits that all operators share: assumptions.
+constexpr double kPressed_s = 0.06;  ///< how long it presses a button
+constexpr double kLetGo_s = 0.08;    ///< pause before the next press of a button
+/// Time over a place before it marks it, because the hand follows a reaction delay later.
+constexpr double kSettle_s = 0.35;
 constexpr double kMarkHeight_m = 0.003;
 constexpr double kNear_m = 0.0008;
-constexpr double kPad_m = 0.005;     ///< it knows how broad its finger is
-constexpr double kUsualHardness = 1.7; ///< (m − 1)/(1 + 0.4(m − 1)) of what it has met so far: assumption
-constexpr double kUnderDepth = 1.2;  ///< felt stiffness over χ (models.md §3): pressing comes nearer to the lump
-/// More evidence than the criterion by so much: surer by one, each.
+constexpr double kPad_m = 0.005;     ///< it knows the radius of its finger pad
+constexpr double kUsualHardness = 1.7; ///< (m − 1)/(1 + 0.4(m − 1)) of the lumps met so far: assumption
+/// Felt stiffness over χ (models.md §3), because pressing brings the finger nearer to the lump.
+constexpr double kUnderDepth = 1.2;
+/// Amounts of evidence above the criterion; each one exceeded raises the confidence by one.
 constexpr double kSurer[] = {0.7, 1.5, 2.5, 4.0};
 
-/// By the law of models.md §3, in the middle: χ = (8/π) a R³/H⁴ · f(m). A small hard lump feels like a bigger soft one.
+/// Estimates the radius by the law of models.md §3, in the middle: χ = (8/π) a R³/H⁴ · f(m). A small hard
+/// lump feels like a bigger soft one.
 double feltRadius(const Suspicion& found) {
     const double chi = std::max(found.amplitude, 0.0) / kUnderDepth;
     const double width2 = found.width_m * found.width_m;
@@ -67,7 +70,7 @@ bool PalpationTrainee::pressed(std::size_t tool, std::uint32_t buttons) noexcept
     return false;
 }
 
-/// It sees its finger and the drawn surface with the eye's error.
+/// Aims at a finding; it sees its finger and the drawn surface with the error of its sight.
 void PalpationTrainee::aimAtFinding() noexcept {
     m_word = kRise;
     if (m_reporting >= m_found)
@@ -94,7 +97,7 @@ void PalpationTrainee::goToMark(std::size_t hand) noexcept {
     }
 }
 
-/// Goes to each finding, marks it, says what is asked; then that there is no more.
+/// Goes to each finding, marks it and states what is asked; at the end it reports that there are no more.
 void PalpationTrainee::report() noexcept {
     if (m_reporting >= m_found) {
         if (pressed(0, core::reportButtons(core::reportWord(ReportField::done, 0))))

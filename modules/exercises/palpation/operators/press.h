@@ -5,15 +5,16 @@
 
 namespace chiron::operators {
 
-/// What one finger believes that it felt in one press.
+/// One press, as the finger believes it felt it.
 struct Press {
-    core::Vec2 place_m = core::Vec2::Zero(); ///< x, y in W, as it saw its finger
+    core::Vec2 place_m = core::Vec2::Zero(); ///< x, y in W, position of the finger as it saw it
     double force_N = 0.0;                    ///< along the surface's normal
-    double depth_m = 0.0;                    ///< since it touched
-    double stiffness_N_per_m = 0.0;          ///< as remembered
-    core::Vec2 lean_rad = core::Vec2::Zero(); ///< along W's x and y: the way the tissue pushes the finger, away from what is stiff
-    bool touched = false;                    ///< it felt anything at all
-    int pressure = 0;                        ///< which of the pressures at its spot
+    double depth_m = 0.0;                    ///< distance since it touched
+    double stiffness_N_per_m = 0.0;          ///< includes the noise of comparing it with remembered ones
+    /// Along W's x and y: direction in which the tissue pushes the finger, away from a stiff place.
+    core::Vec2 lean_rad = core::Vec2::Zero();
+    bool touched = false;                    ///< it felt anything
+    int pressure = 0;                        ///< index of the pressure at its spot
 };
 
 } // namespace chiron::operators

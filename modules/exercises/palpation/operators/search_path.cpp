@@ -12,7 +12,8 @@ namespace chiron::operators {
 using core::Vec2;
 
 namespace {
-/// Places along [low, high], so far apart at most, the outer ones half a step from the ends.
+/// Equidistant positions along [low, high], about `spacing` apart; the outer ones are half a step from the
+/// ends.
 struct Steps {
     Steps(double low, double high, double spacing) noexcept
         : count(std::max(1, static_cast<int>(std::lround((high - low) / spacing)))), step((high - low) / count), first(low + 0.5 * step) {}
@@ -22,8 +23,9 @@ struct Steps {
     double first;
 };
 
-/// Where a hand with two fingers side by side goes, so that the fingers together press all columns: blocks of twice as many columns
-/// as lie between the fingers, the second finger doing the second half of each; of the last block only what is left.
+/// Positions of a hand with two fingers side by side, chosen so that the fingers together press all columns.
+/// A block has twice as many columns as lie between the fingers, and the second finger presses the second
+/// half of each block; of the last block only the remaining columns are used.
 struct Columns {
     Columns(const SearchShare& share, double spacing_m) noexcept {
         const double width = share.high_m.x() - share.low_m.x();
@@ -93,7 +95,7 @@ void SearchPath::grid(const PalpationOperatorSettings& settings, const SearchSha
             add({columns.x[static_cast<std::size_t>(column)], rows.at(column % 2 == 0 ? row : rows.count - 1 - row)});
 }
 
-/// r = spacing·φ/2π in a square, stretched to the area; spots a spacing apart along it.
+/// r = spacing·φ/2π in a square, stretched to the area, with spots one spacing apart along the spiral.
 void SearchPath::spiral(double spacing_m, const SearchShare& share) noexcept {
     const Vec2 middle = 0.5 * (share.low_m + share.high_m), half = 0.5 * (share.high_m - share.low_m);
     const double mean = std::sqrt(half.x() * half.y());

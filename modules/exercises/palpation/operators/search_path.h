@@ -10,7 +10,9 @@
 
 namespace chiron::operators {
 
-/// Part of the search area that one hand takes, and what it searches it with. W, m.
+/// The part of the search area that one hand takes, and the fingers with which it searches it.
+/// Unit: m.
+/// Frame: W.
 struct SearchShare {
     core::Vec2 low_m = core::Vec2::Zero();
     core::Vec2 high_m = core::Vec2::Zero();
@@ -18,12 +20,14 @@ struct SearchShare {
     double fingerSpacing_m = 0.018; ///< along x
 };
 
-/// The spots that a hand means to press in one trial, in order: where its first finger goes. Fixed size; nothing allocates.
+/// The spots that a hand intends to press in one trial, in order, as positions of its first finger. Fixed
+/// size; allocates nothing.
 class SearchPath {
 public:
     static constexpr std::size_t kMost = 256;
 
-    /// Spots so close that `most` (at least 4) are not exceeded, and not closer than the settings say.
+    /// Plans spots as close together as possible with at most `most` (at least 4) spots, but not closer than
+    /// the settings say.
     void plan(const PalpationOperatorSettings& settings, const SearchShare& share, int most, core::Random& random) noexcept;
     void clear() noexcept { m_count = m_next = 0; }
     bool next(core::Vec2& spot_m) noexcept;

@@ -15,7 +15,8 @@ using Parameters = PalpationParameters;
 using Trial = PalpationTrial;
 
 constexpr int kDraws = 1000;
-constexpr double kLargestRadiusShare = 0.75; ///< R ≤ 0.75 h: within it the lump's law is valid (models.md §3)
+/// R ≤ 0.75 h: the range in which the lump's law is valid (models.md §3).
+constexpr double kLargestRadiusShare = 0.75;
 
 int regionCount(const Parameters& p) { return std::max(1, p.regionColumns) * std::max(1, p.regionRows); }
 
@@ -23,7 +24,7 @@ core::Vec2 regionSize_m(const Parameters& p) {
     return {2.0 * p.areaHalf_m.x() / std::max(1, p.regionColumns), 2.0 * p.areaHalf_m.y() / std::max(1, p.regionRows)};
 }
 
-/// In a region and inset from its border.
+/// Says whether the place lies in a region and keeps the inset from its border.
 bool isInside(const Parameters& p, const core::Vec2& place_m) {
     const int region = palpationRegion(p, place_m);
     if (region < 0)
@@ -39,7 +40,7 @@ bool keepsFromDistractors(const Parameters& p, const core::Vec2& place_m) {
     });
 }
 
-/// A place that a lump may have, wherever the others are.
+/// Says whether a lump may have this place, regardless of the other lumps.
 bool isPlace(const Parameters& p, const core::Vec2& place_m) {
     const core::Vec2 moved_m = palpationMovedPlace_m(p, place_m);
     return isInside(p, place_m) && keepsFromDistractors(p, place_m) &&
@@ -51,7 +52,8 @@ bool keepsFromOthers(const Parameters& p, const Trial& trial, int count, const c
                         [&](const Lump& other) { return (other.place_m - place_m).norm() < p.spacing_m; });
 }
 
-/// Middles of regions, one after the other from `first`; how many lumps got one.
+/// Places lumps in the middles of regions, one after the other from `first`. Returns the number of lumps that
+/// got one.
 int placeInMiddles(const Parameters& p, int first, Trial& trial) {
     int placed = 0;
     for (int i = 0; i < regionCount(p) && placed < trial.lumps; ++i) {
@@ -69,10 +71,11 @@ core::Vec2 placeIn(const Parameters& p, int region, core::Random& places) {
     return palpationRegionMiddle_m(p, region) + core::Vec2(x_m, y_m);
 }
 
-/// One draw of all places of a trial, each in a region of its own; whether they may all be there.
+/// Draws all places of a trial once, each in a region of its own. Returns whether they may all be used.
 bool drawPlacesOnce(const Parameters& p, core::Random& places, std::vector<int>& regions, Trial& trial) {
     bool kept = true;
-    for (int i = 0; i < trial.lumps; ++i) { // the first of a shuffle: every set of regions is as likely
+    // The beginning of a shuffle: every set of regions is equally likely
+    for (int i = 0; i < trial.lumps; ++i) {
         const int left = static_cast<int>(regions.size()) - i;
         const int other = i + static_cast<int>(places.below(static_cast<std::uint64_t>(left)));
         std::swap(regions[static_cast<std::size_t>(i)], regions[static_cast<std::size_t>(other)]);
@@ -105,7 +108,7 @@ void drawKinds(const Parameters& p, core::Random& kinds, core::Random& depths, T
     }
 }
 
-/// Which trials are catch trials: the first of a shuffle of those that may be one.
+/// Draws which trials are catch trials: the beginning of a shuffle of those that may be one.
 std::vector<bool> drawCatchTrials(const Parameters& p, core::Random& which, std::size_t trials) {
     const std::size_t first = p.lumpFirst ? 1 : 0;
     std::vector<bool> isCatch(trials, false);

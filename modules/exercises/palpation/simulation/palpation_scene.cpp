@@ -121,7 +121,8 @@ void PalpationScene::moveLumps() noexcept {
     m_moved = true;
 }
 
-/// Scales all that the tissue does by what is left of it. Through it the finger touches nothing, until it is out.
+/// Scales all effects of the tissue by the share that it still bears. A finger that has gone through touches
+/// nothing until it is out.
 void PalpationScene::giveWay(Finger& finger, double dt_s) const noexcept {
     TissueResponse& response = finger.response;
     const double factor = finger.yield.step(response.force.norm(), !response.inContact, dt_s);
@@ -137,7 +138,8 @@ void PalpationScene::giveWay(Finger& finger, double dt_s) const noexcept {
     finger.squeeze_N *= factor;
 }
 
-/// What the jaws squeeze presses the pad, and what they hold pulls at the tool. Torn tissue is whole again once nothing is between the jaws.
+/// Adds the squeeze of the jaws to the pad's force, and the pull of the held tissue to the tool's. Torn
+/// tissue is whole again once nothing is between the jaws.
 void PalpationScene::pinch(Finger& finger, const core::ToolState& tool, double dt_s) const noexcept {
     TissueResponse& response = finger.response;
     const PinchResponse pinched = pinchTissue(m_tissue, *m_parameters.pinch, tool, response, finger.pinched);
@@ -174,7 +176,7 @@ void PalpationScene::touch(const SceneInput& in, int count, SceneOutput& out) no
         Finger& finger = m_fingers[i];
         const core::ToolState& tool = tools.tools[i];
         const bool there = static_cast<int>(i) < count;
-        // A pose that is not a number touches nothing; the supervisor deals with the sample.
+        // A pose that is not finite touches nothing; the supervisor deals with the sample.
         finger.used = there && tissuePresent() && tool.p_WT.allFinite() && tool.v_WT.allFinite() && tool.q_WT.coeffs().allFinite();
         if (finger.used) {
             touchWith(finger, hasJaw(i), tool, in.dampingBudget_Ns_per_m[i]);

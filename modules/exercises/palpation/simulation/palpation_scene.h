@@ -17,33 +17,41 @@
 
 namespace chiron::simulation {
 
-/// A palpation running (P3; models.md §3). Task state, one trial after the other:
+/// The running palpation exercise (P3; models.md §3). The task moves through these states, one trial after
+/// the other:
 ///
 ///   idle --started--> ready --forceReady--> running --`done` or limit--> between --betweenTrials_s--> ready ... finished
 ///
-/// kSceneChanged comes with the first tick of `ready`, kTrialStarted with the first running one, kCompleted (the report `done`) or
-/// kTimedOut with the last one, which still has the tissue, kFinished with the first tick of `finished`. In idle, between and
-/// finished there is no tissue and force is zero. There is no kMarked: it would end the trial for whoever reads the recording.
+/// kSceneChanged comes with the first tick of `ready`, kTrialStarted with the first running one, kCompleted
+/// (the report `done`) or kTimedOut with the last one, which still has the tissue, and kFinished with the
+/// first tick of `finished`. In idle, between and finished there is no tissue, and force is zero. There is no
+/// kMarked, because it would end the trial for any reader of the recording.
 ///
-/// A mark is a finding at the surface under the finger whose button it was; the mark command's is the finger that presses hardest,
-/// else the one nearest to the surface. Report words come as commands or with kButtonReport. What was reported is taken one
-/// each kReportTicks, in order, and told by the quantities (palpation_quantities.h) if it meant anything; at the limit what waits is
-/// still taken, and the trial ends when the last one has been told so long, too.
-/// While paused clocks, map and reports stand still; contact still answers.
+/// A mark is a finding at the surface under the finger whose button was pressed. For the mark command it is
+/// the finger that presses hardest or, without contact, the one nearest to the surface. Report words come as
+/// commands or with kButtonReport. Reports are taken in order, one every kReportTicks, and the quantities
+/// (palpation_quantities.h) state a report if it had an effect. At the time limit waiting reports are still
+/// taken, and the trial ends once the last one has been stated for that long, too. While paused, clocks, map
+/// and reports stand still; contact still produces forces.
 ///
-/// Tissue that is pressed harder than the level's yield force gives way under that finger, and stays open until it has left.
+/// Tissue that is pressed harder than the level's yield force gives way under that finger and stays open
+/// until the finger has left.
 ///
-/// Where the level has a pinch, the first finger of a hand is its grasper's: jaws that were open as they went into the tissue squeeze what is between
-/// them as they close (tissue_pinch.h). The squeeze presses that finger's pad, on top of what the tissue does to it, and gives way as the tissue does under a finger.
+/// Where the level has a pinch, the first finger of a hand belongs to the hand's grasper. Jaws that were open
+/// as they went into the tissue squeeze the tissue between them as they close (tissue_pinch.h). The squeeze
+/// presses that finger's pad in addition to the tissue's force, and it gives way as the tissue does under a
+/// finger.
 ///
-/// Tool i is finger i: hand i / fingers, finger i % fingers of it. All fingers touch one tissue, so all energy is body 0's. The
-/// scene does not tell energy by body: an excess is answered by damping, not by a softer tissue, since how soft it is is what the
-/// person is asked to judge.
+/// Tool i is finger i: finger i % fingers of hand i / fingers. All fingers touch one tissue, so all energy
+/// belongs to body 0. The scene does not report energy by body: an excess is then answered by damping and not
+/// by softer tissue, because the person is asked to judge how soft the tissue is.
 ///
-/// Deterministic; all trials are planned at construction. Thread: respond() haptic; construction anywhere. Not copied.
+/// Deterministic; all trials are planned at construction. Not copyable.
+/// Thread: haptic for respond(); any for construction.
 class PalpationScene final : public IScene {
 public:
-    /// From one report to the next at least, ms: a device that sends a packet each 8 ms (125 Hz) has a recorded sample of each.
+    /// Least time between two reports, ms. A device that sends a packet every 8 ms (125 Hz) then has a
+    /// recorded sample of each.
     static constexpr std::uint64_t kReportTicks = 10;
 
     PalpationScene(const PalpationParameters& parameters, std::uint64_t seed);
@@ -62,12 +70,12 @@ private:
     struct Finger {
         TissueTouch touch;
         TissueResponse response;
-        double above_m = 0.0;  ///< the tip's distance from its nearest surface point; 0 in contact
-        bool used = false;     ///< this tick: there, and its pose is a number
-        bool touching = false; ///< of the tick before
-        TissueYield yield;     ///< whether the tissue still holds under it
+        double above_m = 0.0;  ///< distance of the tip from its nearest surface point; 0 in contact
+        bool used = false;     ///< in this tick: the finger exists and its pose is finite
+        bool touching = false; ///< in the previous tick
+        TissueYield yield;     ///< how much the tissue under it still bears
         PinchTouch pinched;    ///< of a hand's first finger
-        TissueYield pinchYield; ///< whether the tissue between its jaws still holds
+        TissueYield pinchYield; ///< how much the tissue between its jaws still bears
         double squeeze_N = 0.0;
     };
 
@@ -93,7 +101,7 @@ private:
     void passReport() noexcept;
     int enter(const PalpationReport& report) noexcept;
 
-    double squeezeOf(std::size_t hand) const noexcept; ///< N, of its jaw
+    double squeezeOf(std::size_t hand) const noexcept; ///< N, of its jaws
     void fillQuantities(SceneOutput& out) const noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
     void showLumps(PalpationCues& cues) const noexcept;
@@ -105,23 +113,24 @@ private:
     SurfaceMap m_map;
     std::uint64_t m_limitTicks;
     std::uint64_t m_betweenTicks;
-    std::uint64_t m_moveTicks; ///< the clock at which the control moves the lumps; 0: never
+    std::uint64_t m_moveTicks; ///< clock value at which the control moves the lumps; 0: never
     bool m_showsLumps;
     bool m_showsCoverage;
     bool m_showsBars;
 
     core::TrialPhase m_phase = core::TrialPhase::idle;
     std::size_t m_trial = 0;
-    std::uint64_t m_clock = 0; ///< ticks spent in the present phase, pauses left out
-    bool m_trialOver = false;  ///< the tick before ended the trial
-    bool m_moved = false;      ///< the control moved this trial's lumps
+    std::uint64_t m_clock = 0; ///< ticks spent in the present phase, without pauses
+    bool m_trialOver = false;  ///< the previous tick ended the trial
+    bool m_moved = false;      ///< the control has moved this trial's lumps
     std::array<Finger, core::kMaxTools> m_fingers{};
 
     FindingsBook m_findings;
     ReportButtons m_buttons;
     ReportQueue m_waiting;
-    std::uint64_t m_nextReport = 0; ///< clock of the trial from which on the next one may be taken
-    std::array<double, palpation_quantity::kCoverage> m_told{}; ///< the last report as the quantities tell it, and the count
+    std::uint64_t m_nextReport = 0; ///< clock value of the trial from which on the next report may be taken
+    /// The last report as the quantities state it, and the count.
+    std::array<double, palpation_quantity::kCoverage> m_told{};
 };
 
 } // namespace chiron::simulation

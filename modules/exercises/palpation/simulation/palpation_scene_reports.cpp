@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person reports, and what the recording and the screen are told. Runs in the tick.
+// Takes a person's reports and writes what the recording and the screen show of them. Runs in the tick.
 #include "modules/exercises/palpation/simulation/palpation_scene.h"
 
 #include "core/units.h"
@@ -43,7 +43,7 @@ void PalpationScene::mark(const Finger& finger) noexcept {
 }
 
 void PalpationScene::report(std::uint16_t word) noexcept {
-    if (core::reportField(word) != ReportField::found) // a mark has a place
+    if (core::reportField(word) != ReportField::found) // a mark needs a position
         m_waiting.put({core::reportField(word), core::reportValue(word), core::Vec3::Zero()});
 }
 
@@ -61,10 +61,10 @@ void PalpationScene::passReport() noexcept {
     const PalpationReport next = m_waiting.take();
     std::array<double, 3> place = {0.0, 0.0, 0.0};
     if (next.field == ReportField::remove && m_findings.has(static_cast<int>(next.value)))
-        place = m_findings.list()[next.value].p_W; // told where it was
+        place = m_findings.list()[next.value].p_W; // reports where it was
     const int finding = enter(next);
     if (finding == FindingsBook::kNone && next.field != ReportField::done)
-        return; // it meant nothing
+        return; // it had no effect
     if (finding != FindingsBook::kNone && next.field != ReportField::remove)
         place = m_findings.list()[static_cast<std::size_t>(finding)].p_W;
     m_told[q::kReportCount] += 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Set-up of the scene, apart from what the tick runs: this file may allocate.
+// Set-up of the scene. It may allocate, so it is kept apart from the code of the tick.
 #include "core/units.h"
 #include "modules/exercises/palpation/simulation/palpation_scene.h"
 

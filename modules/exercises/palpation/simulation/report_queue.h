@@ -12,15 +12,16 @@
 
 namespace chiron::simulation {
 
-/// One thing that a person reported and that has not yet been taken.
+/// One report by a person that has not been taken yet.
 struct PalpationReport {
     core::ReportField field = core::ReportField::done;
     unsigned value = 0;
-    core::Vec3 p_W = core::Vec3::Zero(); ///< `found`: on the surface, when it was reported
+    core::Vec3 p_W = core::Vec3::Zero(); ///< `found`: position on the surface at the time of the report
 };
 
-/// Reports in the order given, taken one by one, so that each has a recorded row of its own. Fixed size: nobody says so much at
-/// once, and what does not fit is not taken. One thread.
+/// Reports in the order in which they were given. They are taken one by one, so that each has its own
+/// recorded row. Fixed size: nobody reports that much at once, and reports that do not fit are dropped.
+/// Thread: a single one.
 class ReportQueue {
 public:
     static constexpr std::size_t kRoom = 32;
@@ -33,7 +34,7 @@ public:
         m_reports[(m_first + m_count++) % kRoom] = report;
         return true;
     }
-    /// The oldest; only where not empty().
+    /// Removes and returns the oldest report. Precondition: not empty().
     PalpationReport take() noexcept {
         const PalpationReport report = m_reports[m_first];
         m_first = (m_first + 1) % kRoom;
@@ -47,10 +48,11 @@ private:
     std::size_t m_count = 0;
 };
 
-/// Edges of the buttons of every tool: held down counts once. One thread.
+/// Detects the edges of the buttons of every tool, so that holding a button down counts once.
+/// Thread: a single one.
 class ReportButtons {
 public:
-    /// Every tick, paused ones included, so that a button pressed then is passed over.
+    /// Call in every tick, including paused ones, so that a button pressed during a pause is ignored.
     void follow(const core::ToolStates& tools, int count) noexcept {
         for (std::size_t i = 0; i < static_cast<std::size_t>(core::kMaxTools); ++i) {
             const std::uint32_t down = static_cast<int>(i) < count ? tools.tools[i].buttons : 0;

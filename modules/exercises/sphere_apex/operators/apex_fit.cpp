@@ -26,7 +26,7 @@ void ApexFit::add(const Vec2& place, const Vec2& slope) noexcept {
 }
 
 double ApexFit::steepening_per_m() const noexcept {
-    if (m_n < 100.0) // a second of looks
+    if (m_n < 100.0) // a second of observations
         return 0.0;
     const double spread = m_placePlace - m_place.squaredNorm() / m_n;
     const double together = m_placeSlope - m_place.dot(m_slope) / m_n;

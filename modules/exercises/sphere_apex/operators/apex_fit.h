@@ -5,21 +5,23 @@
 
 namespace chiron::operators {
 
-/// Least squares of slope = b (place − apex), felt slope against felt place, both axes with one b, older
-/// looks forgotten exponentially: felt place drifts, so that what was felt long ago says little about where
-/// the apex feels to be now. By sums, no allocation.
+/// Least-squares fit of slope = b (position − apex): felt slope against felt position, with one b for both axes.
+/// Older observations are forgotten exponentially, because the felt position drifts, and an old observation
+/// says little about where the apex now feels to be. Keeps only sums; allocates nothing.
 class ApexFit {
 public:
-    /// `forgetting_s`: looks so old count 1/e.
+    /// `forgetting_s`: age at which an observation counts 1/e. `look_s`: time between observations.
     ApexFit(double forgetting_s, double look_s) noexcept;
     void clear() noexcept;
     void add(const core::Vec2& place, const core::Vec2& slope) noexcept;
-    double steepening_per_m() const noexcept; ///< b; 1/R on a ball, about 0 on a plane or with too few looks
-    /// Where the slope is zero; false unless it rises with the place (kHill_per_m): then there is no hill.
+    /// b; 1/R on a ball, about 0 on a plane or with too few observations.
+    double steepening_per_m() const noexcept;
+    /// Returns in `place` where the slope is zero. Returns false unless the slope rises with the position
+    /// (kHill_per_m), because otherwise there is no hill.
     bool apex(core::Vec2& place) const noexcept;
 
     static constexpr double kHill_per_m =
-        10.0; ///< flatter than a ball of 10 cm radius is no hill: assumption
+        10.0; ///< assumption: anything flatter than a ball of 10 cm radius is not a hill
 
 private:
     double m_keep;

@@ -4,7 +4,8 @@
 namespace chiron::operators {
 
 namespace {
-constexpr double kGain_per_s = 1.3; // stays damped with 0.4 s of reaction, feeling and arm in the loop
+// Stays damped with 0.4 s of delay in the loop from reaction, perception and arm
+constexpr double kGain_per_s = 1.3;
 } // namespace
 
 core::Vec2 towards(const core::Vec2& goal, const core::Vec2& place, double speed_m_per_s) noexcept {

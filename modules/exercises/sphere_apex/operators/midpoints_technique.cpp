@@ -8,9 +8,9 @@ namespace chiron::operators {
 using core::Vec2;
 
 namespace {
-constexpr double kSmoothing = 0.1;       ///< of the felt slope a look: 0.1 s
-constexpr double kLongestSweep_s = 4.0;  ///< then the place reached counts as the edge
-constexpr double kShortestSweep_s = 0.4; ///< the slope of the edge behind must be left first
+constexpr double kSmoothing = 0.1;       ///< share per observation for smoothing the felt slope: 0.1 s
+constexpr double kLongestSweep_s = 4.0;  ///< after this time the position reached counts as the edge
+constexpr double kShortestSweep_s = 0.4; ///< within this time the slope of the edge that it leaves is ignored
 } // namespace
 
 MidpointsTechnique::MidpointsTechnique(const SphereApexOperatorSettings& settings) noexcept

@@ -6,12 +6,13 @@
 
 namespace chiron::operators {
 
-/// Sweeps along x until the surface feels steep, back until it feels steep on the other side (or the surface
-/// is gone), and takes the middle; then the same along y through that middle.
+/// Sweeps along x until the surface feels steep, sweeps back until it feels steep on the other side (or the
+/// surface ends), and takes the middle. Then it does the same along y through that middle.
 class MidpointsTechnique final : public ApexTechnique {
 public:
     explicit MidpointsTechnique(const SphereApexOperatorSettings& settings) noexcept;
-    ~MidpointsTechnique() override; ///< beside the trainees' making: a deleting destructor frees
+    /// Defined beside the code that makes trainees, because a deleting destructor frees memory.
+    ~MidpointsTechnique() override;
     void begin(const Percept& felt) noexcept override;
     SurfaceWish look(const Percept& felt) noexcept override;
     core::Vec2 estimate() const noexcept override { return m_middle; }
@@ -24,11 +25,11 @@ private:
     double m_speed_m_per_s;
     Step m_step = Step::up;
     int m_axis = 0;
-    int m_edges = 0; ///< sweeps that ended on something steep; with one of four at most it is the table
+    int m_edges = 0; ///< sweeps that ended on a steep surface; if at most one of four did, this is the table
     core::Vec2 m_middle = core::Vec2::Zero();
-    core::Vec2 m_slope = core::Vec2::Zero();   ///< felt, smoothed over about a look
-    core::Vec2 m_touched = core::Vec2::Zero(); ///< where it last touched
-    core::Vec2 m_line = core::Vec2::Zero();    ///< the other coordinate is held here
+    core::Vec2 m_slope = core::Vec2::Zero();   ///< felt, smoothed over about one observation
+    core::Vec2 m_touched = core::Vec2::Zero(); ///< where it touched last
+    core::Vec2 m_line = core::Vec2::Zero();    ///< keeps the other coordinate constant
     double m_edge = 0.0;
     double m_touchedFor_s = 0.0; ///< in this sweep
     double m_turned_s = 0.0;

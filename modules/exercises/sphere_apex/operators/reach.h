@@ -6,9 +6,11 @@
 
 namespace chiron::operators {
 
-/// The motor command: a wished velocity becomes a smooth desired place. Acceleration is bounded, and so is
-/// how far the desired place may stray from where the trainee began (its arm is no longer). D, SI; every
-/// tick, no allocation.
+/// The motor command: turns a wished velocity into a smooth desired position. Acceleration is bounded, and so
+/// is the distance of the desired position from where the trainee began (its arm is no longer). Called in
+/// every tick; allocates nothing.
+/// Unit: SI.
+/// Frame: D.
 class Reach {
 public:
     static constexpr double kAcceleration_m_per_s2 = 1.5; ///< unhurried arm movements: assumption

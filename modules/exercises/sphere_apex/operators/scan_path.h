@@ -5,15 +5,16 @@
 
 namespace chiron::operators {
 
-/// Parallel lines over a disc, the middle one first, then alternately to either side, run to and fro: odd
-/// legs are the lines, even legs lead to their beginnings. Pure bookkeeping in felt coordinates.
+/// Parallel lines over a disc: the middle one first, then alternately on either side, in alternating
+/// direction. Odd legs are the lines, even legs lead to their starting points. It only keeps account, in felt
+/// coordinates.
 class ScanPath {
 public:
     ScanPath(double radius_m, double spacing_m) noexcept;
     void begin() noexcept { m_leg = 0; }
     bool next() noexcept; ///< to the next leg; false after the last line
     bool onLine() const noexcept { return m_leg % 2 == 1; }
-    core::Vec2 end() const noexcept; ///< of the present leg, from the middle of the disc
+    core::Vec2 end() const noexcept; ///< end of the present leg, relative to the centre of the disc
 
 private:
     double m_radius_m;

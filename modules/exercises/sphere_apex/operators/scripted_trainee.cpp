@@ -14,21 +14,23 @@ using core::Vec3;
 
 namespace {
 // Habits that all trainees share: assumptions.
-constexpr double kForceSmoothing = 0.1; ///< of felt force a look: 0.1 s
-constexpr double kLeanSmoothing = 0.04; ///< of its direction: 0.25 s, about a look of PerceptionSettings
-constexpr double kProbe_s = 0.7;        ///< how long it feels what it has come down on
+constexpr double kForceSmoothing = 0.1; ///< share per observation for smoothing the felt force: 0.1 s
+/// The same for its direction: 0.25 s, about the duration of a look in PerceptionSettings.
+constexpr double kLeanSmoothing = 0.04;
+constexpr double kProbe_s = 0.7;        ///< how long it feels the surface that it came down on
 constexpr double kFound_N = 0.5;        ///< pressure that stops a free movement
-constexpr double kSideSlope = 0.6;      ///< sine of 37°: it is inclined, and not the table
+constexpr double kSideSlope = 0.6;      ///< sine of 37°: the surface is inclined and is not the table
 constexpr double kHill_m = 0.010;       ///< felt height above the table that makes it a hill
 constexpr double kRise_m = 0.005;       ///< felt rise while climbing that makes it a hill
-constexpr double kFloor_m = 0.085;      ///< below its beginning: there is no table
-constexpr double kLift_m_per_s = 0.06;  ///< off the table, before a scan
-constexpr double kSteadying_s = 0.8;    ///< on top, before it moves on
+constexpr double kFloor_m = 0.085;      ///< below its start position: there is no table
+constexpr double kLift_m_per_s = 0.06;  ///< upwards off the table, before a scan
+constexpr double kSteadying_s = 0.8;    ///< time on top before it moves on
 constexpr double kFollowing = 0.5;      ///< share of the felt slope that it moves along with
-constexpr double kThere_m = 0.002;      ///< near enough to the place it wants to mark,
-constexpr double kThere_s = 0.2;        ///< for so long
+/// Distance at which it is near enough to the place that it wants to mark ...
+constexpr double kThere_m = 0.002;
+constexpr double kThere_s = 0.2;        ///< ... and the time that it has to stay there
 constexpr double kLongestClimb_s = 10.0;
-constexpr double kFallen_m = 0.012; ///< below where the search began: slid off
+constexpr double kFallen_m = 0.012; ///< below where the search began: it has slid off
 constexpr double kPress_s = 0.15;   ///< how long the button is held
 } // namespace
 
@@ -137,7 +139,7 @@ void ScriptedTrainee::lower(const Percept& felt) noexcept {
         const bool above = (m_touchdown - here).norm() < 0.006;
         const Vec2 across = towards(m_touchdown, here, m_settings.reachSpeed_m_per_s);
         m_reach.wish(Vec3(across.x(), across.y(), above ? -m_settings.lowerSpeed_m_per_s : 0.0));
-        if (felt.place.z() < m_home.z() - kFloor_m) // nothing there: go on as if this were the table
+        if (felt.place.z() < m_home.z() - kFloor_m) // nothing is there: go on as if this were the table
             enter(Stage::scan, felt);
         return;
     }
@@ -175,7 +177,7 @@ void ScriptedTrainee::scan(const Percept& felt) noexcept {
     moveFreely(end, height, speed, felt);
     if ((end - here).norm() > 0.008 || m_path.next())
         return;
-    // Nothing on any line: feel for the table again, elsewhere, and look a little lower.
+    // No line met anything: feel for the table again elsewhere, and scan a little lower.
     const double angle = m_random.uniform(0.0, 2.0 * core::kPi);
     m_path.begin();
     m_touchdown =
@@ -186,7 +188,7 @@ void ScriptedTrainee::scan(const Percept& felt) noexcept {
 
 void ScriptedTrainee::climb(const Percept& felt) noexcept {
     const double pressure = m_force.norm();
-    if (!felt.touching) { // lost it: back to where it was, and down
+    if (!felt.touching) { // lost contact: move back to where it was, and down
         const Vec2 back =
             towards(m_lastTouch.head<2>(), felt.place.head<2>(), 2.0 * m_settings.climbSpeed_m_per_s);
         m_reach.wish(Vec3(back.x(), back.y(), -m_settings.climbSpeed_m_per_s));
@@ -199,8 +201,8 @@ void ScriptedTrainee::climb(const Percept& felt) noexcept {
     const double steepness = std::hypot(outward.x(), outward.y());
     const bool flat = outward.z() > 0.0 && steepness < m_settings.topSlope;
     m_flatFor_s = flat ? m_flatFor_s + Senses::kLook_s : 0.0;
-    // Felt height drifts, so what led up is a hill whatever its height; else the table touched in this trial
-    // tells.
+    // Felt height drifts, so a rise while climbing means a hill at whatever height. Otherwise the height of
+    // the table that was touched in this trial decides.
     const bool risen = felt.place.z() > m_climbFrom_m + kRise_m;
     const double flatBelow_m = m_tableTouched ? m_table_m + kHill_m : m_cameDown_m + kRise_m;
     const bool low = !risen && felt.place.z() < flatBelow_m;
@@ -219,7 +221,7 @@ void ScriptedTrainee::climb(const Percept& felt) noexcept {
 void ScriptedTrainee::search(const Percept& felt) noexcept {
     if (m_lostFor_s > 0.8 || felt.place.z() < m_topHeight_m - kFallen_m)
         return enter(Stage::climb, felt);
-    if (!m_steady) { // first the right pressure
+    if (!m_steady) { // first reach the right pressure
         m_steady = since(felt) > kSteadying_s;
         if (m_steady)
             startTechnique(felt);
@@ -276,7 +278,8 @@ void ScriptedTrainee::moveOnSurface(const Vec2& velocity_m_per_s, const Percept&
     double up = 0.0;
     if (m_settings.controlsForce) {
         const double wrong = m_settings.force_N - m_force.norm();
-        // The slope felt under a movement says how fast the surface rises; the arm's own give does the rest.
+        // The felt slope says how fast the surface rises under a movement; the arm's own compliance does the
+        // rest.
         const double rise = m_lean.z() > 0.2 ? -velocity_m_per_s.dot(m_lean.head<2>()) / m_lean.z() : 0.0;
         const double most = velocity_m_per_s.norm();
         up = std::clamp(kFollowing * rise, -most, most) -

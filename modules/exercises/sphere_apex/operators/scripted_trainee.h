@@ -13,12 +13,13 @@
 
 namespace chiron::operators {
 
-/// The mind of one trainee at the sphere-apex exercise. While no trial runs, or force is not fully on, it
-/// lifts its tool and waits. In a trial: lower to the table, scan lines above it until something is felt,
-/// climb that by keeping a pressure and following the felt slope, look for the apex with its technique, go to
-/// the place it believes in, keep still, press the button. Where the screen shows the object it goes there by
-/// sight. It uses Percepts alone; it knows neither centre nor radius. Haptic thread: no allocation after
-/// construction.
+/// The strategy of one scripted trainee in the sphere-apex exercise. While no trial runs, or force is not
+/// fully on, it lifts its tool and waits. In a trial it lowers the tool to the table, scans lines above the
+/// table until it feels something, climbs that by keeping a pressure and following the felt slope, searches
+/// for the apex with its technique, moves to where it believes the apex to be, keeps still and presses the
+/// button. Where the screen shows the object it goes there by sight. It uses only Percepts and knows neither
+/// centre nor radius.
+/// Thread: haptic; allocates nothing after construction.
 class ScriptedTrainee final : public mechanisms::HandStrategy {
 public:
     ScriptedTrainee(const SphereApexOperatorSettings& settings, std::uint64_t seed,
@@ -60,25 +61,26 @@ private:
     Reach m_reach;
     ScanPath m_path;
     Stage m_stage = Stage::rest;
-    bool m_awake = false;                        ///< has felt where it is
-    core::Vec3 m_home = core::Vec3::Zero();      ///< felt, where it began
+    bool m_awake = false;                        ///< has felt its own position
+    core::Vec3 m_home = core::Vec3::Zero();      ///< felt, start position
     core::Vec2 m_touchdown = core::Vec2::Zero(); ///< felt, where it lowers the tool
-    core::Vec3 m_force = core::Vec3::Zero();     ///< felt, smoothed over 0.1 s: how hard
+    core::Vec3 m_force = core::Vec3::Zero();     ///< felt, smoothed over 0.1 s: magnitude
     core::Vec2 m_place = core::Vec2::Zero();     ///< felt, smoothed over 0.1 s
-    double m_thereFor_s = 0.0;                   ///< at the place it wants to mark
+    double m_thereFor_s = 0.0;                   ///< time spent at the place that it wants to mark
     core::Vec3 m_lastTouch = core::Vec3::Zero(); ///< felt, where it last touched something
-    bool m_steady = false;                       ///< on top and pressing as it wants
-    bool m_searched = false;                     ///< this trial, before
-    core::Vec3 m_lean = core::Vec3::Zero();      ///< felt, smoothed over 0.25 s: which way
-    double m_table_m = 0.0;      ///< felt height of the table; from its beginning at first, then as touched
+    bool m_steady = false;                       ///< on top and pressing as intended
+    bool m_searched = false;                     ///< has searched before in this trial
+    core::Vec3 m_lean = core::Vec3::Zero();      ///< felt force, smoothed over 0.25 s: direction
+    /// Felt height of the table; first derived from the start height, then as touched.
+    double m_table_m = 0.0;
     bool m_tableTouched = false; ///< in this trial
-    double m_cameDown_m = 0.0;   ///< felt height where it came down in this trial
-    double m_climbFrom_m = 0.0;  ///< felt height where it began to climb
+    double m_cameDown_m = 0.0;   ///< felt height at which it came down in this trial
+    double m_climbFrom_m = 0.0;  ///< felt height at which it began to climb
     double m_scanHeight_m = 0.0;
     double m_pressGoal_m = 0.0; ///< desired height while a depth is held
-    double m_lostFor_s = 0.0;   ///< without touch
-    double m_flatFor_s = 0.0;   ///< on gentle slope while climbing
-    double m_topHeight_m = 0.0; ///< felt, where the search began
+    double m_lostFor_s = 0.0;   ///< time without touch
+    double m_flatFor_s = 0.0;   ///< time on a gentle slope while climbing
+    double m_topHeight_m = 0.0; ///< felt height at which the search began
     double m_trialBegan_s = 0.0;
     double m_entered_s = 0.0;
     std::uint32_t m_buttons = 0;

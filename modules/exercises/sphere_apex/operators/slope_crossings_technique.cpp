@@ -7,7 +7,7 @@ using core::Vec2;
 
 namespace {
 constexpr double kSettled_m = 0.005;
-constexpr double kForgetting_s = 8.0; ///< about a cross: assumption
+constexpr double kForgetting_s = 8.0; ///< about the duration of a cross: assumption
 } // namespace
 
 SlopeCrossingsTechnique::SlopeCrossingsTechnique(const SphereApexOperatorSettings& settings) noexcept
@@ -61,7 +61,7 @@ SurfaceWish SlopeCrossingsTechnique::finishAxis() noexcept {
     SurfaceWish wish;
     Vec2 apex = m_apex;
     const bool hill = m_fit.apex(apex);
-    // What lies far outside the sweeps is a guess: go to their end and look again.
+    // An apex far outside the sweeps is a guess: go to the end of the sweeps and look again.
     const Vec2 step = apex - m_apex;
     m_apex += step.norm() > m_firstHalfWidth_m ? Vec2(step * (m_firstHalfWidth_m / step.norm())) : step;
     if (m_axis == 0) {

@@ -7,14 +7,15 @@
 
 namespace chiron::operators {
 
-/// Short sweeps to and fro along x, then along y, over the place where the apex is believed; fits felt slope
-/// against felt place (to and fro, so that friction and its own lag cancel; ApexFit) and goes on from where
-/// the slope crosses zero. The second cross and what follows are two thirds as wide; it stops after `crosses`
-/// of them if the last moved the apex by less than 5 mm, else after one more.
+/// Sweeps to and fro a short way along x, then along y, over the believed apex. It fits felt slope against
+/// felt position (in both directions, so that friction and its own lag cancel; ApexFit) and continues from
+/// where the slope crosses zero. The second and later crosses are two thirds as wide. It stops after
+/// `crosses` of them if the last moved the apex by less than 5 mm, otherwise after one more.
 class SlopeCrossingsTechnique final : public ApexTechnique {
 public:
     explicit SlopeCrossingsTechnique(const SphereApexOperatorSettings& settings) noexcept;
-    ~SlopeCrossingsTechnique() override; ///< beside the trainees' making: a deleting destructor frees
+    /// Defined beside the code that makes trainees, because a deleting destructor frees memory.
+    ~SlopeCrossingsTechnique() override;
     void begin(const Percept& felt) noexcept override;
     SurfaceWish look(const Percept& felt) noexcept override;
     core::Vec2 estimate() const noexcept override { return m_apex; }
@@ -34,7 +35,7 @@ private:
     int m_cross = 0;
     double m_halfWidth_m = 0.0;
     core::Vec2 m_apex = core::Vec2::Zero();
-    core::Vec2 m_before = core::Vec2::Zero(); ///< the apex believed before this cross
+    core::Vec2 m_before = core::Vec2::Zero(); ///< apex as believed before this cross
     double m_entered_s = 0.0;
 };
 

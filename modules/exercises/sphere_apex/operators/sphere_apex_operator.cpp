@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The trainees by name. Making one allocates: apart from what the tick calls.
+// Makes the trainees by name. This allocates, so it is kept apart from the code of the tick.
 #include "modules/exercises/sphere_apex/operators/sphere_apex_operator.h"
 
 #include "modules/exercises/sphere_apex/operators/midpoints_technique.h"
@@ -29,7 +29,7 @@ SphereApexOperatorSettings novice() {
     s.force_N = 1.5;
     s.controlsForce = false;
     s.pressDepth_m = 0.003;
-    s.topSlope = 0.42; // 25°: content with less
+    s.topSlope = 0.42; // 25°: satisfied with less
     s.settle_s = 0.1;
     s.patience_s = 40.0;
     return s;
@@ -49,9 +49,10 @@ SphereApexOperatorSettings expert() {
     SphereApexOperatorSettings s;
     s.name = "expert";
     s.technique = ApexTechniqueKind::slopeCrossings;
-    // Into the side of a ball that it does not know of it moves on for a reaction (0.18 s) and what it takes to be sure (0.1 s).
-    // At this speed the arm (300 N/m) against the hardest ball (1 kN/m) then presses 2.6 N, well below the 4 N that the level
-    // tells; at the 0.08 m/s of the others 5.2 N.
+    // When it scans into the side of a ball that it does not expect, it moves on for its reaction delay
+    // (0.18 s) and the time that it needs to be sure (0.1 s). At this speed the arm (300 N/m) then presses
+    // the hardest ball (1 kN/m) with 2.6 N, well below the 4 N that the level states; at the 0.08 m/s of the
+    // others it would be 5.2 N.
     s.scanSpeed_m_per_s = 0.04;
     s.climbSpeed_m_per_s = 0.025;
     s.sweepSpeed_m_per_s = 0.010;

@@ -12,19 +12,23 @@
 
 namespace chiron::operators {
 
-/// The scripted trainees of the sphere-apex exercise: novice, intermediate, expert, unsafe. Static data; any
-/// thread.
+/// The names of the scripted trainees of the sphere-apex exercise: novice, intermediate, expert, unsafe.
+/// Static data.
+/// Thread: any.
 std::span<const std::string_view> sphereApexOperatorNames() noexcept;
 
-/// The settings a name stands for. Fails (notFound) for an unknown name, listing the known ones.
+/// Returns the settings of the trainee with this name.
+/// Errors: notFound for an unknown name, listing the known ones.
 core::Result<SphereApexOperatorSettings> sphereApexOperatorSettings(std::string_view name);
 
-/// A mind that searches for the apex by what it feels (SphereApexOperator's page in README.md), for a
-/// SimulatedDevice. Seeded: the same seed and the same perceptions give the same intentions. Fails (notFound)
-/// for an unknown name. Allocates; not in the tick.
+/// Makes the strategy of an operator that searches for the apex by what it feels (README.md), for a
+/// SimulatedDevice. It is seeded: the same seed and the same perceptions give the same intentions. Allocates;
+/// not for use in the tick.
+/// Errors: notFound for an unknown name.
 core::Result<std::unique_ptr<mechanisms::HandStrategy>> makeSphereApexOperator(std::string_view name,
                                                                                std::uint64_t seed);
-/// The same with settings of one's own; fails (badInput) when one of them is out of its range.
+/// Makes the same with the caller's own settings.
+/// Errors: badInput when one of them is out of range.
 core::Result<std::unique_ptr<mechanisms::HandStrategy>>
 makeSphereApexOperator(const SphereApexOperatorSettings& settings, std::uint64_t seed);
 

@@ -23,7 +23,7 @@ void WanderTechnique::begin(const Percept& felt) noexcept {
 }
 
 void WanderTechnique::resume(const Percept& felt) noexcept {
-    m_middle = felt.place.head<2>(); // what was highest stays so
+    m_middle = felt.place.head<2>(); // the highest place so far stays remembered
     chooseGoal();
     m_goalBegan_s = felt.time_s;
 }

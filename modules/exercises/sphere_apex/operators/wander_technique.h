@@ -6,12 +6,13 @@
 
 namespace chiron::operators {
 
-/// Moves from one random place to the next around where it came up, and remembers the place that felt
+/// Moves from one random place to the next around where it came up, and remembers the position that felt
 /// highest.
 class WanderTechnique final : public ApexTechnique {
 public:
     WanderTechnique(const SphereApexOperatorSettings& settings, std::uint64_t seed) noexcept;
-    ~WanderTechnique() override; ///< beside the trainees' making: a deleting destructor frees
+    /// Defined beside the code that makes trainees, because a deleting destructor frees memory.
+    ~WanderTechnique() override;
     void begin(const Percept& felt) noexcept override;
     void resume(const Percept& felt) noexcept override;
     SurfaceWish look(const Percept& felt) noexcept override;

@@ -9,8 +9,9 @@
 
 namespace chiron::simulation {
 
-/// ‖∇d'‖² = ‖n − ∇h‖² = 1 − 2 n·∇h + ‖∇h‖², largest towards the apex, where the dimple rises as the ball does: at s from the dimple's centre on the
-/// line through both middles, n's horizontal part at a depth d is (offset − s)/(R − d). Bounded down to a quarter of the radius.
+/// ‖∇d'‖² = ‖n − ∇h‖² = 1 − 2 n·∇h + ‖∇h‖² is largest towards the apex, where the dimple rises as the ball
+/// does. At the distance s from the dimple's centre, on the line through both centres, n's horizontal part at
+/// a depth d is (offset − s)/(R − d). It is bounded for depths down to a quarter of the radius.
 HemisphereContact::HemisphereContact(const Parameters& parameters) noexcept : m_parameters(parameters) {
     constexpr int kSteps = 64;
     const Dimple& dimple = parameters.dimple;

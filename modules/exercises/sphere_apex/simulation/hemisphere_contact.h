@@ -12,30 +12,32 @@
 
 namespace chiron::simulation {
 
-/// What a tool feels at one place. Frame W, on the tool.
+/// Response of the surface to a tool at one position; forces are on the tool.
+/// Frame: W.
 struct ContactResponse {
-    core::Vec3 force = core::Vec3::Zero();   ///< N: normal + lateral elastic + friction
+    core::Vec3 force = core::Vec3::Zero();   ///< N: normal, lateral elastic and friction forces together
     core::Vec3 normal = core::Vec3::UnitZ(); ///< outward, unit, of the touched surface (dimple included)
     core::Vec3 surfacePoint =
         core::Vec3::Zero();     ///< where a tool that stays at the surface is drawn; p when not in contact
     double depth_m = 0.0;       ///< d + h, ≥ 0
     double normalForce_N = 0.0; ///< ≥ 0
     double energy_J = 0.0;      ///< elastic U = ½ k (d+h)²; the bristle's energy is not counted
-    double stiffness_N_per_m = 0.0; ///< k at this place; 0 when not in contact
-    double damping_Ns_per_m = 0.0;  ///< what its damping uses of the tool's budget
-    double load_N = 0.0;            ///< see SceneOutput::load_N; 0: ‖f‖ itself will do
+    double stiffness_N_per_m = 0.0; ///< k at this position; 0 when not in contact
+    double damping_Ns_per_m = 0.0;  ///< the part of the tool's budget that its damping uses
+    double load_N = 0.0;            ///< see SceneOutput::load_N; 0: use ‖f‖ itself
     bool inContact = false;
     std::uint8_t bits = 0;          ///< core::contact_bits
 };
 
 /// The force law of the sphere-apex exercise: HemisphereOnPlane with elasticity, weighted damping,
-/// clipped-bristle friction, spatial stiffness and a dimple:
+/// clipped-bristle friction, spatially varying stiffness and a dimple:
 ///   d' = d + h(x,y);  U = ½ k(x,y) d'²;  f_e = k d' (n − ∇h) − ½ d'² ∇k
-///   f_n = max(0, f_e·m − b min(1, d'/0.5 mm) v·m),  m = (n − ∇h)/‖n − ∇h‖;  f = f_n m + (f_e − (f_e·m) m) +
-///   friction(f_n)
-/// Never pulls (f·m ≥ 0); continuous; without damping and friction f = −∇U. Source: models.md §0, §2.2, §2.3.
-/// Immutable after construction; the only state is the caller's BristleFriction (one a tool). Thread: haptic
-/// or any.
+///   f_n = max(0, f_e·m − b min(1, d'/0.5 mm) v·m),  m = (n − ∇h)/‖n − ∇h‖
+///   f = f_n m + (f_e − (f_e·m) m) + friction(f_n)
+/// It never pulls (f·m ≥ 0), is continuous, and equals −∇U without damping and friction. Source:
+/// models.md §0, §2.2, §2.3. Immutable after construction; the only state is the caller's BristleFriction
+/// (one per tool).
+/// Thread: haptic or any.
 class HemisphereContact {
 public:
     struct Parameters {
@@ -50,24 +52,25 @@ public:
     HemisphereContact() = default;
     explicit HemisphereContact(const Parameters& parameters) noexcept;
 
-    /// `p_WT` m, `v_WT` m/s; `bristle` is advanced by one tick (and released out of contact or without
-    /// friction).
-    /// `mostDamping_Ns_per_m`: of the tool's budget.
+    /// `p_WT` in m, `v_WT` in m/s. `bristle` is advanced by one tick (and released out of contact or without
+    /// friction). `mostDamping_Ns_per_m` is the tool's damping budget.
     ContactResponse respond(const core::Vec3& p_WT, const core::Vec3& v_WT, BristleFriction& bristle,
                             double mostDamping_Ns_per_m = kUnboundedDamping) const noexcept;
-    /// The same without friction: a pure function of position and velocity.
+    /// Computes the response without friction: a pure function of position and velocity.
     ContactResponse respond(const core::Vec3& p_WT, const core::Vec3& v_WT, double mostDamping_Ns_per_m = kUnboundedDamping) const noexcept;
 
     const Parameters& parameters() const noexcept { return m_parameters; }
 
 private:
     Parameters m_parameters;
-    double m_steepest = 1.0; ///< bounds ‖f‖/√(2 k U) of a uniform stiffness, to a quarter of the radius: the dimple's slopes and friction; 1: neither
+    /// Bounds ‖f‖/√(2 k U) at uniform stiffness, down to a quarter of the radius; it comes from the dimple's
+    /// slopes and friction, and is 1 without either.
+    double m_steepest = 1.0;
 };
 
-/// A contact whose tissue holds back only `factor` of what its law answers.
+/// Scales a contact whose tissue exerts only the share `factor` of its law's force.
 inline void scale(ContactResponse& response, double factor) noexcept {
-    if (factor == 1.0) // to the same bits
+    if (factor == 1.0) // keeps every bit
         return;
     response.force *= factor;
     response.normalForce_N *= factor;

@@ -53,7 +53,8 @@ HemisphereContact hemisphereFrom(std::span<const double> p, double damping_Ns_pe
     return HemisphereContact(law);
 }
 
-/// Where the stiffness changes so steeply that −∇U would pull, the contact lets go instead and loops make energy.
+/// Where the stiffness changes so steeply that −∇U would pull, the contact lets go instead, and loops create
+/// energy.
 std::string hemisphereProblem(std::span<const double> p, std::span<const double> in) {
     if (in.empty() || !(p[4] > 0.0))
         return {};

@@ -5,8 +5,10 @@
 
 namespace chiron::simulation {
 
-/// "hemisphere" as a table for the command line (evaluate_laws.h): HemisphereContact without friction, position and velocity of the tool →
-/// force, outward normal, depth, energy. Static data; thread: any.
+/// The law "hemisphere" as a table for the command line (evaluate_laws.h): HemisphereContact without friction
+/// computes force, outward normal, depth and energy from the tool's position and velocity. The data are
+/// static.
+/// Thread: any.
 core::LawDescription hemisphereLaw() noexcept;
 
 } // namespace chiron::simulation

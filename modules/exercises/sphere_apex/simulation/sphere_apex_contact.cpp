@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Called in the tick that brings the next object: apart from the plan, which allocates.
+// Called in the tick in which the next object appears, and therefore kept apart from the plan, which
+// allocates.
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
 
 namespace chiron::simulation {

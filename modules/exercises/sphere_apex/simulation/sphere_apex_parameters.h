@@ -9,7 +9,7 @@
 
 namespace chiron::simulation {
 
-/// What the hemisphere and its plane are made of.
+/// Surface model of the hemisphere and its plane.
 enum class ApexSurface : std::uint8_t {
     exact, ///< a ball and a plane as formulas (HemisphereContact): levels 1 to 4
     mesh,  ///< a watertight mesh with bumps, friction and roughness (P2 "Deformation", figure 6)
@@ -21,7 +21,7 @@ enum class ApexSurface : std::uint8_t {
 struct SphereApexParameters {
     double radius_m = 0.020;             ///< P2: 20 mm
     double planeHeight_m = 0.0;          ///< z of the plane in W
-    double centreDiscRadius_m = 0.040;   ///< centres are uniform in this disc round the workspace centre
+    double centreDiscRadius_m = 0.040;   ///< centres are uniform in this disc around the workspace centre
     double workspaceRadius_m = 0.065;    ///< all of the sphere lies inside this disc (x, y)
     double stiffnessLow_N_per_m = 500.0; ///< each trial draws k uniformly in [low, high]; equal ends fix it
     double stiffnessHigh_N_per_m = 500.0;
@@ -40,7 +40,8 @@ struct SphereApexParameters {
     double meshEdge_m = 0.0015;       ///< mean edge length
     double bumpHeight_m = 0.0;        ///< of smooth bumps; none at the apex, which stays the highest point
     double bumpWavelength_m = 0.009;
-    std::uint64_t bumpSeed = 1;       ///< of their pattern; each trial turns it about the vertical by its own angle
+    /// Seed of the bumps' pattern; each trial rotates the pattern about the vertical by its own angle.
+    std::uint64_t bumpSeed = 1;
     double roughness_m = 0.0;         ///< rms of the micro-height (attributes/roughness.h)
     double roughnessWavelength_m = 0.002; ///< shortest; >= 1 mm
     // organ: the slow model (deformable/spring_network.h)
@@ -50,13 +51,13 @@ struct SphereApexParameters {
     double organRecoveryTime_s = 0.060;
     double organVolumeKeeping = 0.7;
     double organDeepest_m = 0.008;
-    int slowPeriod_ms = 33;  ///< between two requests to the slow model, and the length of its step
-    int slowLatency_ms = 33; ///< L, 20 to slowPeriod_ms: blending lasts as long
+    int slowPeriod_ms = 33;  ///< between two requests to the slow model; also the length of its step
+    int slowLatency_ms = 33; ///< L, 20 to slowPeriod_ms; blending takes the same time
     int trials = 10;                          ///< 1..32
     double trialLimit_s = 60.0;
     double betweenTrials_s = 1.0;  ///< after a mark, before the next scene appears
     double maximumForce_N = 4.0;   ///< the exercise's cap for the supervisor and the limit of force metrics
-    YieldLaw yield; ///< when what is touched gives way; by default never
+    YieldLaw yield; ///< when the touched tissue gives way; by default never
     std::vector<std::string> cues; ///< object, tool, arrow, bars, numbers, plots, sound, coverage
 };
 

@@ -11,7 +11,8 @@ namespace chiron::simulation {
 
 namespace {
 
-/// Uniform over a disc: radius by the square root of a uniform number (equal areas), angle uniform.
+/// Draws a point uniformly from a disc: the radius from the square root of a uniform number (equal areas),
+/// the angle uniformly.
 core::Vec2 uniformInDisc(core::Random& random, double radius_m) {
     const double r = radius_m * std::sqrt(random.uniform());
     const double angle = 2.0 * core::kPi * random.uniform();

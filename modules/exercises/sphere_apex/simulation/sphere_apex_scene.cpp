@@ -31,7 +31,7 @@ void SphereApexScene::respond(const realtime::HapticTick& now, const SceneInput&
 
 void SphereApexScene::advance(std::uint64_t tick, const SceneInput& in, SceneOutput& out) noexcept {
     const bool pressed =
-        markPressed(in); // every tick, so that an edge during a pause is seen and passed over
+        markPressed(in); // called in every tick, so that an edge during a pause is seen and ignored
     if (in.paused)
         return;
     switch (m_phase) {
@@ -108,8 +108,9 @@ bool SphereApexScene::objectPresent() const noexcept {
     return m_phase == TrialPhase::ready || m_phase == TrialPhase::running;
 }
 
-/// Bounds how fast the force changes with the place, in any direction: the ball's turns with the nearest place, by d/(R − d) of the stiffness;
-/// a dimple adds 2 k ‖∇h‖ + k ‖∇h‖² + k d ‖∇∇h‖, the last of which is 8 D/w² at the most.
+/// Bounds how fast the force changes with position in any direction. The ball's force turns with the nearest
+/// point, by d/(R − d) of the stiffness. A dimple adds 2 k ‖∇h‖ + k ‖∇h‖² + k d ‖∇∇h‖, whose last term is at
+/// most 8 D/w².
 double SphereApexScene::steepest(const ContactResponse& response, const core::Vec3& p_WT) const noexcept {
     const double R = m_parameters.radius_m, d = response.depth_m;
     double share = std::max(1.0, d / std::max(R - d, (1.0 - kDeepestShare) * R));
@@ -137,7 +138,8 @@ ContactResponse SphereApexScene::touchWith(std::size_t tool, const core::ToolSta
         return m_dome->respond(tool, state.p_WT, state.v_WT, mostDamping_Ns_per_m);
     if (m_parameters.surface == ApexSurface::exact)
         return touchExact(tool, state, mostDamping_Ns_per_m);
-    ContactResponse nothing; // the dome could not be made: another surface would be another exercise, so the trials run out
+    // The dome could not be made; another surface would be another exercise, so the trials run out untouched
+    ContactResponse nothing;
     nothing.surfacePoint = state.p_WT;
     return nothing;
 }
@@ -150,7 +152,7 @@ void SphereApexScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
         ContactResponse response;
         const bool used = i < static_cast<std::size_t>(count);
         const core::ToolState& tool = tools.tools[i];
-        // A pose that is not a number must not stay in the bristle; the supervisor deals with the sample.
+        // A pose that is not finite must not stay in the bristle; the supervisor deals with the sample.
         if (used && objectPresent() && tool.p_WT.allFinite() && tool.v_WT.allFinite()) {
             response = touchWith(i, tool, in.dampingBudget_Ns_per_m[i]);
             out.p_WProxy[i] = response.surfacePoint;
@@ -188,7 +190,7 @@ void SphereApexScene::fillCues(const SceneInput& in, SceneOutput& out) const noe
     cues.objectShown = true;
     cues.p_WObject = core::Vec3(centre.x(), centre.y(), m_parameters.planeHeight_m);
     cues.objectRadius_m = m_parameters.radius_m;
-    if (m_dome) { // its bumps lie elsewhere in each trial: turned about the vertical
+    if (m_dome) { // its bumps lie elsewhere in each trial, because it is rotated about the vertical
         const double half_rad = 0.5 * m_trials[m_trial].turn_rad;
         cues.exercise.own<core::LaparoscopyCues>().body[0].q_W = {std::cos(half_rad), 0.0, 0.0, std::sin(half_rad)};
     }

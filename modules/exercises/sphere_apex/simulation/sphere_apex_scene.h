@@ -15,44 +15,42 @@
 
 namespace chiron::simulation {
 
-/// Where each of `SceneOutput::quantities` stands (sphere apex, on an organ alone): PredictionError, m.
+/// Indices into `SceneOutput::quantities` (sphere apex, only with an organ): PredictionError, m.
 namespace apex_quantity {
 inline constexpr std::size_t kPredictionError = 0;
 inline constexpr std::size_t kHeldError = 1;
 } // namespace apex_quantity
 
-/// The sphere-apex exercise running (models.md §2.3). Task state, one trial after the other:
+/// The running sphere-apex exercise (models.md §2.3). The task moves through these states, one trial after
+/// the other:
 ///
 ///   idle --started--> ready --forceReady--> running --mark or limit--> between --betweenTrials_s--> ready
 ///   ... finished
 ///
-/// - idle, between and finished: there is no object, nothing is touched, force is zero.
-/// - kSceneChanged comes with the first tick of `ready`, when the next object appears; the supervisor arms
-/// again. The
-///   forceReady of that tick is of the tick before, so `ready` lasts at least one tick more.
-/// - kTrialStarted comes with the first running tick; kMarked or kTimedOut with the last one, which still has
-/// the object:
-///   frames from the one to the other are the trial, and the tool's place in the last is the answer.
-///   kFinished comes with the first tick of `finished`, the one after the last trial's end; there is no
-///   `between` after the last trial.
+/// - In idle, between and finished there is no object, nothing is touched, and force is zero.
+/// - kSceneChanged comes with the first tick of `ready`, when the next object appears and the supervisor arms
+///   again. The forceReady of that tick still belongs to the previous tick, so `ready` lasts at least one
+///   tick more.
+/// - kTrialStarted comes with the first running tick; kMarked or kTimedOut comes with the last one, which
+///   still has the object. The frames from the one to the other are the trial, and the tool's position in the
+///   last frame is the answer. kFinished comes with the first tick of `finished`, the one after the end of
+///   the last trial; there is no `between` after the last trial.
 /// - A mark is a rising edge of tool 0's mark button, or the mark command, while running and not paused. A
-/// button held
-///   from before the trial or from a pause is no mark. At the limit's tick a mark counts before the time-out.
-/// - The clocks (limit, between) count ticks of 1 ms and stand still while paused; contact still answers (the
-/// supervisor
-///   ramps). Waiting in `ready` costs no time.
+///   button that has been held since before the trial or since a pause is not a mark. In the tick of the time
+///   limit, a mark takes precedence over the time-out.
+/// - The clocks (limit, between) count ticks of 1 ms and stand still while paused; contact still produces
+///   forces (the supervisor ramps them). Waiting in `ready` costs no time.
 /// - All tools touch the same object, each with its own bristle.
-/// - On a level `mesh` or `organ` (ApexSurface) the object is a TouchedDome; the task is the same. The organ's slow model is
-///   asked while the object is there, and kSlowApplied comes in the ticks in which an answer of it takes effect.
-///   storedEnergy_J is then that of the local model alone: what can come back at once; what the organ itself holds comes
-///   back only through it.
+/// - On a level with `mesh` or `organ` (ApexSurface) the object is a TouchedDome; the task is the same. The
+///   organ's slow model is asked while the object is there, and kSlowApplied comes in the ticks in which one
+///   of its answers takes effect. storedEnergy_J is then the energy of the local model alone, which can come
+///   back at once; the energy that the organ itself stores comes back only through the local model.
+/// - Tissue gives way under a tool (parameters.yield) at its yield force, or where the tool is deeper than
+///   kDeepestShare of the radius: there the nearest point of the surface moves faster than the tool, and the
+///   force would turn around the ball's centre. After that nothing is felt until the tool is out again.
 ///
-/// - Tissue gives way under a tool (parameters.yield) at its yield force, or where the tool is deeper than kDeepestShare of the radius:
-///   there the nearest place of the surface runs faster than the tool and the force would turn round the ball's middle. Nothing is
-///   felt then until the tool is out again.
-///
-/// Deterministic; all trials are planned at construction. Thread: respond() haptic; construction anywhere.
-/// Not copied: a session owns one.
+/// Deterministic; all trials are planned at construction. Not copyable: a session owns one.
+/// Thread: haptic for respond(); any for construction.
 class SphereApexScene final : public IScene {
 public:
     SphereApexScene(const SphereApexParameters& parameters, std::uint64_t seed);
@@ -75,7 +73,8 @@ private:
     bool markPressed(const SceneInput& in) noexcept;
     bool objectPresent() const noexcept;
     ContactResponse touchWith(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept;
-    double steepest(const ContactResponse& response, const core::Vec3& p_WT) const noexcept; ///< N/m
+    /// Bounds how fast the force changes with position, N/m.
+    double steepest(const ContactResponse& response, const core::Vec3& p_WT) const noexcept;
     ContactResponse touchExact(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept;
     void touch(const SceneInput& in, SceneOutput& out) noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
@@ -88,13 +87,13 @@ private:
 
     core::TrialPhase m_phase = core::TrialPhase::idle;
     std::size_t m_trial = 0;
-    std::uint64_t m_clock = 0;   ///< ticks spent in the present phase, pauses left out
-    bool m_trialOver = false;    ///< the tick before ended the trial
-    bool m_buttonWasDown = true; ///< so that a button held at the first tick is no edge
-    HemisphereContact m_contact;         ///< of an exact surface
-    std::unique_ptr<TouchedDome> m_dome; ///< of the others; null: exact, or it could not be made
+    std::uint64_t m_clock = 0;   ///< ticks spent in the present phase, without pauses
+    bool m_trialOver = false;    ///< the previous tick ended the trial
+    bool m_buttonWasDown = true; ///< so that a button held at the first tick is not an edge
+    HemisphereContact m_contact;         ///< for an exact surface
+    std::unique_ptr<TouchedDome> m_dome; ///< for the other surfaces; null: exact, or it could not be made
     std::array<BristleFriction, core::kMaxTools> m_bristles{};
-    std::array<ContactYield, core::kMaxTools> m_yields{}; ///< of an exact surface
+    std::array<ContactYield, core::kMaxTools> m_yields{}; ///< for an exact surface
     std::array<bool, core::kMaxTools> m_touching{};
 };
 

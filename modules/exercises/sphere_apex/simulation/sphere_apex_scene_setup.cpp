@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Set-up of the scene, apart from what the tick runs: this file may allocate.
+// Set-up of the scene. It may allocate, so it is kept apart from the code of the tick.
 #include "core/units.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 
@@ -24,8 +24,8 @@ SphereApexScene::SphereApexScene(const SphereApexParameters& parameters, std::ui
                     parameters.cues.end()) {
     if (parameters.surface == ApexSurface::exact)
         return;
-    // Content was checked by making it (sphere_apex_content.cpp). Parameters that nobody checked and that make no dome have none:
-    // nothing is rendered and the trials run out.
+    // Content was checked by making its dome (sphere_apex_content.cpp). For unchecked parameters that make no
+    // dome, nothing is rendered and the trials run out.
     if (auto dome = TouchedDome::make(parameters, m_trials))
         m_dome = std::move(*dome);
 }

@@ -9,7 +9,7 @@ namespace chiron::simulation {
 
 namespace {
 
-/// As deep as contact with meshes is checked (geometry/mesh/README.md).
+/// Depth down to which contact with meshes has been checked (geometry/mesh/README.md).
 constexpr double kChecked_m = 0.006;
 
 core::Vec3 turned(double cosine, double sine, const core::Vec3& v) noexcept {
@@ -66,12 +66,14 @@ ContactPlace TouchedDome::placeOn(const Surface& surface, Tool& tool, const core
     const double across = std::hypot(p.x(), p.y());
     ContactPlace plane = placeOnPlane(p, v);
     const bool wasOnPlane = tool.onPlane;
-    // in under the dome, deeper than it gives way: still the plane that the tool went into, for no sheet of the dome was
+    // Under the dome, deeper than where it gives way, the tool is still on the plane that it went into,
+    // because it entered no sheet of the dome.
     tool.onPlane = across >= m_blendTo_m || (wasOnPlane && tool.yield.everYields() && p.z() < -m_deepest_m);
     plane.position = p - tool.carried;
     if (tool.onPlane)
         return tool.felt.step(plane, p, false, 1.0 + turnsPerWay(tool.felt.felt_m()));
-    if (wasOnPlane) { // comes in under the plane: from above, or the plate's other side would be the nearest
+    // It comes in below the plane: search from above, or the plate's other side would be the nearest
+    if (wasOnPlane) {
         tool.tracker.reset();
         tool.tracker.update(surface, core::Vec3(p.x(), p.y(), std::max(p.z(), 0.0)), 0.0, reach_m);
     }
@@ -94,12 +96,13 @@ ContactPlace TouchedDome::placeOn(const Surface& surface, Tool& tool, const core
     return tool.felt.step(place, p, !wasOnPlane && foot.track == MeshTrack::acquired, 1.0 + turnsPerWay(tool.felt.felt_m()));
 }
 
-/// The force turns with the ball's nearest place, by 1/(R − d) a way; between facets by up to twice that.
+/// The force turns with the ball's nearest point by 1/(R − d) per distance moved, and between facets by up to
+/// twice that.
 double TouchedDome::turnsPerWay(double depth_m) const noexcept {
     return 2.0 * std::max(0.0, depth_m) / std::max(m_radius_m - depth_m, m_radius_m - m_deepest_m);
 }
 
-/// In free air: over the plane and out of the dome.
+/// Says whether p is in free air: above the plane and outside the dome.
 bool TouchedDome::isClear(const core::Vec3& p) const noexcept {
     if (!(p.z() > 0.0))
         return false;
@@ -108,9 +111,10 @@ bool TouchedDome::isClear(const core::Vec3& p) const noexcept {
     return (m_organ ? nearestOnMesh(*m_organ, p) : nearestOnMesh(m_mesh, p)).signedDistance_m > 0.0;
 }
 
-/// Out on another side than that which it went in by, or deeper than the dome's law has its place.
+/// Says whether the tool has come out on another side than it went in by, or is deeper than the dome's law is
+/// defined.
 bool TouchedDome::isBreached(const Tool& tool, const core::Vec3& p) const noexcept {
-    constexpr double kSure_m = 2e-4; // nearer to the sheet, being out is leaving it
+    constexpr double kSure_m = 2e-4; // closer to the sheet than this, being out counts as leaving
     const double depth_m = std::max(tool.felt.geometric_m(), tool.felt.felt_m());
     if (!(depth_m > 0.0))
         return false;
@@ -128,7 +132,7 @@ ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, c
     const core::Vec3 p = toMesh(at, p_WT);
     const core::Vec3 v = turned(at.cosine, -at.sine, v_WT);
     const double reach = at.contact.reach_m();
-    if (state.yield.gone() && isClear(p)) { // out again: what it comes to next is whole
+    if (state.yield.gone() && isClear(p)) { // out again: whatever it touches next is whole
         state = Tool();
         state.used = true;
         state.yield = ContactYield(m_yield);

@@ -19,46 +19,52 @@
 
 namespace chiron::simulation {
 
-/// The dome of a level on meshes, in its own frame: centre at the origin, the plate's top at z = 0, the apex at (0, 0, R); in W
-/// it is turned by the trial's turn_rad about the vertical and put at (centre, planeHeight). A pure function of the content:
-/// who draws it makes the same mesh with makeMeshShape().
+/// The dome of a level on meshes, in its own frame: the centre is at the origin, the plate's top at z = 0 and
+/// the apex at (0, 0, R). In W it is rotated by the trial's turn_rad about the vertical and placed at
+/// (centre, planeHeight). It is a pure function of the content, so whatever draws it gets the same mesh from
+/// makeMeshShape().
 MeshSource apexDomeSource(const SphereApexParameters& parameters);
 
-/// So deep, as a share of the radius, the dome's laws have their place: the force turns by at most 1.5 times what it changes on a
-/// plane there (R/r − 1 of hemisphere_on_plane.h), and three quarters of the radius is where a mesh's field folds. Assumption.
+/// Greatest depth, as a share of the radius, down to which the dome's laws are defined. Down to it the force
+/// turns by at most 1.5 times its change on a plane (R/r − 1 of hemisphere_on_plane.h); three quarters of the
+/// radius is where a mesh's field folds. Assumption.
 inline constexpr double kDeepestShare = 0.6;
 
-/// The surface that is touched in the sphere-apex levels mesh and organ: the generated dome on its plate, at rest or as the
-/// slow model has it, and beyond the plate the plane that it lies on. The plate's last millimetres blend into the plane, so that
-/// depth and normal are continuous. Force by ObjectContact along the blended normals (P2 figure 6): not conservative; the
-/// passivity controller stands behind. The tool is a point, as in the levels on the exact sphere.
-/// Thread: make() anywhere; the rest haptic.
+/// The surface that is touched in the sphere-apex levels mesh and organ: the generated dome on its plate, at
+/// rest or as deformed by the slow model, and beyond the plate the plane on which it lies. The plate's last
+/// millimetres blend into the plane, so that depth and normal are continuous. ObjectContact computes the
+/// force along the blended normals (P2 figure 6); this is not conservative, and the passivity controller
+/// limits it. The tool is a point, as in the levels on the exact sphere.
+/// Thread: any for make(); haptic for the rest.
 class TouchedDome {
 public:
-    /// Fails (badInput) where the mesh or the organ cannot be made.
+    /// Errors: badInput where the mesh or the organ cannot be made.
     static core::Result<std::unique_ptr<TouchedDome>> make(const SphereApexParameters& parameters,
                                                            const std::vector<SphereApexTrial>& trials);
     TouchedDome(const TouchedDome&) = delete;
     TouchedDome& operator=(const TouchedDome&) = delete;
     ~TouchedDome();
 
-    /// The dome of this trial appears at this tick: untouched and at rest.
+    /// Lets the dome of this trial appear at this tick, untouched and at rest.
     void begin(std::size_t trial, std::uint64_t tick) noexcept;
-    /// Once a tick before respond(); true when an answer of the slow model took effect.
+    /// Call once per tick before respond(). Returns true when an answer of the slow model took effect.
     bool update(std::uint64_t tick, SlowUpdate when) noexcept;
-    /// What tool `tool` (0..kMaxTools-1) feels, on the tool, W. Once a tick for each that touches; release() for the others.
-    /// `mostDamping_Ns_per_m`: of its budget.
+    /// Computes what tool `tool` (0..kMaxTools-1) feels, as a force on the tool in W. Call it once per tick
+    /// for each tool that touches, and release() for the others. `mostDamping_Ns_per_m` is the tool's damping
+    /// budget.
     ContactResponse respond(std::size_t tool, const core::Vec3& p_WT, const core::Vec3& v_WT,
                             double mostDamping_Ns_per_m = kUnboundedDamping) noexcept;
     void release(std::size_t tool) noexcept;
-    /// Once a tick after respond(), while the dome is there: asks the slow model when it is time.
+    /// Call once per tick after respond(), while the dome is there: sends a request to the slow model when it
+    /// is time.
     void ask(std::uint64_t tick) noexcept;
 
     double organEnergy_J() const noexcept { return m_organ ? m_organ->elasticEnergy_J() : 0.0; }
     DeformableOrgan* organ() noexcept { return m_organ.get(); } ///< null for a mesh that does not move
     const TriangleMesh& mesh() const noexcept { return m_mesh; } ///< at rest
 
-    /// Where a tool that stays at the rest surface is drawn, W; p itself outside. For playback: the rest shape, also of an organ.
+    /// Where a tool that stays at the rest surface is drawn, W; p itself outside. Playback uses it, with the
+    /// rest shape even for an organ.
     core::Vec3 restPoint(std::size_t trial, const core::Vec3& p_WT) const noexcept;
 
 private:
@@ -66,10 +72,13 @@ private:
         MeshTracker tracker;
         FeltPlace felt;
         ObjectContactState object;
-        core::Vec3 carried = core::Vec3::Zero(); ///< how far the touched places have moved with the surface, m
+        /// How far the touched places have moved with the surface so far, m.
+        core::Vec3 carried = core::Vec3::Zero();
         ContactYield yield;
         bool used = false;
-        bool onPlane = true;                     ///< beyond the mesh; of a tool not seen before: it can only have come in from above
+        /// The tool is beyond the mesh. Also true for a new tool, because it can only have come in from
+        /// above.
+        bool onPlane = true;
     };
     struct Place {
         core::Vec2 centre_m = core::Vec2::Zero();
@@ -88,13 +97,13 @@ private:
 
     TriangleMesh m_mesh;
     std::unique_ptr<DeformableOrgan> m_organ;
-    std::vector<Place> m_places; ///< one a trial
+    std::vector<Place> m_places; ///< one per trial
     YieldLaw m_yield;
     double m_planeHeight_m = 0.0;
     double m_radius_m = 0.0;
-    double m_deepest_m = 0.0; ///< deeper, the dome gives way
-    double m_blendFrom_m = 0.0; ///< horizontal distance from which the plane comes in ...
-    double m_blendTo_m = 0.0;   ///< ... and from which it is alone
+    double m_deepest_m = 0.0; ///< the dome gives way below this depth
+    double m_blendFrom_m = 0.0; ///< horizontal distance at which the plane begins to blend in ...
+    double m_blendTo_m = 0.0;   ///< ... and at which only the plane is left
     std::size_t m_trial = 0;
     std::array<Tool, core::kMaxTools> m_tools{};
     OrganTouches m_touches{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making the dome: allocates, apart from the tick.
+// Makes the dome. This allocates, so it is kept apart from the code of the tick.
 #include "modules/exercises/sphere_apex/simulation/touched_dome.h"
 
 #include "simulation/geometry/mesh/make_mesh.h"
@@ -10,9 +10,9 @@ namespace chiron::simulation {
 
 namespace {
 
-/// The plate reaches so far beyond the ball; its last part is the plane's.
+/// How far the plate extends beyond the ball; its outermost part blends into the plane.
 constexpr double kPlate_m = 0.016;
-/// As thick as a press is ever deep, so that its lower side is never the nearer one.
+/// As thick as any press is deep, so that the plate's lower side is never the nearer one.
 constexpr double kPlateThickness_m = 0.015;
 constexpr double kBlend_m = 0.003;
 
@@ -44,7 +44,7 @@ DeformableOrgan::Settings organSettings(const SphereApexParameters& p) {
 }
 
 core::Result<std::unique_ptr<DeformableOrgan>> makeOrgan(const TriangleMesh& mesh, const SphereApexParameters& p) {
-    // The ball is free, the plate under it is what it is anchored to; the apex is where the stiffness is told.
+    // The ball is free and anchored to the plate under it; the stiffness refers to the apex.
     constexpr double kFoot_m = 1e-4;
     std::vector<bool> anchored;
     std::uint32_t highest = 0;
@@ -87,7 +87,7 @@ core::Result<std::unique_ptr<TouchedDome>> TouchedDome::make(const SphereApexPar
             return tl::unexpected(organ.error());
         dome->m_organ = std::move(*organ);
     }
-    // The rim's vertices lean outwards: the plane is alone two edges before it.
+    // The rim's vertices lean outwards, so only the plane is left from two edges before the rim.
     dome->m_blendTo_m = source.plateRadius_m - 2.0 * source.edge_m;
     dome->m_blendFrom_m = dome->m_blendTo_m - kBlend_m;
     dome->m_planeHeight_m = parameters.planeHeight_m;

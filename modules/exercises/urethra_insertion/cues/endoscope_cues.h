@@ -9,24 +9,26 @@
 
 namespace chiron::simulation {
 
-/// What the picture at an endoscope's tip and the marks on its shaft tell at this tick, for scripted operators and for the
-/// screen's words. The camera frame is T: it looks along −z of T, x to the right and y up. Whatever the level does not show
-/// stays zero. Trivially copyable.
+/// Contents of the picture at an endoscope's tip and of the marks on its shaft in this tick, for scripted
+/// operators and for the screen's texts. The camera frame is T: it looks along −z of T, with x to the right
+/// and y up. Values that the level does not show stay zero. Trivially copyable.
 struct EndoscopeCues {
     bool present = false;      ///< this exercise has an endoscope
     bool pictureShown = false; ///< cue "object": the camera's picture is on
-    bool guided = false;       ///< cue "guidance": the way is marked in the picture
+    bool guided = false;       ///< cue "guidance": the path is marked in the picture
     core::ProcedureStage stage = core::ProcedureStage::outside;
-    double depth_m = 0.0; ///< how far the tip is in, by the marks on the shaft (arc length of the urethra); < 0 before A
-    /// Unit direction, in T, to the middle of the lumen as far ahead as it can be seen (pictureShown), else zero; zero, too,
-    /// where the picture shows wall alone (simulation's LumenSight has the rule).
+    /// Insertion depth of the tip by the marks on the shaft (arc length of the urethra); < 0 before A.
+    double depth_m = 0.0;
+    /// Unit direction, in T, to the centre of the lumen at the greatest distance at which it can be seen.
+    /// Zero if not pictureShown, or where the picture shows only wall (simulation's LumenSight has the rule).
     std::array<double, 3> toLumen_T{};
     double lumenDistance_m = 0.0;
     bool landmarkShown = false;          ///< the next landmark of the bladder lies in the picture
     std::array<double, 3> toLandmark_T{}; ///< m, from the tip; zero unless landmarkShown
-    int landmarks = 0;                   ///< to be visited in this trial
+    int landmarks = 0;                   ///< number to be visited in this trial
     std::uint32_t landmarksSeen = 0;     ///< one bit each, in the order of the content
-    double dwell = 0.0;                  ///< 0..1: how much of the holding time the landmark in view has had
+    /// 0..1: share of the holding time that the landmark in view has had.
+    double dwell = 0.0;
 };
 
 static_assert(std::is_trivially_copyable_v<EndoscopeCues>);

@@ -7,7 +7,7 @@
 
 namespace chiron::operators {
 
-/// What the mind wishes: speeds of the tip in the plane that it can move in, and of the two angles.
+/// The wished motion: speeds of the tip in the plane in which it can move, and rates of the two angles.
 struct EndoscopeWish {
     double along_m_per_s = 0.0;  ///< along the instrument
     double across_m_per_s = 0.0; ///< upwards, at right angles to it
@@ -15,8 +15,11 @@ struct EndoscopeWish {
     double yaw_rad_per_s = 0.0;
 };
 
-/// The motor command: wished speeds become a smooth desired pose. Accelerations are bounded, and so is how far the desired angles
-/// may go (no wrist turns further). The instrument is not rolled. D, SI; every tick, no allocation.
+/// The motor command: turns wished speeds into a smooth desired pose. Accelerations are bounded, and so are
+/// the desired angles (no wrist turns further). The instrument is not rolled. Called in every tick; allocates
+/// nothing.
+/// Unit: SI.
+/// Frame: D.
 class EndoscopeReach {
 public:
     static constexpr double kAcceleration_m_per_s2 = 0.3;   ///< fine movements of a held instrument: assumption
@@ -25,7 +28,7 @@ public:
     static constexpr double kWidestYaw_rad = 0.5;
 
     void start(const core::Vec3& p_D, const core::Quat& q_D) noexcept;
-    /// `pitch_rad`: the direction that the mind takes the instrument to have.
+    /// `pitch_rad` is the direction that the operator believes the instrument to have.
     void wish(const EndoscopeWish& wish, double pitch_rad) noexcept;
     mechanisms::HandIntention advance() noexcept; ///< by one tick
 

@@ -62,7 +62,8 @@ void EndoscopeSenses::look(const mechanisms::HandPerception& real) noexcept {
     m_percept.landmark = cues.pictureShown && cues.landmarkShown ? see(landmark, landmark.norm(), unmarked) : SeenThing{};
 }
 
-/// `to_T`: towards it in T, which looks along −z with x to the right and y up; zero: not in the picture.
+/// `to_T` is the direction to it in T, which looks along −z with x to the right and y up; zero: it is not in
+/// the picture.
 SeenThing EndoscopeSenses::see(const Vec3& to_T, double distance_m, double unmarked) noexcept {
     SeenThing thing;
     thing.seen = to_T.squaredNorm() > 0.0;

@@ -10,8 +10,8 @@
 
 namespace chiron::operators {
 
-/// Something in the picture: how far it lies from the view's middle (up, and to the left, so that both are the turns that bring
-/// it there: pitch and yaw), and how far ahead.
+/// Something in the picture: its angles off the centre of the view (up and to the left, which equal the turns
+/// in pitch and yaw that bring it there), and its distance ahead.
 struct SeenThing {
     bool seen = false;
     double up_rad = 0.0;
@@ -19,31 +19,33 @@ struct SeenThing {
     double distance_m = 0.0;
 };
 
-/// What an endoscopist believes it feels and sees: all that its mind may use. Forces and torques as the hand feels them: along
-/// the instrument, and across it in the plane that the tip moves in.
+/// The sensations and sights that an endoscopist believes to have; its strategy may use nothing else. Forces
+/// and torques are as the hand feels them: along the instrument, and across it in the plane in which the tip
+/// moves.
 struct EndoscopePercept {
     double time_s = 0.0;
-    double pitch_rad = 0.0; ///< felt, of the instrument above the table
+    double pitch_rad = 0.0; ///< felt pitch of the instrument above the table
     double yaw_rad = 0.0;
-    double along_N = 0.0;   ///< on the hand, positive pushes the instrument in
+    double along_N = 0.0;   ///< on the hand; positive pushes the instrument in
     double across_N = 0.0;  ///< positive upwards (of the instrument)
     double pitchTorque_Nm = 0.0; ///< on the hand
     double yawTorque_Nm = 0.0;
     double depth_m = 0.0;
     SeenThing lumen;
     SeenThing landmark;
-    core::VisibleCues cues; ///< as shown; directions and depth are not to be used beyond the above
+    core::VisibleCues cues; ///< as shown; directions and depth must be read from the members above instead
 };
 
-/// Turns what really happens to a hand and on the screen into what is felt and seen: 100 looks a second over the mean of ten
-/// ticks, through the noises of EndoscopePerceptionSettings. Seeded. Haptic thread, no allocation.
+/// Converts the true state of a hand and of the screen into sensations: 100 observations per second, each
+/// from the mean of ten ticks, with the noises of EndoscopePerceptionSettings. Seeded.
+/// Thread: haptic; allocates nothing.
 class EndoscopeSenses {
 public:
     static constexpr int kTicksPerLook = 10;
     static constexpr double kLook_s = 0.01;
 
     EndoscopeSenses(const EndoscopePerceptionSettings& settings, std::uint64_t seed) noexcept;
-    /// Every tick. True when a new look is ready in percept().
+    /// Call in every tick. Returns true when percept() holds a new observation.
     bool feel(const mechanisms::HandPerception& real) noexcept;
     const EndoscopePercept& percept() const noexcept { return m_percept; }
 

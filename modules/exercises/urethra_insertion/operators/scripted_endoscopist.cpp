@@ -11,22 +11,26 @@
 namespace chiron::operators {
 
 namespace {
-// Habits that all share: assumptions.
-constexpr double kForceSmoothing = 0.15;    ///< of felt force a look: 0.07 s
-constexpr double kPictureSmoothing = 0.2;   ///< of what is seen
-constexpr double kNoticed_N = 0.25;         ///< force across that is given way to: beyond the mechanism's own
-constexpr double kNoticed_Nm = 0.008;       ///< torque likewise
-constexpr double kGivingWay_m_per_s = 0.006; ///< at most
-constexpr double kNear_m = 0.012;           ///< nothing is taken for nearer than this
-constexpr double kStuck_s = 4.0;            ///< without getting deeper: goes back a little, or pushes on
+// Habits that all operators share: assumptions.
+constexpr double kForceSmoothing = 0.15;    ///< share per observation for smoothing the felt force: 0.07 s
+constexpr double kPictureSmoothing = 0.2;   ///< share per observation for smoothing what is seen
+/// Force across to which it yields; above the mechanism's own force.
+constexpr double kNoticed_N = 0.25;
+constexpr double kNoticed_Nm = 0.008;       ///< the same for torque
+constexpr double kGivingWay_m_per_s = 0.006; ///< greatest speed of yielding
+constexpr double kNear_m = 0.012;           ///< no distance is taken to be shorter than this
+/// Time without getting deeper, after which it goes back a little or pushes on.
+constexpr double kStuck_s = 4.0;
 constexpr double kProgress_m = 0.002;
 constexpr double kBack_s = 0.8;
 constexpr double kBack_m_per_s = 0.005;
-constexpr double kHolding_s = 0.4;          ///< keeps still before it begins to look round
-constexpr double kLost_s = 0.7;             ///< without the landmark in the picture: looks round
-constexpr double kCircle_s = 5.0;           ///< a turn of looking round
-constexpr double kImpatient_s = 6.0;        ///< with one landmark: brings it nearer to the middle
-constexpr double kLateBack = 0.25;           ///< of the dead zone: the way out is known
+constexpr double kHolding_s = 0.4;          ///< keeps still for this time before it begins to search
+/// Time without the landmark in the picture, after which it searches.
+constexpr double kLost_s = 0.7;
+constexpr double kCircle_s = 5.0;           ///< duration of one circle of the search
+/// Time with one landmark, after which it brings it nearer to the middle.
+constexpr double kImpatient_s = 6.0;
+constexpr double kLateBack = 0.25;           ///< share of the dead zone, because the way out is known
 constexpr double kAligned_rad = 0.07;
 constexpr double kAligning_s = 4.0;
 
@@ -146,7 +150,7 @@ EndoscopeWish ScriptedEndoscopist::insert(const EndoscopePercept& felt) noexcept
 
 EndoscopeWish ScriptedEndoscopist::steer(const EndoscopePercept& felt) noexcept {
     EndoscopeWish wish;
-    if (!felt.lumen.seen) { // wall alone: turn to where the lumen was last
+    if (!felt.lumen.seen) { // only wall is seen: turn to where the lumen was last
         wish.along_m_per_s = m_settings.stopsBlind ? 0.0 : m_settings.insertSpeed_m_per_s;
         wish.pitch_rad_per_s = m_settings.stopsBlind ? turning(m_up_rad) : 0.0;
         return wish;
@@ -165,7 +169,7 @@ EndoscopeWish ScriptedEndoscopist::steer(const EndoscopePercept& felt) noexcept 
     return wish;
 }
 
-/// The arc from the tip, along the instrument, to the lumen has curvature 2 sin(up)/distance.
+/// The arc from the tip, tangential to the instrument, to the lumen has the curvature 2 sin(up)/distance.
 EndoscopeWish ScriptedEndoscopist::followCurve(const SeenThing& lumen) const noexcept {
     const double curvature = m_settings.curveGain * 2.0 * std::sin(lumen.up_rad) / lumen.distance_m;
     EndoscopeWish wish;
@@ -217,7 +221,8 @@ EndoscopeWish ScriptedEndoscopist::turnTo(const SeenThing& landmark) const noexc
     return {0.0, 0.0, rate * landmark.up_rad, rate * landmark.left_rad};
 }
 
-/// Circles about how the instrument was held when the inspection began, growing over two turns.
+/// Turns in circles about the orientation at the beginning of the inspection; the circles grow over two
+/// turns.
 EndoscopeWish ScriptedEndoscopist::search(const EndoscopePercept& felt) const noexcept {
     const double t = felt.time_s - m_lastSeen_s - kLost_s;
     const double angle = 2.0 * core::kPi * t / kCircle_s;
@@ -228,7 +233,8 @@ EndoscopeWish ScriptedEndoscopist::search(const EndoscopePercept& felt) const no
     return {0.0, 0.0, std::clamp(3.0 * pitch, -most, most), std::clamp(3.0 * yaw, -most, most)};
 }
 
-/// Turns back to how the instrument was held at `depth_m` on the way in; one who turns late does so here, too.
+/// Turns back to how the instrument was held at `depth_m` on the way in. An operator who turns late does so
+/// here, too.
 EndoscopeWish ScriptedEndoscopist::align(const EndoscopePercept& felt, double depth_m) const noexcept {
     const WayMemory::Place way = m_way.at(depth_m);
     const double pitch = (way.kept ? way.pitch_rad : m_neutralPitch_rad) - felt.pitch_rad;
@@ -243,7 +249,7 @@ EndoscopeWish ScriptedEndoscopist::withdraw(const EndoscopePercept& felt) const 
     const WayMemory::Place way = m_way.at(felt.depth_m);
     if (!way.kept || !felt.lumen.seen)
         return wish;
-    // Higher than on the way in, over that distance: the tip is too low.
+    // If the lumen appears higher than on the way in, the tip is too low by that angle times the distance.
     const double low_m = std::sin(felt.pitch_rad + m_up_rad - way.lumen_rad) * std::max(felt.lumen.distance_m, kNear_m);
     wish.across_m_per_s = std::clamp(m_settings.centringGain_per_s * low_m, -kGivingWay_m_per_s, kGivingWay_m_per_s);
     return wish;

@@ -11,11 +11,12 @@
 
 namespace chiron::operators {
 
-/// The mind of one endoscopist. It holds still until a trial runs and force is fully on; then it advances and steers by where it
-/// sees the lumen, giving way to what it feels as far as that is its habit; in the bladder it holds the tip, turns to each
-/// landmark that the picture shows (or looks round for it) and keeps still; then it withdraws by what it remembers of the way
-/// in. It knows what the screen shows and what the hand feels, through EndoscopeSenses alone; neither canal nor bladder.
-/// Haptic thread: no allocation after construction.
+/// The strategy of one scripted endoscopist. It holds still until a trial runs and force is fully on. Then it
+/// advances and steers by where it sees the lumen, and yields to the forces that it feels as far as that is
+/// its habit. In the bladder it holds the tip, turns to each landmark that the picture shows (or searches for
+/// it) and keeps still. Then it withdraws by its memory of the way in. It knows only what the screen shows
+/// and what the hand feels, through EndoscopeSenses; it knows neither canal nor bladder.
+/// Thread: haptic; allocates nothing after construction.
 class ScriptedEndoscopist final : public mechanisms::HandStrategy {
 public:
     ScriptedEndoscopist(const UrethraInsertionOperatorSettings& settings, std::uint64_t seed);
@@ -43,8 +44,9 @@ private:
     EndoscopeWish align(const EndoscopePercept& felt, double depth_m) const noexcept;
     EndoscopeWish withdraw(const EndoscopePercept& felt) const noexcept;
     void giveWay(EndoscopeWish& wish) const noexcept;
-    double ease() const noexcept; ///< 0..1: how much of its speed it keeps under the force that it feels
-    double turning(double rad) const noexcept; ///< rate towards something that far off
+    double ease() const noexcept; ///< 0..1: share of its speed that it keeps under the felt force
+    /// Rate of turning towards something that is off by this angle.
+    double turning(double rad) const noexcept;
     double since(const EndoscopePercept& felt) const noexcept { return felt.time_s - m_began_s; }
 
     UrethraInsertionOperatorSettings m_settings;
@@ -55,14 +57,15 @@ private:
     double m_began_s = 0.0;
     double m_along_N = 0.0, m_across_N = 0.0; ///< felt, smoothed
     double m_pitchTorque_Nm = 0.0, m_yawTorque_Nm = 0.0;
-    double m_up_rad = 0.0, m_left_rad = 0.0; ///< of the lumen, smoothed
-    bool m_turns = false;                    ///< stopped to turn, or late in turning
-    double m_turnsTo_rad = 0.0;              ///< late: where it wants the lumen, up
+    double m_up_rad = 0.0, m_left_rad = 0.0; ///< direction of the lumen, smoothed
+    bool m_turns = false;                    ///< has stopped to turn, or turns late
+    /// centresLate: angle upwards to which it wants to bring the lumen.
+    double m_turnsTo_rad = 0.0;
     double m_deepest_m = -1.0;
-    double m_progress_s = 0.0;  ///< when it last got deeper
+    double m_progress_s = 0.0;  ///< time of the last gain in depth
     double m_neutralYaw_rad = 0.0;
-    double m_neutralPitch_rad = 0.0; ///< desired, when the inspection began
-    double m_lastSeen_s = 0.0;       ///< a landmark, in the picture
+    double m_neutralPitch_rad = 0.0; ///< desired pitch when the inspection began
+    double m_lastSeen_s = 0.0;       ///< time at which a landmark was last in the picture
     std::uint32_t m_landmarksSeen = 0;
     double m_landmarkBegan_s = 0.0;
     double m_lookWithin_rad = 0.0;

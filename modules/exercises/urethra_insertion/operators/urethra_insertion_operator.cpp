@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes endoscopists: allocates, so it is kept apart from their minds, which the tick calls.
+// Makes endoscopists. This allocates, so it is kept apart from their strategies, which the tick calls.
 #include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
 
 #include "modules/exercises/urethra_insertion/operators/scripted_endoscopist.h"
@@ -78,7 +78,8 @@ UrethraInsertionOperatorSettings unsafe() {
     return s;
 }
 
-/// Draws back from what it feels and tries anew: somebody has to turn back, or nothing shows that turning back is counted.
+/// Draws back from a felt force and tries again. Without an operator that turns back, nothing would show that
+/// reversals are counted.
 UrethraInsertionOperatorSettings hesitant() {
     UrethraInsertionOperatorSettings s = intermediate();
     s.name = "hesitant";

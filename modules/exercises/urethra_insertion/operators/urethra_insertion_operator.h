@@ -12,16 +12,22 @@
 
 namespace chiron::operators {
 
-/// The scripted endoscopists of urethra insertion: novice, intermediate, expert, unsafe, hesitant. Static data; any thread.
+/// The names of the scripted endoscopists of urethra insertion: novice, intermediate, expert, unsafe,
+/// hesitant. Static data.
+/// Thread: any.
 std::span<const std::string_view> urethraInsertionOperatorNames() noexcept;
 
-/// The settings a name stands for. Fails (notFound) for an unknown name, listing the known ones.
+/// Returns the settings of the endoscopist with this name.
+/// Errors: notFound for an unknown name, listing the known ones.
 core::Result<UrethraInsertionOperatorSettings> urethraInsertionOperatorSettings(std::string_view name);
 
-/// A mind that inserts, inspects and withdraws by what it sees and feels, for a SimulatedEndoscopeDevice. Seeded: the same seed
-/// and the same perceptions give the same intentions. Fails (notFound) for an unknown name. Allocates; not in the tick.
+/// Makes a strategy that inserts, inspects and withdraws by what it sees and feels, for a
+/// SimulatedEndoscopeDevice. It is seeded: the same seed and the same perceptions give the same intentions.
+/// Allocates; not for use in the tick.
+/// Errors: notFound for an unknown name.
 core::Result<std::unique_ptr<mechanisms::HandStrategy>> makeUrethraInsertionOperator(std::string_view name, std::uint64_t seed);
-/// The same with settings of one's own; fails (badInput) when one of them is out of its range.
+/// Makes the same with the caller's own settings.
+/// Errors: badInput when one of them is out of range.
 core::Result<std::unique_ptr<mechanisms::HandStrategy>>
 makeUrethraInsertionOperator(const UrethraInsertionOperatorSettings& settings, std::uint64_t seed);
 

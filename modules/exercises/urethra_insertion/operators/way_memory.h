@@ -7,7 +7,8 @@
 
 namespace chiron::operators {
 
-/// What the way in was like at each depth, as it was felt and seen: what one goes back by. Depths as read from the shaft.
+/// Remembers what was felt and seen at each depth on the way in, as a guide for the way back. Depths are
+/// those read from the shaft.
 class WayMemory {
 public:
     static constexpr double kFirst_m = -0.014;
@@ -16,8 +17,8 @@ public:
 
     struct Place {
         bool kept = false;
-        double pitch_rad = 0.0; ///< of the instrument
-        double lumen_rad = 0.0; ///< of the way to where the lumen was seen
+        double pitch_rad = 0.0; ///< pitch of the instrument
+        double lumen_rad = 0.0; ///< direction to where the lumen was seen
     };
 
     void keep(double depth_m, double pitch_rad, double lumen_rad) noexcept {
@@ -27,7 +28,7 @@ public:
         place.lumen_rad += share * (lumen_rad - place.lumen_rad);
         place.kept = true;
     }
-    /// Between the two cells whose middles are nearest; not kept where it never was.
+    /// Interpolates between the two cells with the nearest centres; `kept` is false where nothing was stored.
     Place at(double depth_m) const noexcept {
         const double cell = std::clamp((depth_m - kFirst_m) / kCell_m - 0.5, 0.0, kLast);
         const auto low = static_cast<std::size_t>(cell);
@@ -40,7 +41,7 @@ public:
     }
 
 private:
-    static constexpr double kNew = 0.05; ///< weight of a look: assumption
+    static constexpr double kNew = 0.05; ///< weight of an observation: assumption
     static constexpr double kLast = static_cast<double>(kCells - 1);
     std::array<Place, kCells> m_places{};
 };

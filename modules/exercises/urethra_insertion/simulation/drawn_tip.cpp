@@ -29,8 +29,9 @@ core::Vec3 DrawnTip::inCanal(const core::Vec3& p_A, const CentrelineFoot& foot) 
     return p_A - (1.0 - keep) * (foot.ex_m * core::Vec3::UnitX() + foot.en_m * foot.at.n_A);
 }
 
-// At the neck the middle is C and the way out the section's own: the canal's limit goes over into the sphere's
-// without a step. A way that only grazes the sphere from outside leaves it within the canal's limit.
+// At the neck the middle is C and the outward direction lies in the section, so the canal's limit passes into
+// the sphere's without a step. A line that only grazes the sphere from outside leaves the tip within the
+// canal's limit.
 core::Vec3 DrawnTip::pastNeck(const core::Vec3& p_A, double s_m) const noexcept {
     if ((p_A - m_bladderCentre).squaredNorm() <= m_bladderRoom_m * m_bladderRoom_m)
         return p_A;

@@ -9,14 +9,18 @@
 
 namespace chiron::simulation {
 
-/// How far ahead the lumen's middle can be seen from the tip. The rule, one for scripted operators and for the guidance drawn in
-/// the picture:
-///   the centre-line ahead is taken at points 2.5 mm apart, from 2.5 to 60 mm before the tip; each carries the lumen's
-///   middle, which near the tip lies with the endoscope (centre-line + W e, models.md §1.1), and its opened radius;
-///   a point can be seen when the straight line to it from the tip passes every nearer point within that one's radius, and when
-///   it lies in the field of view. The farthest such point is the answer; none: the picture shows wall alone.
-/// Before the entrance there is no wall; past the neck the lumen is the bladder's sphere. Made at set-up; look() is the
-/// tick's: no allocation, about 0.2 µs.
+/// Determines how far ahead the centre of the lumen can be seen from the tip. The same rule serves scripted
+/// operators and the guidance that is drawn in the picture:
+/// - The centre-line ahead is sampled at points 2.5 mm apart, from 2.5 to 60 mm before the tip. Each point
+///   carries its opened radius and the centre of the lumen, which near the tip lies with the endoscope
+///   (centre-line + W e, models.md §1.1).
+/// - A point can be seen if it lies in the field of view and the straight line to it from the tip passes
+///   every nearer point within that point's radius. The result is the farthest such point; if there is none,
+///   the picture shows only wall.
+///
+/// Before the entrance there is no wall; past the neck the lumen is the bladder's sphere. Constructed at
+/// set-up; look() is called in the tick and takes about 0.2 µs.
+/// Thread: haptic for look(), which allocates nothing.
 class LumenSight {
 public:
     static constexpr double kStep_m = 0.0025;
@@ -26,15 +30,15 @@ public:
 
     struct View {
         bool open = false;
-        core::Vec3 p_A = core::Vec3::Zero(); ///< the farthest visible middle of the lumen
+        core::Vec3 p_A = core::Vec3::Zero(); ///< the farthest visible centre of the lumen
     };
-    /// `axis_A`: unit, the way the endoscope looks; `foot` is p_A's.
+    /// `axis_A` is the unit vector along which the endoscope looks; `foot` is that of p_A.
     View look(const core::Vec3& p_A, const core::Vec3& axis_A, const CentrelineFoot& foot) const noexcept;
 
 private:
     struct Station {
         double s_m = 0.0;
-        double radius_m = 0.0; ///< at rest; past the neck the bladder's
+        double radius_m = 0.0; ///< at rest; past the neck that of the bladder
         core::Vec3 p_A = core::Vec3::Zero();
     };
     struct Ring {

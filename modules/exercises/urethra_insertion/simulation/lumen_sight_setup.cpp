@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Set-up of the lumen's stations, apart from what the tick runs: this file may allocate.
+// Set-up of the lumen's stations. It may allocate, so it is kept apart from the code of the tick.
 #include "modules/exercises/urethra_insertion/simulation/lumen_sight.h"
 
 #include <algorithm>

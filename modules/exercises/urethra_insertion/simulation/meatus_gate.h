@@ -7,16 +7,19 @@
 
 namespace chiron::simulation {
 
-/// Whether the shaft is in the canal, from poses alone: it enters only through the meatus, and is out as soon as its tip is before it
-/// again. The tip has to pass s = −ℓ, where the beak's end is at the entrance and every force is still 0, within `radius_m` of the
-/// centre-line; a tip that passes there farther off is beside the canal, wherever it goes then. A tip that lies behind that place
-/// before any movement was seen is in the canal within core::kCanalReach_m. A radius of 0: there is no meatus, all is canal.
-/// Deterministic, fixed size; any thread.
+/// Decides from poses alone whether the shaft is in the canal. The shaft enters only through the meatus, and
+/// it is out as soon as its tip is before the meatus again. To enter, the tip has to pass s = −ℓ, where the
+/// end of the beak is at the entrance and every force is still 0, within `radius_m` of the centre-line. A tip
+/// that passes there farther off is beside the canal, wherever it moves then. A tip that lies beyond that
+/// point before any movement was seen is in the canal if it is within core::kCanalReach_m. A radius of 0
+/// means that there is no meatus and everything is canal. Deterministic, fixed size.
+/// Thread: any.
 class MeatusGate {
 public:
     MeatusGate(double radius_m, double beak_m) noexcept : m_radius_m(radius_m), m_beak_m(beak_m) {}
 
-    /// The next place of the tip: arc length of its foot and distance from the centre-line. True: in the canal.
+    /// Takes in the next position of the tip: the arc length of its foot and its distance from the
+    /// centre-line. Returns true if it is in the canal.
     bool step(double s_m, double offset_m) noexcept {
         if (!(m_radius_m > 0.0))
             return m_inside = true;
@@ -34,7 +37,7 @@ public:
         return m_inside;
     }
     bool inside() const noexcept { return m_inside; }
-    void forget() noexcept { m_known = false; } ///< the next place is the first one
+    void forget() noexcept { m_known = false; } ///< treats the next position as the first one
 
 private:
     double m_radius_m;

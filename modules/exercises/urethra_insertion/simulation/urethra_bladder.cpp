@@ -8,9 +8,9 @@ namespace chiron::simulation {
 
 namespace {
 
-constexpr double kShortest = 1e-6; // of lengths and angles; content refuses such data
+constexpr double kShortest = 1e-6; // least length and angle; content refuses smaller ones
 
-/// A weight 0 … 1 with its gradient, and bounds of the gradient's and the second derivative's norm here.
+/// A weight 0 … 1 with its gradient, and bounds of the norms of gradient and second derivative at this point.
 struct Weight {
     double value = 1.0;
     core::Vec3 gradient = core::Vec3::Zero();

@@ -13,9 +13,10 @@ namespace chiron::simulation {
 
 namespace {
 
-constexpr double kSidewaysSquare = 1e-12; // of cos²φ_y: φ_x has no meaning for a tool at right angles to the plane of symmetry
+// Least cos²φ_y: φ_x is not defined for a tool perpendicular to the plane of symmetry
+constexpr double kSidewaysSquare = 1e-12;
 
-/// Parabola from 0 at −w to slope 1 at w; 0 before, x after.
+/// Parabola from 0 at −w to slope 1 at w; 0 before, and x after it.
 double roundedRamp(double x, double w) noexcept {
     const double u = std::clamp(x, -w, w) + w;
     return u * u / (4.0 * w) + std::max(0.0, x - w);
@@ -25,10 +26,11 @@ double rampSlope(double x, double w) noexcept {
     return (std::clamp(x, -w, w) + w) / (2.0 * w);
 }
 
-/// The moving frame's part of the response: φ_x, φ_y and the torque vector that does the work of T_x, T_y:
-/// τ = T_x (x̂ − tan φ_y z″) + T_y y′, with y′ = (0, a_z, −a_y)/cos φ_y and z″ = (0, a_y, a_z)/cos φ_y.
-/// Returned: the angles that the spring turns back, φ_x + c e_n and φ_y − c e_x: with the floor as its pivot, the shaft's tilt goes with
-/// the tip's offset. P1's second part of T_x, "off the parabolic CL (endoscope y-z translation)".
+/// Computes the part of the response that depends on orientation: φ_x, φ_y and the torque vector that does
+/// the work of T_x, T_y: τ = T_x (x̂ − tan φ_y z″) + T_y y′, with y′ = (0, a_z, −a_y)/cos φ_y and z″ = (0,
+/// a_y, a_z)/cos φ_y. Returns the angles that the spring turns back, φ_x + c e_n and φ_y − c e_x: with the
+/// pelvic floor as its pivot, the shaft's tilt follows the tip's offset. This is P1's second part of T_x,
+/// "off the parabolic CL (endoscope y-z translation)".
 core::Vec2 orient(UrethraResponse& r, const core::Vec3& a, double k_phi, double turn_per_m) noexcept {
     const core::Vec3& t = r.foot.at.t_A;
     r.phiX_rad = std::atan2(t.y() * a.z() - t.z() * a.y(), t.z() * a.z() + t.y() * a.y());
@@ -43,15 +45,17 @@ core::Vec2 orient(UrethraResponse& r, const core::Vec3& a, double k_phi, double 
     return twist;
 }
 
-/// Bounds the norm of a second derivative with these parts across, along and mixed. Of U(s, e) they are U_ee, U_ss ‖∇s‖² − U_n κ ‖∇s‖ (n
-/// turns along the line) and U_se ‖∇s‖; U_s ∂²s comes on top.
+/// Bounds the norm of a second derivative with these parts across, along and mixed. Those of U(s, e) are
+/// U_ee, U_ss ‖∇s‖² − U_n κ ‖∇s‖ (n turns along the line) and U_se ‖∇s‖; U_s ∂²s is added to the result.
 double largestStretch(double across, double along, double mixed) noexcept {
     return 0.5 * (across + along) + std::sqrt(0.25 * (across - along) * (across - along) + mixed * mixed);
 }
 
-/// The free part follows the shaft, but it hangs on the body: beyond the reach it is held by ½ k (‖e‖ − reach)² w(s), with w from 0 at
-/// the first contact to 1 where the wall's own springs set in, and back to 0 where they have taken over. Of a part that hangs on its root the end
-/// yields most; and what is held aside there comes out without a kick (over the beak alone its 30 mJ pushed with 6 N).
+/// The free part follows the shaft, but it hangs on the body: beyond the reach it is held by ½ k
+/// (‖e‖ − reach)² w(s). w rises from 0 at the first contact to 1 where the wall's own springs set in, and
+/// falls back to 0 where they have taken over. A part that hangs on its root yields most at its end. A shaft
+/// that is held aside there comes out without a kick (if w rose over the beak alone, the 30 mJ stored would
+/// push with 6 N).
 struct FreeHold {
     double energy_J = 0.0, slope_N = 0.0, stiffness_N_per_m = 0.0, axial_N_per_m = 0.0, cross_N_per_m = 0.0;
     core::Vec2 gradient_N = core::Vec2::Zero();
@@ -71,7 +75,8 @@ FreeHold holdFreePart(const UrethraForces::Tables& tables, const CentrelineFoot&
     hold.cross_N_per_m = k * beyond * std::abs(weightSlope);
     hold.gradient_N = k * beyond * rise * fall / offset * core::Vec2(foot.ex_m, foot.en_m);
     hold.stiffness_N_per_m = k * rise * fall;
-    const double steep = 6.0 * (1.0 / (tables.freeRise_m * tables.freeRise_m) + 0.25 / (tables.freeBlend_m * tables.freeBlend_m)); // of smoothsteps
+    // Bounds the second derivatives of the two smoothsteps
+    const double steep = 6.0 * (1.0 / (tables.freeRise_m * tables.freeRise_m) + 0.25 / (tables.freeBlend_m * tables.freeBlend_m));
     hold.axial_N_per_m = (in > 0.0 && in < 1.0) || (on > 0.0 && on < 1.0) ? half * steep : 0.0;
     return hold;
 }
@@ -115,7 +120,8 @@ UrethraResponse UrethraForces::respond(const EndoscopeMotion& motion) const noex
     const BladderResponse bladder = tables.bladder.respond(motion.p_A);
     r.bladder_A = bladder.force_A;
     r.touching = at.s_m > -tables.ahead_m || bladder.energy_J > 0.0;
-    const double k_phi = r.touching ? tables.angular.value_Nm_per_rad(at.s_m) : 0.0; // nothing outside the body
+    // There is no angular stiffness outside the body
+    const double k_phi = r.touching ? tables.angular.value_Nm_per_rad(at.s_m) : 0.0;
     const UrethraPivot::Turn pivot = tables.pivot.at(at.s_m);
     const core::Vec2 twist = orient(r, a, k_phi, pivot.turn_per_m);
     if (!r.touching)
@@ -125,9 +131,10 @@ UrethraResponse UrethraForces::respond(const EndoscopeMotion& motion) const noex
     const double bent = std::abs(at.curvature_per_m), turned = std::abs(pivot.slope_per_m2);
     const FreeHold hold = holdFreePart(tables, r.foot);
     r.energy_J = sums.energy_J + hold.energy_J + 0.5 * k_phi * tilt2 + bladder.energy_J;
+    // ∂U/∂s_t: ψ turns by κ_c per metre
     const double slope = sums.slope_N + hold.slope_N + 0.5 * tables.angular.slope(at.s_m) * tilt2 +
                          k_phi * (twist.x() * (at.curvature_per_m + pivot.slope_per_m2 * r.foot.en_m) -
-                                  twist.y() * pivot.slope_per_m2 * r.foot.ex_m); // ∂U/∂s_t: ψ turns by κ_c a metre
+                                  twist.y() * pivot.slope_per_m2 * r.foot.ex_m);
     r.elastic_N = -slope * r.foot.gradientOfS_A.dot(at.t_A);
     const core::Vec2 gradient = sums.gradient_N + hold.gradient_N + k_phi * pivot.turn_per_m * core::Vec2(-twist.y(), twist.x());
     r.lateral_A = -gradient.x() * core::Vec3::UnitX() - gradient.y() * at.n_A + bladder.force_A;
@@ -144,12 +151,13 @@ UrethraResponse UrethraForces::respond(const EndoscopeMotion& motion) const noex
     const double along = motion.v_A.dot(a);
     const double spin = motion.w_A.dot(a);
     const double around = spin * tables.scopeRadius_m;
-    // Viscosity and friction's slope share the tool's budget; friction keeps half of it at least.
+    // Viscosity and friction's slope share the tool's budget; friction keeps at least half of it.
     const double viscous = std::min(tables.viscosity_Ns_per_m2 * sums.opened_m, 0.5 * motion.mostDamping_Ns_per_m);
     const double steepest = std::min(tables.maximumDamping_Ns_per_m, motion.mostDamping_Ns_per_m - viscous);
     const double v0 = steepest > 0.0 ? std::max(tables.leastSpeed_m_per_s, sums.friction_N / steepest) : std::numeric_limits<double>::infinity();
     const double coulomb = sums.friction_N / std::sqrt(along * along + around * around + v0 * v0);
-    // The wall is no spring alone (Kelvin–Voigt). It damps across the axis, where friction and viscosity do nothing: each direction has the budget.
+    // The wall is not purely elastic (Kelvin–Voigt). It damps across the axis, where friction and viscosity
+    // do not act, so each direction has the whole budget.
     const double wall = std::min(tables.wallRetardation_s * sums.yielding_N_per_m, motion.mostDamping_Ns_per_m);
     const core::Vec3 across_A = motion.v_A - along * a;
     r.wallDamped_N = wall * across_A.norm();

@@ -54,7 +54,7 @@ constexpr std::array<LawColumn, 26> kOutputs{{{"s_m", "m"},
                                               {"touching", "1"},
                                               {"wall_damped_N", "N"}}};
 
-/// A number of UrethraAnatomy, Endoscope or UrethraForceSettings with the name that the table shows.
+/// A number of UrethraAnatomy, Endoscope or UrethraForceSettings, with the name that the table shows.
 template <class Owner> struct Field {
     double Owner::*member;
     std::string_view name;
@@ -98,7 +98,8 @@ constexpr std::array<Field<UrethraForceSettings>, 3> kSettings{{
     {&UrethraForceSettings::maximumDamping_Ns_per_m, "maximum_damping_Ns_per_m", "N·s/m", 0.1, 1000.0},
 }};
 
-/// One local change, off while its length is 0; and the grid: 0 the fine one, else the number of P1's drawn sections.
+/// One local change, which is off while its length is 0; and the grid: 0 selects the fine one, any other
+/// value is the number of P1's drawn sections.
 constexpr std::array<LawParameter, 7> kOthers{{
     {"change_length_m", "m", 0.0, 0.0, 0.1},
     {"change_centre_m", "m", 0.080, 0.0, 0.3},
@@ -182,7 +183,8 @@ std::string problem(std::span<const double> p, std::span<const double> in) {
     return !in.empty() && !(core::Vec3(in[3], in[4], in[5]).norm() > 0.0) ? "ax, ay, az 0: expected the endoscope's axis, of any length but 0" : "";
 }
 
-/// Not a number for an endoscope that looks nowhere and for a urethra that cannot be, as the geometry's laws answer.
+/// The output is NaN for an endoscope without a direction and for an invalid urethra, as in the laws of
+/// geometry.
 void evaluate(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
     const core::Vec3 axis(in[3], in[4], in[5]);
     const double length = axis.norm();

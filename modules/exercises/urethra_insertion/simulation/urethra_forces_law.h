@@ -5,9 +5,10 @@
 
 namespace chiron::simulation {
 
-/// "urethra-force" for the command line's `evaluate`: pose and velocity of the endoscope in A → every component of
-/// UrethraResponse; anatomy (with one local change), endoscope and grid as parameters. Static data; thread: any. It builds its
-/// tables for each row, so it is not for the tick.
+/// The law "urethra-force" for the command line's `evaluate`: it computes every component of UrethraResponse
+/// from pose and velocity of the endoscope in A. Anatomy (with one local change), endoscope and grid are
+/// parameters. The data are static. It builds its tables for each row and is therefore not for the tick.
+/// Thread: any.
 const core::LawDescription& urethraForceLaw() noexcept;
 
 } // namespace chiron::simulation

@@ -11,7 +11,8 @@ namespace chiron::simulation {
 
 namespace {
 
-/// Sums of one section, for springs of stiffness 1: normal = Σ Δ(1 + βΔ), along ê and across it with c_j and s_j.
+/// Sums of one section for springs of stiffness 1: normal = Σ Δ(1 + βΔ); along ê and across it, weighted with
+/// c_j and s_j.
 struct SpringResult {
     double energy;
     double normal;
@@ -20,7 +21,7 @@ struct SpringResult {
     double alongSlope, acrossSlope, coupling; ///< Σ (1 + 2βΔ) of c², s², |sc|
 };
 
-/// All springs compressed: the trigonometric sums of a whole round.
+/// All springs are compressed: uses the trigonometric sums of a full circle.
 inline SpringResult taut(double A, double b, double beta) noexcept {
     constexpr double n = RadialSprings::kCount;
     const double square = A * A + 0.5 * b * b;
@@ -28,7 +29,7 @@ inline SpringResult taut(double A, double b, double beta) noexcept {
     return {n * (0.5 * square + beta / 3.0 * A * (square + b * b)), n * (A + beta * square), b * half, 0.0, half, half, 0.0};
 }
 
-/// Some are slack: the same sums over those that are compressed.
+/// Some springs are slack: the same sums over the compressed ones.
 inline SpringResult slack(const SpringSums& s, double A, double b, double beta) noexcept {
     const double AA = A * A, Ab2 = 2.0 * A * b, bb = b * b;
     const double square = AA * s.count + Ab2 * s.c + bb * s.c2;
@@ -44,14 +45,14 @@ inline SpringResult slack(const SpringSums& s, double A, double b, double beta) 
 }
 
 class Summation {
-    static constexpr double kLeastOpen = 1e-9; ///< of a window: energy is its square
+    static constexpr double kLeastOpen = 1e-9; ///< least opening of a window; energy is its square
 
 public:
-    /// `centred`: the sums of all sections behind the tip as if it were centred.
+    /// `centred` holds the sums of all sections behind the tip as if it were centred.
     Summation(double ex_m, double en_m, double beta, const UrethraForcePassed& centred) noexcept
         : m_springs(ex_m, en_m), m_offset_m(m_springs.offset_m()), m_beta(beta), m_sums(centred) {}
 
-    /// A section behind the tip, whose centre follows it by B.
+    /// Adds a section behind the tip, whose centre follows the tip by B.
     void addBehind(const UrethraForceSection& at, const UrethraForcePassed* centred, double B, double slopeOfB) noexcept {
         const double b = at.constrained * B * m_offset_m, touching = touchingWeight(at.squeeze_m + b);
         m_sums.length_m += at.step_m * touching - at.dragged_m;
@@ -75,7 +76,7 @@ public:
         m_pressFriction += at.friction * press;
     }
 
-    /// A section ahead of the tip: opened by W, its centre follows the tip by W too.
+    /// Adds a section ahead of the tip. It is opened by W, and its centre follows the tip by W, too.
     void addAhead(const UrethraForceSection& at, double W, double slopeOfW) noexcept {
         const double A = W * at.squeeze_m;
         const double b = at.constrained * W * m_offset_m;
@@ -93,7 +94,8 @@ public:
         m_crossAhead += 3.0 * at.stiffness_N_per_m * at.constrained * slopeOfW * std::abs(r.along);
     }
 
-    /// The windows are cosines: W′² = (π/ℓ)² W(1 − W) and |W″| ≤ ½ (π/ℓ)², likewise B with ℓ_b, which bounds what a move along changes.
+    /// The windows are cosines, so W′² = (π/ℓ)² W(1 − W) and |W″| ≤ ½ (π/ℓ)², and likewise B with ℓ_b. This
+    /// bounds the change caused by a motion along the line.
     UrethraSectionSums result(double ahead_m, double behind_m) const noexcept {
         const double half2 = 0.5 * m_offset_m * m_offset_m;
         UrethraSectionSums sums;
@@ -105,7 +107,8 @@ public:
         sums.gradient_N = m_springs.inSection(m_along + m_offset_m * m_followSquare, m_across);
         const double ahead2 = core::kPi * core::kPi / (ahead_m * ahead_m), behind2 = core::kPi * core::kPi / (behind_m * behind_m);
         sums.axial_N_per_m = ahead2 * m_axialAhead + behind2 * (m_axialBehind + 2.0 * half2 * m_axialFollow);
-        sums.cross_N_per_m = std::max(m_crossAhead, m_crossBehind + 2.0 * m_offset_m * std::abs(m_followSlope)); // of opposite signs
+        // The two have opposite signs
+        sums.cross_N_per_m = std::max(m_crossAhead, m_crossBehind + 2.0 * m_offset_m * std::abs(m_followSlope));
         sums.yielding_N_per_m = 0.5 * RadialSprings::kCount * m_yielding;
         sums.stiffness_N_per_m = m_followSquare + std::max(m_alongSlope, m_acrossSlope) + m_coupling;
         return sums;

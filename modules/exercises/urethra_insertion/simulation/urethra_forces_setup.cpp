@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLeastSpeed_m_per_s = 0.001;  // models.md §0
 constexpr double kVelocityWindow_s = 0.015;    // models.md §0: the estimator's longest window
-constexpr double kShortest_m = 1e-6;           // keeps bad data finite; content refuses it
+constexpr double kShortest_m = 1e-6;           // keeps invalid data finite; content refuses such data
 constexpr int kMostSections = 4096;
 constexpr double kSectionsOnAnEdge = 3.2;
 
@@ -23,8 +23,9 @@ struct Place {
     double step_m;
 };
 
-/// The step asked for, or what a local change's edge needs: 3.2 sections on it, that of the default edge on the default grid, keep the
-/// forces within 1 % of those of twice as many (test_urethra_forces_grid).
+/// The requested step, or a smaller one if the edge of a local change needs it: 3.2 sections on an edge, as
+/// for the default edge on the default grid, keep the forces within 1 % of those of twice as many
+/// (test_urethra_forces_grid).
 double fineStep_m(const UrethraAnatomy& anatomy, double wanted_m) {
     double step_m = wanted_m;
     for (std::size_t i = 0; i < anatomy.changeCount; ++i)
@@ -42,7 +43,7 @@ std::vector<Place> finePlaces(double length_m, double step_m) {
     return places;
 }
 
-/// P1's drawn sections, equidistant along z, each for the canal halfway to its neighbours.
+/// P1's drawn sections, equidistant along z; each represents the canal halfway to its neighbours.
 std::vector<Place> basicPlaces(const UrethraCentreline& centreline, double zEnd_m, int wanted) {
     const int count = std::clamp(wanted, 2, kMostSections);
     const auto s = [&](double i) { return centreline.arcLengthAt(zEnd_m * i / (count - 1)); };

@@ -25,7 +25,8 @@ constexpr double sinOf(int j) {
     return cosOf(j - 4);
 }
 
-/// Springs in the order of their distance from a direction in the wedge 0 … π/16: 0, 1, −1, 2, −2 … 7, −7, 8.
+/// Spring at a rank in the order of distance from a direction in the wedge 0 … π/16: 0, 1, −1, 2, −2 … 7, −7,
+/// 8.
 constexpr int springAt(int rank) {
     return rank % 2 == 1 ? (rank + 1) / 2 : -(rank / 2);
 }
@@ -38,7 +39,7 @@ struct ArcSums {
 
 constexpr auto kArcs = [] {
     std::array<ArcSums, RadialSprings::kCount + 1> arcs{};
-    for (int m = 1; m < RadialSprings::kCount; ++m) // all 16: zero, and written as such
+    for (int m = 1; m < RadialSprings::kCount; ++m) // the sums over all 16 are zero and stay so
         for (int p = 1; p <= 3; ++p) {
             const auto here = static_cast<std::size_t>(m);
             const auto power = static_cast<std::size_t>(p - 1);
@@ -66,13 +67,13 @@ void RadialSprings::order() noexcept {
         std::swap(x, y);
         odd = !odd;
     }
-    if (y > kTan1 * x) { // mirror at π/8
+    if (y > kTan1 * x) { // reflect at π/8
         const double mirrored = kC2 * (x + y);
         y = kC2 * (x - y);
         x = mirrored;
         odd = !odd;
     }
-    if (y > kTan05 * x) { // mirror at π/16
+    if (y > kTan05 * x) { // reflect at π/16
         const double mirrored = kC1 * x + kS1 * y;
         y = kS1 * x - kC1 * y;
         x = mirrored;

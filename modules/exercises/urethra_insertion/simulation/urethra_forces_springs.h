@@ -7,27 +7,30 @@
 
 namespace chiron::simulation {
 
-/// Sums over the springs of a section that are compressed; c_j = ê·u_j, s_j its counterpart along ê turned by +90°.
+/// Sums over the compressed springs of a section, with c_j = ê·u_j; s_j is the same along ê turned by +90°.
 struct SpringSums {
     double count = 16.0; ///< Σ 1
     double c = 0.0, c2 = 8.0, c3 = 0.0;
     double s = 0.0, sc = 0.0, sc2 = 0.0;
 };
 
-/// The 16 radial springs of a section (models.md §1.2), whose compressions are Δ_j = max(0, A + b c_j) with the same direction
-/// ê of the tip's offset in every section. Which springs are compressed depends on A/b alone: they are the first m in the
-/// order of falling c_j, an arc round ê, and the sums of c_j, c_j², c_j³ … over an arc are trigonometric sums with tabulated
-/// coefficients. So a section costs the same whether its springs are slack or not, and the result is the plain sum over j.
-/// Spring j stands at jπ/8 from x̂ towards n. Pure; haptic thread.
+/// The 16 radial springs of a section (models.md §1.2). Their compressions are Δ_j = max(0, A + b c_j) with
+/// the same direction ê of the tip's offset in every section. Which springs are compressed depends only on
+/// A/b: they are the first m in the order of falling c_j, an arc around ê, and the sums of c_j, c_j², c_j³ …
+/// over an arc are trigonometric sums with tabulated coefficients. A section therefore costs the same whether
+/// its springs are slack or not, and the result equals the plain sum over j. Spring j stands at jπ/8 from x̂
+/// towards n. Pure.
+/// Thread: haptic.
 class RadialSprings {
 public:
     static constexpr int kCount = 16;
 
-    /// The offset e = (along x̂, along n) of the tip, m.
+    /// `ex_m`, `en_m`: the offset e of the tip along x̂ and along n, m.
     RadialSprings(double ex_m, double en_m) noexcept;
 
     double offset_m() const noexcept { return m_offset_m; } ///< |e|
-    /// Sums over the springs with A + b c_j > 0, b ≥ 0. Sections asked in order along the canal need few steps each.
+    /// Sums over the springs with A + b c_j > 0, b ≥ 0. Few steps are needed per section if sections are
+    /// queried in order along the canal.
     const SpringSums& compressed(double A_m, double b_m) noexcept {
         if (!m_ordered)
             order();
@@ -40,20 +43,20 @@ public:
             sum(m);
         return m_sums;
     }
-    /// A vector given along ê and along ê turned by +90°, in (x̂, n).
+    /// Converts a vector that is given along ê and along ê turned by +90° to (x̂, n).
     core::Vec2 inSection(double along, double across) const noexcept;
 
 private:
-    void order() noexcept; ///< what only a section with slack springs needs
+    void order() noexcept; ///< prepares values that only a section with slack springs needs
     void sum(int compressed) noexcept;
 
     double m_offset_m;
     double m_ex = 1.0, m_en = 0.0; ///< ê
     double m_cos = 1.0, m_sin = 0.0; ///< ê mirrored into the wedge 0 … π/16 from a spring
-    double m_turn = 1.0;             ///< −1 where that took an odd number of mirrors
+    double m_turn = 1.0;             ///< −1 where that took an odd number of reflections
     bool m_ordered = false;
     int m_compressed = kCount;
-    std::array<double, kCount> m_c{}; ///< falling
+    std::array<double, kCount> m_c{}; ///< c_j in falling order
     SpringSums m_sums;
 };
 

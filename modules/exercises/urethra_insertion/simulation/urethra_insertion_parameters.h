@@ -12,8 +12,9 @@
 
 namespace chiron::simulation {
 
-/// Where anatomy stands on the table: A in W. By default the patient lies on the back, the plane of symmetry is W's y–z
-/// plane: z_A = +y_W (into the patient, away from the trainee), y_A = +z_W (up), x_A = −x_W.
+/// Pose of the anatomy on the table: A in W. By default the patient lies on the back, and the plane of
+/// symmetry is W's y–z plane: z_A = +y_W (into the patient, away from the trainee), y_A = +z_W (up),
+/// x_A = −x_W.
 struct AnatomyPose {
     core::Vec3 p_WA{0.0, -0.044, 0.0};
     core::Quat q_WA{0.0, 0.0, 0.7071067811865476, 0.7071067811865476}; ///< w, x, y, z
@@ -24,14 +25,17 @@ struct AnatomyPose {
     core::Vec3 vectorToW(const core::Vec3& v_A) const noexcept { return q_WA * v_A; }
 };
 
-/// A place on the bladder's wall, as seen from its centre: polar angle from t(C), azimuth about it from x̂ towards n.
+/// A point on the bladder's wall, as seen from the bladder's centre: polar angle from t(C), azimuth about it
+/// from x̂ towards n.
 struct BladderLandmark {
-    std::string id; ///< e.g. "right_ureter"; display text by the screen
+    std::string id; ///< e.g. "right_ureter"; the screen supplies the displayed text
     double polar_rad = 0.0;
     double azimuth_rad = 0.0;
 };
 
-/// One level of urethra insertion (models.md §1), filled from content by the catalogue, which checks the ranges. SI.
+/// One level of urethra insertion (models.md §1), filled from content by the catalogue, which checks the
+/// ranges.
+/// Unit: SI.
 struct UrethraInsertionParameters {
     UrethraAnatomy anatomy;
     Endoscope endoscope;
@@ -39,22 +43,26 @@ struct UrethraInsertionParameters {
     UrethraMeshSettings mesh;
     AnatomyPose pose;
 
-    std::string tissue = "normal"; ///< name of the preset, for people: normal, tight, stricture
+    std::string tissue = "normal"; ///< name of the preset, shown to people: normal, tight, stricture
     YieldLaw yield;           ///< when the wall gives way to a false passage; by default never
-    double meatus_m = 0.0;    ///< the shaft enters only this near to the centre-line (MeatusGate); 0: anywhere
-    double goalDepth_m = 0.0; ///< insertion is done when the tip has been this far in; 0: the bladder neck C and 10 mm beyond
-    bool withdraws = true;    ///< the trial ends outside again; false: at the goal (or the last landmark)
+    /// The shaft enters only within this distance of the centre-line (MeatusGate); 0: anywhere.
+    double meatus_m = 0.0;
+    /// Depth of the tip that ends the insertion; 0: the bladder neck C and 10 mm beyond.
+    double goalDepth_m = 0.0;
+    /// True: the trial ends outside again; false: at the goal (or the last landmark).
+    bool withdraws = true;
     std::vector<BladderLandmark> landmarks; ///< to be inspected after the goal; at most 16
-    double landmarkHalfAngle_rad = 0.2617993877991494; ///< within this of the view's middle …
+    /// A landmark counts as seen within this angle of the centre of the view …
+    double landmarkHalfAngle_rad = 0.2617993877991494;
     double landmarkDistance_m = 0.080;                 ///< … and nearer than this …
-    double landmarkHold_s = 1.0;                       ///< … for so long …
-    double landmarkSpeed_m_per_s = 0.005;              ///< … with the tip no faster than this: seen
+    double landmarkHold_s = 1.0;                       ///< … for this long …
+    double landmarkSpeed_m_per_s = 0.005;              ///< … with the tip no faster than this
     double trialLimit_s = 180.0;
     double maximumForce_N = 4.0;   ///< the exercise's cap and the limit of force metrics
     double maximumTorque_Nm = 0.150;
-    double lateralLimit_N = 2.0;   ///< trauma: lateral force over this for 20 ms, re-armed below 80 %
-    bool depthOfField = false;     ///< how the level begins
-    bool depthOfFieldFixed = false; ///< the person may not switch it
+    double lateralLimit_N = 2.0;   ///< trauma: lateral force above this for 20 ms, re-armed below 80 %
+    bool depthOfField = false;     ///< initial setting of the level
+    bool depthOfFieldFixed = false; ///< the user may not switch it
     std::vector<std::string> cues;
 };
 

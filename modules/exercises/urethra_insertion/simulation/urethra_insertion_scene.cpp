@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::uint64_t kLookEvery_ticks = 8; // 125 Hz: twice as often as a screen can show it
 constexpr std::uint64_t kTick_us = 1000;
-constexpr double kCheckedOffset_m = 0.006, kCheckedTilt_rad = core::kPi / 6.0; // each way; header
+// In each direction; see the header
+constexpr double kCheckedOffset_m = 0.006, kCheckedTilt_rad = core::kPi / 6.0;
 constexpr double kRounding = 1.0 + 1e-9;
 
 bool isPose(const core::ToolState& tool) noexcept {
@@ -37,7 +38,7 @@ void UrethraInsertionScene::respond(const realtime::HapticTick&, const SceneInpu
     fillCues(in, out);
 }
 
-/// A pose that is not a number is not the wall's concern; the supervisor deals with the sample.
+/// A pose that is not finite produces no wall force; the supervisor deals with the sample.
 void UrethraInsertionScene::sense(const core::ToolStates& tools, double mostDamping_Ns_per_m) noexcept {
     m_sensed = tools.count > 0 && isPose(tools.tools[0]);
     if (!m_sensed) {
@@ -51,7 +52,8 @@ void UrethraInsertionScene::sense(const core::ToolStates& tools, double mostDamp
     m_motion.w_A = m_pose.vectorToA(tool.w_WT);
     m_motion.mostDamping_Ns_per_m = mostDamping_Ns_per_m;
     m_response = m_forces.respond(m_motion);
-    if (m_phase != TrialPhase::running) // nothing is felt before the force's ramp: the canal is where the tip is brought in
+    // Nothing is felt before the ramp of the force, so the tip counts as inside wherever it is brought in
+    if (m_phase != TrialPhase::running)
         m_gate.forget();
     m_gate.step(m_response.foot.at.s_m, std::hypot(m_response.foot.ex_m, m_response.foot.en_m));
 }
@@ -128,7 +130,7 @@ void UrethraInsertionScene::answer(const core::ToolStates& tools, SceneOutput& o
         out.events |= touching ? bits::kContactBegan : bits::kContactEnded;
     m_touching = touching;
     if (!felt)
-        m_yield.reset(); // nobody is seen there yet
+        m_yield.reset(); // nothing has been seen there yet
     const double whole = !felt ? 1.0
                                : m_yield.step(touching ? m_response.wrench_A.force.norm() : 0.0, !touching, core::kTickSeconds,
                                               touching ? m_response.wrench_A.torque.norm() : 0.0);
@@ -143,7 +145,7 @@ void UrethraInsertionScene::answer(const core::ToolStates& tools, SceneOutput& o
     out.contactStiffness_N_per_m = whole * m_response.stiffness_N_per_m;
     out.damping_Ns_per_m[0] = whole * m_response.damping_Ns_per_m;
     if (m_yield.through())
-        return; // drawn where it is: out of the canal
+        return; // drawn at its true position, out of the canal
     const core::Vec3 drawn_A = m_drawn.at(m_motion.p_A, m_response.foot);
     if (drawn_A != m_motion.p_A)
         out.p_WProxy[0] = m_pose.pointToW(drawn_A);
@@ -187,8 +189,9 @@ void UrethraInsertionScene::fillPicture(const core::Quat& q_WT, EndoscopeCues& c
     cues.lumenDistance_m = distance_m;
 }
 
-/// A landmark lies in the picture when it is nearer than it has to be to count and within the field of view; the tip is then in
-/// the bladder, whose sphere is convex: nothing stands between.
+/// A landmark lies in the picture when it is within the field of view, at whatever distance (to count as seen
+/// it also has to be near enough). The tip is then past the neck, in the bladder, whose sphere is convex, so
+/// nothing lies between.
 void UrethraInsertionScene::fillLandmark(const core::Quat& q_WT, EndoscopeCues& cues) const noexcept {
     const int next = m_tracker.nextLandmark();
     if (next < 0 || m_response.foot.at.s_m <= m_tracker.plan().neck_m)

@@ -12,26 +12,32 @@
 
 namespace chiron::simulation {
 
-/// Urethra insertion running (models.md §1; P1): pose -> anatomy frame -> forces and torques of the wall -> back to W, and the
-/// procedure's task state. One trial a session:
+/// The running urethra insertion (models.md §1; P1). It converts the pose to the anatomy frame, computes
+/// forces and torques of the wall, converts them back to W, and keeps the procedure's task state. A session
+/// has one trial:
 ///
 ///   idle --started--> ready --forceReady--> running --procedure completed or limit--> finished
 ///
-/// - idle and finished: there is no patient, nothing is touched, wrench is zero. In `ready` the anatomy answers, so that the
-///   supervisor arms only when little is asked for; an endoscope that lies inside at the start is brought in by its ramp.
-/// - kSceneChanged comes with the first tick of `ready`; `ready` lasts at least one tick more. kTrialStarted comes with the first
-///   running tick, kCompleted or kTimedOut with the last one: frames from the one to the other are the trial. kFinished comes
-///   with the tick after. Completed at the limit's tick counts as completed. The mark button means nothing here.
-/// - kStageChanged and kLandmarkSeen come from the ProcedureTracker, which is stepped by 1 ms at every running tick.
-/// - Clocks and tracker stand still while paused; contact still answers (the supervisor ramps).
+/// - In idle and finished there is no patient, nothing is touched, and the wrench is zero. In `ready` the
+///   anatomy already produces forces, so the supervisor arms only while little force is requested; if the
+///   endoscope lies inside at the start, the supervisor's ramp brings its force in.
+/// - kSceneChanged comes with the first tick of `ready`; `ready` lasts at least one tick more. kTrialStarted
+///   comes with the first running tick, kCompleted or kTimedOut with the last one: the frames from the one to
+///   the other are the trial. kFinished comes with the tick after. Completion in the tick of the time limit
+///   counts as completed. The mark button has no meaning here.
+/// - kStageChanged and kLandmarkSeen come from the ProcedureTracker, which advances by 1 ms in every running
+///   tick.
+/// - Clocks and tracker stand still while paused; contact still produces forces (the supervisor ramps them).
 /// - Tool 0 is the endoscope; other tools touch nothing.
 /// - The shaft enters only through the meatus (MeatusGate): before it and beside the canal there is no force.
-/// - The wall gives way at the level's yield force: a false passage. What is felt then falls by TissueYield's curve, and there is
-///   nothing to feel until the tip is out of the patient again. Recorded as contact bits.
-/// - Checked (kBeyondChecked where not): 6 mm off the centre-line each way with 30° of tilt each way in the canal, and the bladder with
-///   2 mm of its wall (test_urethra_forces).
+/// - The wall gives way at the level's yield force: a false passage. The felt force then falls along
+///   TissueYield's curve, and nothing is felt until the tip is out of the patient again. Contact bits record
+///   this.
+/// - The checked range (kBeyondChecked outside it) is 6 mm off the centre-line with 30° of tilt in each
+///   direction in the canal, and the bladder with 2 mm of its wall (test_urethra_forces).
 ///
-/// Deterministic: the seed changes nothing (the anatomy is data). Thread: respond() haptic; construction anywhere. A session owns one.
+/// Deterministic: the seed changes nothing (the anatomy is data). A session owns one.
+/// Thread: haptic for respond(); any for construction.
 class UrethraInsertionScene final : public IScene {
 public:
     explicit UrethraInsertionScene(const UrethraInsertionParameters& parameters);
@@ -60,7 +66,7 @@ private:
     MeatusGate m_gate;
     TissueYield m_yield;
     core::Vec3 m_bladderCentre_A;
-    double m_bladderReach_m; ///< radius in which the bladder's law is checked
+    double m_bladderReach_m; ///< radius within which the bladder's law has been checked
     DrawnTip m_drawn;
     LumenSight m_sight;
     ProcedureTracker m_tracker;
@@ -70,13 +76,13 @@ private:
     bool m_showsGuidance;
 
     core::TrialPhase m_phase = core::TrialPhase::idle;
-    std::uint64_t m_clock = 0; ///< ticks run, pauses left out
-    bool m_trialOver = false;  ///< the tick before ended the trial
-    bool m_sensed = false;     ///< tool 0 is there and its pose is a number
+    std::uint64_t m_clock = 0; ///< ticks that have run, without pauses
+    bool m_trialOver = false;  ///< the previous tick ended the trial
+    bool m_sensed = false;     ///< tool 0 exists and its pose is finite
     bool m_touching = false;
     EndoscopeMotion m_motion;
     UrethraResponse m_response;
-    std::uint64_t m_looks = 0; ///< ticks with a picture; the lumen is looked for at every eighth
+    std::uint64_t m_looks = 0; ///< ticks with a picture; the lumen is searched in every eighth of them
     LumenSight::View m_lumen;
 };
 

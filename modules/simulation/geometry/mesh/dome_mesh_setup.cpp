@@ -10,17 +10,18 @@ namespace chiron::simulation {
 
 namespace {
 
-/// A circle of the turned outline: its vertices follow one another, turned by half a step on every second circle.
+/// One circle of vertices of the revolved outline. The vertices have consecutive numbers; every second circle
+/// is rotated by half a step.
 struct Ring {
     std::uint32_t first = 0;
-    std::uint32_t count = 1; ///< 1: on the axis
-    double turn = 0.0;       ///< of its first vertex, in circles
+    std::uint32_t count = 1; ///< 1: a single vertex on the axis
+    double turn = 0.0;       ///< angle of its first vertex, in full turns
 };
 
 struct OutlinePoint {
     double rho = 0.0, z = 0.0;
     double normalRho = 0.0, normalZ = 1.0;
-    double bumps = 0.0; ///< how much of the bumps is laid on here
+    double bumps = 0.0; ///< share of the bumps' height that is applied here
 };
 
 double smooth(double x) {
@@ -28,11 +29,11 @@ double smooth(double x) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// From the apex down the dome, out over the plate, down its side and back to the axis below.
+/// The outline from the apex down the dome, out over the plate, down its side and back to the axis below.
 std::vector<OutlinePoint> outline(const MeshSource& s) {
     const double R = s.halfAxisX_m;
     const double fade2 = std::max(0.25 * R * R, 4.0 * R * s.bumpHeight_m);
-    const double margin = std::min(s.bumpWavelength_m, 0.25 * R); // bumps fade out within it
+    const double margin = std::min(s.bumpWavelength_m, 0.25 * R); // the bumps fade out within this distance
     std::vector<OutlinePoint> points;
     const auto steps = [&](double length) { return std::max(1, static_cast<int>(std::lround(length / s.edge_m))); };
     const int onDome = std::max(3, steps(0.5 * core::kPi * R));
@@ -72,7 +73,8 @@ Ring addRing(const OutlinePoint& at, double edge, bool odd, const MeshBumps& bum
     return ring;
 }
 
-/// Triangles between two circles: the one whose next vertex comes first, by angle, goes on.
+/// Fills the strip between two circles with triangles. In each step the circle whose next vertex comes first,
+/// by angle, advances.
 void stitch(const Ring& inner, const Ring& outer, MeshShape& shape) {
     const auto vertex = [](const Ring& ring, std::uint32_t i) { return ring.first + i % ring.count; };
     const auto angle = [](const Ring& ring, std::uint32_t i) { return ring.turn + static_cast<double>(i) / ring.count; };

@@ -12,7 +12,8 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-constexpr double kIcosahedronEdge_rad = 1.1071487177940904; // atan 2: the angle that an edge is seen under
+// atan 2: the angle that an edge subtends at the centre
+constexpr double kIcosahedronEdge_rad = 1.1071487177940904;
 
 struct Icosahedron {
     std::array<core::Vec3, 12> vertices;
@@ -26,7 +27,7 @@ Icosahedron icosahedron() {
               {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}}};
 }
 
-/// Cuts every side of an icosahedron into n and lays the vertices on the unit sphere.
+/// Divides every side of an icosahedron into n parts and puts the vertices on the unit sphere.
 class CutIcosahedron {
 public:
     explicit CutIcosahedron(std::uint32_t n) : m_n(n), m_base(icosahedron()) {
@@ -37,7 +38,7 @@ public:
     MeshShape take() { return std::move(m_shape); }
 
 private:
-    /// Vertex i of 0..n from corner a to corner b, made once for the two faces that share the side.
+    /// Vertex i of 0..n from corner a to corner b. It is made once for the two faces that share the side.
     std::uint32_t onSide(std::uint32_t a, std::uint32_t b, std::uint32_t i) {
         if (i == 0 || i == m_n)
             return i == 0 ? a : b;

@@ -21,7 +21,8 @@ constexpr std::array<LawColumn, 6> kInputs{
 constexpr std::array<LawColumn, 8> kOutputs{
     {{"fx_N", "N"}, {"fy_N", "N"}, {"fz_N", "N"}, {"depth_m", "m"}, {"nx", "1"}, {"ny", "1"}, {"nz", "1"}, {"energy_J", "J"}}};
 
-/// The first kOfMesh describe the mesh; `dome` 1 makes a dome of half_axis_x_m on a plate, 0 an ellipsoid.
+/// The first kOfMesh parameters describe the mesh; `dome` 1 makes a dome of half_axis_x_m on a plate, 0 an
+/// ellipsoid.
 constexpr std::size_t kOfMesh = 10;
 constexpr std::array<LawParameter, 14> kParameters{{
     {"dome", "1", 0.0, 0.0, 1.0, true},

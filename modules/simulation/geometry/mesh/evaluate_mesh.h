@@ -5,10 +5,12 @@
 
 namespace chiron::simulation {
 
-/// "mesh-contact" as a table for the command line (evaluate_laws.h): tool position and velocity → force, blended normal, depth and
-/// energy on a generated mesh (an ellipsoid with bumps, or a dome on a plate). Each row stands alone: contact is acquired at
-/// the nearest place, without history, friction or dents. A mesh that cannot be made gives rows of NaN. The mesh of the last
-/// parameters is kept by the calling thread. Static data; thread: any but the haptic one.
+/// The law "mesh-contact" as a table for the command line (evaluate_laws.h). It computes force, blended
+/// normal, depth and energy from the tool's position and velocity on a generated mesh (an ellipsoid with
+/// bumps, or a dome on a plate). Each row stands alone: contact is acquired at the nearest place, without
+/// history, friction or dents. A mesh that cannot be made gives rows of NaN. The calling thread keeps the
+/// mesh of the last parameters. The data are static.
+/// Thread: any but the haptic one.
 core::LawDescription meshContactLaw() noexcept;
 
 } // namespace chiron::simulation

@@ -16,7 +16,8 @@ core::Result<void> positive(const char* name, double value) {
     return core::fail(core::ErrorCode::badInput, std::string("mesh: ") + name + ": " + std::to_string(value) + ", expected more than 0");
 }
 
-/// Area over that of an equilateral triangle of the edge asked for.
+/// Estimates the number of triangles as the area divided by that of an equilateral triangle with the
+/// requested edge.
 double expectedTriangles(const MeshSource& s) {
     const double triangle = std::sqrt(3.0) / 4.0 * s.edge_m * s.edge_m;
     if (s.shape == MeshSource::Shape::dome) {

@@ -12,9 +12,10 @@
 
 namespace chiron::simulation {
 
-/// Smooth bumps in space, to be laid on a surface: h(x) = A/√6 · Σ sin(2π u_i·x/λ + φ_i), six directions u_i and phases by
-/// the seed. As strong as one sine of amplitude A (rms A/√2), nowhere above 2.45 A; no wavelength on a surface is below λ.
-/// The sum of few waves is our choice: irregular to the touch, and exactly known. Pure once made.
+/// Smooth bumps in space that can be laid on a surface: h(x) = A/√6 · Σ sin(2π u_i·x/λ + φ_i), with six
+/// directions u_i and phases φ_i from the seed. They are as strong as one sine of amplitude A (rms A/√2),
+/// never exceed 2.45 A, and have no wavelength below λ on a surface. The sum of a few waves is our choice: it
+/// is irregular to the touch and exactly known. Pure after construction.
 class MeshBumps {
 public:
     MeshBumps(double height_m, double wavelength_m, std::uint64_t seed) noexcept

@@ -11,34 +11,40 @@
 
 namespace chiron::simulation {
 
-/// What one tool has done to one mesh so far: where it is on it, its bristle, its dent.
+/// State of the contact between one tool and one mesh: the tool's place on the mesh, its bristle and its
+/// dent.
 struct MeshContactState {
     MeshTracker tracker;
     FeltPlace felt;
     ObjectContactState object;
-    core::Vec3 carried = core::Vec3::Zero(); ///< how far the touched places have moved with the surface, m
-    double depth_m = 0.0;                    ///< of the tick before
+    /// How far the touched places have moved with the surface so far, m.
+    core::Vec3 carried = core::Vec3::Zero();
+    double depth_m = 0.0;                    ///< depth in the previous tick
     void reset() noexcept { *this = MeshContactState(); }
 };
 
-/// What a tool feels on a mesh, on the tool, in the mesh's frame.
+/// Response of a mesh to a tool. Forces are on the tool, in the mesh's frame.
 struct MeshResponse {
-    ObjectContactResponse contact; ///< force, its shares, normal, depth, energy, stiffness, inContact
+    ObjectContactResponse contact; ///< force and its parts, normal, depth, energy, stiffness, inContact
     MeshFoot foot;                 ///< place on the surface: triangle, weights, point, blended normal, how it was found
-    /// Where a tool that stays at the surface is drawn: its centre, lifted by the depth; p out of contact.
+    /// Where a tool that is shown to stay at the surface is drawn: its centre, raised by the depth; p out of
+    /// contact.
     core::Vec3 surfaced = core::Vec3::Zero();
 };
 
-/// The force of a spherical tool tip (radius r ≥ 0) on a watertight mesh with an object's attributes:
+/// Computes the force of a spherical tool tip (radius r ≥ 0) on a watertight mesh with an object's
+/// attributes:
 ///   direction = the blend of the touched triangle's vertex normals (P2 figure 6);  d = (x − p)·n + r;
 ///   force from d by ObjectContact: elasticity, deformation, roughness, damping, viscosity, friction.
-/// conservative: false. Blended normals are the gradient of no potential: a closed path makes or takes a little energy, which
-/// grows with the angle between facet and blended normal (a finer mesh makes less; tests/unit/simulation/test_mesh_energy
-/// states it), and the passivity controller stands behind. The force never pulls and, without dents, damping and friction, is
-/// a function of the tool's place wherever the place is `tracked`.
-/// Surface: TriangleMesh, or a moving one with position(vertex) and normal(vertex) of its own (moved_mesh.h).
-/// Immutable; all state is the caller's: MeshContactState one a tool, MeshDents one a mesh (none: plain). Thread: haptic.
-/// Source: P2 "Deformation", figure 6, "Deformation Model"; models.md §2.2.
+/// conservative: false. Blended normals are not the gradient of a potential, so a closed path creates or
+/// takes a little energy. The amount grows with the angle between facet and blended normal (a finer mesh
+/// creates less; tests/unit/simulation/test_mesh_energy states it), and the passivity controller limits it.
+/// The force never pulls. Without dents, damping and friction it is a function of the tool's position
+/// wherever the place is `tracked`. The surface is a TriangleMesh, or a moving one with its own
+/// position(vertex) and normal(vertex) (moved_mesh.h). Immutable; the caller keeps all state: one
+/// MeshContactState per tool and, if the surface gives way, one MeshDents per mesh. Source: P2 "Deformation",
+/// figure 6, "Deformation Model"; models.md §2.2.
+/// Thread: haptic.
 class MeshContact {
 public:
     static constexpr bool kConservative = false;
@@ -46,7 +52,8 @@ public:
     MeshContact() = default;
     MeshContact(const ObjectAttributes& attributes, double toolRadius_m) noexcept : m_object(attributes), m_toolRadius_m(toolRadius_m) {}
 
-    /// One tick, number `tick`. `p` m and `v` m/s of the tip's centre, in the mesh's frame. Call it every tick.
+    /// Advances to tick number `tick`. `p` (m) and `v` (m/s) are those of the tip's centre, in the mesh's
+    /// frame. Call it in every tick.
     template <class Surface>
     MeshResponse respond(const Surface& surface, const core::Vec3& p, const core::Vec3& v, std::uint64_t tick, MeshContactState& state,
                          MeshDents* dents = nullptr) const noexcept {
@@ -64,7 +71,7 @@ public:
         const bool dented = dents != nullptr && dents->any() && out.foot.within();
         if (dented) {
             const SurfaceTriangle& triangle = surface.triangle(out.foot.place.triangle);
-            // as it was a tick ago: press() lets it go on from there
+            // the dent of the previous tick, because press() advances it from there
             const double stretch = dents->at(triangle, out.foot.place.weights, tick > 0 ? tick - 1 : 0, core::kTickSeconds);
             state.object.dent.resume(stretch, state.depth_m);
         }

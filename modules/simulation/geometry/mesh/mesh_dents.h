@@ -9,20 +9,22 @@
 
 namespace chiron::simulation {
 
-/// The local data set of a surface that gives way (P2 "Deformation Model": "a local data set in the haptic loop"): how far it has
-/// given way at each vertex, q of attributes/deformation.h, recovering with the time constant τ:  q(t) = q(t₀) e^{−(t−t₀)/τ}.
-/// Kept with the tick of the last press and worked out when it is read, so nothing has to be done for vertices that nobody
-/// touches. Between vertices it is interpolated like the normals, so a tool that slides meets no step, and a tool that
-/// comes back finds its own dent. A press moves three vertices, so a dent is about as wide as the triangles are.
-/// One a mesh, shared by its tools. Thread: haptic; made (allocates) elsewhere.
+/// The local data set of a surface that gives way (P2 "Deformation Model": "a local data set in the haptic
+/// loop"). It stores how far the surface has given way at each vertex, q of attributes/deformation.h, which
+/// recovers with the time constant τ: q(t) = q(t₀) e^{−(t−t₀)/τ}. The value is stored with the tick of the
+/// last press and evaluated when it is read, so vertices that nobody touches cost nothing. Between vertices
+/// it is interpolated like the normals, so a sliding tool meets no step, and a tool that comes back finds its
+/// own dent. A press moves three vertices, so a dent is about as wide as the triangles. Use one instance per
+/// mesh, shared by all tools.
+/// Thread: haptic; the constructor allocates and runs elsewhere.
 class MeshDents {
 public:
-    MeshDents() = default; ///< of a surface that does not give way
+    MeshDents() = default; ///< for a surface that does not give way
     MeshDents(std::size_t vertices, double recoveryTime_s);
 
     bool any() const noexcept { return !m_dents.empty(); }
 
-    /// q of a vertex (m, ≥ 0) at tick `now`, `tick_s` long.
+    /// Returns q of a vertex (m, ≥ 0) at tick `now`; a tick lasts `tick_s`.
     double at(std::uint32_t vertex, std::uint64_t now, double tick_s) const noexcept {
         const Dent& dent = m_dents[vertex];
         if (dent.stretch_m == 0.0 || now <= dent.tick)
@@ -34,7 +36,8 @@ public:
                weights[2] * at(triangle.vertex[2], now, tick_s);
     }
 
-    /// Changes the three corners, by as little as possible, so that q at `weights` becomes `stretch_m`; none below 0.
+    /// Changes q of the three corners by as little as possible so that q at `weights` becomes `stretch_m`. No
+    /// corner falls below 0.
     void set(const SurfaceTriangle& triangle, const core::Vec3& weights, double stretch_m, std::uint64_t now, double tick_s) noexcept {
         const double step = (stretch_m - at(triangle, weights, now, tick_s)) / weights.squaredNorm();
         for (std::size_t i = 0; i < 3; ++i) {

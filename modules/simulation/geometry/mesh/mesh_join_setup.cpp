@@ -11,8 +11,8 @@ namespace chiron::simulation {
 
 namespace {
 
-/// Vertices that lie so near to each other are one, where the mesh would have holes otherwise: a share of its size. Assumption:
-/// single precision keeps 1e-7 of it.
+/// Vertices that are nearer to each other than this share of the mesh's size are joined where the mesh would
+/// otherwise have holes. Assumption: single precision keeps 1e-7 of the size.
 constexpr double kNear = 1e-6;
 
 using Key = std::array<double, 3>;
@@ -23,7 +23,8 @@ std::size_t openEdges(const MeshShape& shape) {
     return open;
 }
 
-/// Keeps the vertices for which `keep` holds; corners are told their new numbers by `into` first.
+/// Keeps the vertices for which `keep` holds. Corners first move to the vertex that `into` names and then get
+/// its new number.
 void renumber(MeshShape& shape, const std::vector<std::uint32_t>& into, const std::vector<bool>& keep) {
     std::vector<std::uint32_t> number(shape.vertices.size(), 0);
     std::uint32_t count = 0;
@@ -38,7 +39,8 @@ void renumber(MeshShape& shape, const std::vector<std::uint32_t>& into, const st
             corner = number[into[corner]];
 }
 
-/// Joins the vertices whose keys agree into the first of them; the first one that goes, and how many go.
+/// Joins the vertices whose keys agree into the first of them. Returns the first vertex that is removed and
+/// the number of removed ones.
 template <class KeyOf> std::pair<std::size_t, std::size_t> joinBy(MeshShape& shape, KeyOf&& keyOf) {
     std::vector<Key> keys;
     keys.reserve(shape.vertices.size());
@@ -70,7 +72,8 @@ void tell(const std::pair<std::size_t, std::size_t>& joined, const char* how, Me
         report.add({MeshProblem::duplicateVertices, "vertex " + std::to_string(joined.first + 1), how, "one vertex a place", joined.second, true});
 }
 
-/// Two places nearer than `near` in every axis share a cell of twice that in one of eight grids, each half a cell aside or not.
+/// Two positions that are nearer than `near` along every axis share a cell of twice that size in one of eight
+/// grids, which are shifted by half a cell or not along each axis.
 void joinNear(MeshShape& shape, double near, MeshReport& report) {
     for (int grid = 0; grid < 8; ++grid)
         tell(joinBy(shape, [&](const core::Vec3& p) {
@@ -104,7 +107,7 @@ template <class Drop> void dropWhere(ReadMesh& mesh, Drop&& drop) {
 
 void dropDoubled(ReadMesh& mesh, MeshReport& report) {
     std::vector<std::array<std::uint32_t, 3>> turned = mesh.shape.triangles;
-    for (auto& t : turned) // the same way round, the lowest corner first
+    for (auto& t : turned) // rotated so that the lowest corner comes first; the orientation stays
         std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     std::vector<std::uint32_t> order(turned.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -143,7 +146,7 @@ void dropTriangles(ReadMesh& mesh, MeshReport& report) {
     for (std::size_t t = 0; t < mesh.shape.triangles.size(); ++t)
         if (same(t))
             report.add({MeshProblem::degenerateTriangle, trianglePlace(mesh, t), "two corners at one place, dropped", "three corners", 1, true});
-    dropWhere(mesh, same); // its other two sides were one edge: nothing opens
+    dropWhere(mesh, same); // its other two sides were one edge, so no hole opens
     dropDoubled(mesh, report);
     std::vector<bool> flat(mesh.shape.triangles.size());
     MeshFinding finding{MeshProblem::degenerateTriangle, {}, {}, "a triangle with an area", 0, false};

@@ -11,12 +11,13 @@ namespace chiron::simulation {
 
 namespace {
 
-constexpr std::size_t kMostNested = 64; ///< shells of which it is asked which lies in which; of more, all look outwards
+/// Up to this many shells are tested for which lies in which; if there are more, all face outwards.
+constexpr std::size_t kMostNested = 64;
 constexpr std::uint32_t kNone = 0xffffffffU;
 
 struct Neighbour {
     std::uint32_t triangle = 0;
-    bool same = false; ///< runs along the edge the same way: one of the two is flipped
+    bool same = false; ///< runs along the edge in the same direction: one of the two is flipped
 };
 using Neighbours = std::vector<std::array<Neighbour, 3>>;
 
@@ -34,10 +35,11 @@ Neighbours neighboursOf(const MeshShape& shape) {
 struct Shell {
     std::vector<std::uint32_t> triangles;
     core::Vec3 low = core::Vec3::Zero(), high = core::Vec3::Zero();
-    double volume_m3 = 0.0; ///< signed, as its triangles look now
+    double volume_m3 = 0.0; ///< signed, by the present orientation of its triangles
 };
 
-/// One shell from `start`: goes to every neighbour and notes which look the other way than the first. False: one-sided.
+/// Collects one shell from triangle `start`. It visits every neighbour and records which triangles face the
+/// other way than the first. Returns false if the shell is one-sided.
 bool gather(const Neighbours& neighbours, std::uint32_t start, std::vector<std::uint8_t>& flip, Shell& shell) {
     constexpr std::uint8_t kUnseen = 2;
     flip[start] = 0;
@@ -71,7 +73,8 @@ void measure(const MeshShape& shape, Shell& shell) {
     }
 }
 
-/// How often the shell winds round p (van Oosterom & Strackee 1983): about 1 or −1 inside, 0 outside.
+/// Says whether the shell winds around p. The winding number (van Oosterom & Strackee 1983) is about 1 or −1
+/// inside, 0 outside.
 bool windsRound(const MeshShape& shape, const Shell& shell, const core::Vec3& p) {
     if ((p.array() < shell.low.array()).any() || (p.array() > shell.high.array()).any())
         return false;
@@ -88,7 +91,7 @@ void turn(MeshShape& shape, std::uint32_t triangle) {
     std::swap(shape.triangles[triangle][1], shape.triangles[triangle][2]);
 }
 
-/// Within the shell: the fewer ones are turned.
+/// Orients a shell consistently by turning the minority of its triangles.
 void turnFew(ReadMesh& mesh, const std::vector<std::uint8_t>& flip, const Shell& shell, MeshReport& report) {
     const auto others = static_cast<std::size_t>(std::count_if(shell.triangles.begin(), shell.triangles.end(), [&](std::uint32_t t) { return flip[t] == 1; }));
     const std::uint8_t few = 2 * others > shell.triangles.size() ? 0 : 1;
@@ -99,7 +102,7 @@ void turnFew(ReadMesh& mesh, const std::vector<std::uint8_t>& flip, const Shell&
         }
 }
 
-/// The whole shell: outwards, or inwards if it is the wall of a hollow.
+/// Turns whole shells outwards, or inwards where the shell is the wall of a hollow.
 void turnOut(ReadMesh& mesh, std::vector<Shell>& shells, MeshReport& report) {
     for (std::size_t s = 0; s < shells.size(); ++s) {
         const core::Vec3& p = mesh.shape.vertices[mesh.shape.triangles[shells[s].triangles[0]][0]];
@@ -183,7 +186,7 @@ void splitVertices(ReadMesh& mesh, MeshReport& report) {
             taken[vertex] = true;
             std::uint32_t t = start;
             std::size_t at = corner;
-            while (t != kNone && !seen[t][at]) { // once round the fan
+            while (t != kNone && !seen[t][at]) { // once around the fan
                 seen[t][at] = true;
                 mesh.shape.triangles[t][at] = name;
                 t = neighbours[t][(at + 1) % 3].triangle;

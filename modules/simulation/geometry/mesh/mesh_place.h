@@ -21,7 +21,7 @@ template <class Surface> core::Vec3 pointAt(const Surface& surface, const MeshPl
            place.weights[2] * surface.position(t.vertex[2]);
 }
 
-/// The blend of the three vertex normals, unit (P2 figure 6); continuous over the whole surface.
+/// The blend of the three vertex normals, normalised (P2 figure 6); it is continuous over the whole surface.
 template <class Surface> core::Vec3 normalAt(const Surface& surface, const MeshPlace& place) noexcept {
     const SurfaceTriangle& t = surface.triangle(place.triangle);
     return (place.weights[0] * surface.normal(t.vertex[0]) + place.weights[1] * surface.normal(t.vertex[1]) +
@@ -36,7 +36,8 @@ template <class Surface> core::Vec3 facet(const Surface& surface, std::uint32_t 
     return (surface.position(t.vertex[1]) - a).cross(surface.position(t.vertex[2]) - a);
 }
 
-/// Weights of the triangle's point nearest to p; a weight is exactly 0 where that point lies on a side or in a corner.
+/// Weights of the triangle's point nearest to p. A weight is exactly 0 where that point lies on a side or in
+/// a corner.
 /// Source: Ericson, Real-Time Collision Detection (2005), §5.1.5.
 inline core::Vec3 nearestWeights(const core::Vec3& a, const core::Vec3& b, const core::Vec3& c, const core::Vec3& p) noexcept {
     const core::Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
@@ -66,7 +67,7 @@ inline core::Vec3 nearestWeights(const core::Vec3& a, const core::Vec3& b, const
     return {va * inverse, vb * inverse, vc * inverse};
 }
 
-/// The corner of `triangle` that is `vertex`; 3 if none is.
+/// Index of the corner of `triangle` that is `vertex`; 3 if none is.
 inline std::size_t cornerOf(const SurfaceTriangle& triangle, std::uint32_t vertex) noexcept {
     for (std::size_t i = 0; i < 3; ++i)
         if (triangle.vertex[i] == vertex)
@@ -74,7 +75,7 @@ inline std::size_t cornerOf(const SurfaceTriangle& triangle, std::uint32_t verte
     return 3;
 }
 
-/// The same place, which lies on the side opposite to `corner`, told by the triangle across that side.
+/// Expresses a place on the side opposite to `corner` in the triangle across that side.
 template <class Surface> MeshPlace across(const Surface& surface, const MeshPlace& place, std::size_t corner) noexcept {
     const SurfaceTriangle& here = surface.triangle(place.triangle);
     MeshPlace there{here.neighbour[corner], core::Vec3::Zero()};

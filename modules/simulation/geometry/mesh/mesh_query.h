@@ -10,15 +10,16 @@
 
 namespace chiron::simulation {
 
-/// The nearest point of a whole surface. `signedDistance_m`: negative inside.
+/// The point of a whole surface that is nearest to a query point. `signedDistance_m` is negative inside.
 struct NearestOnMesh {
     MeshPlace place;
     core::Vec3 point = core::Vec3::Zero(); ///< m
     double signedDistance_m = std::numeric_limits<double>::infinity();
 };
 
-/// The outward direction of side, corner or triangle on which the place lies: told from outside or inside by it, a point whose
-/// nearest place this is is never told wrong (Bærentzen & Aanæs 2005, angle-weighted pseudo-normal).
+/// Outward direction of the triangle, side or corner on which the place lies. For a point whose nearest place
+/// this is, it always decides correctly whether the point is outside or inside (Bærentzen & Aanæs 2005,
+/// angle-weighted pseudo-normal).
 template <class Surface> core::Vec3 pseudoNormal(const Surface& surface, const MeshPlace& place) noexcept {
     const SurfaceTriangle& t = surface.triangle(place.triangle);
     std::size_t zeros = 0, zero = 0, other = 0;
@@ -49,7 +50,7 @@ struct TreeStack {
     }
 };
 
-/// A box's squared distance, less what its triangles may have moved.
+/// The squared distance of a box, reduced by how far its triangles may have moved.
 inline double reachable2(double distance2, double moved_m) noexcept {
     if (moved_m == 0.0)
         return distance2;
@@ -76,8 +77,10 @@ void nearestInLeaf(const Surface& surface, const MeshTree::Node& leaf, const cor
 
 } // namespace detail
 
-/// The nearest point of the surface, sign included. Bounded: visits a node once; 1 µs in 50,000 triangles, and more where many
-/// are equally near. Defined for every finite p. `guess`: a triangle to look at first; a near one saves most of the rest. Thread: haptic.
+/// Finds the nearest point of the surface and the sign of its distance. The search is bounded, because it
+/// visits each node once; it takes 1 µs in 50,000 triangles, and more where many are equally near. Defined
+/// for every finite p. `guess` is a triangle to look at first; a near one saves most of the search.
+/// Thread: haptic.
 template <class Surface> NearestOnMesh nearestOnMesh(const Surface& surface, const core::Vec3& p, std::uint32_t guess = 0) noexcept {
     NearestOnMesh best;
     double best2 = std::numeric_limits<double>::infinity();
@@ -99,7 +102,7 @@ template <class Surface> NearestOnMesh nearestOnMesh(const Surface& surface, con
         }
         const double first = detail::reachable2(nodes[node.first].distance2(p), moved);
         const double second = detail::reachable2(nodes[node.first + 1].distance2(p), moved);
-        const bool nearFirst = first <= second; // the nearer child is looked at first
+        const bool nearFirst = first <= second; // the nearer child is visited first
         stack.push(nearFirst ? node.first + 1 : node.first, nearFirst ? second : first);
         stack.push(nearFirst ? node.first : node.first + 1, nearFirst ? first : second);
     }
@@ -110,7 +113,7 @@ template <class Surface> NearestOnMesh nearestOnMesh(const Surface& surface, con
 
 namespace detail {
 
-/// Does the way from p along `way` (0..`until` of it) meet the box, widened by `moved`?
+/// Says whether the path from p along `way` (0..`until` of it) meets the box, widened by `moved`.
 inline bool meetsBox(const MeshTree::Node& node, const core::Vec3& p, const core::Vec3& way, double until, double moved) noexcept {
     double from = 0.0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -128,13 +131,14 @@ inline bool meetsBox(const MeshTree::Node& node, const core::Vec3& p, const core
     return from <= until;
 }
 
-/// Where `way` enters the triangle from outside, as a share of it; none if it does not. Source: Möller & Trumbore 1997.
+/// Returns where `way` enters the triangle from outside, as a share of `way`, and the weights there; nothing
+/// if it does not. Source: Möller & Trumbore 1997.
 inline std::optional<std::pair<double, core::Vec3>> enters(const core::Vec3& a, const core::Vec3& b, const core::Vec3& c, const core::Vec3& p,
                                                            const core::Vec3& way) noexcept {
-    constexpr double kEdge = 1e-9; // a way along an edge meets one of its two triangles at least
+    constexpr double kEdge = 1e-9; // a path along an edge meets at least one of its two triangles
     const core::Vec3 ab = b - a, ac = c - a, h = way.cross(ac);
     const double det = ab.dot(h);
-    if (!(det > 0.0)) // seen from behind, or along it
+    if (!(det > 0.0)) // seen from behind or edge-on
         return std::nullopt;
     const core::Vec3 s = p - a, q = s.cross(ab);
     const double u = s.dot(h) / det, v = way.dot(q) / det, at = ac.dot(q) / det;
@@ -145,7 +149,9 @@ inline std::optional<std::pair<double, core::Vec3>> enters(const core::Vec3& a, 
 
 } // namespace detail
 
-/// The first place at which the straight way from `from` to `to` goes in; none if it does not. Bounded. Thread: haptic.
+/// Returns the first place at which the straight path from `from` to `to` enters the surface, or nothing if
+/// it does not. Bounded.
+/// Thread: haptic.
 template <class Surface>
 std::optional<MeshPlace> firstEntry(const Surface& surface, const core::Vec3& from, const core::Vec3& to) noexcept {
     const auto nodes = surface.tree().nodes();

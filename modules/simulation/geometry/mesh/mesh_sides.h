@@ -8,18 +8,18 @@
 
 namespace chiron::simulation {
 
-/// One side of a triangle. Sorted by key, the triangles that share an edge follow one another.
+/// One side of a triangle. When sides are sorted by key, the triangles that share an edge are adjacent.
 struct MeshSide {
     std::uint64_t key = 0; ///< lower vertex << 32 | higher vertex
     std::uint32_t triangle = 0;
     std::uint8_t opposite = 0; ///< the corner that it does not touch
-    bool forward = false;      ///< from the lower vertex to the higher one
+    bool forward = false;      ///< the corner that is not on this side
 };
 
-/// All sides of all triangles, by key, then triangle. Allocates.
+/// Returns all sides of all triangles, sorted by key, then by triangle. Allocates.
 std::vector<MeshSide> sortedSides(std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// Calls `edge(sides)` with every group of sides that are one edge.
+/// Calls `edge(sides)` for every group of sides that form one edge.
 template <class Edge> void forEachEdge(std::span<const MeshSide> sides, Edge&& edge) {
     for (std::size_t i = 0; i < sides.size();) {
         std::size_t end = i + 1;

@@ -13,45 +13,56 @@ namespace chiron::simulation {
 /// How the place under the tool was found.
 enum class MeshTrack : std::uint8_t {
     apart,    ///< nothing within reach
-    acquired, ///< found anew in the whole mesh: contact began, or the tool came out of nowhere
-    tracked,  ///< along the blended normals, from the last place
-    followed, ///< the normals cross here (deeper than the shape is round, or at a sharp edge): the place went along with the tool
+    acquired, ///< searched anew in the whole mesh: contact began, or the tool jumped
+    tracked,  ///< found along the blended normals, from the last place
+    /// The normals cross here (deeper than the shape is round, or at a sharp edge); the place moved along
+    /// with the tool.
+    followed,
 };
 
-/// Where a tool is against a mesh.
+/// Where a tool is relative to a mesh.
 struct MeshFoot {
     MeshTrack track = MeshTrack::apart;
     MeshPlace place;
     core::Vec3 point = core::Vec3::Zero();   ///< x, on the surface; p while apart
     core::Vec3 normal = core::Vec3::UnitZ(); ///< n, outward, unit, of the blended field at x
-    double depth_m = 0.0; ///< (x − p)·n + r, signed; while apart −clearance
-    core::Vec3 surfaceMotion = core::Vec3::Zero(); ///< how far x's place moved since the last tick (a moving mesh), m
+    double depth_m = 0.0; ///< (x − p)·n + r, signed; −clearance while apart
+    /// How far x's place has moved since the last tick (on a moving mesh), m.
+    core::Vec3 surfaceMotion = core::Vec3::Zero();
     bool within() const noexcept { return track != MeshTrack::apart; }
 };
 
-/// The closest-surface tracking of one spherical tool tip on one mesh, once a tick:
-/// - In contact the place under the tool is found from the last one by projectAlongNormals(): a continuous function of the
-///   tool's place while the tool is nearer to the sheet than the sheet is round; the cost does not depend on the mesh's size.
-/// - It never moves faster than kFollow times the tool, so a still tool has a still place, and direction and force change by
-///   a bounded amount with every 0.01 mm. Where the field folds it goes along with the tool's motion across the line between them.
-///   So contact stays on the sheet that was entered, however thin the part and however deep the press, until (x − p)·n + r < 0.
-/// - Out of contact the tree is asked only if the tool may have come near: after an answer D nothing is touched within D.
-///   A way that crossed the surface between two ticks enters where it first went in; a tool that comes out of nowhere
-///   (first tick, a jump beyond kTeleport_m) is given the nearest place.
-/// Surface: TriangleMesh, MovedMesh or alike. One object a tool and mesh. Bounded, no allocation. Thread: haptic.
-/// Source: P2 "Deformation"; models.md §2.2 force continuum; speed.md "What was learnt".
+/// Tracks the closest place (MeshPlace) of one spherical tool tip on one mesh, once per tick.
+/// - In contact, projectAlongNormals() finds the place under the tool from the last one. The place is a
+///   continuous function of the tool's position as long as the tool is nearer to the sheet than the sheet's
+///   radius of curvature; the cost does not depend on the size of the mesh.
+/// - The place never moves faster than kFollow times the tool. A still tool therefore has a still place, and
+///   direction and force change by a bounded amount with every 0.01 mm. Where the field folds, the place
+///   moves along with the part of the tool's motion that is perpendicular to the line between them. Contact
+///   thus stays on the sheet that was entered, however thin the part and however deep the press, until
+///   (x − p)·n + r < 0.
+/// - Out of contact, the tree is searched only if the tool may have come near: after a search that found the
+///   distance D, nothing is touched within D. A path that crossed the surface between two ticks enters where
+///   it first went in. A tool that appears suddenly (first tick, or a jump beyond kTeleport_m) is given the
+///   nearest place.
+///
+/// The surface is a TriangleMesh, a MovedMesh or a similar type. Use one instance for each pair of tool and
+/// mesh. Bounded. Source: P2 "Deformation"; models.md §2.2 force continuum; speed.md "What was learnt".
+/// Thread: haptic; allocates nothing.
 class MeshTracker {
 public:
-    static constexpr double kTeleport_m = 0.020; ///< in one tick; models.md §5: a larger jump is no motion
-    static constexpr double kFollow = 8.0;       ///< assumption: reached at 7/8 of the radius of a round part
-    /// A fast tool's place runs at most kFollowFast times as far and kCatchUp_m more: at 500 N/m a force then changes by no more than
-    /// the stiffness times the way and some 0.03 N in a tick, where eight times 0.3 mm would be 1 N.
+    static constexpr double kTeleport_m = 0.020; ///< in one tick; models.md §5: a larger step is not a motion
+    /// Assumption: this ratio is reached at 7/8 of the radius of a round part.
+    static constexpr double kFollow = 8.0;
+    /// The place of a fast tool moves at most kFollowFast times as far as the tool, plus kCatchUp_m. At
+    /// 500 N/m a force then changes per tick by no more than twice the stiffness times the tool's distance,
+    /// plus some 0.03 N; with kFollow, 0.3 mm would change it by 1 N.
     static constexpr double kFollowFast = 2.0;
     static constexpr double kCatchUp_m = 5e-5;
-    static constexpr double kStill_m = 1e-9;     ///< a place may settle by this much a tick
+    static constexpr double kStill_m = 1e-9;     ///< a place may settle by this much per tick
 
-    /// `p`: the tip's centre in the mesh's frame, m; `radius_m` ≥ 0; `reach_m` ≥ 0: so far above the surface the foot is wanted
-    /// already (roughness may begin there).
+    /// `p` is the tip's centre in the mesh's frame, m; `radius_m` ≥ 0. `reach_m` ≥ 0 is the height above the
+    /// surface from which on the foot is needed (roughness may begin there).
     template <class Surface> MeshFoot update(const Surface& surface, const core::Vec3& p, double radius_m, double reach_m = 0.0) noexcept {
         const bool jumped = !m_known || (p - m_tool).squaredNorm() > kTeleport_m * kTeleport_m;
         MeshFoot foot;
@@ -65,7 +76,7 @@ public:
         return foot;
     }
 
-    /// Forgets place and clearance, as when the mesh is swapped.
+    /// Forgets place and clearance, for example when the mesh is replaced.
     void reset() noexcept { *this = MeshTracker(); }
     const MeshFoot& foot() const noexcept { return m_foot; }
 
@@ -109,15 +120,16 @@ private:
         return foot;
     }
 
-    /// The tool's motion without what only presses or lifts, along the surface. A press straight on moves the place nowhere, however
-    /// the normal leans there; else a tool deeper than a rim is round would roll off it.
+    /// The tool's motion along the surface, without the parts that only press or lift. A straight press does
+    /// not move the place, however the normal leans there; otherwise a tool that is deeper than a rim is
+    /// round would roll off it.
     core::Vec3 sideways(const core::Vec3& motion, const core::Vec3& toPlace) const noexcept {
         const double length2 = toPlace.squaredNorm();
         const core::Vec3 turned = length2 > 0.0 ? core::Vec3(motion - toPlace * (toPlace.dot(motion) / length2)) : motion;
         return turned - m_foot.normal * m_foot.normal.dot(turned);
     }
 
-    /// Out of contact, or contact has just ended.
+    /// Used out of contact, or when contact has just ended.
     template <class Surface> MeshFoot search(const Surface& surface, const core::Vec3& p, double radius_m, double reach_m, bool jumped) noexcept {
         const double moved = (p - m_askedAt).norm() + m_displacementThen_m + surface.largestDisplacement_m();
         const bool still = surface.largestDisplacement_m() == 0.0 && m_displacementThen_m == 0.0;
@@ -127,7 +139,7 @@ private:
         foot.depth_m = radius_m - clear;
         if (m_known && !m_foot.within() && clear > radius_m + reach_m)
             return foot;
-        // the way since the last tick, if it may have gone through
+        // the path since the last tick, if it may have crossed the surface
         const bool through = !jumped && !m_foot.within() && (p - m_tool).norm() > m_clearance_m - (m_tool - m_askedAt).norm();
         const NearestOnMesh nearest = nearestOnMesh(surface, p, m_nearest);
         m_nearest = nearest.place.triangle;
@@ -156,10 +168,11 @@ private:
     MeshFoot m_foot;
     core::Vec3 m_tool = core::Vec3::Zero();
     double m_along_m = 0.0; ///< t of projectAlongNormals
-    bool m_known = false;   ///< m_tool is of the tick before
-    core::Vec3 m_askedAt = core::Vec3::Zero(); ///< where the tree was asked last
-    std::uint32_t m_nearest = 0;               ///< and which triangle it named
-    double m_clearance_m = -1.0;               ///< what it said; negative: nothing is known to be clear
+    bool m_known = false;   ///< m_tool is the position of the previous tick
+    core::Vec3 m_askedAt = core::Vec3::Zero(); ///< where the tree was searched last
+    std::uint32_t m_nearest = 0;               ///< the triangle that this search found
+    /// The distance that it found; negative: nothing is known to be clear.
+    double m_clearance_m = -1.0;
     double m_displacementThen_m = 0.0;
 };
 

@@ -10,18 +10,21 @@
 
 namespace chiron::simulation {
 
-/// Boxes round triangles, halved down to a few of them: finds the nearest triangle without looking at all of them. Boxes are
-/// floats rounded outward, 32 bytes a node; halved at the median, so that its depth is at most log2 of the triangles.
+/// A tree of bounding boxes of triangles, which finds the nearest triangle without looking at all of them.
+/// Every box is halved until it holds only a few triangles. Boxes are floats rounded outward, 32 bytes per
+/// node. They are halved at the median, so the depth is at most log2 of the number of triangles.
 class MeshTree {
 public:
-    static constexpr int kMostDepth = 48;      ///< of a traversal's stack; medians of 2³² triangles need 32
-    static constexpr std::uint32_t kLeaf = 4;  ///< triangles in a leaf, at most
+    /// Capacity of a traversal's stack; medians of 2³² triangles need 32.
+    static constexpr int kMostDepth = 48;
+    static constexpr std::uint32_t kLeaf = 4;  ///< most triangles in a leaf
 
     struct Node {
         std::array<float, 3> low{};
         std::array<float, 3> high{};
-        std::uint32_t first = 0; ///< of a leaf: its first triangle; else its two children, first and first + 1
-        std::uint32_t count = 0; ///< triangles of a leaf; 0: no leaf
+        /// Of a leaf: its first triangle; otherwise its two children are first and first + 1.
+        std::uint32_t first = 0;
+        std::uint32_t count = 0; ///< number of triangles in a leaf; 0: not a leaf
 
         /// Square of the distance (m²) from p to the box.
         double distance2(const core::Vec3& p) const noexcept {
@@ -38,11 +41,13 @@ public:
     };
 
     MeshTree() = default;
-    /// Three corners a triangle, in metres. `order` is where the triangles have to go for the tree to hold: the one now at
-    /// order[i] comes i-th. So what lies together in space lies together in memory. Allocates; deterministic.
+    /// Builds the tree from three corners per triangle, in metres. `order` says how the caller has to reorder
+    /// the triangles for the tree to be valid: the one now at order[i] becomes the i-th. Triangles that are
+    /// close in space are then close in memory. Deterministic. Allocates.
     MeshTree(std::span<const std::array<core::Vec3, 3>> triangles, std::vector<std::uint32_t>& order);
 
-    std::span<const Node> nodes() const noexcept { return m_nodes; } ///< the root first; none for no triangles
+    /// The root first; empty if there are no triangles.
+    std::span<const Node> nodes() const noexcept { return m_nodes; }
 
 private:
     std::vector<Node> m_nodes;

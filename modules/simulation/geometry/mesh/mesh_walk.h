@@ -8,19 +8,22 @@
 
 namespace chiron::simulation {
 
-/// How a place follows a point: along the field of blended normals where that is unique, else by gliding over the surface.
+/// Limits for how a place follows a point: along the field of blended normals where that is unique, otherwise
+/// by gliding over the surface.
 struct MeshWalk {
-    static constexpr int kMostSteps = 64;       ///< triangles or Newton steps a tick; 2–3 is usual
-    static constexpr int kMostRound = 32;       ///< triangles round a vertex that are looked at
+    static constexpr int kMostSteps = 64;       ///< triangles or Newton steps per tick; 2–3 are usual
+    static constexpr int kMostRound = 32;       ///< triangles around a vertex that are searched
     static constexpr double kResidual_m = 1e-8; ///< 5 µN at 500 N/m
-    /// The surface moved inwards along its normals may shrink to this share of its area; beyond, the normals are about to
-    /// cross (a ridge pressed deeper than its radius), and which of them is meant is no longer decided by the point alone.
+    /// The surface, moved inwards along its normals, may shrink to this share of its area. Beyond that the
+    /// normals are about to cross (a ridge is pressed deeper than its radius), and the point alone no longer
+    /// decides which of them applies.
     static constexpr double kLeastShrink = 0.08;
 };
 
 namespace detail {
 
-/// How much of a change of weights stays in the triangle, and the corner across from which it leaves it (-1: nowhere).
+/// Returns the share of a change of weights that stays in the triangle, and the corner opposite to the side
+/// through which the change leaves it (-1: it stays).
 inline std::pair<double, int> within(const core::Vec3& weights, const core::Vec3& change) noexcept {
     std::pair<double, int> out{1.0, -1};
     for (int i = 0; i < 3; ++i)
@@ -31,12 +34,14 @@ inline std::pair<double, int> within(const core::Vec3& weights, const core::Vec3
 
 } // namespace detail
 
-/// The place x whose blended normal points to p:  p = x − t n̂(x), n̂ the blend of the vertex normals, not normalised.
-/// In one triangle with corners a + u e₁ + v e₂ that is F(u,v,t) = p, solved by Newton (F is bilinear in (u,v) and t, so what
-/// is left after a step is exactly δt (δu Δn₁ + δv Δn₂)). A step that leaves the triangle stops at its side and goes on in
-/// the neighbour: position and normal agree there, so the place is a continuous function of p as long as the field does not
-/// fold. `place` and `along` (t, m; > 0 inside) are where to begin and the answer. False, with `place` as it was: folded, or not
-/// found in kMostSteps. The idea: Phong projection (Panozzo et al. 2013); P2 figure 6 gives the field.
+/// Finds the place x whose blended normal points to p: p = x − t n̂(x), where n̂ is the blend of the vertex
+/// normals, not normalised. In a triangle with corners a + u e₁ + v e₂ this is F(u,v,t) = p, solved by
+/// Newton's method (F is bilinear in (u,v) and t, so the residual after a step is exactly δt (δu Δn₁ + δv
+/// Δn₂)). A step that leaves the triangle stops at its side and continues in the neighbour. Position and
+/// normal agree there, so the place is a continuous function of p as long as the field does not fold. `place`
+/// and `along` (t, m; > 0 inside) hold the start and receive the result. Returns false and leaves `place`
+/// unchanged if the field is folded, or if no solution was found in kMostSteps. The idea: Phong projection
+/// (Panozzo et al. 2013); P2 figure 6 gives the field.
 template <class Surface> bool projectAlongNormals(const Surface& surface, const core::Vec3& p, MeshPlace& place, double& along) noexcept {
     MeshPlace now = place;
     double t = along;
@@ -50,7 +55,8 @@ template <class Surface> bool projectAlongNormals(const Surface& surface, const 
         const core::Vec3 r = (p - a) - (u * e1 + v * e2) + t * n;
         const core::Vec3 m1 = e1 - t * d1, m2 = e2 - t * d2, area = m1.cross(m2);
         const double volume = area.dot(n);
-        if (!(volume > MeshWalk::kLeastShrink * e1.cross(e2).dot(n))) // also on the way: what lies beyond a fold is another sheet
+        // Checked in every step, because another sheet lies beyond a fold
+        if (!(volume > MeshWalk::kLeastShrink * e1.cross(e2).dot(n)))
             return false;
         const double inverse = 1.0 / volume;
         const double du = inverse * r.dot(m2.cross(n)), dv = inverse * r.dot(n.cross(m1)), dt = -inverse * r.dot(area);
@@ -81,7 +87,7 @@ template <class Surface> double nearestIn(const Surface& surface, std::uint32_t 
     return (q - pointAt(surface, place)).squaredNorm();
 }
 
-/// A triangle round the vertex in which a nearer point lies; false if none is.
+/// Looks for a triangle around the vertex that contains a nearer point; returns false if there is none.
 template <class Surface>
 bool nearerRoundVertex(const Surface& surface, const core::Vec3& q, std::size_t corner, MeshPlace& place, double& distance2) noexcept {
     const std::uint32_t vertex = surface.triangle(place.triangle).vertex[corner];
@@ -104,8 +110,10 @@ bool nearerRoundVertex(const Surface& surface, const core::Vec3& q, std::size_t 
 
 } // namespace detail
 
-/// Goes over the surface from `place` downhill to the nearest place to q that can be reached so: strictly nearer with every step,
-/// kMostSteps at most. For q near the surface that is the nearest place of this sheet. Thread: haptic.
+/// Moves over the surface from `place` downhill to the nearest place to q that can be reached in this way.
+/// Every step comes strictly nearer; there are at most kMostSteps. For q near the surface the result is the
+/// nearest place of this sheet.
+/// Thread: haptic.
 template <class Surface> MeshPlace glide(const Surface& surface, MeshPlace place, const core::Vec3& q) noexcept {
     double distance2 = detail::nearestIn(surface, place.triangle, q, place);
     for (int step = 0; step < MeshWalk::kMostSteps; ++step) {

@@ -8,13 +8,16 @@
 
 namespace chiron::simulation {
 
-/// A mesh whose vertices have moved: the same triangles, neighbours and tree as at rest, each place and normal from the
-/// caller's arrays (blended from a slow model's answers, say). What tracking and contact need of a surface:
+/// A mesh whose vertices have moved. Triangles, neighbours and tree are those at rest; positions and normals
+/// come from the caller's arrays (for example, blended from a slow model's answers). Tracking and contact
+/// need the following of a surface:
 ///   position(vertex), normal(vertex), triangle(index), tree(), largestDisplacement_m(), kMoves.
-/// Any type that answers these can be touched; this one looks at arrays that outlive it. Thread: haptic.
+/// Any type that has these can be touched. This one refers to arrays that have to outlive it.
+/// Thread: haptic.
 class MovedMesh {
 public:
-    /// `positions`, `normals`: as long as mesh.vertices(); `largestDisplacement_m`: no vertex is farther from rest.
+    /// `positions` and `normals` are as long as mesh.vertices(); no vertex is farther from rest than
+    /// `largestDisplacement_m`.
     MovedMesh(const TriangleMesh& mesh, std::span<const core::Vec3> positions, std::span<const core::Vec3> normals,
               double largestDisplacement_m) noexcept
         : m_mesh(&mesh), m_positions(positions), m_normals(normals), m_largestDisplacement_m(largestDisplacement_m) {}

@@ -9,7 +9,7 @@ namespace chiron::simulation {
 
 namespace {
 
-/// What OBJ files hold beside vertices and faces; passed over.
+/// The statements of OBJ files other than vertices and faces; they are skipped.
 constexpr std::array<std::string_view, 26> kPassedOver{"vn", "vt", "vp", "o", "g", "s", "usemtl", "mtllib", "l", "p", "mg", "bevel", "c_interp", "d_interp", "lod",
                                                        "shadow_obj", "trace_obj", "usemap", "maplib", "cstype", "deg", "bmat", "step", "parm", "end", "call"};
 
@@ -58,7 +58,8 @@ private:
         return true;
     }
 
-    /// "7", "7/2", "7//3", "-1": the first number is the vertex, from 1, or from the last one backwards.
+    /// Reads "7", "7/2", "7//3" or "-1": the first number is the vertex, counted from 1, or backwards from
+    /// the last one.
     bool corner(std::string_view word, std::uint32_t& out) {
         const std::string_view digits = word.substr(0, word.find('/'));
         long long index = 0;

@@ -127,7 +127,8 @@ ReadMesh readText(std::string_view bytes, double scale, MeshReport& report) {
 } // namespace
 
 ReadMesh readStl(std::string_view bytes, double metresPerUnit, MeshReport& report) {
-    // Binary files may begin with "solid", too. Text holds no zero bytes, and the number of triangles always has one.
+    // Binary files may also begin with "solid". Text contains no zero bytes, and the number of triangles
+    // always has one.
     static_assert(TriangleMesh::kMostTriangles < 1U << 24);
     const bool textual = bytes.substr(0, 5) == "solid" && bytes.substr(0, kBegin).find('\0') == std::string_view::npos;
     if (bytes.size() >= kBegin && !textual)

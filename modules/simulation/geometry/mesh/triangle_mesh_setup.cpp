@@ -43,7 +43,8 @@ struct Sorted {
     std::vector<Corners> triangles;
 };
 
-/// Triangles in the tree's order, vertices in the order of their first triangle: a step to a neighbour finds its data near.
+/// Puts triangles in the tree's order and vertices in the order of their first triangle, so that a step to a
+/// neighbour finds its data nearby.
 Sorted sortedForTheTick(std::span<const core::Vec3> vertices, std::span<const Corners> triangles, std::span<const std::uint32_t> order) {
     constexpr std::uint32_t kNew = 0xffffffffU;
     Sorted out;
@@ -74,7 +75,7 @@ CornerAngles anglesOf(const std::array<core::Vec3, 3>& p) noexcept {
     return angles;
 }
 
-/// The normal of one triangle, added to its corners with these weights.
+/// Adds the normal of one triangle to its corners, with these weights.
 void addNormals(const Corners& corners, const CornerAngles& weights, const std::array<core::Vec3, 3>& p, std::span<core::Vec3> normals) noexcept {
     const core::Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
     for (std::size_t i = 0; i < 3; ++i)
@@ -107,7 +108,7 @@ core::Result<TriangleMesh> TriangleMesh::create(std::span<const core::Vec3> vert
     if (auto checked = checkNumbers(vertices, triangles); !checked)
         return tl::unexpected(checked.error());
     std::vector<SurfaceTriangle> unsorted(triangles.size());
-    if (auto joined = join(triangles, unsorted); !joined) // named by the caller's numbers
+    if (auto joined = join(triangles, unsorted); !joined) // errors name the caller's numbers
         return tl::unexpected(joined.error());
     std::vector<std::array<core::Vec3, 3>> places;
     places.reserve(triangles.size());

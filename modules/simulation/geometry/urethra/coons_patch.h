@@ -5,7 +5,7 @@
 
 namespace chiron::simulation {
 
-/// A place on a patch with its derivatives.
+/// A point of a patch with its derivatives.
 struct PatchPoint {
     core::Vec3 p_A = core::Vec3::Zero();
     core::Vec3 du_A = core::Vec3::Zero(); ///< ∂p/∂u, along the canal

@@ -45,8 +45,8 @@ void evaluateLine(std::span<const double> p, std::span<const double> in, std::sp
     out[4] = line.length_m() - in[0];
 }
 
-// ---- what profile and surface share: wall, endoscope, one local change (none while its length is 0), the
-// tip ----
+// ---- shared by profile and surface: wall, endoscope, one local change (none while its length is 0), tip
+// ----
 constexpr std::size_t kWallCount = 17;
 constexpr std::array<LawParameter, kWallCount> kWallParameters{{
     kCurvature,
@@ -77,8 +77,9 @@ UrethraAnatomy anatomyFrom(std::span<const double> p) noexcept {
     anatomy.friction = p[4];
     anatomy.freeLength_m = p[5];
     anatomy.freeBlend_m = p[6];
+    // The laws evaluated here need no torques and no bladder, so their values must not cause a refusal
     anatomy.angularCorner_m =
-        std::min(1e-4, p[5]); // torques and bladder are not asked about: nothing is refused for their sake
+        std::min(1e-4, p[5]);
     anatomy.bladderRadius_m = 1.0;
     anatomy.straight_m = p[16];
     if (p[10] > 0.0) {
@@ -134,7 +135,7 @@ void evaluateProfile(std::span<const double> p, std::span<const double> in, std:
 constexpr std::array<LawColumn, 2> kSurfaceInputs{{kArcLength, {"angle_rad", "rad"}}};
 constexpr std::array<LawColumn, 6> kSurfaceOutputs{
     {{"x_m", "m"}, {"y_m", "m"}, {"z_m", "m"}, {"nx", "1"}, {"ny", "1"}, {"nz", "1"}}};
-/// `inside` 0: the resting surface. The grid's numbers are taken as whole ones.
+/// `inside` 0: the resting surface. The numbers of the grid are whole numbers.
 constexpr auto kSurfaceParameters = withWall(std::array<LawParameter, 7>{{
     kTip,
     {"inside", "1", 0.0, 0.0, 1.0, true},

@@ -5,10 +5,11 @@
 
 namespace chiron::simulation {
 
-/// The urethra's geometry for the command line's `evaluate`. Static data; thread: any; not for the tick. An
-/// anatomy that cannot be (urethraProblems()) and places outside the canal give NaN.
+/// The urethra's geometry as tables for the command line's `evaluate`. The data are static. An invalid
+/// anatomy (urethraProblems()) and positions outside the canal give NaN. Not for use in the tick.
+/// Thread: any.
 
-/// "urethra-centreline": s → z, y, ψ, curvature, and what is left to the bladder neck.
+/// "urethra-centreline": s → z, y, ψ, curvature, and the arc length that remains to the bladder neck.
 const core::LawDescription& urethraCentrelineLaw() noexcept;
 /// "urethra-profile": s → the wall's local values and its windows with the tip at `tip_s_m` (UrethraWall).
 const core::LawDescription& urethraProfileLaw() noexcept;

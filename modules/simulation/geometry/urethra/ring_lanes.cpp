@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-// Sanitizers are not ready yet when the loader resolves such functions.
+// Sanitizers are not initialised yet when the loader resolves such functions.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&     \
     !defined(__SANITIZE_THREAD__)
 #define CHIRON_LANES __attribute__((target_clones("avx2", "default")))
@@ -16,18 +16,19 @@ namespace chiron::simulation {
 
 namespace {
 
-/// Numbers at any address. Only local variables are of these types: passing them would depend on the
-/// processor.
+/// Vectors of numbers at any address. Only local variables have these types, because the way of passing them
+/// would depend on the processor.
 typedef float Lane __attribute__((vector_size(4 * kLaneWidth), aligned(4), may_alias));
 typedef float Four __attribute__((vector_size(4 * kFour), aligned(4), may_alias));
 
-constexpr int kStep = kFour; ///< places in a curve's numbers
+constexpr int kStep = kFour; ///< offsets into the numbers of a curve
 constexpr int kEdge = 2 * kFour;
 constexpr int kSlope = 3 * kFour;
 constexpr int kSlopeStep = 4 * kFour;
 constexpr int kCurve = kCurveFours * kFour;
+/// Added to a normal's squared length (1e-20 or more), so that a wall without extent gives no NaN.
 constexpr float kLeastSquare =
-    1e-36F; ///< added to a normal's squared length (1e-20 or more): no NaN where a wall has no extent
+    1e-36F;
 
 [[gnu::always_inline]] inline const Lane& lane(const float* from) noexcept {
     return *reinterpret_cast<const Lane*>(from);
@@ -42,8 +43,8 @@ constexpr float kLeastSquare =
     return *reinterpret_cast<Four*>(to);
 }
 
-/// Puts a lane, or what fits of it, where it belongs. `Whole`: sides of whole blocks, as P1's 8, need not
-/// ask.
+/// Stores a lane, or the part of it for which there is room. `Whole`: the sides consist of whole blocks, as
+/// P1's 8, and no test is needed.
 template <bool Whole>
 [[gnu::always_inline]] inline void put(const Lane& values, float* to, int room) noexcept {
     if (Whole || room >= kLaneWidth)
@@ -74,7 +75,7 @@ template <bool Whole>
 [[gnu::always_inline]] inline void innerRing(const float* row, const float* spread, const float* curves,
                                              float u, const SideTables& tables, RingSize size,
                                              const std::array<float*, 6>& to) noexcept {
-    const std::array<float*, 6> out = to; // a copy whose address nobody has: stores cannot change it
+    const std::array<float*, 6> out = to; // a copy whose address nobody has, so stores cannot change it
     const float* const place = tables.v;
     const float* const isFirst = tables.first;
     for (int j = 0; j < size.columns; ++j, curves += kCurve)
@@ -106,7 +107,7 @@ template <bool Whole>
 [[gnu::always_inline]] inline void sectionRing(const float* row, const float* slope, const float* point,
                                                const float* chord, const SideTables& tables, RingSize size,
                                                const std::array<float*, 6>& to) noexcept {
-    const std::array<float*, 6> out = to; // a copy whose address nobody has: stores cannot change it
+    const std::array<float*, 6> out = to; // a copy whose address nobody has, so stores cannot change it
     for (int j = 0; j < size.columns; ++j) {
         const int here = j * kFour;
         const int before = (j > 0 ? j - 1 : size.columns - 1) * kFour;
@@ -119,7 +120,8 @@ template <bool Whole>
             Lane around[3];
             for (int axis = 0; axis < 3; ++axis) {
                 const float step = chord[here + axis];
-                const float edge = 0.5F * (chord[before + axis] - step); // to the mean of both chords
+                // Difference to the mean of both chords
+                const float edge = 0.5F * (chord[before + axis] - step);
                 put<Whole>(lane(row + axis * kLaneWidth) + (point[here + axis] + v * step), out[axis] + at,
                            room);
                 along[axis] = lane(slope + axis * kLaneWidth);
@@ -153,7 +155,7 @@ CHIRON_LANES void bulgeLanes(const double* point, const double* handleOut, const
                                                      in * lane(tables.inTurn + q) +
                                                      chord * lane(tables.chordTurn + q);
         }
-        // at the point itself: mean of 3 hOut − chord after it and 3 hIn − chord before it
+        // At the point itself: the mean of 3 hOut − chord after the point and 3 hIn − chord before it.
         *first = static_cast<float>(1.5 * (handleOut[j] + handleIn[j]) - 0.5 * (point[next] - point[before]));
     }
 }
@@ -177,8 +179,9 @@ CHIRON_LANES void curveColumns(const SpanColumns& in, const std::array<float, 3>
         four(curve + kStep) = step;
         four(curve + kEdge) = 0.5F * (stepBefore - step);
         four(curve + kSlopeStep) = four(curve + kCurve + kSlope) - four(curve + kSlope);
+        // Added last, so that the differences above keep the precision of their own size
         four(curve) +=
-            four(in.point + j * kFour); // added last: the differences above keep their own size's precision
+            four(in.point + j * kFour);
         stepBefore = step;
     }
 }

@@ -5,7 +5,8 @@
 
 namespace chiron::simulation {
 
-/// S(u) = u²(3 − 2u), 0 below 0 and 1 above 1, exactly; its slope is continuous. Pure; haptic thread.
+/// S(u) = u²(3 − 2u), exactly 0 below 0 and 1 above 1; its slope is continuous. Pure.
+/// Thread: haptic.
 constexpr double smoothstep(double u) noexcept {
     const double v = std::clamp(u, 0.0, 1.0);
     return v * v * (3.0 - 2.0 * v);

@@ -8,8 +8,9 @@
 
 namespace chiron::simulation {
 
-/// A stretch where the urethra differs from its base values, e.g. a stricture (narrow, stiff ring). Its weight rises by a
-/// smoothstep of width `edge_m` centred at each half-height point: w = S((s − c + L/2)/edge + ½)·S((c + L/2 − s)/edge + ½).
+/// A part of the canal where the urethra differs from its base values, e.g. a stricture (a narrow, stiff
+/// ring). Its weight rises and falls by smoothsteps of width `edge_m` centred at the half-height points:
+/// w = S((s − c + L/2)/edge + ½)·S((c + L/2 − s)/edge + ½).
 struct UrethraLocalChange {
     double centre_m = 0.0;        ///< arc length
     double length_m = 0.012;      ///< between the two half-height points, ≥ 0.010 (models.md §1.1)
@@ -19,9 +20,13 @@ struct UrethraLocalChange {
     double frictionFactor = 1.0;  ///< of μ at full weight
 };
 
-/// The male urethra of P1 in A: centre-line in the plane of symmetry y–z (models.md §1.1 and §8), straight from the entrance A to B,
-/// y = c (z − z_B)² from there to the bladder neck C; base values and local changes of its wall, and the bladder behind it. Lengths m. Plain data with fixed storage: the tick copies it.
-/// Sources and units of every default: models.md §1 (P1; assumptions are named there).
+/// The male urethra of P1 in A. Its centre-line lies in the plane of symmetry y–z (models.md §1.1 and §8):
+/// straight from the entrance A to B, and y = c (z − z_B)² from there to the bladder neck C. The struct also
+/// holds the base values and local changes of the wall, and the bladder behind it. It is plain data with
+/// fixed storage, because the tick copies it. The sources and units of all defaults are in models.md §1 (P1;
+/// assumptions are named there).
+/// Unit: m for lengths.
+/// Frame: A.
 struct UrethraAnatomy {
     static constexpr std::size_t kMaxChanges = 8;
 
@@ -33,13 +38,16 @@ struct UrethraAnatomy {
     double wallStiffening_per_m = 300.0;   ///< β
     double friction = 0.1;                 ///< μ
     double viscosity_Ns_per_m2 = 36.0;     ///< b′, per metre of canal
-    double wallRetardation_s = 0.0;        ///< τ = η/E of the wall as a Kelvin–Voigt solid, across the canal; 0: it does not damp
-    double freeLength_m = 0.040;           ///< s_B: the canal before it is free to follow the shaft
+    /// τ = η/E of the wall as a Kelvin–Voigt solid, across the canal; 0: the wall does not damp.
+    double wallRetardation_s = 0.0;
+    double freeLength_m = 0.040;           ///< s_B: the canal before this point is free to follow the shaft
     double freeBlend_m = 0.010;            ///< a(s) rises over s_B ± this
-    double freeHold_N_per_m = 0.0;         ///< what holds the free part to the body, beyond core::kCanalReach_m; 0: nothing
+    /// Stiffness that holds the free part to the body, beyond core::kCanalReach_m; 0: nothing holds it.
+    double freeHold_N_per_m = 0.0;
     double angularStiffness_Nm_per_rad = 0.2; ///< k_φ at L
     double angularCorner_m = 0.005;           ///< corners of k_φ(s) are rounded over ± this
-    double pivotSpan_m = 0.0;                 ///< ℓ₀: the pelvic floor, at s_B, holds the shaft over so much; 0: tilt and offset are free of each other
+    /// ℓ₀: span over which the pelvic floor, at s_B, holds the shaft; 0: tilt and offset are independent.
+    double pivotSpan_m = 0.0;
     std::array<UrethraLocalChange, kMaxChanges> changes{};
     std::size_t changeCount = 0;
 

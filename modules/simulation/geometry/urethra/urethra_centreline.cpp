@@ -12,12 +12,13 @@ namespace {
 
 using core::Vec3;
 
-/// Both equations below are convex and increasing right of their root, and Newton starts right of it: it
-/// comes down monotonically and at least halves its distance until it is quadratic. 5 to 7 steps from these
-/// starts.
+/// Both equations below are convex and increasing to the right of their root, and Newton's method starts to
+/// the right of it. It descends monotonically and at least halves its distance in each step until convergence
+/// is quadratic. From these starts it takes 5 to 7 steps.
 constexpr int kMostSteps = 12;
-/// Along the centre-line nothing is steeper than this: past three quarters of the way to the centre of
-/// curvature the nearest point runs away from the tool, and at the centre itself it is not one point.
+/// The foot moves along the centre-line at most 1/kLeastDenominator times as fast as the tool. Beyond three
+/// quarters of the way to the centre of curvature the nearest point would run away from the tool, and at the
+/// centre itself it is not unique.
 constexpr double kLeastDenominator = 0.25;
 
 /// u of 4cs = u√(1+u²) + asinh u, for s ≥ 0; u = 2cz.

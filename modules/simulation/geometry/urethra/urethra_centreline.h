@@ -6,8 +6,9 @@
 
 namespace chiron::simulation {
 
-/// A place on the centre-line with its frame in A. x̂ = (1,0,0) is normal to the plane of symmetry; n points to the concave
-/// side (n = (0, cos ψ, −sin ψ)), t = (0, sin ψ, cos ψ), ψ = atan(2c(z − z_B)), 0 before B: right-handed (x̂, n, t).
+/// A point of the centre-line with its frame in A. x̂ = (1,0,0) is normal to the plane of symmetry, n = (0,
+/// cos ψ, −sin ψ) points to the concave side, and t = (0, sin ψ, cos ψ), with ψ = atan(2c(z − z_B)), 0 before
+/// B. (x̂, n, t) is right-handed.
 struct CentrelinePoint {
     double s_m = 0.0;
     double z_m = 0.0;
@@ -19,27 +20,31 @@ struct CentrelinePoint {
     double bending_per_m2 = 0.0;  ///< dκ_c/ds = −12c² cos⁵ψ sin ψ
 };
 
-/// Where a point lies with respect to the centre-line.
+/// The position of a point relative to the centre-line.
 struct CentrelineFoot {
     CentrelinePoint at;
     double ex_m = 0.0; ///< offset along x̂
     double en_m = 0.0; ///< offset along n, positive to the concave side
     /// ∇s in A: ds = gradient · dp. On the parabola t/(1 − κ_c e_n).
     core::Vec3 gradientOfS_A = core::Vec3::UnitZ();
-    double bendOfS_per_m = 0.0; ///< bounds the norm of s's second derivative
+    double bendOfS_per_m = 0.0; ///< bound on the norm of s's second derivative
 };
 
-/// Centre-line of the urethra, A (models.md §1.1 and §8): y = c ζ², ζ = z − z_B, from the vertex B on (beyond the bladder neck C the
-/// same parabola), straight before it: the canal from the entrance A, where s = z = 0, to B, and on along −z outside.
-/// s = z_B + ½ ζ √(1+4c²ζ²) + asinh(2cζ)/(4c), s = z before B. With z_B = 0 the vertex is at A. Pure; haptic thread.
+/// Centre-line of the urethra, in A (models.md §1.1 and §8). From the vertex B on it is y = c ζ²,
+/// ζ = z − z_B, and the same parabola continues beyond the bladder neck C. Before B it is straight: the canal
+/// from the entrance A, where s = z = 0, to B, and the line outside along −z. s = z_B + ½ ζ
+/// √(1+4c²ζ²) + asinh(2cζ)/(4c), s = z before B. With z_B = 0 the vertex is at A. Pure.
 ///
-/// foot(): the nearest point of the parabola for p_z > z_B (its one root with ζ > 0 of 2c²ζ³ + (1−2c p_y) ζ − (p_z − z_B) = 0).
-/// At B the curvature jumps from 0 to 2c, and with it every force along t of a tool beside the line would; so over the
-/// last kLeadIn_m before B the arc length of an off-line point is blended, s = z_B + ζ/(1 − 2c e_n g), g = smoothstep(1 + ζ/kLeadIn),
-/// whose gradient is continuous at B (denominator held ≥ ¼). The line itself stays straight.
-/// On the parabola the gradient's denominator is held ≥ ¼ too: further than ¾ of the radius of curvature from the line (28.8 mm
-/// with P1's c at B) it is bounded instead of exact. Beyond the centre of curvature at B, 1/(2c) above it, the nearest point jumps
-/// as p_z passes z_B: nothing is drawn or felt there by any tool that came in through A.
+/// For p_z > z_B, foot() is the nearest point of the parabola (the one root with ζ > 0 of 2c²ζ³ + (1−2c p_y)
+/// ζ − (p_z − z_B) = 0). At B the curvature jumps from 0 to 2c, and every force along t on a tool beside the
+/// line would jump with it. Over the last kLeadIn_m before B the arc length of an off-line point is therefore
+/// blended: s = z_B + ζ/(1 − 2c e_n g), g = smoothstep(1 + ζ/kLeadIn), whose gradient is continuous at B (the
+/// denominator is held ≥ ¼). The line itself stays straight. On the parabola the gradient's denominator is
+/// held ≥ ¼ too: farther than ¾ of the radius of curvature from the line (28.8 mm with P1's c at B) the
+/// gradient is bounded instead of exact. Beyond the centre of curvature at B, 1/(2c) above it, the nearest
+/// point jumps as p_z passes z_B; a tool that came in through A is never drawn or felt there.
+///
+/// Thread: haptic.
 class UrethraCentreline {
 public:
     static constexpr double kLeadIn_m = 0.010;

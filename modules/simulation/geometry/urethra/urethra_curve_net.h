@@ -14,9 +14,10 @@ struct UrethraSurfacePoint {
     core::Vec3 n_A = core::Vec3::Zero(); ///< unit, towards the lumen's axis
 };
 
-/// The drawn urethra in double precision: its resting curves, and those of the sections that the endoscope
-/// has opened, shifted or added. The float surface is made from it; tests and the command line ask it
-/// directly. One thread.
+/// The drawn urethra in double precision: its resting curves, and the curves of the sections that the
+/// endoscope has opened, shifted or added. The float surface is made from it; tests and the command line
+/// evaluate it directly.
+/// Thread: a single one.
 class UrethraCurveNet {
 public:
     UrethraCurveNet(const UrethraAnatomy& anatomy, const Endoscope& endoscope,
@@ -24,18 +25,19 @@ public:
     UrethraCurveNet(const UrethraCurveNet&) = delete;
     UrethraCurveNet& operator=(const UrethraCurveNet&) = delete;
 
-    /// Returns the first span of the deformed curves that differs from before (all later ones may).
+    /// Returns the first span of the deformed curves that differs from before (all later spans may differ).
     int deform(const UrethraDeformation& deformation);
-    int deformAnew(const UrethraDeformation& deformation); ///< keeps nothing of before; returns 0
+    int deformAnew(const UrethraDeformation& deformation); ///< recomputes everything; returns 0
 
     const UrethraCurves& rest() const noexcept { return m_rest; }
-    const UrethraCurves& deformed() const noexcept { return m_deformed; } ///< no sections at rest
+    /// Has no sections while the urethra is at rest.
+    const UrethraCurves& deformed() const noexcept { return m_deformed; }
     const UrethraSectionPlan& plan() const noexcept { return m_plan; }
     const UrethraCentreline& centreline() const noexcept { return m_centreline; }
 
-    /// The surface at arc length s (held to 0 … L) and angle about the canal from x̂ towards n. Both are the
-    /// surface's own parameters: linear in s within a span and in the angle within a patch. Normals are
-    /// averaged over patch edges.
+    /// The surface at arc length s (clamped to 0 … L) and at an angle about the canal, measured from x̂
+    /// towards n. Both are the surface's own parameters: linear in s within a span and in the angle within a
+    /// patch. Normals are averaged over patch edges.
     UrethraSurfacePoint at(double s_m, double angle_rad) const noexcept;
 
 private:
@@ -46,7 +48,7 @@ private:
     UrethraSectionPlan m_plan;
     UrethraCurves m_rest;
     UrethraCurves m_deformed;
-    std::vector<UrethraSection> m_placed; ///< what m_deformed was made from
+    std::vector<UrethraSection> m_placed; ///< the sections from which m_deformed was made
 };
 
 } // namespace chiron::simulation

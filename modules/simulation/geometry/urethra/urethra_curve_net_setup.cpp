@@ -11,7 +11,8 @@ using core::Vec3;
 
 namespace {
 
-constexpr double kOnAnEdge = 1e-9; ///< of a patch's side: an angle that is a point's but for rounding
+/// Share of a patch's side: an angle this near to a point's differs from it only by rounding.
+constexpr double kOnAnEdge = 1e-9;
 
 std::vector<double> basicSections(const UrethraCentreline& line, double zEnd_m, int count) {
     std::vector<double> s_m;
@@ -20,8 +21,8 @@ std::vector<double> basicSections(const UrethraCentreline& line, double zEnd_m, 
     return s_m;
 }
 
-// At a section both neighbouring spans have a derivative along, at a patch's edge both patches have one
-// around: their means.
+// At a section each of the two neighbouring spans has a derivative along the canal, and at a patch's edge
+// each of the two patches has one around it. The normal uses their means.
 Vec3 meanNormal(const UrethraCurves& curves, int span, int column, double u, double v,
                 const PatchPoint& here) {
     const auto perMetre = [&](int of) { return 1.0 / (curves.s_m(of + 1) - curves.s_m(of)); };
@@ -75,7 +76,7 @@ int UrethraCurveNet::deform(const UrethraDeformation& deformation) {
             m_deformed.placeCircle(i, section, m_centreline.at(section.s_m));
     }
     m_placed = sections;
-    // A tangent looks at both neighbours; the open end's also at the section after.
+    // A tangent depends on both neighbours; that of the open end also depends on the section after next.
     const int firstTangent = first <= 2 ? 0 : first - 1;
     m_deformed.fitAlong(firstTangent, m_plan.endsOnRest());
     return std::max(0, firstTangent - 1);

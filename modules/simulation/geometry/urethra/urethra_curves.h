@@ -10,14 +10,17 @@
 
 namespace chiron::simulation {
 
-/// The curves of the drawn urethra in double precision (models.md §1.1): sections one after the other, each a
-/// closed curve through n − 1 distinct points, joined by n − 1 curves along the canal; all piecewise cubic
-/// Bézier with Catmull–Rom tangents m and chord-length knots, handles P ± m d/3. Span i lies between the
-/// sections i and i + 1. A, m. Planes of doubles, so that the drawn surface is made from the same numbers.
-/// Allocates when made; then one thread.
+/// The curves of the drawn urethra in double precision (models.md §1.1). The sections follow one another;
+/// each is a closed curve through n − 1 distinct points, and n − 1 curves along the canal join them. All are
+/// piecewise cubic Bézier curves with Catmull–Rom tangents m, chord-length knots and handles P ± m d/3. Span
+/// i lies between the sections i and i + 1. The values are stored as planes of doubles, so that the drawn
+/// surface is made from the same numbers.
+/// Unit: m.
+/// Frame: A.
+/// Thread: a single one; allocates only when made.
 class UrethraCurves {
 public:
-    /// What a section stores for each of its points, three components each; kChord only one.
+    /// The values that a section stores for each of its points, with three components each; kChord has one.
     enum Plane { kPoint = 0, kHandleOut = 3, kHandleIn = 6, kAlong = 9, kChord = 12 };
 
     UrethraCurves(int columns, int mostSections);
@@ -28,15 +31,17 @@ public:
     void setSections(int count) noexcept { m_sections = count; }
     double s_m(int section) const noexcept { return m_s_m[static_cast<std::size_t>(section)]; }
 
-    /// Points and peripheral handles of a circle about the shifted centre.
+    /// Sets the points and peripheral handles of a circle about the shifted centre.
     void placeCircle(int section, const UrethraSection& from, const CentrelinePoint& at) noexcept;
-    /// Points, handles and tangents along of the resting surface itself, where `from` says.
+    /// Sets the points, handles and tangents along the canal to those of the resting surface, at the position
+    /// that `from` names.
     void placeOnRest(int section, const UrethraSection& from, const UrethraCurves& rest) noexcept;
-    /// Tangents along of the sections from `first` to the end, from points that are all placed. The canal's
-    /// ends are open: m₀ = 2(P₁−P₀)/d₀ − m₁. With `lastIsGiven` the last section keeps the tangents it has.
+    /// Computes the tangents along the canal for the sections from `first` to the end; all points must be
+    /// placed. The canal's ends are open: m₀ = 2(P₁−P₀)/d₀ − m₁. With `lastIsGiven` the last section keeps
+    /// its tangents.
     void fitAlong(int first, bool lastIsGiven) noexcept;
 
-    /// `columns()` values of one component of a plane.
+    /// `columns()` values of one component; `plane` is a Plane plus the component.
     const double* plane(int section, int plane) const noexcept {
         return m_values.data() + at(section, plane);
     }
@@ -61,7 +66,7 @@ private:
     int m_sections = 0;
     std::vector<double> m_s_m;
     std::vector<double> m_values;
-    std::vector<double> m_cosines; ///< of the points' angles from x̂ towards n
+    std::vector<double> m_cosines; ///< cosines of the points' angles from x̂ towards n
     std::vector<double> m_sines;
     double m_handle = 0.0; ///< handle of a unit circle's point: sin δ / 3, δ the angle between points
 };

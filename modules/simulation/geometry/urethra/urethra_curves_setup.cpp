@@ -11,8 +11,8 @@ using core::Vec3;
 
 namespace {
 
-/// Sections are at least a micrometre apart; only a wall pushed through itself could bring two of their
-/// points together.
+/// Sections are at least a micrometre apart; two of their points could coincide only in a wall that was
+/// pushed through itself.
 constexpr double kLeastChord_m = 1e-12;
 
 } // namespace
@@ -28,8 +28,8 @@ UrethraCurves::UrethraCurves(int columns, int mostSections)
     }
 }
 
-// Points of a circle have equal chords, so that the Catmull–Rom tangent with chord-length knots is (P₊ −
-// P₋)/2d and both handles are (P₊ − P₋)/6 = r sin δ/3 along the tangent of the circle.
+// The points of a circle have equal chords, so the Catmull–Rom tangent with chord-length knots is
+// (P₊ − P₋)/2d, and both handles are (P₊ − P₋)/6 = r sin δ/3 along the tangent of the circle.
 void UrethraCurves::placeCircle(int section, const UrethraSection& from, const CentrelinePoint& at) noexcept {
     m_s_m[static_cast<std::size_t>(section)] = from.s_m;
     const double handle = from.radius_m * m_handle;

@@ -10,32 +10,35 @@
 
 namespace chiron::simulation {
 
-/// Where a ring's vertices go: positions x, y, z and normals x, y, z, `columns · perPatch` floats each.
+/// Destination of a ring's vertices: positions x, y, z and normals x, y, z, `columns · perPatch` floats each.
 using RingPlanes = std::array<float*, 6>;
 
-/// Tessellates the Coons patches of one span of UrethraCurves, a whole ring at a time, in float. With the
+/// Tessellates the Coons patches of one span of UrethraCurves in float, a whole ring at a time. With the
 /// bulge of a section's curve over its chord, β(v) = d(v) − chord(v), a patch is p = (1−u) β₀ + u β₁ + (1−v)
-/// c(u) + v c⁺(u), so that a ring is two rows of numbers made once per section, blended, plus a line between
-/// neighbouring curves. Differences are taken in double before they are rounded: normals stay good on spans a
-/// micrometre long. Normals are averaged over patch edges. The same inputs give the same bits on every
-/// processor: no contraction, no reassociation. One thread.
+/// c(u) + v c⁺(u). A ring is therefore a blend of two rows of numbers that are made once per section, plus a
+/// line between neighbouring curves. Differences are computed in double before they are rounded, so normals
+/// stay accurate on spans of a micrometre. Normals are averaged over patch edges. The same inputs give the
+/// same bits on every processor, because the code allows neither contraction nor reassociation.
+/// Thread: a single one.
 class UrethraPatchKernel {
 public:
     UrethraPatchKernel(int columns, int perPatch);
 
-    /// Makes a span ready; consecutive spans of the same curves share the row between them. When the curves'
-    /// points have changed: forget() first.
+    /// Prepares a span; consecutive spans of the same curves share the row between them. Call forget() first
+    /// if the points of the curves have changed.
     void load(const UrethraCurves& curves, int span) noexcept;
     void forget() noexcept { m_curves = nullptr; }
 
-    /// The ring at 0 < u < 1.
+    /// Writes the ring at 0 < u < 1.
     void innerRing(double u, const RingPlanes& out) noexcept;
-    /// The section before the loaded span; keepEnd() of the span before it makes its normals the mean of
-    /// both.
+    /// Writes the section before the loaded span. If keepEnd() was called for the previous span, the normals
+    /// are the mean of both spans.
     void firstRing(bool endIsKept, const RingPlanes& out) noexcept;
+    /// Writes the section after the loaded span, with this span's normals.
     void
-    lastRing(const RingPlanes& out) noexcept; ///< the section after the loaded span, with this span's normals
-    void keepEnd() noexcept;                  ///< remembers how the loaded span arrives at its last section
+    lastRing(const RingPlanes& out) noexcept;
+    /// Keeps the slopes with which the loaded span arrives at its last section.
+    void keepEnd() noexcept;
 
 private:
     using Numbers = std::vector<float>;

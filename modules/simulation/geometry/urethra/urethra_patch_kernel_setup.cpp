@@ -11,7 +11,7 @@ UrethraPatchKernel::UrethraPatchKernel(int columns, int perPatch) : m_size{colum
     for (Numbers* column : {&m_point, &m_chord, &m_q1, &m_q2, &m_q3, &m_lastPoint, &m_lastChord})
         column->resize(static_cast<std::size_t>((columns + 1) * kFour));
     m_curvesAtU.resize(static_cast<std::size_t>((columns + 1) * kCurveFours * kFour));
-    // places past the patch are computed and not kept
+    // values beyond the patch's side are computed but not used
     for (int q = 0; q < m_size.blocksAPatch() * kLaneWidth; ++q) {
         const double v = static_cast<double>(q) / perPatch;
         const double r = 1.0 - v;

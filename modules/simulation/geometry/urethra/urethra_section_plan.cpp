@@ -8,8 +8,9 @@ namespace chiron::simulation {
 
 namespace {
 
+/// Sections that were nudged are at least this far apart, whatever the rounding.
 constexpr double kApart_m =
-    0.99 * UrethraSectionPlan::kNudge_m; ///< sections nudged apart, whatever the rounding
+    0.99 * UrethraSectionPlan::kNudge_m;
 
 } // namespace
 
@@ -26,7 +27,7 @@ void UrethraSectionPlan::make(const UrethraDeformation& deformation) {
                         std::isfinite(deformation.en_m);
     if (!deformation.inside || !finite)
         return;
-    findEnd(deformation.tip_s_m + m_wall.endoscope().beak_m); // the very sum at which the wall's windows end
+    findEnd(deformation.tip_s_m + m_wall.endoscope().beak_m); // the same sum at which the wall's windows end
     if (m_end.s_m <= 0.0)
         return;
     int nextMoving = 0;
@@ -42,15 +43,15 @@ void UrethraSectionPlan::make(const UrethraDeformation& deformation) {
     }
 }
 
-// On the span that holds it; nudged back if a basic section follows at once, onto the one that it has just
-// passed.
+// Finds the span that contains the end. If a basic section follows closely, the end is nudged back; if it has
+// just passed one, it is put onto it.
 void UrethraSectionPlan::findEnd(double end_s_m) noexcept {
     m_end = {};
     m_end.s_m = end_s_m;
     if (end_s_m >= m_basic_s_m.back())
         return;
     const auto after = std::upper_bound(m_basic_s_m.begin(), m_basic_s_m.end(), end_s_m);
-    if (after == m_basic_s_m.begin()) { // not in yet
+    if (after == m_basic_s_m.begin()) { // not inside yet
         m_end.s_m = 0.0;
         return;
     }
@@ -64,8 +65,8 @@ void UrethraSectionPlan::findEnd(double end_s_m) noexcept {
     m_end.restParameter = (m_end.s_m - low) / (*after - low);
 }
 
-// Away from basic sections, and held inside the canal: those outside become one just inside, so that the
-// curves' open end does not change when one comes in or goes out.
+// Keeps a moving section away from basic ones and inside the canal. All sections that would lie outside
+// become one just inside, so that the curves' open end does not change when one enters or leaves.
 double UrethraSectionPlan::movingAt(int index) const noexcept {
     const double wanted = m_deformation.tip_s_m + m_wall.endoscope().beak_m * index / (m_movingSections - 1);
     const double s = std::clamp(wanted, kNudge_m, m_basic_s_m.back() - kNudge_m);
@@ -75,21 +76,23 @@ double UrethraSectionPlan::movingAt(int index) const noexcept {
     return std::max(s, *(after - 1) + kNudge_m);
 }
 
-// Up to the last but one: that is the end itself, unless the end is beyond C.
+// Stops at the last moving section but one, because the last one is the end itself, unless the end is beyond
+// C.
 void UrethraSectionPlan::addMovingBefore(double s_m, int& next) {
     const int count = m_end.restSpan >= 0 ? m_movingSections - 1 : m_movingSections;
     for (; next < count; ++next) {
         const double s = movingAt(next);
         if (s > s_m - kApart_m)
             return;
-        if (s > m_sections.back().s_m + kApart_m) // A's own section is always there
+        if (s > m_sections.back().s_m + kApart_m) // A's own section is always in the list
             m_sections.push_back(opened(s));
     }
 }
 
-// The centre follows the tip by B e, in the free part (it follows the shaft) as in the constrained one (it is
-// moved): else the endoscope would leave through the drawn wall. What is constrained only decides where that
-// costs force. Where the canal is wider than the endoscope, only what is left of it once the slack is taken up.
+// The centre follows the tip by B e both in the free part (which follows the shaft) and in the constrained
+// part (which is pushed aside); otherwise the endoscope would leave through the drawn wall. The constraint
+// only decides where the offset costs force. Where the canal is wider than the endoscope, only the part of
+// the offset that exceeds the slack counts.
 UrethraSection UrethraSectionPlan::opened(double s_m) const noexcept {
     const double tip = m_deformation.tip_s_m;
     UrethraSection section;

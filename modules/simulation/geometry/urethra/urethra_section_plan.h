@@ -10,17 +10,18 @@
 
 namespace chiron::simulation {
 
-/// Which sections the drawn urethra has at an instant (models.md §1.1): from A on the basic sections, opened
-/// and shifted as the endoscope asks, merged with the moving ones from the tip to the end of the deformation,
-/// s_t + ℓ. Nothing deformed: no sections. Otherwise the list ends on the resting surface (its last section
-/// says where), or at C.
+/// Determines which sections the drawn urethra has at an instant (models.md §1.1): the basic sections from A
+/// on, opened and shifted by the endoscope, merged with the moving ones from the tip to the end of the
+/// deformation, s_t + ℓ. There are no sections if nothing is deformed. Otherwise the list ends on the resting
+/// surface (its last section says where), or at C.
 class UrethraSectionPlan {
 public:
-    /// A moving section this near a basic one is nudged away from it: coincident sections give 0/0, merged
-    /// ones a jump.
+    /// A moving section that is this near to a basic one is nudged away from it: coincident sections would
+    /// give 0/0, and merging them would cause a jump.
     static constexpr double kNudge_m = 1e-6;
 
-    /// `basic_s_m`: arc lengths of the basic sections, ascending from 0 to L; they outlive the plan.
+    /// `basic_s_m` holds the arc lengths of the basic sections, ascending from 0 to L; the array must outlive
+    /// the plan.
     UrethraSectionPlan(const UrethraWall& wall, std::span<const double> basic_s_m, int movingSections);
 
     void make(const UrethraDeformation& deformation);
@@ -39,7 +40,7 @@ private:
     std::span<const double> m_basic_s_m;
     int m_movingSections;
     UrethraDeformation m_deformation;
-    UrethraSection m_end; ///< with restSpan −1 where the deformation reaches C
+    UrethraSection m_end; ///< restSpan is −1 where the deformation reaches C
     std::vector<UrethraSection> m_sections;
 };
 

@@ -12,20 +12,21 @@
 
 namespace chiron::simulation {
 
-/// How finely the urethra is drawn. P1's display: n = 17, w = 26. n counts the first point twice (n = 17: 16 distinct).
+/// Resolution of the drawn urethra. P1's display: n = 17, w = 26. n counts the first point twice (n = 17: 16
+/// distinct).
 struct UrethraMeshSettings {
-    int n = 17;               ///< points a section, first = last; 4 < n ≤ 129
+    int n = 17;               ///< points per section, first = last; 4 < n ≤ 129
     int w = 26;               ///< basic sections, equidistant along z; 4 ≤ w ≤ 401
     int perPatch = 8;         ///< k: each Coons patch is tessellated k × k; 1..32
     int movingSections = 9;   ///< dense sections of the moving deformation from s_t to s_t + ℓ, both included; 3..33
 };
 
-/// Where the endoscope is, as the drawn surface needs it. `inside` false: the resting surface.
+/// Position of the endoscope, as the drawn surface needs it. `inside` false: the surface is at rest.
 struct UrethraDeformation {
     bool inside = false;
     double tip_s_m = 0.0; ///< s_t
-    double ex_m = 0.0;    ///< e, in the tip's section: x̂
-    double en_m = 0.0;    ///< and n
+    double ex_m = 0.0;    ///< e in the tip's section: along x̂
+    double en_m = 0.0;    ///< and along n
 };
 
 /// A vertex range that the last update() rewrote: [first, first + count).
@@ -34,28 +35,35 @@ struct VertexRange {
     std::size_t count = 0;
 };
 
-/// The urethra's inner surface in A (models.md §1.1; P1 §3, figures 2–4): basic sections and moving deformation,
-/// interpolated by piecewise cubic Bézier curves in both directions, Coons patches between them, tessellated k × k.
-/// Positions (m) and analytic unit normals towards the lumen's axis, averaged over patch edges. See README.md beside it for
-/// layout and definitions. Anatomy, endoscope and settings are valid ones (urethraProblems()).
+/// The urethra's inner surface in A (models.md §1.1; P1 §3, figures 2–4). Basic sections and the moving
+/// deformation are interpolated by piecewise cubic Bézier curves in both directions, with Coons patches
+/// between them, tessellated k × k. It provides positions (m) and analytic unit normals towards the lumen's
+/// axis, averaged over patch edges. See README.md beside it for layout and definitions. Anatomy, endoscope
+/// and settings must be valid (urethraProblems()).
 ///
-/// Vertices are stored as planes (x…, y…, z…, nx…, ny…, nz…) of float, ring after ring of `ringSize()` vertices; rings run
-/// from A to C. The number of vertices and the triangles never change; rings that the deformation covers collapse onto its
-/// ends (at rest the spare ones lie on A). In the buffer they run in groups of k, a group a span. Beyond the deformation every vertex is bit-identical to the resting surface, and update() rewrites changed rings only.
-/// Not for the tick (it allocates when made). One thread.
+/// Vertices are stored as planes (x…, y…, z…, nx…, ny…, nz…) of float, ring after ring of `ringSize()`
+/// vertices; rings run from A to C. In the buffer they form groups of k, one group per span. The number of
+/// vertices and the triangles never change; rings that the deformation covers collapse onto its ends (at rest
+/// the spare ones lie on A). Beyond the deformation every vertex is bit-identical to the resting surface, and
+/// update() rewrites only changed rings. Not for use in the tick (it allocates when made).
+///
+/// Thread: a single one.
 class UrethraSurface {
 public:
     UrethraSurface(const UrethraAnatomy& anatomy, const Endoscope& endoscope, const UrethraMeshSettings& settings);
 
-    /// Returns what was rewritten, in ascending order without overlaps; empty where nothing changed.
+    /// Returns the vertex ranges that it rewrote, in ascending order without overlaps; empty if nothing
+    /// changed.
     std::span<const VertexRange> update(const UrethraDeformation& deformation);
-    void rebuild(const UrethraDeformation& deformation); ///< everything, whatever it was before (benchmark, first use)
+    void rebuild(const UrethraDeformation& deformation); ///< rewrites everything (benchmark, first use)
 
     std::size_t vertexCount() const noexcept;
-    std::size_t ringSize() const noexcept; ///< vertices a ring: (n − 1)·k
+    std::size_t ringSize() const noexcept; ///< vertices per ring: (n − 1)·k
     std::span<const float> plane(int component) const noexcept; ///< 0..2 position x, y, z (m), 3..5 normal; vertexCount() long
-    std::span<const float> arcLength_m() const noexcept;        ///< s of each vertex: texture coordinate along
-    std::span<const std::uint32_t> triangles() const noexcept;  ///< three a triangle, seen from inside the lumen
+    /// s of each vertex: texture coordinate along the canal.
+    std::span<const float> arcLength_m() const noexcept;
+    /// Three indices per triangle; the front faces are those seen from inside the lumen.
+    std::span<const std::uint32_t> triangles() const noexcept;
     const UrethraMeshSettings& settings() const noexcept;
 
     ~UrethraSurface();

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kPlanes = 6;
 
-/// Which ring of which curves lies in a slot of the vertex buffer. Equal specs of unchanged spans are equal
-/// rings.
+/// Names the ring of the curves that lies in a slot of the vertex buffer. If the spans have not changed,
+/// equal specs mean equal rings.
 struct RingSpec {
     bool deformed = false;
     int span = -1;
@@ -63,12 +63,12 @@ struct UrethraSurface::State {
     std::vector<float> values;
     std::vector<float> arc_m;
     std::vector<std::uint32_t> triangles;
-    std::vector<RingSpec> specs;  ///< what the buffer holds
-    std::vector<RingSpec> wanted; ///< what it is to hold
+    std::vector<RingSpec> specs;  ///< the present content of the buffer
+    std::vector<RingSpec> wanted; ///< the content that the buffer is to have
     std::vector<VertexRange> ranges;
 };
 
-// Resting rings from `firstRing` (counted along the basic spans) to C, in their places at the buffer's end.
+// Lays the resting rings from `firstRing` (counted along the basic spans) to C at the end of the buffer.
 void UrethraSurface::State::layRest(std::size_t firstSlot, int firstRing) {
     const int k = settings.perPatch;
     for (std::size_t slot = firstSlot; slot < rings; ++slot, ++firstRing)
@@ -76,7 +76,7 @@ void UrethraSurface::State::layRest(std::size_t firstSlot, int firstRing) {
     wanted.back() = {false, settings.w - 2, 1.0};
 }
 
-// Behind the deformed spans all rings lie on its end, until the first resting ring beyond it.
+// After the deformed spans, puts all rings on the deformation's end, up to the first resting ring beyond it.
 void UrethraSurface::State::layEnd(std::size_t firstSlot) {
     const int k = settings.perPatch;
     const UrethraSection& end = net.plan().sections().back();

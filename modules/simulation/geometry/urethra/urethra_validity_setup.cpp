@@ -16,10 +16,11 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kShortestCanal_m =
-    0.010; ///< 401 sections of it stay 25 µm apart, far more than they are nudged by
+    0.010; ///< 401 sections of such a canal stay 25 µm apart, far more than the nudge
 constexpr double kShortestBeak_m = 0.001;   ///< 33 moving sections stay 31 µm apart
 constexpr double kShortestChange_m = 0.010; ///< models.md §1.1: a shorter ring would fall between sections
-constexpr int kWallSamples = 1024; ///< finer than the shortest change's edge can bend the radius unseen
+/// Finer than the edge of the shortest change, so that no bend of the radius is missed.
+constexpr int kWallSamples = 1024;
 
 std::string number(double value) {
     char text[32];
@@ -33,7 +34,8 @@ public:
     void add(std::string field, std::string reason) {
         m_problems.push_back({std::move(field), std::move(reason)});
     }
-    /// low ≤ value ≤ high (low itself only where `lowAllowed`), finite. True if so.
+    /// Adds a problem unless `value` is finite and low ≤ value ≤ high (low itself only where `lowAllowed`).
+    /// Returns true if it is.
     bool range(const std::string& field, double value, double low, bool lowAllowed, double high = kInfinity) {
         if (std::isfinite(value) && (lowAllowed ? value >= low : value > low) && value <= high)
             return true;
@@ -73,7 +75,7 @@ void checkFreePart(Check& check, const UrethraAnatomy& a, double length_m) {
         check.add("angularCorner_m", "is " + number(a.angularCorner_m) + ": the rounded corners at " +
                                          number(a.freeLength_m) + " and at the canal's end, " +
                                          number(length_m) + ", run into one another");
-    // Before the entrance there is no body to hold the shaft or to turn it back (models.md §1.2).
+    // Before the entrance no body holds the shaft or turns it back (models.md §1.2).
     const bool corner = check.positive("angularCorner_m", a.angularCorner_m);
     if (corner && std::isfinite(a.freeLength_m) && a.angularCorner_m > a.freeLength_m)
         check.add("angularCorner_m", "is " + number(a.angularCorner_m) + ": a torque outside the body; it must be at most " +
@@ -160,8 +162,8 @@ void checkMesh(Check& check, const UrethraMeshSettings& mesh) {
     check.range("mesh.movingSections", mesh.movingSections, 3, true, 33);
 }
 
-// Neighbouring sections meet on the concave side where the radius reaches the radius of curvature. A parabola
-// and the straight line before it come near themselves nowhere else.
+// Neighbouring sections meet on the concave side where the radius reaches the radius of curvature. Elsewhere
+// a parabola and the straight line before it do not come near themselves.
 void checkWallCrossesItself(Check& check, const UrethraAnatomy& a, const Endoscope& scope,
                             const UrethraCentreline& line) {
     const UrethraWall wall(a, scope);

@@ -10,20 +10,22 @@
 
 namespace chiron::simulation {
 
-/// One reason why an urethra cannot be: where (the member's name, e.g. "changes[1].radius_m", "mesh.n") and why, with the
-/// value found and what was expected, in SI.
+/// One reason why a urethra is invalid: the field (the member's name, e.g. "changes[1].radius_m", "mesh.n")
+/// and the reason, with the value found and what was expected, in SI units.
 struct UrethraProblem {
     std::string field;
     std::string reason;
 };
 
-/// Everything that is wrong, in the order of the members; empty: the urethra can be simulated and drawn. Numbers out of
-/// range; a wall that crosses itself (its radius, at rest or opened by the endoscope, reaches the centre-line's radius of curvature);
-/// local changes outside the canal or over one another. An endoscope thinner than the urethra is allowed. Set-up, any thread.
+/// Returns all problems in the order of the members; if there are none, the urethra can be simulated and
+/// drawn. It checks for numbers out of range, a wall that crosses itself (its radius, at rest or opened by
+/// the endoscope, reaches the centre-line's radius of curvature), and local changes that lie outside the
+/// canal or overlap. An endoscope thinner than the urethra is allowed. For set-up.
+/// Thread: any.
 std::vector<UrethraProblem> urethraProblems(const UrethraAnatomy& anatomy, const Endoscope& endoscope,
                                             const UrethraMeshSettings& mesh);
 
-/// The same as one error (badInput) that names the first problem and how many more there are.
+/// Returns the same as one error (badInput) that names the first problem and the number of further ones.
 core::Result<void> checkUrethra(const UrethraAnatomy& anatomy, const Endoscope& endoscope,
                                 const UrethraMeshSettings& mesh);
 

@@ -18,7 +18,7 @@ double raisedCosine(double u) noexcept {
     return u >= 1.0 ? 0.0 : 0.5 * (1.0 + std::cos(core::kPi * u));
 }
 
-/// Its derivative, and 0 outside: continuous.
+/// Derivative of raisedCosine(), 0 outside; it is continuous.
 double raisedCosineSlope(double u) noexcept {
     return u <= 0.0 || u >= 1.0 ? 0.0 : -0.5 * core::kPi * std::sin(core::kPi * u);
 }
@@ -29,8 +29,8 @@ double weight(const UrethraLocalChange& change, double s_m) noexcept {
            smoothstep((0.5 * change.length_m - fromCentre) / change.edge_m + 0.5);
 }
 
-/// base + Σ w (changed − base): changes do not overlap (validity), so this is each one's own value at full
-/// weight, and exactly the base value away from them.
+/// base + Σ w (changed − base). Changes do not overlap (urethraProblems() checks this), so the value is a
+/// change's own one at full weight and exactly the base value away from all changes.
 template <class ChangedValue>
 double varied(const UrethraAnatomy& anatomy, double s_m, double base, ChangedValue changed) noexcept {
     double value = base;
@@ -63,8 +63,7 @@ double UrethraWall::constrained(double s_m) const noexcept {
 }
 
 double UrethraWall::opening(double s_m, double tip_s_m) const noexcept {
-    // The end is tested as the sum that the drawn surface ends at: a quotient may round to just below 1
-    // there.
+    // Uses the same sum for the end as the drawn surface does: the quotient may round to just below 1 there.
     return s_m >= tip_s_m + m_scope.beak_m ? 0.0 : raisedCosine((s_m - tip_s_m) / m_scope.beak_m);
 }
 

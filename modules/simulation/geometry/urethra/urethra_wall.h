@@ -5,8 +5,10 @@
 
 namespace chiron::simulation {
 
-/// The wall's local values as continuous functions of arc length (models.md §1.1), and the functions of §1.1/§1.2 that the
-/// drawn surface and the forces share: one place, so that what is seen is what is felt. Pure; haptic thread.
+/// The wall's local values as continuous functions of arc length (models.md §1.1), and the functions of
+/// §1.1/§1.2 that the drawn surface and the forces share. They are defined once, so that the user sees what
+/// is felt. Pure.
+/// Thread: haptic.
 class UrethraWall {
 public:
     UrethraWall(const UrethraAnatomy& anatomy, const Endoscope& endoscope) noexcept : m_anatomy(anatomy), m_scope(endoscope) {}
