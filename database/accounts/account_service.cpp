@@ -143,8 +143,13 @@ core::Result<void> AccountService::resetPassword(const Actor& actor, PersonId pe
     if (!hash) {
         return tl::unexpected(hash.error());
     }
-    return m_database.write([&](WriteContext& writing) {
-        return AccountRepository(writing.connection(), actor).resetPassword(person, *hash);
+    return m_database.write([&](WriteContext& writing) -> core::Result<void> {
+        AccountRepository accounts(writing.connection(), actor);
+        const auto whose = accounts.person(person); // who may not read it may not reset it either, which is refused below
+        if (whose)
+            if (auto good = checkPassword(whose->name, newPassword); !good)
+                return good;
+        return accounts.resetPassword(person, *hash);
     });
 }
 

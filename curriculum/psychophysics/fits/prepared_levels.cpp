@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "psychophysics/fits/prepared_levels.h"
 
+#include "core/log_gamma.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -152,7 +154,7 @@ double logFactorial(double n) noexcept {
     static const auto table = [] {
         std::array<double, 256> values{};
         for (std::size_t i = 1; i < values.size(); ++i) {
-            values[i] = std::lgamma(static_cast<double>(i) + 1.0);
+            values[i] = core::logGamma(static_cast<double>(i) + 1.0);
         }
         return values;
     }();

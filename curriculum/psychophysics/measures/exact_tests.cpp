@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "psychophysics/measures/exact_tests.h"
 
+#include "core/log_gamma.h"
+
 #include "core/normal_distribution.h"
 
 #include <algorithm>
@@ -9,15 +11,11 @@
 
 namespace chiron::psychophysics {
 
+using core::logGamma;
+
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-/// std::lgamma writes to a global sign variable. This function does not, so it can run on any thread.
-double logGamma(double x) noexcept {
-    int sign = 0;
-    return ::lgamma_r(x, &sign);
-}
 
 /// Lentz's method for the continued fraction of the incomplete beta function.
 double betaFraction(double x, double a, double b) noexcept {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "psychophysics/planning/study_plan.h"
 
+#include "core/log_gamma.h"
 #include "core/random.h"
 #include "psychophysics/measures/run_curve.h"
 #include "psychophysics/measures/sample_moments.h"
@@ -80,7 +81,7 @@ double phi(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
 /// Returns P(T ≤ t) of the noncentral t, that is, a normal variable over the root of a chi-square divided by
 /// its degrees of freedom, integrated over that root.
 double noncentralT(double t, int freedom, double shift) {
-    const double logScale = std::log(2.0) + 0.5 * freedom * std::log(0.5 * freedom) - std::lgamma(0.5 * freedom);
+    const double logScale = std::log(2.0) + 0.5 * freedom * std::log(0.5 * freedom) - core::logGamma(0.5 * freedom);
     const double end = 1.0 + 10.0 / std::sqrt(static_cast<double>(freedom));
     return integral(
         [&](double s) { return s > 0.0 ? phi(t * s - shift) * std::exp(logScale + (freedom - 1) * std::log(s) - 0.5 * freedom * s * s) : (freedom == 1 ? phi(-shift) * std::exp(logScale) : 0.0); },

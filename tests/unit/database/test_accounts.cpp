@@ -274,6 +274,9 @@ void TestAccounts::resetForcesAChange() {
     const auto tim = f.person(*ada, "tim", {Role::trainee});
     REQUIRE(tim);
     AccountService accounts(*f.database);
+    const auto tom = f.person(*ada, "tom-the-trainer", {Role::trainer});
+    REQUIRE(tom);
+    QCOMPARE(accounts.resetPassword(*ada, tom->personId(), "Tom-the-Trainer").error().code, core::ErrorCode::badInput); // the login name is no password
     REQUIRE(accounts.resetPassword(*ada, tim->personId(), "given by ada"));
     const auto forced = accounts.login("tim", "given by ada");
     REQUIRE(forced);
