@@ -36,3 +36,11 @@ inline tl::unexpected<Error> fail(ErrorCode code, std::string message) {
 }
 
 } // namespace chiron::core
+
+/// Ends the function with the error of a Result that failed; otherwise does nothing. The function returns a
+/// Result, or something else that an unexpected error converts to.
+#define CHIRON_TRY(...)                                                                                      \
+    do {                                                                                                     \
+        if (auto&& chironTried = (__VA_ARGS__); !chironTried)                                                \
+            return tl::unexpected(std::forward<decltype(chironTried)>(chironTried).error());                 \
+    } while (false)

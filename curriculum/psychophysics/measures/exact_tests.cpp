@@ -2,7 +2,6 @@
 #include "psychophysics/measures/exact_tests.h"
 
 #include "core/log_gamma.h"
-
 #include "core/normal_distribution.h"
 
 #include <algorithm>
