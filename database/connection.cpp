@@ -50,9 +50,7 @@ core::Result<std::unique_ptr<Connection>> Connection::open(const std::string& fi
     if (opened) {
         opened = connection->configure(!reading);
     }
-    if (!opened) {
-        return tl::unexpected(opened.error());
-    }
+    CHIRON_TRY(opened);
     return connection;
 }
 
@@ -62,9 +60,7 @@ core::Result<std::unique_ptr<Connection>> Connection::create(const std::string& 
     if (opened) {
         opened = connection->configure(false);
     }
-    if (!opened) {
-        return tl::unexpected(opened.error());
-    }
+    CHIRON_TRY(opened);
     return connection;
 }
 
@@ -100,9 +96,7 @@ core::Result<void> Connection::configure(bool useWal) {
         return done;
     }
     const auto mode = selectText(*this, "PRAGMA journal_mode=WAL");
-    if (!mode) {
-        return tl::unexpected(mode.error());
-    }
+    CHIRON_TRY(mode);
     if (*mode != "wal") {
         return core::fail(core::ErrorCode::storage,
                           m_file + ": the file system does not allow write-ahead logging");

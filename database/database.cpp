@@ -57,9 +57,7 @@ core::Result<void> fillNew(Connection& connection, const DatabaseOptions& option
 // Makes a complete new database in a file of another name.
 core::Result<void> fillFile(const std::string& file, const SiteKey& key, const DatabaseOptions& options) {
     auto connection = Connection::create(file);
-    if (!connection) {
-        return tl::unexpected(connection.error());
-    }
+    CHIRON_TRY(connection);
     (*connection)->setSite(&key, options.clock.get());
     const auto isPrivate = keepPrivate(file); // SQLite gives the log beside it the same permissions
     auto migrated = isPrivate ? MigrationRunner().migrate(**connection) : tl::unexpected(isPrivate.error());
@@ -91,17 +89,13 @@ core::Result<std::unique_ptr<Database>> Database::create(const std::string& file
                                                          const DatabaseOptions& options) {
     std::unique_ptr<Database> database(new Database(file, options));
     auto lock = takeWriterLock(file);
-    if (!lock) {
-        return tl::unexpected(lock.error());
-    }
+    CHIRON_TRY(lock);
     database->m_lock = *std::move(lock);
     if (QFileInfo::exists(QString::fromStdString(file))) {
         return core::fail(core::ErrorCode::badInput, file + ": exists already; nothing was changed");
     }
     auto key = SiteKey::createOrLoad(database->m_siteFolder);
-    if (!key) {
-        return tl::unexpected(key.error());
-    }
+    CHIRON_TRY(key);
     database->m_siteKey = *std::move(key);
     const QString fresh = QString::fromStdString(file + ".new"); // a file with its final name is always
                                                                  // complete
@@ -123,30 +117,20 @@ core::Result<std::unique_ptr<Database>> Database::openForWriting(const std::stri
     std::unique_ptr<Database> database(new Database(file, options));
     const MigrationRunner runner;
     auto present = runner.inspect(file);
-    if (!present) {
-        return tl::unexpected(present.error());
-    }
+    CHIRON_TRY(present);
     auto lock = takeWriterLock(file);
-    if (!lock) {
-        return tl::unexpected(lock.error());
-    }
+    CHIRON_TRY(lock);
     database->m_lock = *std::move(lock);
     auto key = SiteKey::load(database->m_siteFolder);
-    if (!key) {
-        return tl::unexpected(key.error());
-    }
+    CHIRON_TRY(key);
     database->m_siteKey = *std::move(key);
     if (present->version < runner.newest()) {
         auto connection = Connection::open(file, Connection::Mode::readWrite);
         auto migrated = connection ? runner.migrate(**connection) : tl::unexpected(connection.error());
-        if (!migrated) {
-            return tl::unexpected(migrated.error());
-        }
+        CHIRON_TRY(migrated);
     }
     auto started = database->startWriter();
-    if (!started) {
-        return tl::unexpected(started.error());
-    }
+    CHIRON_TRY(started);
     return database;
 }
 
@@ -155,18 +139,14 @@ core::Result<std::unique_ptr<Database>> Database::openReadOnly(const std::string
     std::unique_ptr<Database> database(new Database(file, options));
     const MigrationRunner runner;
     auto present = runner.inspect(file);
-    if (!present) {
-        return tl::unexpected(present.error());
-    }
+    CHIRON_TRY(present);
     if (present->version < runner.newest()) {
         return core::fail(core::ErrorCode::storage, file + ": made by an older Chiron (schema " +
                                                         std::to_string(present->version) +
                                                         "); run migrate first");
     }
     auto read = database->readIdentity();
-    if (!read) {
-        return tl::unexpected(read.error());
-    }
+    CHIRON_TRY(read);
     return database;
 }
 
@@ -180,18 +160,14 @@ core::Result<std::unique_ptr<Connection>> Database::openReader() const {
 
 core::Result<void> Database::startWriter() {
     auto writer = WriterThread::start(m_file, *m_siteKey, *m_options.clock);
-    if (!writer) {
-        return tl::unexpected(writer.error());
-    }
+    CHIRON_TRY(writer);
     m_writer = *std::move(writer);
     return readIdentity();
 }
 
 core::Result<void> Database::readIdentity() {
     auto reader = openReader();
-    if (!reader) {
-        return tl::unexpected(reader.error());
-    }
+    CHIRON_TRY(reader);
     const auto version = selectInteger(**reader, "PRAGMA user_version");
     const auto uuid = selectText(**reader, "SELECT value FROM meta WHERE key = 'uuid'");
     const auto demonstration = selectText(**reader, "SELECT value FROM meta WHERE key = 'demonstration'");

@@ -84,9 +84,7 @@ core::Result<Query> Query::run(Connection& connection, const std::string& sql,
     }
     for (std::size_t i = 0; i < values.size(); ++i) {
         auto bound = toQt(values[i]);
-        if (!bound) {
-            return tl::unexpected(bound.error());
-        }
+        CHIRON_TRY(bound);
         query.bindValue(static_cast<int>(i), *bound);
     }
     if (!query.exec()) {
@@ -144,26 +142,18 @@ Value Query::value(int column) const {
 core::Result<std::optional<std::int64_t>> selectInteger(Connection& connection, const std::string& sql,
                                                         const std::vector<Value>& values) {
     auto query = Query::run(connection, sql, values);
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     const auto row = query->next();
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     return *row && !query->isNull(0) ? std::optional(query->integer(0)) : std::nullopt;
 }
 
 core::Result<std::optional<std::string>> selectText(Connection& connection, const std::string& sql,
                                                     const std::vector<Value>& values) {
     auto query = Query::run(connection, sql, values);
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     const auto row = query->next();
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     return *row && !query->isNull(0) ? std::optional(query->text(0)) : std::nullopt;
 }
 

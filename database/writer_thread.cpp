@@ -15,9 +15,7 @@ core::Result<std::unique_ptr<WriterThread>> WriterThread::start(const std::strin
     auto outcome = opened.get_future();
     writer->m_thread = std::thread(&WriterThread::main, writer.get(), file, &site, &clock, std::move(opened));
     auto result = outcome.get();
-    if (!result) {
-        return tl::unexpected(result.error());
-    }
+    CHIRON_TRY(result);
     return writer;
 }
 

@@ -62,10 +62,8 @@ core::Result<Arguments> Arguments::parse(const CommandSpec& command, const QStri
     }
     if (arguments.has(QStringLiteral("help")))
         return arguments;
-    if (auto checked = arguments.checkOptions(); !checked)
-        return tl::unexpected(checked.error());
-    if (auto checked = arguments.checkOperands(); !checked)
-        return tl::unexpected(checked.error());
+    CHIRON_TRY(arguments.checkOptions());
+    CHIRON_TRY(arguments.checkOperands());
     return arguments;
 }
 

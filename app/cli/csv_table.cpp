@@ -103,8 +103,7 @@ core::Result<double> CsvTable::number(std::size_t row, int column) const {
 core::Result<CsvTable> readCsvTable(const QString& path) {
     constexpr qint64 kLargest = qint64{256} << 20;
     const auto bytes = readInputFile(path, kLargest);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
+    CHIRON_TRY(bytes);
     return parseCsvTable(QString::fromUtf8(*bytes), path);
 }
 
@@ -126,8 +125,7 @@ core::Result<CsvTable> parseCsvTable(QString text, const QString& path) {
         const QStringList cells = split(*line, separator);
         if (saysNothing(cells))
             continue;
-        if (auto added = add(table, cells, number); !added)
-            return tl::unexpected(added.error());
+        CHIRON_TRY(add(table, cells, number));
     }
     if (table.header.isEmpty())
         return at(path, 1, QStringLiteral("empty; expected a heading and rows"));

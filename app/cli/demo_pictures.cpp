@@ -57,8 +57,7 @@ core::Result<void> addComparison(DemoPictures& drawn, const QString& file, const
                                  const report::PlotTheme& theme) {
     if (data.groups.empty())
         return {};
-    if (auto written = report::writeComparisonPng(file, data, theme); !written)
-        return tl::unexpected(written.error());
+    CHIRON_TRY(report::writeComparisonPng(file, data, theme));
     drawn.pictures.push_back(file);
     return {};
 }
@@ -67,24 +66,19 @@ core::Result<void> addComparison(DemoPictures& drawn, const QString& file, const
 core::Result<void> addReport(DemoPictures& drawn, database::Database& database, const session::DemoResult& shown,
                              const QString& folder, const report::PlotTheme& theme, bool plots) {
     auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     const database::Actor actor = database::Actor::simulated();
     auto session = session::SessionView::open(**connection, actor, shown.result.session);
-    if (!session)
-        return tl::unexpected(session.error());
+    CHIRON_TRY(session);
     auto data = session_report::reportDataOf(**session, **connection, actor, "en");
-    if (!data)
-        return tl::unexpected(data.error());
+    CHIRON_TRY(data);
     const QString file = QDir(folder).filePath(QStringLiteral("session_%1.pdf").arg(shown.result.session));
-    if (auto written = report::writeSessionPdf(file, *data, theme); !written)
-        return tl::unexpected(written.error());
+    CHIRON_TRY(report::writeSessionPdf(file, *data, theme));
     drawn.reports.push_back(file);
     if (!plots)
         return {};
     auto pictures = report::writeSessionPngs(folder, *data, theme);
-    if (!pictures)
-        return tl::unexpected(pictures.error());
+    CHIRON_TRY(pictures);
     drawn.pictures.insert(drawn.pictures.end(), pictures->begin(), pictures->end());
     return {};
 }
@@ -93,11 +87,9 @@ core::Result<void> addReport(DemoPictures& drawn, database::Database& database, 
 core::Result<void> addStudyReport(DemoPictures& drawn, database::Database& database, const session::DemoStudy& study, const QString& folder,
                                   const report::PlotTheme& theme) {
     const auto author = database::AccountService(database).login(session::kDemoResearcher, session::kDemoPassword);
-    if (!author)
-        return tl::unexpected(author.error());
+    CHIRON_TRY(author);
     auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     database::StudyReader reader(**connection, *author);
     const QString file = QDir(folder).filePath(QStringLiteral("study_%1.pdf").arg(study.study));
     if (auto written = session_report::writeStudyReport(file, reader, study.study, theme); !written)
@@ -130,20 +122,16 @@ core::Result<DemoPictures> drawDemo(database::Database& database, const session:
     std::vector<Shown> exercises;
     for (const std::string& exercise : exercisesOf(results)) {
         auto kind = session::exerciseKind(exercise);
-        if (!kind)
-            return tl::unexpected(kind.error());
+        CHIRON_TRY(kind);
         exercises.push_back({exercise, (*kind)->demonstration()});
     }
     for (const auto& [exercise, how] : exercises)
         if (how.comparison)
-            if (auto added = addComparison(drawn, file(how.comparison->file), operatorsOf(results, exercise, *how.comparison), theme); !added)
-                return tl::unexpected(added.error());
+            CHIRON_TRY(addComparison(drawn, file(how.comparison->file), operatorsOf(results, exercise, *how.comparison), theme));
     for (const auto& [exercise, how] : exercises)
         if (const auto* expert = how.report ? expertOf(results, exercise, how.report->level) : nullptr)
-            if (auto added = addReport(drawn, database, *expert, folder, theme, how.report->plots); !added)
-                return tl::unexpected(added.error());
-    if (auto added = addStudyReport(drawn, database, made.study, folder, theme); !added)
-        return tl::unexpected(added.error());
+            CHIRON_TRY(addReport(drawn, database, *expert, folder, theme, how.report->plots));
+    CHIRON_TRY(addStudyReport(drawn, database, made.study, folder, theme));
     return drawn;
 }
 

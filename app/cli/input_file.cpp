@@ -34,8 +34,7 @@ core::Result<QByteArray> readStandardInput(qint64 largestBytes) {
 core::Result<QJsonObject> readJsonObject(const QString& path) {
     constexpr qint64 kLargest = 16 << 20;
     const auto bytes = readInputFile(path, kLargest);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
+    CHIRON_TRY(bytes);
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(*bytes, &error);
     if (error.error != QJsonParseError::NoError) {

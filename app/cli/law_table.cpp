@@ -123,8 +123,7 @@ core::Result<std::vector<double>> readLawParameters(const core::LawDescription& 
     QJsonObject given;
     if (!path.isEmpty()) {
         auto read = readJsonObject(path);
-        if (!read)
-            return tl::unexpected(read.error());
+        CHIRON_TRY(read);
         given = *read;
     }
     for (auto it = given.begin(); it != given.end(); ++it) {
@@ -168,15 +167,13 @@ core::Result<LawTable> readLawTable(const core::LawDescription& law, const QByte
                             .arg(name, inputNames(law)));
     const QList<QByteArray> lines = body.split('\n');
     const auto order = readHeader(law, lines[0].split(','), name);
-    if (!order)
-        return tl::unexpected(order.error());
+    CHIRON_TRY(order);
     if (!csv.endsWith('\n'))
         return badInput(QStringLiteral("%1:%2: the last line has no line feed: expected one after every row, or the table was cut off").arg(name).arg(lines.size()));
     LawTable table;
     for (qsizetype i = 1; i < lines.size(); ++i) {
         auto row = readRow(lines[i].split(','), *order, name, i + 1);
-        if (!row)
-            return tl::unexpected(row.error());
+        CHIRON_TRY(row);
         table.rows.push_back(std::move(*row));
     }
     return table;

@@ -52,8 +52,7 @@ QJsonObject causeJson(const simulation::YieldLaw& law, const database::EventReco
 core::Result<ScoreView> viewOf(database::Connection& connection, const database::Actor& actor,
                                database::SessionId session) {
     auto record = database::SessionReader(connection, actor).session(session);
-    if (!record)
-        return tl::unexpected(record.error());
+    CHIRON_TRY(record);
     ScoreView view;
     view.sessionId = session;
     const std::string_view state = database::token(record->summary.state);
@@ -68,8 +67,7 @@ core::Result<ScoreView> viewOf(database::Connection& connection, const database:
     if (card)
         view.card = std::move(*card);
     auto trials = database::SessionReader(connection, actor).trials(session);
-    if (!trials)
-        return tl::unexpected(trials.error());
+    CHIRON_TRY(trials);
     const auto setup = session::setupFromStored(record->setup);
     const bool leavesOut = setup && setup->scoring == session::ScoringRule::finishedTrials;
     for (const database::TrialRecord& trial : *trials) {
@@ -125,8 +123,7 @@ QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& re
 
 core::Result<QJsonArray> eventsJson(database::Connection& connection, const database::Actor& actor, const database::SessionRecord& record) {
     auto events = database::SessionReader(connection, actor).events(record.summary.id);
-    if (!events)
-        return tl::unexpected(events.error());
+    CHIRON_TRY(events);
     const auto setup = session::setupFromStored(record.setup);
     QJsonArray array;
     for (const database::EventRecord& event : *events) {

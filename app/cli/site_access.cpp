@@ -68,8 +68,7 @@ core::Result<std::vector<std::string>> readSecrets(const Arguments& arguments,
     if (arguments.has(QStringLiteral("password-stdin"))) {
         constexpr qint64 kLargest = 16384;
         const auto bytes = readStandardInput(kLargest);
-        if (!bytes)
-            return tl::unexpected(bytes.error());
+        CHIRON_TRY(bytes);
         QList<QByteArray> lines = bytes->split('\n');
         for (std::size_t i = 0; i < variables.size(); ++i) {
             QByteArray line = lines.value(static_cast<qsizetype>(i));
@@ -98,11 +97,9 @@ core::Result<Site> openAsPerson(const Arguments& arguments, Opening opening) {
             "--as is missing: this touches people's data; expected --as NAME with the password in "
             "CHIRON_PASSWORD or by --password-stdin"));
     auto secrets = readSecrets(arguments, {kPassword, kNewPassword});
-    if (!secrets)
-        return tl::unexpected(secrets.error());
+    CHIRON_TRY(secrets);
     auto database = open(arguments, opening);
-    if (!database)
-        return tl::unexpected(database.error());
+    CHIRON_TRY(database);
     const auto actor = database::AccountService(**database).login(name.toStdString(), (*secrets)[0]);
     if (!actor)
         return tl::unexpected(opening == Opening::forReading
@@ -115,8 +112,7 @@ core::Result<Site> openAsAnybody(const Arguments& arguments, Opening opening) {
     if (arguments.has(QStringLiteral("as")))
         return openAsPerson(arguments, opening);
     auto database = open(arguments, opening);
-    if (!database)
-        return tl::unexpected(database.error());
+    CHIRON_TRY(database);
     return Site{std::move(*database), database::Actor::anonymous(), {}};
 }
 

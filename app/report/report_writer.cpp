@@ -77,17 +77,13 @@ core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const
     forces.push_back(forcePlot(data.series, data.forceLimit_N, theme));
     forces.push_back(feltForcePlot(data.series, data.forceLimit_N, theme));
     forces.push_back(measuredForcePlot(data.series, data.forceLimit_N, theme));
-    if (auto done = writeColumn("position.png", positionPlots(data.series, theme)); !done)
-        return tl::unexpected(done.error());
-    if (auto done = writeColumn("force.png", std::move(forces)); !done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(writeColumn("position.png", positionPlots(data.series, theme)));
+    CHIRON_TRY(writeColumn("force.png", std::move(forces)));
     const QString speed = directory.filePath(QStringLiteral("speed.png"));
-    if (auto done = save(*speedPlot(data.series, theme), speed, wide, theme); !done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(save(*speedPlot(data.series, theme), speed, wide, theme));
     written.push_back(speed);
     for (const auto& section : data.sections)
-        if (auto done = section->savePictures(directory, theme, written); !done)
-            return tl::unexpected(done.error());
+        CHIRON_TRY(section->savePictures(directory, theme, written));
     return written;
 }
 

@@ -61,8 +61,7 @@ database::VerifyReport verifyBackup(const std::string& folder, const std::string
 core::Result<void> looksWhole(const std::string& folder, const std::string& databaseFile, const database::DatabaseOptions& options) {
     const auto key = database::SiteKey::load(database::siteFolderFor(databaseFile, options));
     const auto manifest = key ? database::readManifest(folder, **key) : tl::unexpected(key.error());
-    if (!manifest)
-        return tl::unexpected(manifest.error());
+    CHIRON_TRY(manifest);
     const auto present = database::MigrationRunner().inspect(folder + "/" + database::kSnapshotFile);
     return present ? core::Result<void>() : tl::unexpected(present.error());
 }

@@ -126,8 +126,7 @@ core::Result<Written> writeSamples(QFile& file, SessionView& session, const std:
             return core::fail(core::ErrorCode::storage, (file.fileName() + ": cannot be written: " + file.errorString()).toStdString());
         return {};
     });
-    if (!done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(done);
     if (!file.flush())
         return core::fail(core::ErrorCode::storage, (file.fileName() + ": cannot be written: " + file.errorString()).toStdString());
     return written;
@@ -214,14 +213,12 @@ core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, cons
     const QString base = QStringLiteral("sub-%1/motion/%2").arg(recording.subject, recording.stem());
     const QString tracked = base + QStringLiteral("_tracksys-haptic") + recording.tail();
     const auto path = folder.place(tracked + "_motion.tsv");
-    if (!path)
-        return tl::unexpected(path.error());
+    CHIRON_TRY(path);
     QFile file(*path);
     if (!file.open(QIODevice::WriteOnly))
         return core::fail(core::ErrorCode::storage, (*path + ": cannot be written: " + file.errorString()).toStdString());
     const auto written = writeSamples(file, session, events);
-    if (!written)
-        return tl::unexpected(written.error());
+    CHIRON_TRY(written);
     for (const auto& [name, bytes] : {std::pair{tracked + "_motion.json", sidecar(session, recording, *written)}, {tracked + "_channels.tsv", channelsTsv()},
                                       {tracked + "_channels.json", channelsJson()}, {tracked + "_events.tsv", eventsTsv(events, *written)}, {tracked + "_events.json", eventsJson()}})
         if (auto done = folder.write(name, bytes); !done)

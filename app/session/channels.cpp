@@ -16,8 +16,7 @@ core::Result<recording::ChannelTable> channelTableFor(const SessionSetup& setup)
         tools.push_back(std::move(channels));
     }
     const auto kind = exerciseKind(setup.level.exercise);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    CHIRON_TRY(kind);
     return recording::ChannelTable::forTools(tools, {(*kind)->quantities(setup.level), (*kind)->recordsEnergy(setup.level)});
 }
 

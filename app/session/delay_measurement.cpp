@@ -64,8 +64,7 @@ core::Result<void> shake(devices::IDevice& device, const devices::WorkspaceMappi
     safety.heartbeatWatched = false;
     const haptics::LoopTool tool{device, mapping};
     auto loop = haptics::HapticLoop::create({{&tool, 1}, inputs, supervisor, safety, scenes, listener});
-    if (!loop)
-        return tl::unexpected(loop.error());
+    CHIRON_TRY(loop);
     inputs.postOwn({core::CommandKind::start});
     ProbeTask task{**loop, inputs, kArming_ticks + haptics::DelayProbe::ticksOf(settings), cancel};
     runProbe(task, !device.descriptor().inProcess);
@@ -78,13 +77,11 @@ core::Result<haptics::DelayEstimate> measureDelay(devices::IDevice& device, cons
                                                   const haptics::DelayProbeSettings& settings, const std::atomic<bool>* cancel) {
     if (!device.descriptor().rendersForce)
         return core::fail(core::ErrorCode::wrongUse, "delay: " + device.descriptor().model + " renders no force, so it has none to measure");
-    if (auto opened = device.open(); !opened)
-        return tl::unexpected(opened.error());
+    CHIRON_TRY(device.open());
     haptics::DelayRecord record;
     const auto shaken = shake(device, mapping, settings, cancel, record);
     device.close();
-    if (!shaken)
-        return tl::unexpected(shaken.error());
+    CHIRON_TRY(shaken);
     if (cancel != nullptr && cancel->load())
         return core::fail(core::ErrorCode::cancelled, "delay: stopped");
     if (record.forces < record.force_N.size())

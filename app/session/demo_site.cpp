@@ -83,21 +83,17 @@ core::Result<std::vector<Planned>> makePeople(database::Database& database, cons
                                               std::uint64_t seed) {
     database::AccountService accounts(database);
     auto administrator = accounts.createFirstAdministrator(kAdministrator, kDemoPassword, "Amalia Administrator");
-    if (!administrator)
-        return tl::unexpected(administrator.error());
+    CHIRON_TRY(administrator);
     auto admin = accounts.login(kAdministrator, kDemoPassword);
-    if (!admin)
-        return tl::unexpected(admin.error());
+    CHIRON_TRY(admin);
     std::vector<Planned> planned;
     for (const DemoPerson& person : kPeople) {
         auto id = accounts.createPerson(*admin, {person.name, person.displayName, {person.role}, kDemoPassword, false});
-        if (!id)
-            return tl::unexpected(id.error());
+        CHIRON_TRY(id);
         if (*person.operatorName == '\0')
             continue;
         auto actor = accounts.login(person.name, kDemoPassword);
-        if (!actor)
-            return tl::unexpected(actor.error());
+        CHIRON_TRY(actor);
         for (const catalogue::Exercise& exercise : catalogue.exercises())
             for (const catalogue::ExerciseLevel& level : exercise.levels) {
                 const std::vector<std::string> hands = handsAt(person, exercise.id, level.number);
@@ -113,8 +109,7 @@ core::Result<std::vector<Planned>> planOperators(const catalogue::Catalogue& cat
     std::vector<Planned> planned;
     for (const catalogue::Exercise& exercise : catalogue.exercises()) {
         auto kind = exerciseKind(exercise.id);
-        if (!kind)
-            return tl::unexpected(kind.error());
+        CHIRON_TRY(kind);
         for (const catalogue::ExerciseLevel& level : exercise.levels) {
             if (!(*kind)->demoPart(level.number).ofOperators)
                 continue;
@@ -127,14 +122,11 @@ core::Result<std::vector<Planned>> planOperators(const catalogue::Catalogue& cat
 
 core::Result<void> checkAgain(database::Database& database, const database::Actor& actor, DemoResult& result) {
     auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     auto stored = SessionView::open(**connection, actor, result.result.session);
-    if (!stored)
-        return tl::unexpected(stored.error());
+    CHIRON_TRY(stored);
     auto replay = replaySession(**stored);
-    if (!replay)
-        return tl::unexpected(replay.error());
+    CHIRON_TRY(replay);
     result.replayIdentical = replay->identical;
     auto kept = database::ScoreRepository(**connection, actor).scores(result.result.session);
     auto again = (*stored)->computeScores();
@@ -150,11 +142,9 @@ core::Result<DemoSite> makeDemoSite(database::Database& database, const catalogu
                                     std::uint64_t seed, const std::function<void(const DemoProgress&)>& progress,
                                     const std::atomic<bool>* cancel) {
     auto planned = planOperators(catalogue, seed);
-    if (!planned)
-        return tl::unexpected(planned.error());
+    CHIRON_TRY(planned);
     auto people = makePeople(database, catalogue, seed);
-    if (!people)
-        return tl::unexpected(people.error());
+    CHIRON_TRY(people);
     planned->insert(planned->end(), people->begin(), people->end());
     DemoSite made;
     int step = 0;
@@ -164,19 +154,15 @@ core::Result<DemoSite> makeDemoSite(database::Database& database, const catalogu
             return core::fail(core::ErrorCode::cancelled, "the demonstration was stopped before it was complete");
         progress({++step, steps, wordsFor(plan), plan.session.exercise, plan.session.level, plan.displayName, plan.attempt, plan.attempts});
         auto result = runScripted(database, plan.actor, catalogue, plan.session, cancel);
-        if (!result)
-            return tl::unexpected(result.error());
+        CHIRON_TRY(result);
         DemoResult line{plan.person, plan.session, std::move(*result), false, false};
-        if (auto checked = checkAgain(database, plan.actor, line); !checked)
-            return tl::unexpected(checked.error());
+        CHIRON_TRY(checkAgain(database, plan.actor, line));
         made.sessions.push_back(std::move(line));
     }
     const auto researcher = database::AccountService(database).login(kDemoResearcher, kDemoPassword);
-    if (!researcher)
-        return tl::unexpected(researcher.error());
+    CHIRON_TRY(researcher);
     auto study = makeDemoStudy(database, *researcher, seed, [&](const std::string& doing) { progress({++step, steps, doing}); }, cancel);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     made.study = std::move(*study);
     return made;
 }
@@ -193,8 +179,7 @@ core::Result<std::unique_ptr<database::Database>> createDemoSite(const std::stri
     const std::string folder = database::siteFolderFor(file, marked);
     const bool ownFolder = !QFileInfo::exists(QString::fromStdString(folder));
     auto site = openSite(file, marked);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     auto made = makeDemoSite(*site->database, catalogue, seed, progress, cancel);
     if (made)
         return std::move(site->database);

@@ -41,8 +41,7 @@ core::Result<database::StudyNumber> addStudy(database::Database& database, const
         auto made = studies.createStudy(design->id, design->title.at("en"), catalogue::studyJson(*design).toStdString());
         if (!made || !freeze)
             return made;
-        if (auto frozen = studies.freezeStudy(*made); !frozen)
-            return tl::unexpected(frozen.error());
+        CHIRON_TRY(studies.freezeStudy(*made));
         return made;
     });
 }
@@ -51,14 +50,12 @@ core::Result<database::StudyNumber> addStudy(database::Database& database, const
 core::Result<database::SessionId> runParticipant(database::Database& database, const database::Actor& author, database::StudyNumber study,
                                                  const DemoParticipant& who, std::uint64_t seed, const std::atomic<bool>* cancel) {
     const auto observer = psychophysics::parseObserver(who.observer);
-    if (!observer)
-        return tl::unexpected(observer.error());
+    CHIRON_TRY(observer);
     const auto enrolled = database.write([&](database::WriteContext& context) {
         return database::StudyRepository(context.connection(), author)
             .enrolParticipant(study, {}, 0, psychophysics::observerText(*observer), who.code);
     });
-    if (!enrolled)
-        return tl::unexpected(enrolled.error());
+    CHIRON_TRY(enrolled);
     StudyRunRequest request;
     request.study = study;
     request.participantCode = who.code;
@@ -67,8 +64,7 @@ core::Result<database::SessionId> runParticipant(database::Database& database, c
     request.quick = !who.rendered;
     request.cancel = cancel;
     const auto report = runStudyHeadless(database, author, request);
-    if (!report)
-        return tl::unexpected(report.error());
+    CHIRON_TRY(report);
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
         return core::fail(core::ErrorCode::cancelled, "the demonstration was stopped before it was complete");
     if (!report->completed)
@@ -78,11 +74,9 @@ core::Result<database::SessionId> runParticipant(database::Database& database, c
 
 core::Result<bool> replaysAlike(database::Database& database, const database::Actor& author, database::SessionId session) {
     auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     auto stored = SessionView::open(**connection, author, session);
-    if (!stored)
-        return tl::unexpected(stored.error());
+    CHIRON_TRY(stored);
     const auto replay = replaySession(**stored);
     return replay ? core::Result<bool>(replay->identical) : tl::unexpected(replay.error());
 }
@@ -90,12 +84,10 @@ core::Result<bool> replaysAlike(database::Database& database, const database::Ac
 /// Analyses the study as for everybody who opens it.
 core::Result<void> analyse(database::Database& database, const database::Actor& author, std::uint64_t seed, DemoStudy& made) {
     auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     database::StudyReader reader(**connection, author);
     auto analysis = analyseStudy(reader, made.study, seed);
-    if (!analysis)
-        return tl::unexpected(analysis.error());
+    CHIRON_TRY(analysis);
     AnalysedCondition& condition = analysis->conditions.front();
     made.key = analysis->record.summary.key;
     made.condition = condition.condition;
@@ -107,8 +99,7 @@ core::Result<void> analyse(database::Database& database, const database::Actor& 
         if (session == 0)
             continue;
         const auto alike = replaysAlike(database, author, session);
-        if (!alike)
-            return tl::unexpected(alike.error());
+        CHIRON_TRY(alike);
         made.replayIdentical = *alike;
     }
     return {};
@@ -122,14 +113,11 @@ core::Result<DemoStudy> makeDemoStudy(database::Database& database, const databa
                                       const std::function<void(const std::string& doing)>& progress,
                                       const std::atomic<bool>* cancel) {
     const auto content = catalogue::StudyCatalogue::load();
-    if (!content)
-        return tl::unexpected(content.error());
+    CHIRON_TRY(content);
     const auto study = addStudy(database, author, *content, kStudy, true);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     const auto draft = addStudy(database, author, *content, kDraft, false);
-    if (!draft)
-        return tl::unexpected(draft.error());
+    CHIRON_TRY(draft);
     DemoStudy made;
     made.study = *study;
     made.draft = *draft;
@@ -137,11 +125,9 @@ core::Result<DemoStudy> makeDemoStudy(database::Database& database, const databa
         if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
             return core::fail(core::ErrorCode::cancelled, "the demonstration was stopped before it was complete");
         progress(std::string("study ") + kStudy + ", " + who.code + (who.rendered ? "" : ", without rendering"));
-        if (auto ran = runParticipant(database, author, *study, who, seed, cancel); !ran)
-            return tl::unexpected(ran.error());
+        CHIRON_TRY(runParticipant(database, author, *study, who, seed, cancel));
     }
-    if (auto analysed = analyse(database, author, seed, made); !analysed)
-        return tl::unexpected(analysed.error());
+    CHIRON_TRY(analyse(database, author, seed, made));
     return made;
 }
 

@@ -74,8 +74,7 @@ core::Result<devices::DeviceDescriptor> descriptorFromJson(const QJsonObject& js
     d.kinematicsParameters = in.numbers("kinematics_parameters");
     for (const QJsonValue& value : in.array("axes")) {
         auto axis = axisFromJson(value.toObject());
-        if (!axis)
-            return tl::unexpected(axis.error());
+        CHIRON_TRY(axis);
         d.axes.push_back(std::move(*axis));
     }
     d.jawResolution_rad = in.number("jaw_resolution_rad");

@@ -141,11 +141,9 @@ core::Result<Notes> feel(const mechanisms::GimbalPlantParameters& plant, double 
     feeling.frictionCompensation = compensation;
     feeling.gimbal = &plant;
     auto station = simulatedStation("gimbal_hprd", std::move(feeling));
-    if (!station)
-        return tl::unexpected(station.error());
+    CHIRON_TRY(station);
     const StationTool& tool = station->tools.front();
-    if (auto opened = tool.device->open(); !opened)
-        return tl::unexpected(opened.error());
+    CHIRON_TRY(tool.device->open());
     NoFrames frames;
     haptics::LiveInputs inputs;
     haptics::SafetySupervisor supervisor;
@@ -154,8 +152,7 @@ core::Result<Notes> feel(const mechanisms::GimbalPlantParameters& plant, double 
     scenes.offer(scene);
     const std::array<haptics::LoopTool, 1> tools{haptics::LoopTool{*tool.device, tool.mapping}};
     auto loop = haptics::HapticLoop::create({tools, inputs, supervisor, {}, scenes, frames});
-    if (!loop)
-        return tl::unexpected(loop.error());
+    CHIRON_TRY(loop);
     inputs.post({core::CommandKind::start});
     realtime::TickSource ticks;
     for (std::int64_t n = 0; n < static_cast<std::int64_t>(1000.0 * notes.end_s); ++n)
@@ -168,11 +165,9 @@ core::Result<Notes> feel(const mechanisms::GimbalPlantParameters& plant, double 
 
 core::Result<FrictionFelt> feelFriction(const mechanisms::GimbalPlantParameters& plant, double compensation) {
     const auto before = feel(plant, 0.0);
-    if (!before)
-        return tl::unexpected(before.error());
+    CHIRON_TRY(before);
     const auto after = feel(plant, compensation);
-    if (!after)
-        return tl::unexpected(after.error());
+    CHIRON_TRY(after);
     FrictionFelt felt;
     felt.compensation = compensation;
     for (std::size_t i = 0; i < before->strokes.size(); ++i) {

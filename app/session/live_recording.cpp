@@ -33,21 +33,17 @@ core::Result<std::unique_ptr<LiveRecording>> LiveRecording::start(database::Data
                                                                   const SessionSetup& setup,
                                                                   const std::filesystem::path& ringFolder, bool realtime) {
     auto positions = ToolPositions::create(setup);
-    if (!positions)
-        return tl::unexpected(positions.error());
+    CHIRON_TRY(positions);
     auto table = channelTableFor(setup);
-    if (!table)
-        return tl::unexpected(table.error());
+    CHIRON_TRY(table);
     auto id = ringIdOf(database);
-    if (!id)
-        return tl::unexpected(id.error());
+    CHIRON_TRY(id);
     std::unique_ptr<LiveRecording> live(new LiveRecording(database, std::move(*positions)));
     auto ring = recording::CrashRing::create({.folder = ringFolder,
                                               .database = *id,
                                               .session = session,
                                               .tools = static_cast<int>(setup.devices.size())});
-    if (!ring)
-        return tl::unexpected(ring.error());
+    CHIRON_TRY(ring);
     live->m_realtime = realtime;
     live->m_ring = std::move(*ring);
     auto sink = database.write([&](database::WriteContext& context) {
@@ -88,11 +84,9 @@ core::Result<RecordingReport> LiveRecording::finish() {
     m_finishing = true;
     m_database.writer().addSource(*this);
     auto stored = m_database.writer().removeSource(*this);
-    if (!stored)
-        return tl::unexpected(stored.error());
+    CHIRON_TRY(stored);
     const RecordingReport report{m_recorder->framesCommitted(), m_drain->lost(), m_recorder->bytesWritten()};
-    if (auto removed = m_ring->remove(); !removed)
-        return tl::unexpected(removed.error());
+    CHIRON_TRY(m_ring->remove());
     return report;
 }
 

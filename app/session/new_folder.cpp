@@ -34,8 +34,7 @@ core::Result<NewFolder> NewFolder::begin(const std::filesystem::path& folder) {
     NewFolder made;
     const QFileInfo info = cleaned(folder);
     made.m_folder = info.filePath();
-    if (auto free = isFree(folder); !free)
-        return tl::unexpected(free.error());
+    CHIRON_TRY(isFree(folder));
     if (!QDir().mkpath(info.path()))
         return tl::unexpected(storageError(info.path(), QStringLiteral("the folder cannot be made")));
     made.m_partial = std::make_unique<QTemporaryDir>(info.path() + u'/' + info.fileName() + QStringLiteral(".partial-XXXXXX"));
@@ -53,8 +52,7 @@ core::Result<QString> NewFolder::place(const QString& name) {
 
 core::Result<void> NewFolder::write(const QString& name, const QByteArray& bytes) {
     const auto path = place(name);
-    if (!path)
-        return tl::unexpected(path.error());
+    CHIRON_TRY(path);
     QFile file(*path);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.flush())
         return tl::unexpected(storageError(*path, file.errorString()));

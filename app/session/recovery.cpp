@@ -41,8 +41,7 @@ core::Result<std::optional<recording::RecoveredRing>> ringOf(const std::vector<s
 core::Result<std::uint64_t> storeRingFrames(database::Database& database, const database::SessionRecord& record,
                                             const recording::RecoveredRing& ring) {
     auto setup = setupFromStored(record.setup);
-    if (!setup)
-        return tl::unexpected(setup.error());
+    CHIRON_TRY(setup);
     auto positions = ToolPositions::create(*setup);
     auto table = channelTableFor(*setup);
     if (!positions || !table)
@@ -50,19 +49,14 @@ core::Result<std::uint64_t> storeRingFrames(database::Database& database, const 
     return database.write([&](database::WriteContext& context) -> core::Result<std::uint64_t> {
         const database::Actor maintenance = database::Actor::maintenance();
         auto sink = database::SessionRepository(context.connection(), maintenance).openSink(record.summary.id);
-        if (!sink)
-            return tl::unexpected(sink.error());
+        CHIRON_TRY(sink);
         auto stored = database::SessionReader(context.connection(), maintenance).openChunks(record.summary.id);
-        if (!stored)
-            return tl::unexpected(stored.error());
+        CHIRON_TRY(stored);
         recording::Recorder recorder(std::move(*table), **positions, **sink,
                                      {.forceLimit_N = record.setup.forceLimit_N});
-        if (auto resumed = recorder.resume(**stored); !resumed)
-            return tl::unexpected(resumed.error());
-        if (auto added = recorder.add(ring.frames()); !added)
-            return tl::unexpected(added.error());
-        if (auto finished = recorder.finish(); !finished)
-            return tl::unexpected(finished.error());
+        CHIRON_TRY(recorder.resume(**stored));
+        CHIRON_TRY(recorder.add(ring.frames()));
+        CHIRON_TRY(recorder.finish());
         return recorder.framesCommitted();
     });
 }
@@ -79,23 +73,19 @@ core::Result<RecoveredSession> recoverOne(database::Database& database, const da
         recovered.problem = ring.error().message;
         ring = std::optional<recording::RecoveredRing>();
     }
-    if (!ring)
-        return tl::unexpected(ring.error());
+    CHIRON_TRY(ring);
     RunEnding ending;
     ending.interrupted = true;
     if (*ring) {
         auto stored = storeRingFrames(database, record, **ring);
-        if (!stored)
-            return tl::unexpected(stored.error());
+        CHIRON_TRY(stored);
         recovered.framesFromRing = *stored;
         ending.dropped = (*ring)->dropped();
     }
     auto card = concludeSession(database, database::Actor::maintenance(), record.summary.id, ending);
-    if (!card)
-        return tl::unexpected(card.error());
+    CHIRON_TRY(card);
     if (*ring) {
-        if (auto removed = (*ring)->remove(); !removed)
-            return tl::unexpected(removed.error());
+        CHIRON_TRY((*ring)->remove());
     }
     return recovered;
 }
@@ -133,14 +123,11 @@ void removeRingsOfEndedSessions(database::SessionReader reader, const std::files
 core::Result<std::vector<RecoveredSession>> recoverSessions(database::Database& database,
                                                             const std::filesystem::path& ringFolder) {
     auto id = ringIdOf(database);
-    if (!id)
-        return tl::unexpected(id.error());
+    CHIRON_TRY(id);
     auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     auto unfinished = database::SessionReader(**connection, database::Actor::maintenance()).listUnfinished();
-    if (!unfinished)
-        return tl::unexpected(unfinished.error());
+    CHIRON_TRY(unfinished);
     std::vector<RecoveredSession> all;
     recording::removeUnfinishedRings(ringFolder, *id);
     for (const database::SessionRecord& record : *unfinished) {

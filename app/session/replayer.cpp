@@ -60,21 +60,18 @@ public:
     core::Result<void> prepare() {
         const SessionSetup& setup = m_session.setup();
         auto kind = exerciseKind(setup.level.exercise);
-        if (!kind)
-            return tl::unexpected(kind.error());
+        CHIRON_TRY(kind);
         std::vector<haptics::LoopTool> tools;
         for (std::size_t i = 0; i < setup.devices.size(); ++i) {
             auto device = devices::RecordedDevice::create(setup.devices[i]);
-            if (!device)
-                return tl::unexpected(device.error());
+            CHIRON_TRY(device);
             m_devices.push_back(std::move(*device));
             tools.push_back({*m_devices.back(), setup.mappings[i]});
         }
         auto scene = (*kind)->makeScene(setup);
         m_scenes.offer(scene);
         auto loop = haptics::HapticLoop::create({tools, m_inputs, m_supervisor, setup.safety, m_scenes, m_sink});
-        if (!loop)
-            return tl::unexpected(loop.error());
+        CHIRON_TRY(loop);
         m_loop = std::move(*loop);
         return {};
     }
@@ -91,11 +88,9 @@ public:
 private:
     core::Result<void> runChunk(std::size_t sequence, ReplayReport& report) {
         auto stored = m_session.reader().framesOf(sequence);
-        if (!stored)
-            return tl::unexpected(stored.error());
+        CHIRON_TRY(stored);
         auto hash = m_session.reader().forceHash(sequence);
-        if (!hash)
-            return tl::unexpected(hash.error());
+        CHIRON_TRY(hash);
         m_sink.reserve(stored->size());
         for (const core::HapticFrame& frame : *stored) {
             if (frame.header.index != m_ticks.executed())
@@ -156,8 +151,7 @@ core::Result<ReplayReport> replaySession(SessionView& session) {
             outcome = replay.run(report);
     });
     worker.join();
-    if (!outcome)
-        return tl::unexpected(outcome.error());
+    CHIRON_TRY(outcome);
     return report;
 }
 

@@ -11,8 +11,7 @@ namespace chiron::session {
 
 core::Result<void> exportSessionBids(SessionView& session, const std::filesystem::path& folder) {
     auto made = NewFolder::begin(folder);
-    if (!made)
-        return tl::unexpected(made.error());
+    CHIRON_TRY(made);
     const auto& record = session.record();
     const QString subject = QStringLiteral("session%1").arg(record.summary.id);
     const QString exercise = QString::fromStdString(session.setup().level.exercise);

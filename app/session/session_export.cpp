@@ -137,14 +137,12 @@ scoring::TraceColumns columnsOf(SessionView& session, const ExerciseKind& kind, 
 
 core::Result<void> exportCsv(SessionView& session, const QString& path) {
     auto trace = session.trace();
-    if (!trace)
-        return tl::unexpected(trace.error());
+    CHIRON_TRY(trace);
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return tl::unexpected(cannotWrite(path, file.errorString()));
     const auto kind = exerciseKind(session.setup().level.exercise);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    CHIRON_TRY(kind);
     const scoring::TraceColumns columns = columnsOf(session, **kind, (*trace)->trials);
     std::string text = scoring::traceCsvHeader(columns);
     RowMaker rows(session, **kind, (*trace)->trials, columns);

@@ -60,8 +60,7 @@ struct Conclusion {
 
 core::Result<Conclusion> conclude(SessionView& stored, const RunEnding& ending) {
     const auto kind = exerciseKind(stored.setup().level.exercise);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    CHIRON_TRY(kind);
     EventExtractor seen(stored.record().setup.forceLimit_N, stored.setup().seed, stored.positions().tools());
     std::vector<FrameTime> times;
     DeviceTime time;
@@ -71,8 +70,7 @@ core::Result<Conclusion> conclude(SessionView& stored, const RunEnding& ending) 
             times.push_back({frame.header.index, time.at(frame)});
         return {};
     });
-    if (!trace)
-        return tl::unexpected(trace.error());
+    CHIRON_TRY(trace);
     const SessionState state = stateOf(seen, ending);
     auto card = stored.scoresOf(**trace, state == SessionState::completed);
     auto answers = answerEvents(**kind, times, **trace, seen.trials());
@@ -109,16 +107,13 @@ core::Result<void> storeEnd(database::WriteContext& context, const database::Act
 core::Result<scoring::ScoreCard> concludeSession(database::Database& database, const database::Actor& actor,
                                                  database::SessionId session, const RunEnding& ending) {
     auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     // The program ends every session that it recorded, including one of a blinded study, which nobody may
     // open; hence the maintenance actor. The results are stored on behalf of the session's actor.
     auto stored = SessionView::open(**connection, database::Actor::maintenance(), session);
-    if (!stored)
-        return tl::unexpected(stored.error());
+    CHIRON_TRY(stored);
     auto conclusion = conclude(**stored, ending);
-    if (!conclusion)
-        return tl::unexpected(conclusion.error());
+    CHIRON_TRY(conclusion);
     // In one transaction, so that a program killed here leaves a session that either needs recovery or has
     // its scores.
     auto done = database.write([&](database::WriteContext& context) -> core::Result<void> {
@@ -127,8 +122,7 @@ core::Result<scoring::ScoreCard> concludeSession(database::Database& database, c
         auto kept = database::ScoreRepository(context.connection(), actor).storeScores(session, *conclusion->card);
         return kept ? core::Result<void>() : tl::unexpected(kept.error());
     });
-    if (!done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(done);
     return std::move(conclusion->card);
 }
 

@@ -41,13 +41,11 @@ std::string toolsJson(const std::vector<T>& items) {
 template <class T, class Read>
 core::Result<std::vector<T>> toolsFromJson(const std::string& text, const char* column, Read read) {
     auto object = parse(text, column);
-    if (!object)
-        return tl::unexpected(object.error());
+    CHIRON_TRY(object);
     std::vector<T> items;
     for (const QJsonValue& value : object->value(QLatin1String("tools")).toArray()) {
         auto item = read(value.toObject());
-        if (!item)
-            return tl::unexpected(item.error());
+        CHIRON_TRY(item);
         items.push_back(std::move(*item));
     }
     if (items.empty() || items.size() > core::kMaxTools)
@@ -68,8 +66,7 @@ std::string versionsJson(const catalogue::ExerciseLevel& level, ScoringRule scor
 
 core::Result<ScoringRule> scoringFromJson(const std::string& text) {
     const auto versions = parse(text.empty() ? "{}" : text, "versions");
-    if (!versions)
-        return tl::unexpected(versions.error());
+    CHIRON_TRY(versions);
     const QJsonValue rule = versions->value(QLatin1String("scoring"));
     if (rule.isUndefined())
         return ScoringRule::begunTrials;
@@ -108,27 +105,21 @@ database::NewSession toNewSession(const SessionSetup& setup) {
 core::Result<SessionSetup> setupFromStored(const database::NewSession& stored) {
     SessionSetup setup;
     auto level = catalogue::fromResolvedJson(stored.contentJson);
-    if (!level)
-        return tl::unexpected(level.error());
+    CHIRON_TRY(level);
     setup.level = std::move(*level);
     setup.seed = stored.seed;
     auto devices = toolsFromJson<devices::DeviceDescriptor>(stored.deviceJson, "device", descriptorFromJson);
-    if (!devices)
-        return tl::unexpected(devices.error());
+    CHIRON_TRY(devices);
     auto mappings = toolsFromJson<devices::WorkspaceMapping>(stored.mappingJson, "mapping", mappingFromJson);
-    if (!mappings)
-        return tl::unexpected(mappings.error());
+    CHIRON_TRY(mappings);
     auto supervisor = parse(stored.supervisorJson, "supervisor");
-    if (!supervisor)
-        return tl::unexpected(supervisor.error());
+    CHIRON_TRY(supervisor);
     auto safety = safetyFromJson(*supervisor);
-    if (!safety)
-        return tl::unexpected(safety.error());
+    CHIRON_TRY(safety);
     if (devices->size() != mappings->size())
         return core::fail(core::ErrorCode::badInput, "session: devices and mappings differ in number");
     const auto scoring = scoringFromJson(stored.versionsJson);
-    if (!scoring)
-        return tl::unexpected(scoring.error());
+    CHIRON_TRY(scoring);
     setup.scoring = *scoring;
     setup.devices = std::move(*devices);
     setup.mappings = std::move(*mappings);

@@ -18,24 +18,20 @@ core::Result<std::unique_ptr<SessionView>> SessionView::open(database::Connectio
     std::unique_ptr<SessionView> stored(new SessionView);
     database::SessionReader sessions(connection, actor);
     auto record = sessions.session(session);
-    if (!record)
-        return tl::unexpected(record.error());
+    CHIRON_TRY(record);
     stored->m_record = std::move(*record);
     auto setup = setupFromStored(stored->m_record.setup);
     if (!setup)
         return core::fail(setup.error().code, "session " + std::to_string(session) + ": " + setup.error().message);
     stored->m_setup = std::move(*setup);
     auto positions = ToolPositions::create(stored->m_setup);
-    if (!positions)
-        return tl::unexpected(positions.error());
+    CHIRON_TRY(positions);
     stored->m_positions = std::move(*positions);
     auto chunks = sessions.openChunks(session);
-    if (!chunks)
-        return tl::unexpected(chunks.error());
+    CHIRON_TRY(chunks);
     stored->m_chunks = std::move(*chunks);
     auto reader = recording::RecordingReader::open(*stored->m_chunks);
-    if (!reader)
-        return tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
     stored->m_reader = std::make_unique<recording::RecordingReader>(std::move(*reader));
     return stored;
 }
@@ -44,8 +40,7 @@ core::Result<void> SessionView::eachChunk(const FrameVisitor& visit) {
     ++m_decodings;
     for (std::size_t i = 0; i < m_reader->chunkCount(); ++i) {
         auto frames = m_reader->framesOf(i);
-        if (!frames)
-            return tl::unexpected(frames.error());
+        CHIRON_TRY(frames);
         if (auto seen = visit(*frames); !seen)
             return seen;
     }
@@ -57,21 +52,18 @@ core::Result<void> SessionView::decode(const ReadProgress& progress) { return de
 core::Result<std::shared_ptr<const scoring::SessionTrace>> SessionView::trace() { return trace(FrameVisitor{}); }
 
 core::Result<std::shared_ptr<const scoring::SessionTrace>> SessionView::trace(const FrameVisitor& also) {
-    if (auto done = derive(true, false, {}, also); !done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(derive(true, false, {}, also));
     return m_trace;
 }
 
 core::Result<std::shared_ptr<const PlaybackTrack>> SessionView::track(const ReadProgress& progress) {
-    if (auto done = derive(false, true, progress, {}); !done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(derive(false, true, progress, {}));
     return m_track;
 }
 
 core::Result<void> SessionView::derive(bool trace, bool track, const ReadProgress& progress, const FrameVisitor& also) {
     const auto kind = exerciseKind(m_setup.level.exercise);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    CHIRON_TRY(kind);
     track = track && !m_track;
     trace = !m_trace && (trace || (track && (*kind)->marksFromTrace()));
     if (!trace && !track && !also)
@@ -125,8 +117,7 @@ core::Result<scoring::ScoreCard> SessionView::computeScores() { return computeSc
 
 core::Result<scoring::ScoreCard> SessionView::computeScores(int metricVersion) {
     const auto session = trace();
-    if (!session)
-        return tl::unexpected(session.error());
+    CHIRON_TRY(session);
     const bool completed = m_record.summary.state == database::SessionState::completed ||
                            m_record.stateBeforeVoid == database::SessionState::completed;
     return scoresOf(**session, completed, metricVersion);

@@ -17,8 +17,7 @@ core::Result<std::unique_ptr<database::Database>> createOrOpen(const std::string
                                                                const database::DatabaseOptions& options) {
     std::error_code error;
     if (std::filesystem::exists(file, error)) {
-        if (const auto sound = database::checkAtOpening(file); !sound)
-            return tl::unexpected(sound.error());
+        CHIRON_TRY(database::checkAtOpening(file));
         return database::Database::openForWriting(file, options);
     }
     const auto folder = std::filesystem::path(file).parent_path();
@@ -56,8 +55,7 @@ core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::Exer
                                                          known + "or the path of a trace file");
     }
     auto rows = scoring::readTraceCsvFile(session.operatorName);
-    if (!rows)
-        return tl::unexpected(rows.error());
+    CHIRON_TRY(rows);
     if (!session.mechanism.empty())
         return core::fail(core::ErrorCode::wrongUse, "mechanism " + session.mechanism + ": a trace is held by none; expected an operator");
     if (session.map != mechanisms::PolarMap::exact)
@@ -71,21 +69,17 @@ core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::Exer
 
 core::Result<OpenedSite> openSite(const std::string& file, const database::DatabaseOptions& options) {
     auto database = createOrOpen(file, options);
-    if (!database)
-        return tl::unexpected(database.error());
+    CHIRON_TRY(database);
     auto recovered = recoverSessions(**database, recording::defaultRingFolder());
-    if (!recovered)
-        return tl::unexpected(recovered.error());
+    CHIRON_TRY(recovered);
     return OpenedSite{std::move(*database), std::move(*recovered)};
 }
 
 core::Result<void> checkOperator(const catalogue::Catalogue& catalogue, const ScriptedSession& session) {
     auto kind = exerciseKind(session.exercise);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    CHIRON_TRY(kind);
     const auto level = levelOf(catalogue, session);
-    if (!level)
-        return tl::unexpected(level.error());
+    CHIRON_TRY(level);
     auto station = stationFor(**kind, **level, session);
     return station ? core::Result<void>() : tl::unexpected(station.error());
 }
@@ -94,14 +88,11 @@ core::Result<TrainingResult> runScripted(database::Database& database, const dat
                                          const catalogue::Catalogue& catalogue, const ScriptedSession& session,
                                          const std::atomic<bool>* cancel) {
     auto kind = exerciseKind(session.exercise);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    CHIRON_TRY(kind);
     const auto level = levelOf(catalogue, session);
-    if (!level)
-        return tl::unexpected(level.error());
+    CHIRON_TRY(level);
     auto station = stationFor(**kind, **level, session);
-    if (!station)
-        return tl::unexpected(station.error());
+    CHIRON_TRY(station);
     TrainingRequest request;
     request.level = **level;
     request.seed = session.seed;

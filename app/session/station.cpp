@@ -18,8 +18,7 @@ core::Result<Station> stationOf(const devices::Driver& driver, devices::DriverRe
     for (const devices::ToolRequest& tool : request.tools)
         station.tools.push_back({nullptr, tool.mapping, {}});
     auto made = driver.open(std::move(request));
-    if (!made)
-        return tl::unexpected(made.error());
+    CHIRON_TRY(made);
     if (made->size() != station.tools.size())
         return core::fail(core::ErrorCode::device, "device " + std::string(driver.id) + ": " + std::to_string(made->size()) + " tools for " +
                                                        std::to_string(station.tools.size()));
@@ -57,8 +56,7 @@ core::Result<std::vector<devices::WorkspaceMapping>> placesOf(const ExerciseKind
     const int tools = kind.toolCount(level);
     if (tools < 1 || tools > core::kMaxTools || hands != static_cast<std::size_t>(tools))
         return differingHands(kind, hands, static_cast<std::size_t>(std::max(tools, 0)));
-    if (auto valid = mappingOf(chosen); !valid)
-        return tl::unexpected(valid.error());
+    CHIRON_TRY(mappingOf(chosen));
     const WorkspaceChoice unchanged;
     const bool any = chosen.turned() || chosen.leftHanded || chosen.scale != unchanged.scale || chosen.origin_m != unchanged.origin_m;
     if (any && !kind.operatorsKnowTheirPlace())
@@ -68,8 +66,7 @@ core::Result<std::vector<devices::WorkspaceMapping>> placesOf(const ExerciseKind
     std::vector<devices::WorkspaceMapping> places;
     for (int tool = 0; tool < tools; ++tool) {
         const auto mounted = mappingOf(mountingOf(level, tool, chosen));
-        if (!mounted)
-            return tl::unexpected(mounted.error());
+        CHIRON_TRY(mounted);
         devices::WorkspaceMapping place = kind.toolPlace(level, tool);
         for (std::size_t i = 0; i < 3; ++i)
             place.origin_m[i] += mounted->origin_m[i];
@@ -160,8 +157,7 @@ devices::DriverRequest requestOf(const WorkspaceChoice& choice, PointerTool tool
 core::Result<std::vector<devices::WorkspaceMapping>> pointerPlaces(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                                                    const WorkspaceChoice& choice) {
     const auto chosen = mappingOf(choice);
-    if (!chosen)
-        return tl::unexpected(chosen.error());
+    CHIRON_TRY(chosen);
     const int tools = kind.toolCount(level);
     if (tools < 1 || tools > core::kMaxTools)
         return differingHands(kind, static_cast<std::size_t>(std::max(tools, 0)), static_cast<std::size_t>(std::max(tools, 0)));
@@ -205,8 +201,7 @@ devices::EndoscopeMailbox* Station::endoscope() const noexcept {
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given) {
     const WorkspaceChoice choice = ofPointer(given);
     const auto mapping = mappingOf(choice);
-    if (!mapping)
-        return tl::unexpected(mapping.error());
+    CHIRON_TRY(mapping);
     devices::DriverRequest request = requestOf(choice, PointerTool::point);
     request.tools.push_back({*mapping, {}, nullptr, {}});
     return stationOf(devices::usualDriver(devices::MovedBy::person), std::move(request));
@@ -225,13 +220,11 @@ core::Result<Station> personStation(const devices::Driver& driver, const Workspa
     std::vector<devices::WorkspaceMapping> places;
     if (tool == PointerTool::grasper || fingers) {
         auto several = pointerPlaces(kind, level, choice);
-        if (!several)
-            return tl::unexpected(several.error());
+        CHIRON_TRY(several);
         places = std::move(*several);
     } else {
         const auto mapping = mappingOf(choice);
-        if (!mapping)
-            return tl::unexpected(mapping.error());
+        CHIRON_TRY(mapping);
         places = {*mapping};
     }
     devices::DriverRequest request = requestOf(choice, tool);
@@ -265,11 +258,9 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
     // field.
     const auto hands = static_cast<std::size_t>(std::max(kind.toolCount(level), 0));
     auto places = placesOf(kind, level, hands, mounting);
-    if (!places)
-        return tl::unexpected(places.error());
+    CHIRON_TRY(places);
     auto trainee = kind.makeOperatorAt(*places, chosen, level, operatorName, core::Random::mix(seed, "operator"));
-    if (!trainee)
-        return tl::unexpected(trainee.error());
+    CHIRON_TRY(trainee);
     if (trainee->strategies.size() != hands)
         return differingHands(kind, trainee->strategies.size(), hands);
     devices::DriverRequest request;

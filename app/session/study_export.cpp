@@ -63,11 +63,9 @@ QByteArray readme(const StudyExportData& data) {
 
 core::Result<void> exportStudyCsv(database::StudyReader& reader, database::StudyNumber study, const std::filesystem::path& folder) {
     auto made = NewFolder::begin(folder);
-    if (!made)
-        return tl::unexpected(made.error());
+    CHIRON_TRY(made);
     const auto data = gatherStudy(reader, study);
-    if (!data)
-        return tl::unexpected(data.error());
+    CHIRON_TRY(data);
     const std::vector<ExportTable> tables{trialsTable(*data), runsTable(*data), participantsTable(*data), questionnairesTable(*data), scoresTable(*data), estimatesTable(*data), qualityTable(*data)};
     std::vector<std::pair<QString, QByteArray>> files;
     for (const ExportTable& table : tables)

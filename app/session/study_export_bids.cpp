@@ -266,11 +266,9 @@ core::Result<void> writeHead(NewFolder& folder, const StudyExportData& data, con
 core::Result<void> exportStudyBids(database::StudyReader& reader, database::Connection& connection, const database::Actor& actor,
                                    database::StudyNumber study, const std::filesystem::path& folder) {
     auto made = NewFolder::begin(folder);
-    if (!made)
-        return tl::unexpected(made.error());
+    CHIRON_TRY(made);
     const auto data = gatherStudy(reader, study);
-    if (!data)
-        return tl::unexpected(data.error());
+    CHIRON_TRY(data);
     const Labels labels = labelsOf(*data);
     if (auto written = writeHead(*made, *data, labels); !written)
         return written;

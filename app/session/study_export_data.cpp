@@ -30,16 +30,14 @@ void sortByCodes(StudyExportData& data) {
 
 core::Result<void> addRuns(database::StudyReader& reader, const StudyExportData& data, ExportedParticipant& participant) {
     auto runs = reader.runs(participant.participant.id);
-    if (!runs)
-        return tl::unexpected(runs.error());
+    CHIRON_TRY(runs);
     std::map<std::string, int> counts;
     for (database::StudyRun& run : *runs) {
         const psychophysics::Condition* condition = analysedBy(*data.design, data.blinding, run.condition);
         if (!condition && !data.blinded)
             return core::fail(core::ErrorCode::badInput, "run " + std::to_string(run.id) + ": its condition is not in the frozen design");
         auto trials = reader.studyTrials(run.id);
-        if (!trials)
-            return tl::unexpected(trials.error());
+        CHIRON_TRY(trials);
         ExportedRun exported;
         exported.condition = condition ? condition : &data.design->conditions.front();
         exported.label = QString::fromStdString(labelOf(run));
@@ -70,14 +68,12 @@ std::vector<psychophysics::ScoredTrial> scoredTrialsOf(const std::vector<StudyTr
 core::Result<StudyExportData> gatherStudy(database::StudyReader& reader, database::StudyNumber study) {
     StudyExportData data;
     auto record = reader.study(study);
-    if (!record)
-        return tl::unexpected(record.error());
+    CHIRON_TRY(record);
     data.record = std::move(*record);
     if (data.record.summary.state == database::StudyState::draft || data.record.summary.sha256.empty())
         return core::fail(core::ErrorCode::wrongUse, "study \"" + data.record.summary.key + "\": a draft has no data; expected a frozen study");
     auto design = catalogue::readStudy(QByteArray::fromStdString(data.record.designJson), data.record.summary.key);
-    if (!design)
-        return tl::unexpected(design.error());
+    CHIRON_TRY(design);
     data.design = std::make_unique<psychophysics::StudyDesign>(std::move(*design));
     data.blinding = data.record.blinding;
     data.blinded = data.blinding.on;
@@ -93,8 +89,7 @@ core::Result<StudyExportData> gatherStudy(database::StudyReader& reader, databas
     data.quality = std::move(*quality);
     for (database::Participant& participant : *participants) {
         ExportedParticipant exported{std::move(participant), {}};
-        if (auto added = addRuns(reader, data, exported); !added)
-            return tl::unexpected(added.error());
+        CHIRON_TRY(addRuns(reader, data, exported));
         data.participants.push_back(std::move(exported));
     }
     if (data.blinded)

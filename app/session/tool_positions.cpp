@@ -11,8 +11,7 @@ core::Result<std::unique_ptr<ToolPositions>> ToolPositions::create(const Session
     auto positions = std::make_unique<ToolPositions>();
     for (std::size_t i = 0; i < setup.devices.size(); ++i) {
         auto kinematics = devices::makeKinematics(setup.devices[i]);
-        if (!kinematics)
-            return tl::unexpected(kinematics.error());
+        CHIRON_TRY(kinematics);
         const auto& axes = setup.devices[i].axes;
         const bool turns = std::any_of(axes.begin(), axes.end(), [](const devices::AxisDescriptor& axis) {
             return axis.unit == devices::AxisUnit::radian;

@@ -103,8 +103,7 @@ core::Result<void> openAll(std::vector<StationTool>& tools) {
 core::Result<database::SessionId> beginSession(database::Database& database, const database::Actor& actor,
                                                const TrainingRequest& request, const SessionSetup& setup) {
     auto table = channelTableFor(setup);
-    if (!table)
-        return tl::unexpected(table.error());
+    CHIRON_TRY(table);
     database::NewSession session = toNewSession(setup);
     session.operatorName = request.station.operatorName;
     session.familiarisation = request.familiarisation;
@@ -147,8 +146,7 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
     scenes.offer(scene);
     TeeSink sink(recording.sink(), request.director ? request.director : request.witness);
     auto loop = haptics::HapticLoop::create({tools, inputs, supervisor, setup.safety, scenes, sink});
-    if (!loop)
-        return tl::unexpected(loop.error());
+    CHIRON_TRY(loop);
     if (!request.live)
         inputs.postOwn({core::CommandKind::start});
     else // so that a window that never opens counts as frozen
@@ -183,17 +181,14 @@ core::Result<TrainingResult> runTraining(database::Database& database, const dat
 core::Result<TrainingResult> runTrainingOn(database::Database& database, const database::Actor& actor,
                                            TrainingRequest& request) {
     auto kind = exerciseKind(request.level.exercise);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    CHIRON_TRY(kind);
     const SessionSetup setup = setupOf(request);
     if (request.ringFolder.empty())
         request.ringFolder = recording::defaultRingFolder();
-    if (auto opened = openAll(request.station.tools); !opened)
-        return tl::unexpected(opened.error());
+    CHIRON_TRY(openAll(request.station.tools));
     TrainingResult result;
     auto session = beginSession(database, actor, request, setup);
-    if (!session)
-        return tl::unexpected(session.error());
+    CHIRON_TRY(session);
     result.session = *session;
     if (request.live)
         request.live->setSession(*session);
@@ -211,13 +206,11 @@ core::Result<TrainingResult> runTrainingOn(database::Database& database, const d
     }
     result.loop = *loop;
     auto stored = (*recording)->finish();
-    if (!stored)
-        return tl::unexpected(stored.error());
+    CHIRON_TRY(stored);
     result.recording = *stored;
     auto scores = concludeSession(database, actor, *session,
                                   {.dropped = stored->dropped, .loopJson = loopJson(result.loop)});
-    if (!scores)
-        return tl::unexpected(scores.error());
+    CHIRON_TRY(scores);
     result.scores = std::move(*scores);
     return result;
 }

@@ -7,19 +7,16 @@ namespace chiron::session {
 
 core::Result<std::vector<WithdrawnParticipant>> withdrawnParticipants(database::StudyReader& reader) {
     auto studies = reader.listStudies(true);
-    if (!studies)
-        return tl::unexpected(studies.error());
+    CHIRON_TRY(studies);
     for (std::size_t i = 0, own = studies->size(); i < own; ++i) {
         const auto pilots = reader.listPilots((*studies)[i].key);
-        if (!pilots)
-            return tl::unexpected(pilots.error());
+        CHIRON_TRY(pilots);
         studies->insert(studies->end(), pilots->begin(), pilots->end());
     }
     std::vector<WithdrawnParticipant> withdrawn;
     for (const database::StudySummary& study : *studies) {
         const auto participants = reader.participants(study.id);
-        if (!participants)
-            return tl::unexpected(participants.error());
+        CHIRON_TRY(participants);
         for (const database::Participant& each : *participants)
             if (each.state == database::ParticipantState::withdrawn && !each.erased && !each.simulated)
                 withdrawn.push_back({each, study.title});

@@ -105,8 +105,7 @@ core::Result<QString> recordingDigestOf(session::SessionView& session) {
     QCryptographicHash hash(QCryptographicHash::Blake2b_256);
     for (std::size_t i = 0; i < session.reader().chunkCount(); ++i) {
         auto digest = session.reader().forceHash(i);
-        if (!digest)
-            return tl::unexpected(digest.error());
+        CHIRON_TRY(digest);
         hash.addData(QByteArrayView(reinterpret_cast<const char*>(digest->data()), qsizetype(digest->size())));
     }
     return QString::fromLatin1(hash.result().toHex());
@@ -154,8 +153,7 @@ core::Result<ReportData> reportHeadOf(const database::SessionRecord& record, con
         if (judged || data.trialsDone > 0) {
             data.metrics = rowsOf(*card, setup.level, record.setup.felt, judged, data.trialsDone);
             const auto seal = repository.scoreSeal(record.summary.id);
-            if (!seal)
-                return tl::unexpected(seal.error());
+            CHIRON_TRY(seal);
             data.integrity.scoreSeal = QString::fromStdString(recording::toHex(*seal));
         }
         if (judged && !setup.level.gates.empty())
@@ -172,8 +170,7 @@ core::Result<ReportData> reportDataOf(session::SessionView& session, database::C
     if (!head)
         return head;
     ReportData data = std::move(*head);
-    if (auto read = session.decode(); !read)
-        return tl::unexpected(read.error());
+    CHIRON_TRY(session.decode());
     const scoring::SessionTrace& trace = **session.trace();
     if (auto section = exerciseSectionOf(trace, session.setup().level))
         data.sections.push_back(std::move(section));
@@ -183,8 +180,7 @@ core::Result<ReportData> reportDataOf(session::SessionView& session, database::C
     data.series = seriesOf(track, session.setup().level, QLocale(QString::fromUtf8(core::languageOf(language).locale.data())));
     data.duration_s = track.duration_s;
     auto digest = recordingDigestOf(session);
-    if (!digest)
-        return tl::unexpected(digest.error());
+    CHIRON_TRY(digest);
     data.integrity.recordingDigest = std::move(*digest);
     return data;
 }

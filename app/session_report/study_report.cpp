@@ -13,22 +13,17 @@ namespace {
 
 core::Result<StudyReportData> dataOf(database::StudyReader& reader, database::StudyNumber study, const std::string& language, const session::AnalysisChoices& choices) {
     auto record = reader.study(study);
-    if (!record)
-        return tl::unexpected(record.error());
+    CHIRON_TRY(record);
     if (record->summary.state == database::StudyState::draft)
         return core::fail(core::ErrorCode::wrongUse, "study " + std::to_string(study) + ": is a draft; a report is of a frozen study");
     auto design = catalogue::readStudy(QByteArray::fromStdString(record->designJson), "study " + std::to_string(study));
-    if (!design)
-        return tl::unexpected(design.error());
+    CHIRON_TRY(design);
     auto analysis = session::analyseStudy(reader, study, design->seed, choices);
-    if (!analysis)
-        return tl::unexpected(analysis.error());
+    CHIRON_TRY(analysis);
     auto participants = reader.participants(study);
-    if (!participants)
-        return tl::unexpected(participants.error());
+    CHIRON_TRY(participants);
     auto answers = reader.questionnaireAnswers(study);
-    if (!answers)
-        return tl::unexpected(answers.error());
+    CHIRON_TRY(answers);
     return StudyReportData{std::move(*analysis), std::move(*participants), std::move(*answers), language};
 }
 
@@ -57,8 +52,7 @@ report::PageFrame frameOf(const StudyReportData& data, const QString& site) {
 core::Result<void> writeStudyReport(const QString& path, database::StudyReader& reader, database::StudyNumber study,
                                     const report::PlotTheme& theme, const std::string& language, const session::AnalysisChoices& choices, const QString& site) {
     const auto data = dataOf(reader, study, language, choices);
-    if (!data)
-        return tl::unexpected(data.error());
+    CHIRON_TRY(data);
     const StudyReportBlocks content(*data, theme, report::kPageBodyWidth);
     return report::writePages(path, frameOf(*data, site), content.blocks(), theme);
 }
@@ -66,8 +60,7 @@ core::Result<void> writeStudyReport(const QString& path, database::StudyReader& 
 core::Result<void> paintStudyReport(QPagedPaintDevice& device, database::StudyReader& reader, database::StudyNumber study,
                                     const report::PlotTheme& theme, const std::string& language, const session::AnalysisChoices& choices, const QString& site) {
     const auto data = dataOf(reader, study, language, choices);
-    if (!data)
-        return tl::unexpected(data.error());
+    CHIRON_TRY(data);
     const StudyReportBlocks content(*data, theme, report::kPageBodyWidth);
     if (!report::paintPages(device, frameOf(*data, site), content.blocks(), theme))
         return core::fail(core::ErrorCode::storage, "study " + std::to_string(study) + ": the pages could not be drawn");

@@ -8,8 +8,7 @@ namespace chiron::catalogue {
 core::Result<Catalogue> Catalogue::load(const std::string& directory, const std::vector<std::string>& languages) {
     ContentReader reader(QString::fromStdString(directory), languages);
     auto exercises = reader.exercises();
-    if (!exercises)
-        return tl::unexpected(exercises.error());
+    CHIRON_TRY(exercises);
     Catalogue catalogue;
     catalogue.m_directory = directory;
     catalogue.m_exercises = std::move(*exercises);

@@ -48,8 +48,7 @@ core::Result<const Schema*> ContentReader::schema(const QString& name) {
     if (const auto known = m_schemas.find(name); known != m_schemas.end())
         return &known->second;
     auto read = readSchema(m_directory + "/schema", name);
-    if (!read)
-        return tl::unexpected(read.error());
+    CHIRON_TRY(read);
     return &m_schemas.emplace(name, std::move(*read)).first->second;
 }
 
@@ -81,21 +80,17 @@ core::Result<void> ContentReader::checkPresets(const QString& folder, const Exer
     if (content.presetKey.empty())
         return {};
     const auto parameterSchema = schema(QString::fromUtf8(content.parametersSchema.data()));
-    if (!parameterSchema)
-        return tl::unexpected(parameterSchema.error());
+    CHIRON_TRY(parameterSchema);
     for (const QFileInfo& file : QDir(folder).entryInfoList({"*.json"}, QDir::Files, QDir::Name))
-        if (auto preset = presetParameters(file.filePath(), presetKeyOf(content), **parameterSchema, &texts); !preset)
-            return tl::unexpected(preset.error());
+        CHIRON_TRY(presetParameters(file.filePath(), presetKeyOf(content), **parameterSchema, &texts));
     return {};
 }
 
 core::Result<QJsonObject> ContentReader::presetParameters(const QString& path, const QString& key, const Schema& parameterSchema, ContentTexts* texts) {
     const auto json = JsonFile::read(QDir::cleanPath(path));
-    if (!json)
-        return tl::unexpected(json.error());
+    CHIRON_TRY(json);
     const auto presetSchema = schema(QStringLiteral("preset"));
-    if (!presetSchema)
-        return tl::unexpected(presetSchema.error());
+    CHIRON_TRY(presetSchema);
     Problems problems;
     QJsonObject preset = json->root();
     const QJsonValue parameters = preset["parameters"];
@@ -119,8 +114,7 @@ core::Result<QJsonObject> ContentReader::presetParameters(const QString& path, c
 
 core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJsonObject& exercise, ContentTexts& texts) {
     const auto json = JsonFile::read(path);
-    if (!json)
-        return tl::unexpected(json.error());
+    CHIRON_TRY(json);
     const ExerciseContent* content = findExerciseContent(exercise["id"].toString().toStdString());
     const auto levelSchema = schema(QStringLiteral("level"));
     const auto parameterSchema = schema(QString::fromUtf8(content->parametersSchema.data()));
@@ -133,8 +127,7 @@ core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJso
     if (!content->presetKey.empty() && given.isObject()) {
         const auto merged = withPreset(QFileInfo(path).dir().filePath(QStringLiteral("../presets")), *content,
                                        **parameterSchema, given.toObject(), problems);
-        if (!merged)
-            return tl::unexpected(merged.error());
+        CHIRON_TRY(merged);
         given = *merged;
     }
     if (given.isObject())
@@ -157,11 +150,9 @@ core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJso
 
 core::Result<Exercise> ContentReader::exercise(const QString& folder) {
     const auto json = JsonFile::read(folder + "/exercise.json");
-    if (!json)
-        return tl::unexpected(json.error());
+    CHIRON_TRY(json);
     const auto exerciseSchema = schema(QStringLiteral("exercise"));
-    if (!exerciseSchema)
-        return tl::unexpected(exerciseSchema.error());
+    CHIRON_TRY(exerciseSchema);
     Problems problems;
     QJsonObject resolved =
         validated(json->root(), **exerciseSchema, QStringLiteral("$"), problems).toObject();
@@ -174,8 +165,7 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
     if (!problems.empty())
         return tl::unexpected(json->error(problems));
     auto texts = ContentTexts::read(folder, m_languages);
-    if (!texts)
-        return tl::unexpected(texts.error());
+    CHIRON_TRY(texts);
     resolved = texts->laid(resolved, **exerciseSchema, {QStringLiteral("exercise")}, json->name(), QStringLiteral("$"), problems);
     Exercise out;
     const ObjectReader reader(resolved, QStringLiteral("$"), problems);
@@ -201,12 +191,9 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
                                    // of what was done
     stored.remove(QStringLiteral("advice"));
     stored.remove(QStringLiteral("legend"));
-    if (auto presets = checkPresets(folder + "/presets", *content, *texts); !presets)
-        return tl::unexpected(presets.error());
-    if (auto levels = readLevels(folder, stored, *texts, out); !levels)
-        return tl::unexpected(levels.error());
-    if (auto finished = texts->finish(); !finished)
-        return tl::unexpected(finished.error());
+    CHIRON_TRY(checkPresets(folder + "/presets", *content, *texts));
+    CHIRON_TRY(readLevels(folder, stored, *texts, out));
+    CHIRON_TRY(texts->finish());
     out.textsSha256 = texts->digests();
     m_missing.insert(m_missing.end(), texts->missing().begin(), texts->missing().end());
     return out;
@@ -216,8 +203,7 @@ core::Result<void> ContentReader::readLevels(const QString& folder, const QJsonO
     for (const QFileInfo& file :
          QDir(folder + "/levels").entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
         auto read = level(file.filePath(), exercise, texts);
-        if (!read)
-            return tl::unexpected(read.error());
+        CHIRON_TRY(read);
         out.levels.push_back(std::move(*read));
     }
     std::stable_sort(out.levels.begin(), out.levels.end(),
@@ -227,16 +213,14 @@ core::Result<void> ContentReader::readLevels(const QString& folder, const QJsonO
 
 core::Result<std::vector<Exercise>> ContentReader::exercises() {
     auto named = NamedContent::read(m_directory, m_languages);
-    if (!named)
-        return tl::unexpected(named.error());
+    CHIRON_TRY(named);
     m_named = std::move(*named);
     m_missing = m_named.missing();
     std::vector<Exercise> out;
     const QDir folder(m_directory + "/exercises");
     for (const QFileInfo& entry : folder.entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
         auto read = exercise(entry.filePath());
-        if (!read)
-            return tl::unexpected(read.error());
+        CHIRON_TRY(read);
         out.push_back(std::move(*read));
     }
     const auto place = [](const Exercise& exercise) { return findExerciseContent(exercise.id) - exerciseContents().data(); };

@@ -67,8 +67,7 @@ core::Result<ContentTexts> ContentTexts::read(const QString& folder, const std::
             return refuse(path, QStringLiteral("the unknown language %1").arg(quoted(language)),
                           QStringLiteral("the file of a language of the program: %1").arg(languagesOf(languages, 1)));
         auto json = JsonFile::read(path);
-        if (!json)
-            return tl::unexpected(json.error());
+        CHIRON_TRY(json);
         out.m_files.push_back({language.toStdString(), std::move(*json), {}});
     }
     return out;

@@ -17,8 +17,7 @@ namespace {
 
 core::Result<Instrument> readInstrument(const QByteArray& text, const std::string& file, const QString& name, const Schema* schema, ContentTexts& texts) {
     const auto json = JsonFile::parse(text, QString::fromStdString(file));
-    if (!json)
-        return tl::unexpected(json.error());
+    CHIRON_TRY(json);
     Problems problems;
     const ObjectReader all(json->root(), QStringLiteral("$"), problems);
     refuseUnknownKeys(all, {"source", "permission", "questionnaire"}, QStringLiteral("a key of an instrument"));
@@ -42,28 +41,22 @@ core::Result<Instrument> readInstrument(const QByteArray& text, const std::strin
 core::Result<std::vector<Instrument>> loadInstruments(const std::string& contentDirectory, const std::vector<std::string>& languages) {
     constexpr qint64 kLargest_bytes = 1 << 20;
     const auto directory = contentDirectory.empty() ? findContentDirectory() : core::Result<std::string>(contentDirectory);
-    if (!directory)
-        return tl::unexpected(directory.error());
+    CHIRON_TRY(directory);
     const QDir folder(QString::fromStdString(*directory) + "/instruments");
     auto texts = ContentTexts::read(folder.path(), languages);
-    if (!texts)
-        return tl::unexpected(texts.error());
+    CHIRON_TRY(texts);
     const auto schema = texts->schemaOfTexts(QString::fromStdString(*directory), QStringLiteral("study_questionnaire"));
-    if (!schema)
-        return tl::unexpected(schema.error());
+    CHIRON_TRY(schema);
     std::vector<Instrument> out;
     for (const QString& name : folder.entryList({"*.json"}, QDir::Files, QDir::Name)) {
         const std::string path = folder.filePath(name).toStdString();
         const auto text = readWholeFile(folder.filePath(name), kLargest_bytes);
-        if (!text)
-            return tl::unexpected(text.error());
+        CHIRON_TRY(text);
         auto read = readInstrument(*text, path, name, *schema ? &**schema : nullptr, *texts);
-        if (!read)
-            return tl::unexpected(read.error());
+        CHIRON_TRY(read);
         out.push_back(std::move(*read));
     }
-    if (const auto finished = texts->finish(); !finished)
-        return tl::unexpected(finished.error());
+    CHIRON_TRY(texts->finish());
     return out;
 }
 

@@ -33,8 +33,7 @@ core::Result<NamedContent> NamedContent::read(const QString& directory, const st
     for (const Kind& kind : {Kind{"object", "objects", "attributes", "object_attributes"},
                              Kind{"mesh", "meshes", "shape", "mesh_source"},
                              Kind{"tissue", "tissues", "properties", "tissue_properties"}})
-        if (auto read = content.readFolder(directory, languages, kind); !read)
-            return tl::unexpected(read.error());
+        CHIRON_TRY(content.readFolder(directory, languages, kind));
     return content;
 }
 
@@ -50,8 +49,7 @@ core::Result<void> NamedContent::readFolder(const QString& directory, const std:
         if (!*schema)
             return tl::unexpected(schema->error());
     auto texts = ContentTexts::read(folder.path(), languages);
-    if (!texts)
-        return tl::unexpected(texts.error());
+    CHIRON_TRY(texts);
     for (const QFileInfo& path : files)
         if (auto read = readNamed(QDir::cleanPath(path.filePath()), kind, *file, *content, *texts); !read)
             return read;
@@ -61,8 +59,7 @@ core::Result<void> NamedContent::readFolder(const QString& directory, const std:
 
 core::Result<void> NamedContent::readNamed(const QString& path, const Kind& kind, const Schema& file, const Schema& content, ContentTexts& texts) {
     const auto json = JsonFile::read(path, JsonFile::kMeshMebibytes);
-    if (!json)
-        return tl::unexpected(json.error());
+    CHIRON_TRY(json);
     const QString member = QLatin1String(kind.member);
     const QString at = memberPath(QStringLiteral("$"), member);
     const QString key = QLatin1String(kind.key);

@@ -244,8 +244,7 @@ ProcedureSpec readProcedure(const ObjectReader& json) {
 core::Result<ProcedureSpec> readProcedure(const QByteArray& json, const std::string& file, const Schema& schema) {
     constexpr qsizetype kMostMebibytes = 16; // a table of many outcomes has a million numbers
     const auto parsed = JsonFile::parse(json, QString::fromStdString(file), kMostMebibytes);
-    if (!parsed)
-        return tl::unexpected(parsed.error());
+    CHIRON_TRY(parsed);
     Problems problems;
     ProcedureSpec spec = readProcedure(ObjectReader(parsed->root(), QStringLiteral("$"), problems));
     if (problems.empty()) // a fault found while reading says more than a range does

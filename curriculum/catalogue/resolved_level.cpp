@@ -108,8 +108,7 @@ ExerciseLevel levelFromResolved(const QJsonObject& document, Problems& problems)
 core::Result<ExerciseLevel> fromResolvedJson(std::string_view json) {
     const QByteArray bytes(json.data(), static_cast<qsizetype>(json.size()));
     const auto file = JsonFile::parse(bytes, QStringLiteral("stored content"), JsonFile::kMeshMebibytes);
-    if (!file)
-        return tl::unexpected(file.error());
+    CHIRON_TRY(file);
     Problems problems;
     ExerciseLevel level = levelFromResolved(file->root(), problems);
     if (!problems.empty())
@@ -121,8 +120,7 @@ core::Result<ExerciseLevel> fromResolvedJson(std::string_view json) {
 
 core::Result<ExerciseLevel> withTrials(const ExerciseLevel& level, int most) {
     const auto file = JsonFile::parse(QByteArray::fromStdString(level.resolvedJson), QStringLiteral("level"), JsonFile::kMeshMebibytes);
-    if (!file)
-        return tl::unexpected(file.error());
+    CHIRON_TRY(file);
     QJsonObject document = file->root();
     QJsonObject inner = document["level"].toObject();
     QJsonObject parameters = inner["parameters"].toObject();

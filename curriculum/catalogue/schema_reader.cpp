@@ -38,8 +38,7 @@ public:
                               (m_directory + "/" + name + ".json: $: $ref runs in a circle: expected a tree")
                                   .toStdString());
         const auto json = JsonFile::read(m_directory + "/" + name + ".json");
-        if (!json)
-            return tl::unexpected(json.error());
+        CHIRON_TRY(json);
         Problems problems;
         Schema schema = node(json->root(), QStringLiteral("$"), depth, problems);
         if (m_failed)

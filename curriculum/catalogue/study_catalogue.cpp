@@ -17,11 +17,9 @@ namespace {
 core::Result<psychophysics::StudyDesign> readTemplate(const QString& path, const Schema* schema, ContentTexts& texts) {
     constexpr qint64 kLargest_bytes = 1 << 20;
     const auto bytes = readWholeFile(path, kLargest_bytes);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
+    CHIRON_TRY(bytes);
     const auto json = JsonFile::parse(*bytes, path);
-    if (!json)
-        return tl::unexpected(json.error());
+    CHIRON_TRY(json);
     const QString id = QFileInfo(path).completeBaseName();
     Problems problems;
     const QJsonObject document = schema ? texts.laid(json->root(), *schema, {id}, path, QStringLiteral("$"), problems) : json->root();
@@ -37,15 +35,12 @@ core::Result<psychophysics::StudyDesign> readTemplate(const QString& path, const
 
 core::Result<StudyCatalogue> StudyCatalogue::load(const std::string& contentDirectory, const std::vector<std::string>& languages) {
     const auto directory = contentDirectory.empty() ? findContentDirectory() : core::Result<std::string>(contentDirectory);
-    if (!directory)
-        return tl::unexpected(directory.error());
+    CHIRON_TRY(directory);
     const QDir folder(QString::fromStdString(*directory) + "/studies");
     auto texts = ContentTexts::read(folder.path(), languages);
-    if (!texts)
-        return tl::unexpected(texts.error());
+    CHIRON_TRY(texts);
     const auto schema = texts->schemaOfTexts(QString::fromStdString(*directory), QStringLiteral("study"));
-    if (!schema)
-        return tl::unexpected(schema.error());
+    CHIRON_TRY(schema);
     StudyCatalogue out;
     std::string faults;
     for (const QString& name : folder.entryList({"*.json"}, QDir::Files, QDir::Name)) {

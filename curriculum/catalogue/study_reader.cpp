@@ -162,8 +162,7 @@ std::uint64_t readSeed(const ObjectReader& json) {
 
 core::Result<StudyDesign> readStudy(const QByteArray& json, const std::string& file) {
     const auto parsed = JsonFile::parse(json, QString::fromStdString(file));
-    if (!parsed)
-        return tl::unexpected(parsed.error());
+    CHIRON_TRY(parsed);
     return readStudy(parsed->root(), *parsed);
 }
 

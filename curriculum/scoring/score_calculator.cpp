@@ -98,11 +98,9 @@ void applyGates(ScoreCard& card, std::span<const Gate> gates, bool completed) {
 core::Result<ScoreCard> calculateScore(const SessionTrace& trace, std::span<const MetricRequest> metrics,
                                        std::span<const Gate> gates, bool completed) {
     const auto chosen = resolve(metrics, gates);
-    if (!chosen)
-        return tl::unexpected(chosen.error());
+    CHIRON_TRY(chosen);
     const auto onGrids = onStoredGrids(trace);
-    if (!onGrids)
-        return tl::unexpected(onGrids.error());
+    CHIRON_TRY(onGrids);
     // Only trials that had an end: a trial that was cut off says nothing about the whole.
     std::vector<PreparedTrial> prepared;
     ScoreCard card;

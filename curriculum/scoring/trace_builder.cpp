@@ -193,13 +193,10 @@ core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_
         }
         setMark(trial, rows.columns, list);
         if (rows.columns.target)
-            if (auto truth = setTruth(trial, list, rows.source); !truth)
-                return tl::unexpected(truth.error());
-        if (auto named = setNamed(trial, rows.columns, list, rows.source); !named)
-            return tl::unexpected(named.error());
+            CHIRON_TRY(setTruth(trial, list, rows.source));
+        CHIRON_TRY(setNamed(trial, rows.columns, list, rows.source));
         if (rows.columns.insertion)
-            if (auto canal = setInsertion(trial, list, rows.source); !canal)
-                return tl::unexpected(canal.error());
+            CHIRON_TRY(setInsertion(trial, list, rows.source));
         trace.trials.push_back(std::move(trial));
     }
     return trace;

@@ -59,8 +59,7 @@ public:
         }
         std::string_view line;
         nextLine(line);
-        if (auto header = readHeader(line); !header)
-            return tl::unexpected(header.error());
+        CHIRON_TRY(readHeader(line));
         while (nextLine(line))
             if (auto row = readRow(line); !row)
                 return tl::unexpected(row.error());
@@ -164,8 +163,7 @@ private:
             if (start > line.size())
                 return refuse(i + 1, "row of " + std::to_string(i) + " values", columnCount());
             const std::size_t end = std::min(line.find(',', start), line.size());
-            if (auto set = setValue(row, m_columns[i], line.substr(start, end - start), i + 1); !set)
-                return tl::unexpected(set.error());
+            CHIRON_TRY(setValue(row, m_columns[i], line.substr(start, end - start), i + 1));
             start = end + 1;
         }
         if (start <= line.size())
@@ -179,8 +177,7 @@ private:
     core::Result<void> setValue(TraceRow& row, const Column& column, std::string_view text, std::size_t number) const {
         if (column.fixed != nullptr) {
             const auto value = readValue(*column.fixed, text, number);
-            if (!value)
-                return tl::unexpected(value.error());
+            CHIRON_TRY(value);
             column.fixed->set(row, *value);
             return {};
         }

@@ -205,8 +205,7 @@ core::Result<SessionTrace> onStoredGrids(const SessionTrace& trace) {
     out.plannedTrials = trace.plannedTrials;
     for (const TrialTrace& raw : trace.trials) {
         auto trial = trialOnGrids(raw);
-        if (!trial)
-            return tl::unexpected(trial.error());
+        CHIRON_TRY(trial);
         out.trials.push_back(std::move(*trial));
     }
     return out;

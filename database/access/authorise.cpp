@@ -38,13 +38,9 @@ core::Result<Scope> scopeOfPerson(Connection& connection, const Actor& actor, Ac
         "SELECT p.roles, p.enabled, c.must_change FROM person p JOIN credential c ON c.person_id = p.id "
         "WHERE p.id = ? AND p.kind = 'person'",
         {actor.personId()});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     const auto row = query->next();
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     if (!*row || query->integer(1) != 1) {
         return tl::unexpected(denied(actor, action, "the account is disabled; ask an administrator"));
     }
@@ -93,9 +89,7 @@ core::Result<Scope> authorise(Connection& connection, const Actor& actor, Action
 
 core::Result<void> authoriseFor(Connection& connection, const Actor& actor, Action action, PersonId owner) {
     const auto scope = authorise(connection, actor, action);
-    if (!scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(scope);
     if (!reaches(*scope, actor, owner)) {
         return tl::unexpected(denied(actor, action, "it belongs to somebody else"));
     }
@@ -113,14 +107,10 @@ struct Owned {
 
 core::Result<void> authoriseForOwned(Connection& connection, const Actor& actor, Action action, const Owned& thing) {
     const auto scope = authorise(connection, actor, action);
-    if (!scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(scope);
     const std::string name = thing.what + (" " + std::to_string(thing.number));
     const auto owner = selectInteger(connection, thing.ownerSql, {thing.number});
-    if (!owner) {
-        return tl::unexpected(owner.error());
-    }
+    CHIRON_TRY(owner);
     if (!*owner && *scope == Scope::all) {
         return core::fail(core::ErrorCode::notFound, "there is no " + name);
     }

@@ -18,9 +18,7 @@ core::Result<void> forgetOldPages(Connection& connection) {
         return vacuumed;
     }
     const auto busy = selectInteger(connection, "PRAGMA wal_checkpoint(TRUNCATE)");
-    if (!busy) {
-        return tl::unexpected(busy.error());
-    }
+    CHIRON_TRY(busy);
     if (busy->value_or(1) != 0) {
         return core::fail(core::ErrorCode::storage,
                           "the person is erased, but another program is reading the database, so old pages "
@@ -46,12 +44,8 @@ core::Result<std::vector<LoginName>> AccountService::listLoginNames() {
 core::Result<FirstAdministrator> AccountService::createFirstAdministrator(const std::string& name,
                                                                           const std::string& password,
                                                                           const std::string& displayName) {
-    if (auto good = checkName(name); !good) {
-        return tl::unexpected(good.error());
-    }
-    if (auto good = checkPassword(name, password); !good) {
-        return tl::unexpected(good.error());
-    }
+    CHIRON_TRY(checkName(name));
+    CHIRON_TRY(checkPassword(name, password));
     const PasswordHasher hasher(m_database.options().passwordCost);
     const std::string code = newRecoveryCode();
     const auto passwordHash = hasher.hash(password);
@@ -67,13 +61,9 @@ core::Result<FirstAdministrator> AccountService::createFirstAdministrator(const 
 }
 
 core::Result<PersonId> AccountService::createPerson(const Actor& actor, const PersonRequest& request) {
-    if (auto good = checkPassword(request.name, request.password); !good) {
-        return tl::unexpected(good.error());
-    }
+    CHIRON_TRY(checkPassword(request.name, request.password));
     const auto hash = PasswordHasher(m_database.options().passwordCost).hash(request.password);
-    if (!hash) {
-        return tl::unexpected(hash.error());
-    }
+    CHIRON_TRY(hash);
     return m_database.write([&](WriteContext& writing) {
         return AccountRepository(writing.connection(), actor)
             .createPerson(
@@ -115,9 +105,7 @@ tl::expected<void, Refusal> AccountService::tryChangePassword(const Actor& actor
     if (oldPassword == newPassword) {
         return failed({core::ErrorCode::badInput, "the new password is the old one"});
     }
-    if (auto confirmed = tryConfirm(actor, oldPassword); !confirmed) {
-        return tl::unexpected(confirmed.error());
-    }
+    CHIRON_TRY(tryConfirm(actor, oldPassword));
     const auto hash = PasswordHasher(m_database.options().passwordCost).hash(newPassword);
     if (!hash) {
         return failed(hash.error());
@@ -140,9 +128,7 @@ core::Result<void> AccountService::resetPassword(const Actor& actor, PersonId pe
         return good;
     }
     const auto hash = PasswordHasher(m_database.options().passwordCost).hash(newPassword);
-    if (!hash) {
-        return tl::unexpected(hash.error());
-    }
+    CHIRON_TRY(hash);
     return m_database.write([&](WriteContext& writing) -> core::Result<void> {
         AccountRepository accounts(writing.connection(), actor);
         const auto whose = accounts.person(person); // who may not read it may not reset it either, which is refused below
@@ -176,9 +162,7 @@ core::Result<Person> AccountService::personByName(const Actor& actor, const std:
 }
 
 core::Result<void> AccountService::mayErase(const Actor& actor, const std::string& password) {
-    if (auto confirmed = confirm(actor, password); !confirmed) {
-        return tl::unexpected(confirmed.error());
-    }
+    CHIRON_TRY(confirm(actor, password));
     return m_database.isWritable() && !m_database.writer().hasSources()
                ? core::Result<void>()
                : core::fail(core::ErrorCode::wrongUse,
@@ -188,9 +172,7 @@ core::Result<void> AccountService::mayErase(const Actor& actor, const std::strin
 // Makes an erasure permanent: adds it to the site's list, which is applied to restored backups, and removes
 // the data from the file's free pages.
 core::Result<void> AccountService::makeErasureLast(const core::Result<Erasure>& erased) {
-    if (!erased) {
-        return tl::unexpected(erased.error());
-    }
+    CHIRON_TRY(erased);
     if (auto listed = writeErasureList(m_database.siteFolder(), *erased); !listed) {
         return listed;
     }

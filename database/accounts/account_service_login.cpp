@@ -144,9 +144,7 @@ core::Result<bool> AccountService::hasRecoveryCode(const Actor& actor) {
 }
 
 tl::expected<std::string, Refusal> AccountService::tryMakeRecoveryCode(const Actor& actor, const std::string& password) {
-    if (auto confirmed = tryConfirm(actor, password); !confirmed) {
-        return tl::unexpected(confirmed.error());
-    }
+    CHIRON_TRY(tryConfirm(actor, password));
     const std::string code = newRecoveryCode();
     const auto hash = PasswordHasher(m_database.options().passwordCost).hash(code);
     if (!hash) {

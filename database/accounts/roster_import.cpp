@@ -42,12 +42,8 @@ RosterStep stepOf(const UserCsvRow& row, const Person* present, RosterExisting e
 
 core::Result<KnownPeople> peopleFor(Database& database, const Actor& actor) {
     auto reader = database.openReader();
-    if (!reader) {
-        return tl::unexpected(reader.error());
-    }
-    if (const auto scope = authorise(**reader, actor, Action::importPeople); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(reader);
+    CHIRON_TRY(authorise(**reader, actor, Action::importPeople));
     AccountRepository accounts(**reader, actor);
     auto people = accounts.listPeople();
     auto earlier = accounts.listEarlierLogins();
@@ -154,9 +150,7 @@ struct Prepared {
 core::Result<void> prepareNew(Prepared& prepared, const RosterStep& step, const std::string& given, const PasswordHasher& hasher) {
     const std::string password = given.empty() ? generatedPassword() : given;
     const auto hash = hasher.hash(password);
-    if (!hash) {
-        return tl::unexpected(hash.error());
-    }
+    CHIRON_TRY(hash);
     prepared.people.push_back({step.name, step.displayName, step.roles, *hash, true});
     prepared.outcome.added.push_back({0, step.name, step.displayName, given.empty() ? password : std::string()});
     return {};
@@ -189,9 +183,7 @@ std::vector<RosterStep> planRoster(const Roster& roster, const KnownPeople& know
 
 core::Result<RosterPlan> AccountService::previewCsv(const Actor& actor, const std::string& csv, RosterExisting existing, const RoleWords& roles) {
     const auto people = peopleFor(m_database, actor);
-    if (!people) {
-        return tl::unexpected(people.error());
-    }
+    CHIRON_TRY(people);
     RosterPlan plan{readRoster(csv, roles), {}};
     plan.steps = planRoster(plan.roster, *people, existing);
     for (UserCsvRow& row : plan.roster.rows) {
@@ -207,9 +199,7 @@ core::Result<RosterOutcome> AccountService::importCsv(const Actor& actor, const 
         return tl::unexpected(rosterError(roster.problems));
     }
     const auto people = peopleFor(m_database, actor);
-    if (!people) {
-        return tl::unexpected(people.error());
-    }
+    CHIRON_TRY(people);
     const PasswordHasher hasher(m_database.options().passwordCost);
     const std::vector<RosterStep> steps = planRoster(roster, *people, existing);
     Prepared prepared;
@@ -220,17 +210,13 @@ core::Result<RosterOutcome> AccountService::importCsv(const Actor& actor, const 
         if (steps[i].kind == Kind::update) {
             prepared.changes.push_back({steps[i].person, steps[i].displayName, steps[i].roles});
         } else if (steps[i].kind == Kind::add) {
-            if (auto done = prepareNew(prepared, steps[i], roster.rows[i].password, hasher); !done) {
-                return tl::unexpected(done.error());
-            }
+            CHIRON_TRY(prepareNew(prepared, steps[i], roster.rows[i].password, hasher));
         }
     }
     const auto ids = m_database.write([&](WriteContext& writing) {
         return AccountRepository(writing.connection(), actor).importPeople(prepared.people, prepared.changes);
     });
-    if (!ids) {
-        return tl::unexpected(ids.error());
-    }
+    CHIRON_TRY(ids);
     for (std::size_t i = 0; i < ids->size(); ++i) {
         prepared.outcome.added[i].id = (*ids)[i];
     }

@@ -27,13 +27,9 @@ void appendNumber(Blob& out, std::int64_t number) {
 
 core::Result<std::optional<AuditLink>> lastLink(Connection& connection) {
     auto query = Query::run(connection, "SELECT sequence, mac FROM audit ORDER BY sequence DESC LIMIT 1");
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     const auto row = query->next();
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     if (!*row) {
         return std::optional<AuditLink>();
     }
@@ -85,9 +81,7 @@ core::Result<std::string> databaseIdentity(Connection& connection) {
     const auto text =
         selectText(connection, "SELECT group_concat(key || '=' || value, ';') FROM (SELECT key, value FROM "
                                "meta WHERE key IN ('uuid', 'created_utc', 'demonstration') ORDER BY key)");
-    if (!text) {
-        return tl::unexpected(text.error());
-    }
+    CHIRON_TRY(text);
     return text->value_or("");
 }
 
@@ -140,17 +134,13 @@ core::Result<void> appendAudit(Connection& connection, const Actor& actor, const
                    "detail_json, previous, mac) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                    {link.sequence, link.utc, link.actorKind, link.actor, link.action, link.target,
                     link.targetId, link.detailJson, link.previous, link.mac});
-    if (!done) {
-        return tl::unexpected(done.error());
-    }
+    CHIRON_TRY(done);
     return {};
 }
 
 core::Result<AuditHead> auditHead(Connection& connection) {
     auto last = lastLink(connection);
-    if (!last) {
-        return tl::unexpected(last.error());
-    }
+    CHIRON_TRY(last);
     return *last ? AuditHead{(*last)->sequence, hex((*last)->mac)} : AuditHead{};
 }
 

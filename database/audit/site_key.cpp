@@ -75,9 +75,7 @@ core::Result<std::unique_ptr<SiteKey>> SiteKey::createOrLoad(const std::string& 
     randombytes_buf(key.data(), key.size());
     auto written = writeNew(keyFile(siteFolder), kPrefix + hex(key.data(), key.size()) + "\n");
     sodium_memzero(key.data(), key.size());
-    if (!written) {
-        return tl::unexpected(written.error());
-    }
+    CHIRON_TRY(written);
     return load(siteFolder);
 }
 

@@ -42,13 +42,9 @@ core::Result<std::vector<Value>> presentValues(Connection& connection, const Dig
         Query::run(connection,
                    "SELECT " + rawSelectList(spec) + ", digest FROM " + std::string(spec.name) + whereOf(key),
                    valuesOf(key));
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     const auto row = query->next();
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     if (!*row) {
         return core::fail(core::ErrorCode::notFound, "there is no such row in " + std::string(spec.name));
     }
@@ -83,9 +79,7 @@ core::Result<RowDigest> insertRow(Connection& connection, std::string_view table
     auto done = Query::run(connection,
                            "INSERT INTO " + std::string(table) + " (" + names + ") VALUES (" + marks + ")",
                            valuesOf(columns));
-    if (!done) {
-        return tl::unexpected(done.error());
-    }
+    CHIRON_TRY(done);
     return digest;
 }
 
@@ -94,9 +88,7 @@ core::Result<RowDigest> updateRow(Connection& connection, std::string_view table
     normalise(changes);
     const DigestedTable& spec = digestedTable(table);
     auto values = presentValues(connection, spec, key);
-    if (!values) {
-        return tl::unexpected(values.error());
-    }
+    CHIRON_TRY(values);
     for (std::size_t i = 0; i < spec.columns.size(); ++i) {
         if (const Value* changed = find(changes, spec.columns[i])) {
             (*values)[i] = *changed;
@@ -113,9 +105,7 @@ core::Result<RowDigest> updateRow(Connection& connection, std::string_view table
         bound.push_back(column.value);
     }
     auto done = Query::run(connection, "UPDATE " + std::string(table) + " SET " + sets + whereOf(key), bound);
-    if (!done) {
-        return tl::unexpected(done.error());
-    }
+    CHIRON_TRY(done);
     return digest;
 }
 

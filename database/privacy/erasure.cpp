@@ -14,9 +14,7 @@ namespace {
 core::Result<std::vector<std::int64_t>> idsOf(Connection& connection, const std::string& sql,
                                               PersonId person) {
     auto query = Query::run(connection, sql, {person});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<std::int64_t> ids;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -77,15 +75,11 @@ core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, P
     // A trace's name or the folder of the ring may reveal the person. Names of scripted operators do not, but
     // a single rule is simpler.
     const auto sessions = idsOf(connection, "SELECT id FROM session WHERE person_id = ?", id);
-    if (!sessions) {
-        return tl::unexpected(sessions.error());
-    }
+    CHIRON_TRY(sessions);
     for (const SessionId session : *sessions) {
         const auto row = updateRow(connection, "session", {{"id", session}},
                                    {{"ring_file", std::string()}, {"operator_name", std::string()}});
-        if (!row) {
-            return tl::unexpected(row.error());
-        }
+        CHIRON_TRY(row);
         if (auto audited = appendAudit(connection, byWhom, {"eraseTexts", "session", session, *row, "{}"});
             !audited) {
             return audited;
@@ -100,9 +94,7 @@ core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWh
                                 "SELECT id FROM session WHERE person_id = ? AND id NOT IN (SELECT session_id FROM "
                                 "recorded_sitting)",
                                 erasure.person);
-    if (!sessions) {
-        return tl::unexpected(sessions.error());
-    }
+    CHIRON_TRY(sessions);
     std::string seals;
     for (const SessionId session : *sessions) {
         if (auto done = overwriteRecording(connection, byWhom, session, seals); !done) {
@@ -117,16 +109,12 @@ core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWh
 // to the code.
 core::Result<void> overwriteParticipations(Connection& connection, const Actor& byWhom, const Erasure& erasure) {
     const auto participants = participantsOf(connection, erasure.person);
-    if (!participants) {
-        return tl::unexpected(participants.error());
-    }
+    CHIRON_TRY(participants);
     for (const std::int64_t participant : *participants) {
         Erasure each = erasure;
         each.digestsJson.clear();
         const auto done = overwriteParticipant(connection, byWhom, participant, std::move(each));
-        if (!done) {
-            return tl::unexpected(done.error());
-        }
+        CHIRON_TRY(done);
     }
     return {};
 }
@@ -134,9 +122,7 @@ core::Result<void> overwriteParticipations(Connection& connection, const Actor& 
 core::Result<void> storeTombstone(Connection& connection, const Erasure& erasure) {
     const auto known =
         selectInteger(connection, "SELECT 1 FROM erasure WHERE person_id = ?", {erasure.person});
-    if (!known) {
-        return tl::unexpected(known.error());
-    }
+    CHIRON_TRY(known);
     const std::vector<Column> key{{"person_id", erasure.person}};
     std::vector<Column> rest{{"utc", erasure.utc},
                              {"reason", erasure.reason},
@@ -163,9 +149,7 @@ core::Result<void> overwriteRecording(Connection& connection, const Actor& byWho
     }
     const auto row =
         updateRow(connection, "session", {{"id", session}}, {{"recording_erased", std::int64_t{1}}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     digestsJson += (digestsJson.empty() ? "\"" : ",\"") + std::to_string(session) + "\":\"" + seal->value_or("") + "\"";
     return appendAudit(connection, byWhom, {"eraseRecording", "session", session, *row, "{}"});
 }
@@ -190,9 +174,7 @@ core::Result<std::vector<Erasure>> storedErasures(Connection& connection) {
                             "SELECT e.person_id, p.created_utc, e.utc, e.reason, e.administrator_id, "
                             "e.recordings_withdrawn, e.digests_json "
                             "FROM erasure e LEFT JOIN person p ON p.id = e.person_id ORDER BY e.person_id");
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<Erasure> erasures;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -200,9 +182,7 @@ core::Result<std::vector<Erasure>> storedErasures(Connection& connection) {
                             query->integer(4), query->integer(5) != 0, query->text(6)});
     }
     const auto participants = row ? storedParticipantErasures(connection) : tl::unexpected(row.error());
-    if (!participants) {
-        return tl::unexpected(participants.error());
-    }
+    CHIRON_TRY(participants);
     erasures.insert(erasures.end(), participants->begin(), participants->end());
     return erasures;
 }

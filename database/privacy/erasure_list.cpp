@@ -85,9 +85,7 @@ core::Result<void> saveErasureList(const std::string& name, const std::vector<Er
 
 core::Result<void> writeErasureList(const std::string& siteFolder, const Erasure& erasure) {
     auto erasures = readErasureList(erasureListFile(siteFolder));
-    if (!erasures) {
-        return tl::unexpected(erasures.error());
-    }
+    CHIRON_TRY(erasures);
     putErasure(*erasures, erasure);
     return saveErasureList(erasureListFile(siteFolder), *erasures);
 }

@@ -10,9 +10,7 @@ namespace {
 
 core::Result<std::vector<std::int64_t>> idsOf(Connection& connection, const std::string& sql, std::int64_t number) {
     auto query = Query::run(connection, sql, {number});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<std::int64_t> ids;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -61,9 +59,7 @@ core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWh
                                 "SELECT t.session_id FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id "
                                 "WHERE r.participant_id = ? ORDER BY t.session_id",
                                 participant);
-    if (!sessions) {
-        return tl::unexpected(sessions.error());
-    }
+    CHIRON_TRY(sessions);
     std::string seals;
     for (const SessionId session : *sessions) {
         if (auto done = overwriteRecording(connection, byWhom, session, seals); !done) {
@@ -77,9 +73,7 @@ core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWh
 core::Result<void> storeTombstone(Connection& connection, const Actor& byWhom, std::int64_t participant,
                                   const Erasure& erasure) {
     const auto known = selectInteger(connection, "SELECT 1 FROM participant_erasure WHERE id = ?", {participant});
-    if (!known) {
-        return tl::unexpected(known.error());
-    }
+    CHIRON_TRY(known);
     std::vector<Column> rest{{"utc", erasure.utc},
                              {"reason", erasure.reason},
                              {"administrator_id", erasure.administrator},
@@ -114,9 +108,7 @@ core::Result<Erasure> overwriteParticipant(Connection& connection, const Actor& 
     auto query = Query::run(connection, "SELECT code, simulated, erase_recordings FROM study_participant WHERE id = ?",
                             {participant});
     const auto row = query ? query->next() : tl::unexpected(query.error());
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     if (!*row || query->integer(1) != 0) {
         return *row ? core::fail(core::ErrorCode::wrongUse, "a simulated participant is nobody who could be erased")
                     : core::fail(core::ErrorCode::notFound, "there is no participant " + std::to_string(participant));
@@ -146,9 +138,7 @@ core::Result<std::vector<Erasure>> storedParticipantErasures(Connection& connect
     auto query = Query::run(connection, "SELECT p.code, e.utc, e.reason, e.administrator_id, e.recordings_withdrawn, "
                                         "e.digests_json FROM participant_erasure e JOIN study_participant p ON p.id = e.id "
                                         "ORDER BY e.id");
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<Erasure> erasures;
     auto row = query->next();
     for (; row && *row; row = query->next()) {

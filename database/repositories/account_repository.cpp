@@ -34,9 +34,7 @@ core::Result<void> writeAllowed(Connection& connection, const Actor& actor, Acti
 core::Result<void> exists(Connection& connection, PersonId id) {
     const auto found =
         selectInteger(connection, "SELECT 1 FROM person WHERE id = ? AND kind = 'person'", {id});
-    if (!found) {
-        return tl::unexpected(found.error());
-    }
+    CHIRON_TRY(found);
     return *found ? core::Result<void>()
                   : core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
 }
@@ -45,13 +43,9 @@ core::Result<void> exists(Connection& connection, PersonId id) {
 
 core::Result<PersonId> AccountRepository::createFirstAdministrator(const NewPerson& person,
                                                                    const std::string& recoveryCodeHash) {
-    if (auto allowed = writeAllowed(m_connection, m_actor, Action::createFirstAdministrator); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(writeAllowed(m_connection, m_actor, Action::createFirstAdministrator));
     const auto any = anybody();
-    if (!any) {
-        return tl::unexpected(any.error());
-    }
+    CHIRON_TRY(any);
     if (*any) {
         return core::fail(core::ErrorCode::wrongUse,
                           "this database has people already; an administrator adds more");
@@ -68,55 +62,39 @@ core::Result<PersonId> AccountRepository::createFirstAdministrator(const NewPers
 }
 
 core::Result<PersonId> AccountRepository::createPerson(const NewPerson& person) {
-    if (auto allowed = writeAllowed(m_connection, m_actor, Action::createPerson); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(writeAllowed(m_connection, m_actor, Action::createPerson));
     return insertPerson(person);
 }
 
 core::Result<std::vector<PersonId>> AccountRepository::importPeople(const std::vector<NewPerson>& people,
                                                                     const std::vector<PersonChange>& changes) {
-    if (auto allowed = writeAllowed(m_connection, m_actor, Action::importPeople); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(writeAllowed(m_connection, m_actor, Action::importPeople));
     std::vector<PersonId> ids;
     for (const NewPerson& person : people) {
         const auto id = insertPerson(person);
-        if (!id) {
-            return tl::unexpected(id.error()); // the job's transaction also undoes the previous ones
-        }
+        CHIRON_TRY(id); // the job's transaction also undoes the previous ones
         ids.push_back(*id);
     }
     for (const PersonChange& change : changes) {
         const auto before = selectText(m_connection, "SELECT roles FROM person WHERE id = ?", {change.id});
-        if (!before) {
-            return tl::unexpected(before.error());
-        }
+        CHIRON_TRY(before);
         auto done = storeNames("importNames", change.id, std::nullopt, change.displayName);
         done = done && before->value_or("") != change.roles.list() ? storeRoles(change.id, change.roles) : done;
-        if (!done) {
-            return tl::unexpected(done.error());
-        }
+        CHIRON_TRY(done);
     }
     auto kept = changes.empty() ? core::Result<void>() : keepsAnAdministrator();
     return kept ? core::Result<std::vector<PersonId>>(std::move(ids)) : tl::unexpected(kept.error());
 }
 
 core::Result<PersonId> AccountRepository::insertPerson(const NewPerson& person) {
-    if (auto good = checkNames(person.name, person.displayName); !good) {
-        return tl::unexpected(good.error());
-    }
+    CHIRON_TRY(checkNames(person.name, person.displayName));
     if (person.roles.empty() || person.passwordHash.empty()) {
         return core::fail(core::ErrorCode::badInput,
                           person.name + ": at least one role and a password are needed");
     }
-    if (auto free = nameIsFree(person.name, 0); !free) {
-        return tl::unexpected(free.error());
-    }
+    CHIRON_TRY(nameIsFree(person.name, 0));
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM person");
-    if (!last) {
-        return tl::unexpected(last.error());
-    }
+    CHIRON_TRY(last);
     const PersonId id = last->value_or(0) + 1;
     const auto row = insertRow(m_connection, "person",
                                {{"id", id},
@@ -127,9 +105,7 @@ core::Result<PersonId> AccountRepository::insertPerson(const NewPerson& person) 
                                 {"roles", person.roles.list()},
                                 {"enabled", std::int64_t{1}},
                                 {"created_utc", core::utcNowIso8601()}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     const auto code = insertRow(m_connection, "person_code", {{"person_id", id}, {"code", newPersonCode()}});
     const auto credential = insertRow(m_connection, "credential",
                                       {{"person_id", id},
@@ -156,9 +132,7 @@ core::Result<void> AccountRepository::setEnabled(PersonId id, bool enabled) {
         return found;
     }
     const auto row = updateRow(m_connection, "person", {{"id", id}}, {{"enabled", std::int64_t{enabled}}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     if (auto kept = keepsAnAdministrator(); !kept) {
         return kept;
     }
@@ -184,9 +158,7 @@ core::Result<void> AccountRepository::storeRoles(PersonId id, const RoleSet& rol
                           "at least one role is needed (disable the account instead)");
     }
     const auto row = updateRow(m_connection, "person", {{"id", id}}, {{"roles", roles.list()}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     return appendAudit(m_connection, m_actor,
                        {"setRoles", "person", id, *row, "{\"roles\":\"" + roles.list() + "\"}"});
 }
@@ -195,9 +167,7 @@ core::Result<void> AccountRepository::keepsAnAdministrator() {
     const auto left =
         selectInteger(m_connection, "SELECT count(*) FROM person WHERE kind = 'person' AND enabled = 1 AND "
                                     "instr(',' || roles || ',', ',admin,') > 0");
-    if (!left) {
-        return tl::unexpected(left.error());
-    }
+    CHIRON_TRY(left);
     return left->value_or(0) > 0
                ? core::Result<void>()
                : core::fail(core::ErrorCode::wrongUse,
@@ -231,9 +201,7 @@ core::Result<void> AccountRepository::resetPassword(PersonId id, const std::stri
 }
 
 core::Result<bool> AccountRepository::hasRecoveryCode(PersonId id) {
-    if (auto allowed = authoriseFor(m_connection, m_actor, Action::hasRecoveryCode, id); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(authoriseFor(m_connection, m_actor, Action::hasRecoveryCode, id));
     const auto has = selectInteger(m_connection, "SELECT recovery_hash <> '' FROM credential WHERE person_id = ?", {id});
     return has ? core::Result<bool>(has->value_or(0) != 0) : tl::unexpected(has.error());
 }

@@ -21,13 +21,9 @@ core::Result<StoredCredential> credentialOf(Connection& connection, const std::s
                             "c.wait_until_ns FROM credential c JOIN person p ON p.id = c.person_id "
                             "WHERE p.name_key = ? AND p.kind = 'person'",
                             {nameKey(name)});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     const auto row = query->next();
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     StoredCredential found;
     if (*row) {
         found.attempt = {query->integer(0), query->text(recovery ? 2 : 1)};
@@ -39,24 +35,18 @@ core::Result<StoredCredential> credentialOf(Connection& connection, const std::s
 } // namespace
 
 core::Result<LoginAttempt> AccountRepository::beginLogin(const std::string& name) {
-    if (const auto scope = authorise(m_connection, m_actor, Action::beginLogin); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::beginLogin));
     return beginAttempt(name, false);
 }
 
 core::Result<LoginAttempt> AccountRepository::beginRecovery(const std::string& name) {
-    if (const auto scope = authorise(m_connection, m_actor, Action::beginRecovery); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::beginRecovery));
     return beginAttempt(name, true);
 }
 
 core::Result<LoginAttempt> AccountRepository::beginAttempt(const std::string& name, bool recovery) {
     auto found = credentialOf(m_connection, name, recovery);
-    if (!found) {
-        return tl::unexpected(found.error());
-    }
+    CHIRON_TRY(found);
     if (found->attempt.person == 0 || m_connection.clock() == nullptr) {
         return LoginAttempt{};
     }
@@ -79,9 +69,7 @@ core::Result<LoginAttempt> AccountRepository::beginAttempt(const std::string& na
                                   {{"failures", throttle.failures},
                                    {"wait_boot", throttle.boot},
                                    {"wait_until_ns", throttle.waitUntil_ns}});
-    if (!stored) {
-        return tl::unexpected(stored.error());
-    }
+    CHIRON_TRY(stored);
     found->attempt.waitIfWrong_ns = throttleRemaining_ns(throttle, now);
     // After a restart the wait begins anew, and this must be stored. It is therefore an outcome and not a
     // failure, which would be rolled back.
@@ -89,23 +77,17 @@ core::Result<LoginAttempt> AccountRepository::beginAttempt(const std::string& na
 }
 
 core::Result<Actor> AccountRepository::finishLogin(const LoginAttempt& attempt) {
-    if (const auto scope = authorise(m_connection, m_actor, Action::finishLogin); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::finishLogin));
     auto actor = actorFor(attempt.person);
     if (!actor || !m_connection.isWritable()) {
         return actor;
     }
     const auto failures =
         selectInteger(m_connection, "SELECT failures FROM credential WHERE person_id = ?", {attempt.person});
-    if (!failures) {
-        return tl::unexpected(failures.error());
-    }
+    CHIRON_TRY(failures);
     const auto row = updateRow(m_connection, "credential", {{"person_id", attempt.person}},
                                {{"failures", std::int64_t{0}}, {"wait_until_ns", std::int64_t{0}}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     // The correct attempt was counted too, before it was checked.
     const std::string wrong = std::to_string(std::max<std::int64_t>(failures->value_or(1) - 1, 0));
     auto audited =
@@ -119,13 +101,9 @@ core::Result<Actor> AccountRepository::actorFor(PersonId id) {
                             "SELECT p.name, p.roles, p.enabled, c.must_change FROM person p "
                             "JOIN credential c ON c.person_id = p.id WHERE p.id = ? AND p.kind = 'person'",
                             {id});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     const auto row = query->next();
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     if (!*row || query->integer(2) != 1) {
         return core::fail(core::ErrorCode::notAllowed, "this account is disabled; ask an administrator");
     }
@@ -139,21 +117,15 @@ core::Result<void> AccountRepository::finishRecovery(const LoginAttempt& attempt
     if (auto writer = requireWriter(m_connection); !writer) {
         return writer;
     }
-    if (const auto scope = authorise(m_connection, m_actor, Action::finishRecovery); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::finishRecovery));
     const auto actor = actorFor(attempt.person);
-    if (!actor) {
-        return tl::unexpected(actor.error());
-    }
+    CHIRON_TRY(actor);
     if (auto stored = storePassword(attempt.person, newPasswordHash, false); !stored) {
         return stored;
     }
     const auto row = updateRow(m_connection, "credential", {{"person_id", attempt.person}},
                                {{"recovery_hash", newRecoveryCodeHash}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     return appendAudit(m_connection, *actor, {"recover", "credential", attempt.person, std::nullopt, "{}"});
 }
 

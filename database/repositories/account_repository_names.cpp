@@ -19,9 +19,7 @@ namespace {
 core::Result<void> keepNames(Connection& connection, const Actor& actor, PersonId person, const std::string& name,
                              const std::string& displayName) {
     const auto last = selectInteger(connection, "SELECT max(id) FROM person_name");
-    if (!last) {
-        return tl::unexpected(last.error());
-    }
+    CHIRON_TRY(last);
     const QJsonObject names{{"display_name", QString::fromStdString(displayName)},
                             {"name", QString::fromStdString(name)},
                             {"nonce", QString::fromStdString(randomNonce())}};
@@ -43,9 +41,7 @@ core::Result<void> keepNames(Connection& connection, const Actor& actor, PersonI
 core::Result<void> AccountRepository::nameIsFree(const std::string& name, PersonId otherThan) {
     const auto taken = selectInteger(m_connection, "SELECT id FROM person WHERE name_key = ? AND id <> ?",
                                      {nameKey(name), otherThan});
-    if (!taken) {
-        return tl::unexpected(taken.error());
-    }
+    CHIRON_TRY(taken);
     return *taken ? core::fail(core::ErrorCode::badInput,
                                "the name \"" + name + "\" is taken (names differ by more than case)")
                   : core::Result<void>();
@@ -56,9 +52,7 @@ core::Result<void> AccountRepository::changeNames(PersonId id, const std::string
     if (auto writer = requireWriter(m_connection); !writer) {
         return writer;
     }
-    if (const auto scope = authorise(m_connection, m_actor, Action::changeNames); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::changeNames));
     return storeNames("changeNames", id, name, displayName);
 }
 
@@ -99,16 +93,12 @@ core::Result<void> AccountRepository::storeNames(const char* action, PersonId id
 }
 
 core::Result<std::vector<EarlierName>> AccountRepository::earlierNames(PersonId id) {
-    if (auto allowed = authoriseFor(m_connection, m_actor, Action::earlierNames, id); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(authoriseFor(m_connection, m_actor, Action::earlierNames, id));
     auto query = Query::run(m_connection,
                             "SELECT id, names_json, until_utc, changed_by FROM person_name WHERE person_id = ? "
                             "AND names_json <> '' ORDER BY id DESC",
                             {id});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<EarlierName> names;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -120,14 +110,10 @@ core::Result<std::vector<EarlierName>> AccountRepository::earlierNames(PersonId 
 }
 
 core::Result<std::vector<EarlierLogin>> AccountRepository::listEarlierLogins() {
-    if (const auto scope = authorise(m_connection, m_actor, Action::listEarlierLogins); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::listEarlierLogins));
     auto query = Query::run(m_connection, "SELECT n.person_id, n.names_json FROM person_name n JOIN person p ON p.id = n.person_id "
                                           "WHERE n.names_json <> '' AND p.kind = 'person' ORDER BY n.id DESC");
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<EarlierLogin> logins;
     auto row = query->next();
     for (; row && *row; row = query->next()) {

@@ -27,9 +27,7 @@ Person personOf(const Query& row) {
 } // namespace
 
 core::Result<bool> AccountRepository::hasPeople() {
-    if (const auto scope = authorise(m_connection, m_actor, Action::hasPeople); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::hasPeople));
     return anybody();
 }
 
@@ -39,14 +37,10 @@ core::Result<bool> AccountRepository::anybody() {
 }
 
 core::Result<std::vector<LoginName>> AccountRepository::listLoginNames() {
-    if (const auto scope = authorise(m_connection, m_actor, Action::listLoginNames); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::listLoginNames));
     auto query = Query::run(m_connection, "SELECT id, name, display_name FROM person "
                                           "WHERE kind = 'person' AND enabled = 1 ORDER BY name_key");
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<LoginName> names;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -56,13 +50,9 @@ core::Result<std::vector<LoginName>> AccountRepository::listLoginNames() {
 }
 
 core::Result<std::vector<Person>> AccountRepository::listPeople() {
-    if (const auto scope = authorise(m_connection, m_actor, Action::listPeople); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::listPeople));
     auto query = Query::run(m_connection, std::string(kPersonColumns) + " ORDER BY p.name_key");
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<Person> people;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -72,35 +62,23 @@ core::Result<std::vector<Person>> AccountRepository::listPeople() {
 }
 
 core::Result<Person> AccountRepository::person(PersonId id) {
-    if (auto allowed = authoriseFor(m_connection, m_actor, Action::person, id); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(authoriseFor(m_connection, m_actor, Action::person, id));
     auto query = Query::run(m_connection, std::string(kPersonColumns) + " AND p.id = ?", {id});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     const auto row = query->next();
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     return *row ? core::Result<Person>(personOf(*query))
                 : core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
 }
 
 core::Result<Person> AccountRepository::personByName(const std::string& name) {
     const auto scope = authorise(m_connection, m_actor, Action::personByName);
-    if (!scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(scope);
     auto query =
         Query::run(m_connection, std::string(kPersonColumns) + " AND p.name_key = ?", {nameKey(name)});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     const auto row = query->next();
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     if (*row && (*scope == Scope::all || query->integer(0) == m_actor.personId())) {
         return personOf(*query);
     }

@@ -7,17 +7,13 @@
 namespace chiron::database {
 
 core::Result<std::vector<AuditEntry>> AuditRepository::listAudit(int limit) {
-    if (const auto scope = authorise(m_connection, m_actor, Action::listAudit); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::listAudit));
     auto query = Query::run(
         m_connection,
         "SELECT sequence, utc, actor_kind, actor_id, action, target, target_id, detail_json FROM audit "
         "ORDER BY sequence DESC LIMIT ?",
         {std::int64_t{limit > 0 ? limit : -1}});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<AuditEntry> entries;
     auto row = query->next();
     for (; row && *row; row = query->next()) {

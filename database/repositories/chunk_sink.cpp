@@ -59,9 +59,7 @@ private:
                                                              ": expected " + std::to_string(m_next));
         }
         const auto last = selectInteger(m_connection, "SELECT max(id) FROM chunk");
-        if (!last) {
-            return tl::unexpected(last.error());
-        }
+        CHIRON_TRY(last);
         const auto row = insertRow(m_connection, "chunk",
                                    {{"id", last->value_or(0) + 1},
                                     {"session_id", m_session},
@@ -72,9 +70,7 @@ private:
                                     {"payload_hash", toBlob(bytesDigest(chunk.payload))},
                                     {"payload_digest", blobOf(chunk.payloadDigest)},
                                     {"force_hash", blobOf(chunk.forceHash)}});
-        if (!row) {
-            return tl::unexpected(row.error());
-        }
+        CHIRON_TRY(row);
         ++m_next;
         return {};
     }
@@ -91,9 +87,7 @@ private:
         const auto known = selectInteger(
             m_connection, "SELECT 1 FROM second_summary WHERE session_id = ? AND second = ? AND tool = ?",
             {m_session, std::int64_t{s.second}, std::int64_t{s.tool}});
-        if (!known) {
-            return tl::unexpected(known.error());
-        }
+        CHIRON_TRY(known);
         if (!*known) {
             rest.insert(rest.begin(), key.begin(), key.end());
         }
@@ -112,9 +106,7 @@ private:
 core::Result<std::unique_ptr<recording::TrialSink>> makeChunkSink(Connection& connection, SessionId session) {
     const auto last =
         selectInteger(connection, "SELECT max(sequence) FROM chunk WHERE session_id = ?", {session});
-    if (!last) {
-        return tl::unexpected(last.error());
-    }
+    CHIRON_TRY(last);
     return std::make_unique<ChunkSink>(connection, session, last->value_or(-1) + 1);
 }
 

@@ -61,9 +61,7 @@ core::Result<PersonParticipation> participation(Connection& connection, Particip
             run.sealedCode.clear();
         }
         auto trials = handedOut ? studyTrialRows(connection, run.id) : shownTrials(connection, run.id);
-        if (!trials) {
-            return tl::unexpected(trials.error());
-        }
+        CHIRON_TRY(trials);
         held.trials.insert(held.trials.end(), trials->begin(), trials->end());
     }
     const auto added = addStudy(connection, held);
@@ -74,24 +72,18 @@ core::Result<PersonParticipation> participation(Connection& connection, Particip
 
 core::Result<std::vector<PersonParticipation>> participationsOf(Connection& connection, PersonId person, bool own) {
     const auto ids = participantsOf(connection, person);
-    if (!ids) {
-        return tl::unexpected(ids.error());
-    }
+    CHIRON_TRY(ids);
     std::vector<PersonParticipation> all;
     for (const ParticipantNumber id : *ids) {
         auto one = participation(connection, id, own);
-        if (!one) {
-            return tl::unexpected(one.error());
-        }
+        CHIRON_TRY(one);
         all.push_back(*std::move(one));
     }
     return all;
 }
 
 core::Result<Erasure> PrivacyRepository::eraseParticipant(ParticipantNumber participant, const std::string& reason) {
-    if (auto writer = requireWriter(m_connection); !writer) {
-        return tl::unexpected(writer.error());
-    }
+    CHIRON_TRY(requireWriter(m_connection));
     if (auto allowed = authoriseForStudy(m_connection, m_actor, Action::eraseParticipant, StudyPart::participant, participant);
         !allowed) {
         return tl::unexpected(allowed.error());

@@ -17,9 +17,7 @@ namespace {
 
 core::Result<PersonSession> sealedSession(Connection& connection, const Actor& actor, const SessionSummary& summary) {
     auto comments = SessionReader(connection, actor).comments(summary.id);
-    if (!comments) {
-        return tl::unexpected(comments.error());
-    }
+    CHIRON_TRY(comments);
     PersonSession session;
     session.record.summary = summary;
     session.comments = *std::move(comments);
@@ -61,9 +59,7 @@ core::Result<std::vector<SessionComment>> commentsBy(Connection& connection, Per
         connection,
         "SELECT id, author_id, utc, text, tick FROM session_comment WHERE author_id = ? ORDER BY id",
         {author});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<SessionComment> comments;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -79,9 +75,7 @@ core::Result<std::vector<AuditEntry>> auditOf(Connection& connection, PersonId p
         "WHERE (actor_id = ? AND actor_kind = 'person') OR (target IN ('person', 'credential') AND "
         "target_id = ?) ORDER BY sequence",
         {person, person});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<AuditEntry> entries;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -95,9 +89,7 @@ core::Result<std::vector<AuditEntry>> auditOf(Connection& connection, PersonId p
 /// because their duration distinguishes the conditions.
 core::Result<void> withholdEnds(Connection& connection, const Actor& actor, std::vector<AuditEntry>& entries) {
     const auto sealed = sealedSittings(connection, actor);
-    if (!sealed) {
-        return tl::unexpected(sealed.error());
-    }
+    CHIRON_TRY(sealed);
     for (AuditEntry& entry : entries) {
         bool closed = entry.target == "session" && sealed->contains(entry.targetId);
         if (entry.target == "study_run") {
@@ -117,9 +109,7 @@ core::Result<void> withholdEnds(Connection& connection, const Actor& actor, std:
 
 core::Result<Erasure> tombstoneOf(Connection& connection, PersonId person) {
     auto stored = storedErasures(connection);
-    if (!stored) {
-        return tl::unexpected(stored.error());
-    }
+    CHIRON_TRY(stored);
     for (const Erasure& erasure : *stored) {
         if (erasure.person == person) {
             return erasure;
@@ -132,9 +122,7 @@ core::Result<Erasure> tombstoneOf(Connection& connection, PersonId person) {
 } // namespace
 
 core::Result<PersonExport> PrivacyRepository::exportPerson(PersonId id) {
-    if (auto allowed = authoriseFor(m_connection, m_actor, Action::exportPerson, id); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(authoriseFor(m_connection, m_actor, Action::exportPerson, id));
     PersonExport held;
     auto person = AccountRepository(m_connection, m_actor).person(id);
     auto earlier = AccountRepository(m_connection, m_actor).earlierNames(id);
@@ -158,37 +146,27 @@ core::Result<PersonExport> PrivacyRepository::exportPerson(PersonId id) {
     held.earlierNames = *std::move(earlier);
     held.commentsWritten = *std::move(comments);
     held.audit = *std::move(audit);
-    if (auto withheld = withholdEnds(m_connection, m_actor, held.audit); !withheld) {
-        return tl::unexpected(withheld.error());
-    }
+    CHIRON_TRY(withholdEnds(m_connection, m_actor, held.audit));
     if (const auto row = credential->next(); row && *row) {
         held.hasPassword = credential->integer(0) != 0;
         held.failedLogins = static_cast<int>(credential->integer(1));
     }
     for (const SessionSummary& summary : *sessions) {
         auto session = sessionOf(m_connection, m_actor, summary);
-        if (!session) {
-            return tl::unexpected(session.error());
-        }
+        CHIRON_TRY(session);
         held.sessions.push_back(*std::move(session));
     }
     auto participations = participationsOf(m_connection, id, m_actor.kind() == ActorKind::person && m_actor.personId() == id && !m_actor.roles().contains(Role::researcher) &&
                                                                    !m_actor.roles().contains(Role::admin));
-    if (!participations) {
-        return tl::unexpected(participations.error());
-    }
+    CHIRON_TRY(participations);
     held.participations = *std::move(participations);
     return held;
 }
 
 core::Result<Erasure> PrivacyRepository::erasePerson(PersonId person, const std::string& reason,
                                                      bool withdrawRecordings) {
-    if (auto writer = requireWriter(m_connection); !writer) {
-        return tl::unexpected(writer.error());
-    }
-    if (const auto scope = authorise(m_connection, m_actor, Action::erasePerson); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(requireWriter(m_connection));
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::erasePerson));
     if (auto good = checkText("reason", reason, 1000); !good || reason.empty()) {
         return good ? core::fail(core::ErrorCode::badInput, "reason: expected a text")
                     : tl::unexpected(good.error());
@@ -220,9 +198,7 @@ core::Result<Erasure> PrivacyRepository::erasePerson(PersonId person, const std:
 }
 
 core::Result<std::vector<Erasure>> PrivacyRepository::listErasures() {
-    if (const auto scope = authorise(m_connection, m_actor, Action::listErasures); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::listErasures));
     return storedErasures(m_connection);
 }
 

@@ -48,9 +48,7 @@ core::Result<void> storeGroup(Connection& connection, std::int64_t set, int tria
                        {"value", metric.value ? Value(*metric.value) : Value()},
                        {"reason", metric.reason},
                        {"passed", metric.passed ? Value(std::int64_t{*metric.passed}) : Value()}});
-        if (!row) {
-            return tl::unexpected(row.error());
-        }
+        CHIRON_TRY(row);
     }
     return {};
 }
@@ -100,9 +98,7 @@ core::Result<Query> storedSet(Connection& connection, const Actor& actor, Sessio
         "ORDER BY ordinal DESC LIMIT 1",
         {session, std::int64_t{wanted.value_or(1)}, std::int64_t{wanted.value_or(1'000'000)}});
     const auto found = set ? set->next() : tl::unexpected(set.error());
-    if (!found) {
-        return tl::unexpected(found.error());
-    }
+    CHIRON_TRY(found);
     if (!*found) {
         return core::fail(core::ErrorCode::notFound, "session " + std::to_string(session) + " has no scores");
     }
@@ -112,16 +108,10 @@ core::Result<Query> storedSet(Connection& connection, const Actor& actor, Sessio
 } // namespace
 
 core::Result<int> ScoreRepository::storeScores(SessionId session, const scoring::ScoreCard& card) {
-    if (auto writer = requireWriter(m_connection); !writer) {
-        return tl::unexpected(writer.error());
-    }
-    if (auto allowed = authoriseForSession(m_connection, m_actor, Action::storeScores, session); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(requireWriter(m_connection));
+    CHIRON_TRY(authoriseForSession(m_connection, m_actor, Action::storeScores, session));
     const auto set = nextSet(m_connection, session);
-    if (!set) {
-        return tl::unexpected(set.error());
-    }
+    CHIRON_TRY(set);
     // Scores refer to their set, whose seal covers them. The reference is therefore checked only when the
     // transaction commits.
     auto done = m_connection.execute("PRAGMA defer_foreign_keys=ON;");
@@ -132,9 +122,7 @@ core::Result<int> ScoreRepository::storeScores(SessionId session, const scoring:
         count += card.trials[i].size();
     }
     const auto seal = done ? database::scoreSeal(m_connection, set->id) : tl::unexpected(done.error());
-    if (!seal) {
-        return tl::unexpected(seal.error());
-    }
+    CHIRON_TRY(seal);
     const auto row = insertRow(m_connection, "score_set",
                                {{"id", set->id},
                                 {"session_id", session},
@@ -144,9 +132,7 @@ core::Result<int> ScoreRepository::storeScores(SessionId session, const scoring:
                                 {"trials", static_cast<std::int64_t>(card.trials.size())},
                                 {"scores", static_cast<std::int64_t>(count)},
                                 {"seal", toBlob(*seal)}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     auto audited = appendAudit(
         m_connection, m_actor,
         {"storeScores", "score_set", set->id, *row, "{\"session\":" + std::to_string(session) + "}"});
@@ -154,13 +140,9 @@ core::Result<int> ScoreRepository::storeScores(SessionId session, const scoring:
 }
 
 core::Result<scoring::ScoreCard> ScoreRepository::scores(SessionId session, std::optional<int> wanted) {
-    if (auto allowed = authoriseForSession(m_connection, m_actor, Action::scores, session); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(authoriseForSession(m_connection, m_actor, Action::scores, session));
     auto set = storedSet(m_connection, m_actor, session, wanted);
-    if (!set) {
-        return tl::unexpected(set.error());
-    }
+    CHIRON_TRY(set);
     scoring::ScoreCard card;
     card.passed = set->integer(1) != 0;
     card.trials.resize(static_cast<std::size_t>(set->integer(2)));
@@ -168,9 +150,7 @@ core::Result<scoring::ScoreCard> ScoreRepository::scores(SessionId session, std:
                             "SELECT trial, metric, version, unit, value, reason, passed FROM score "
                             "WHERE score_set_id = ? ORDER BY trial, ordinal",
                             {set->integer(0)});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     auto row = query->next();
     for (; row && *row; row = query->next()) {
         const std::int64_t trial = query->integer(0);
@@ -184,13 +164,9 @@ core::Result<scoring::ScoreCard> ScoreRepository::scores(SessionId session, std:
 }
 
 core::Result<RowDigest> ScoreRepository::scoreSeal(SessionId session, std::optional<int> wanted) {
-    if (auto allowed = authoriseForSession(m_connection, m_actor, Action::scoreSeal, session); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(authoriseForSession(m_connection, m_actor, Action::scoreSeal, session));
     const auto set = storedSet(m_connection, m_actor, session, wanted);
-    if (!set) {
-        return tl::unexpected(set.error());
-    }
+    CHIRON_TRY(set);
     const auto seal = set->blob(3);
     RowDigest digest{};
     if (seal.size() != digest.size()) {

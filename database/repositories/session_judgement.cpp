@@ -20,9 +20,7 @@ constexpr int kMaximumFreeText = 10000;
 core::Result<void> checkMoment(Connection& connection, SessionId session, std::uint64_t tick) {
     const auto ticks =
         selectInteger(connection, "SELECT ticks FROM session WHERE id = ? AND state <> 'running'", {session});
-    if (!ticks) {
-        return tl::unexpected(ticks.error());
-    }
+    CHIRON_TRY(ticks);
     const auto longest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
     const bool inside = tick <= (*ticks ? static_cast<std::uint64_t>(**ticks) : longest);
     return inside ? core::Result<void>()
@@ -43,9 +41,7 @@ core::Result<void> mayWriteSession(Connection& connection, const Actor& actor, A
 
 core::Result<SessionState> sessionState(Connection& connection, SessionId session) {
     const auto word = selectText(connection, "SELECT state FROM session WHERE id = ?", {session});
-    if (!word) {
-        return tl::unexpected(word.error());
-    }
+    CHIRON_TRY(word);
     const auto state = sessionStateFromToken(word->value_or(""));
     return state ? core::Result<SessionState>(*state)
                  : core::fail(core::ErrorCode::storage,
@@ -86,9 +82,7 @@ core::Result<std::vector<Column>> presentVoiding(Connection& connection, Session
 
 core::Result<void> storeDecision(Connection& connection, const Actor& actor, SessionId session, std::vector<Column> decision) {
     const auto last = selectInteger(connection, "SELECT max(id) FROM session_decision");
-    if (!last) {
-        return tl::unexpected(last.error());
-    }
+    CHIRON_TRY(last);
     const std::int64_t id = last->value_or(0) + 1;
     decision.push_back({"id", id});
     decision.push_back({"session_id", session});
@@ -101,9 +95,7 @@ core::Result<void> storeDecision(Connection& connection, const Actor& actor, Ses
 
 core::Result<void> SessionRepository::voidSession(SessionId session, const std::string& reason) {
     const auto state = stateToJudge(m_connection, m_actor, Action::voidSession, session, reason);
-    if (!state) {
-        return tl::unexpected(state.error());
-    }
+    CHIRON_TRY(state);
     if (*state == SessionState::running || *state == SessionState::voided) {
         return core::fail(core::ErrorCode::wrongUse,
                           "session " + std::to_string(session) + " is " + std::string(token(*state)));
@@ -114,17 +106,13 @@ core::Result<void> SessionRepository::voidSession(SessionId session, const std::
                                 {"void_reason", reason},
                                 {"void_reason_hash", toBlob(textDigest(reason))},
                                 {"voided_by", m_actor.personId()}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     return appendAudit(m_connection, m_actor, {"voidSession", "session", session, *row, "{}"});
 }
 
 core::Result<void> SessionRepository::reinstateSession(SessionId session, const std::string& reason) {
     const auto state = stateToJudge(m_connection, m_actor, Action::reinstateSession, session, reason);
-    if (!state) {
-        return tl::unexpected(state.error());
-    }
+    CHIRON_TRY(state);
     if (*state != SessionState::voided) {
         return core::fail(core::ErrorCode::wrongUse,
                           "session " + std::to_string(session) + " is " + std::string(token(*state)) + ", not voided");
@@ -151,9 +139,7 @@ core::Result<void> SessionRepository::reinstateSession(SessionId session, const 
                                 {"void_reason", std::string()},
                                 {"void_reason_hash", Value()},
                                 {"voided_by", Value()}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     return appendAudit(m_connection, m_actor, {"reinstateSession", "session", session, *row, "{}"});
 }
 
@@ -163,29 +149,21 @@ core::Result<void> SessionRepository::setArchived(SessionId session, bool archiv
     }
     const auto row =
         updateRow(m_connection, "session", {{"id", session}}, {{"archived", std::int64_t{archived}}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     return appendAudit(m_connection, m_actor,
                        {archived ? "archive" : "unarchive", "session", session, *row, "{}"});
 }
 
 core::Result<std::int64_t> SessionRepository::addComment(SessionId session, const std::string& text,
                                                          std::optional<std::uint64_t> tick) {
-    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::addComment, session); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(mayWriteSession(m_connection, m_actor, Action::addComment, session));
     if (auto good = checkText("comment", text, kMaximumFreeText); !good || text.empty()) {
         return good ? core::fail(core::ErrorCode::badInput, "comment: expected a text")
                     : tl::unexpected(good.error());
     }
-    if (auto good = tick ? checkMoment(m_connection, session, *tick) : core::Result<void>(); !good) {
-        return tl::unexpected(good.error());
-    }
+    CHIRON_TRY(tick ? checkMoment(m_connection, session, *tick) : core::Result<void>());
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM session_comment");
-    if (!last) {
-        return tl::unexpected(last.error());
-    }
+    CHIRON_TRY(last);
     const std::int64_t id = last->value_or(0) + 1;
     const auto row = insertRow(m_connection, "session_comment",
                                {{"id", id},
@@ -195,9 +173,7 @@ core::Result<std::int64_t> SessionRepository::addComment(SessionId session, cons
                                 {"text", text},
                                 {"text_hash", toBlob(textDigest(text))},
                                 {"tick", tick ? Value(static_cast<std::int64_t>(*tick)) : Value()}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     auto audited = appendAudit(m_connection, m_actor, {"addComment", "session_comment", id, *row, "{}"});
     return audited ? core::Result<std::int64_t>(id) : tl::unexpected(audited.error());
 }

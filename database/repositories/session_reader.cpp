@@ -109,9 +109,7 @@ SessionRecord recordOf(const Query& row, bool names, PersonId self) {
 
 core::Result<std::vector<SessionDecision>> decisionsOn(Connection& connection, SessionId session) {
     auto query = Query::run(connection, "SELECT decision, person_id, utc, reason FROM session_decision WHERE session_id = ? ORDER BY id", {session});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<SessionDecision> decisions;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -187,13 +185,9 @@ core::Result<std::vector<SessionSummary>> SessionReader::summaries(const std::st
                                                                    bool newestFirst) {
     const auto names = mayReadNames(m_connection, m_actor);
     const auto sealed = names ? sealedSittings(m_connection, m_actor) : tl::unexpected(names.error());
-    if (!sealed) {
-        return tl::unexpected(sealed.error());
-    }
+    CHIRON_TRY(sealed);
     auto query = Query::run(m_connection, listSql(where, newestFirst), values);
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<SessionSummary> sessions;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -207,9 +201,7 @@ core::Result<std::vector<SessionSummary>> SessionReader::summaries(const std::st
 
 core::Result<std::vector<SessionSummary>> SessionReader::listSessions(const SessionFilter& filter) {
     const auto scope = authorise(m_connection, m_actor, Action::listSessions);
-    if (!scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(scope);
     Conditions where = conditionsOf(filter, *scope, m_actor);
     where.values().push_back(std::int64_t{filter.limit > 0 ? filter.limit : -1});
     return summaries(where.sql(), where.values(), filter.newestFirst);
@@ -217,9 +209,7 @@ core::Result<std::vector<SessionSummary>> SessionReader::listSessions(const Sess
 
 core::Result<std::vector<CommentedSession>> SessionReader::commentedSessions(const CommentedFilter& which) {
     const auto scope = authorise(m_connection, m_actor, Action::commentedSessions);
-    if (!scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(scope);
     SessionFilter filter;
     filter.includeArchived = true;
     Conditions where = conditionsOf(filter, *scope, m_actor);
@@ -232,15 +222,11 @@ core::Result<std::vector<CommentedSession>> SessionReader::commentedSessions(con
     }
     where.values().push_back(std::int64_t{which.most > 0 ? which.most : -1});
     auto sessions = summaries(where.sql(), where.values(), true);
-    if (!sessions) {
-        return tl::unexpected(sessions.error());
-    }
+    CHIRON_TRY(sessions);
     std::vector<CommentedSession> commented;
     for (SessionSummary& session : *sessions) {
         auto written = comments(session.id);
-        if (!written) {
-            return tl::unexpected(written.error());
-        }
+        CHIRON_TRY(written);
         commented.push_back({std::move(session), std::move(*written)});
     }
     return commented;
@@ -249,16 +235,12 @@ core::Result<std::vector<CommentedSession>> SessionReader::commentedSessions(con
 core::Result<std::vector<SessionRecord>> SessionReader::records(const std::string& where,
                                                                 const std::vector<Value>& values) {
     const auto names = mayReadNames(m_connection, m_actor);
-    if (!names) {
-        return tl::unexpected(names.error());
-    }
+    CHIRON_TRY(names);
     auto query = Query::run(m_connection,
                             "SELECT " + summaryColumns() + kDetailColumns + kSummaryTables +
                                 " JOIN content c ON c.id = s.content_id WHERE " + where + " ORDER BY s.id",
                             values);
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<SessionRecord> records;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -268,15 +250,11 @@ core::Result<std::vector<SessionRecord>> SessionReader::records(const std::strin
 }
 
 core::Result<std::vector<SessionRecord>> SessionReader::listUnfinished() {
-    if (const auto scope = authorise(m_connection, m_actor, Action::listUnfinished); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::listUnfinished));
     auto running = records("s.state = 'running'", {});
     for (std::size_t i = 0; running && i < running->size(); ++i) {
         const auto closed = isSealedSitting(m_connection, m_actor, (*running)[i].summary.id);
-        if (!closed) {
-            return tl::unexpected(closed.error());
-        }
+        CHIRON_TRY(closed);
         if (*closed) {
             withhold((*running)[i].summary);
             (*running)[i].setup.contentJson.clear();
@@ -291,14 +269,10 @@ core::Result<std::vector<SessionRecord>> SessionReader::listUnfinished() {
 core::Result<SessionRecord> SessionReader::session(SessionId id) {
     auto allowed = authoriseForSession(m_connection, m_actor, Action::session, id);
     allowed = allowed ? mayOpenSitting(m_connection, m_actor, id) : allowed;
-    if (!allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(allowed);
     auto found = records("s.id = ?", {id});
     auto decisions = found ? decisionsOn(m_connection, id) : tl::unexpected(found.error());
-    if (!decisions) {
-        return tl::unexpected(decisions.error());
-    }
+    CHIRON_TRY(decisions);
     if (!found->empty()) {
         found->front().decisions = std::move(*decisions);
     }
@@ -310,14 +284,10 @@ core::Result<SessionRecord> SessionReader::session(SessionId id) {
 core::Result<std::unique_ptr<recording::ChunkSource>> SessionReader::openChunks(SessionId id) {
     auto allowed = authoriseForSession(m_connection, m_actor, Action::openChunks, id);
     allowed = allowed ? mayOpenSitting(m_connection, m_actor, id) : allowed;
-    if (!allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(allowed);
     const auto erased =
         selectInteger(m_connection, "SELECT recording_erased FROM session WHERE id = ?", {id});
-    if (!erased) {
-        return tl::unexpected(erased.error());
-    }
+    CHIRON_TRY(erased);
     if (erased->value_or(0) != 0) {
         return core::fail(core::ErrorCode::notFound,
                           "the recording of session " + std::to_string(id) + " was erased");

@@ -16,13 +16,9 @@ core::Result<std::vector<T>> rowsOf(Connection& connection, const Actor& actor, 
     if (action != Action::comments) { // comments may be read in any case
         allowed = allowed ? mayOpenSitting(connection, actor, id) : allowed;
     }
-    if (!allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(allowed);
     auto query = Query::run(connection, sql, {id});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<T> values;
     auto row = query->next();
     for (; row && *row; row = query->next()) {

@@ -18,9 +18,7 @@ namespace {
 
 core::Result<void> mustRun(Connection& connection, SessionId session) {
     const auto state = sessionState(connection, session);
-    if (!state) {
-        return tl::unexpected(state.error());
-    }
+    CHIRON_TRY(state);
     return *state == SessionState::running
                ? core::Result<void>()
                : core::fail(core::ErrorCode::wrongUse, "session " + std::to_string(session) + " has ended (" +
@@ -32,16 +30,12 @@ core::Result<std::int64_t> contentIdFor(Connection& connection, const std::strin
         QCryptographicHash::hash(QByteArray::fromStdString(json), QCryptographicHash::Sha256);
     const Blob sha256(hash.begin(), hash.end());
     const auto known = selectInteger(connection, "SELECT id FROM content WHERE sha256 = ?", {sha256});
-    if (!known) {
-        return tl::unexpected(known.error());
-    }
+    CHIRON_TRY(known);
     if (*known) {
         return **known;
     }
     const auto last = selectInteger(connection, "SELECT max(id) FROM content");
-    if (!last) {
-        return tl::unexpected(last.error());
-    }
+    CHIRON_TRY(last);
     const std::int64_t id = last->value_or(0) + 1;
     const auto row = insertRow(connection, "content", {{"id", id}, {"sha256", sha256}, {"json", json}});
     return row ? core::Result<std::int64_t>(id) : tl::unexpected(row.error());
@@ -109,9 +103,7 @@ core::Result<void> mayRecordFor(Connection& connection, const Actor& actor, std:
         return allowed;
     }
     const auto state = selectText(connection, "SELECT state FROM study_run WHERE id = ?", {run});
-    if (!state) {
-        return tl::unexpected(state.error());
-    }
+    CHIRON_TRY(state);
     return state->value_or("") == "open"
                ? core::Result<void>()
                : core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run) + " has ended: nothing more is recorded for it");
@@ -126,20 +118,14 @@ core::Result<void> storeSitting(Connection& connection, const Actor& actor, Sess
 } // namespace
 
 core::Result<SessionId> SessionRepository::beginSession(const NewSession& setup) {
-    if (auto writer = requireWriter(m_connection); !writer) {
-        return tl::unexpected(writer.error());
-    }
+    CHIRON_TRY(requireWriter(m_connection));
     if (auto allowed = authoriseFor(m_connection, m_actor, Action::beginSession, m_actor.personId());
         !allowed) {
         return tl::unexpected(allowed.error());
     }
-    if (auto good = checkSetup(setup); !good) {
-        return tl::unexpected(good.error());
-    }
+    CHIRON_TRY(checkSetup(setup));
     if (setup.studyRun != 0) {
-        if (auto allowed = mayRecordFor(m_connection, m_actor, setup.studyRun); !allowed) {
-            return tl::unexpected(allowed.error());
-        }
+        CHIRON_TRY(mayRecordFor(m_connection, m_actor, setup.studyRun));
     }
     const auto content = contentIdFor(m_connection, setup.contentJson);
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM session");
@@ -152,9 +138,7 @@ core::Result<SessionId> SessionRepository::beginSession(const NewSession& setup)
     columns.push_back({"person_id", m_actor.personId()});
     columns.push_back({"demonstration", std::int64_t{demonstration->value_or("0") == "1"}});
     const auto row = insertRow(m_connection, "session", std::move(columns));
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     auto audited = appendAudit(m_connection, m_actor, {"beginSession", "session", id, *row, "{}"});
     if (audited && setup.studyRun != 0) {
         audited = storeSitting(m_connection, m_actor, id, setup.studyRun);
@@ -166,12 +150,8 @@ core::Result<std::unique_ptr<recording::TrialSink>> SessionRepository::openSink(
     if (!m_connection.isWritable()) {
         return core::fail(core::ErrorCode::wrongUse, m_connection.file() + ": only the writer records");
     }
-    if (auto allowed = authoriseForSession(m_connection, m_actor, Action::openSink, session); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
-    if (auto running = mustRun(m_connection, session); !running) {
-        return tl::unexpected(running.error());
-    }
+    CHIRON_TRY(authoriseForSession(m_connection, m_actor, Action::openSink, session));
+    CHIRON_TRY(mustRun(m_connection, session));
     return makeChunkSink(m_connection, session);
 }
 
@@ -208,9 +188,7 @@ core::Result<void> SessionRepository::storeEvents(SessionId session, std::span<c
     }
     const auto last =
         selectInteger(m_connection, "SELECT max(ordinal) FROM event WHERE session_id = ?", {session});
-    if (!last) {
-        return tl::unexpected(last.error());
-    }
+    CHIRON_TRY(last);
     std::int64_t ordinal = last->value_or(-1);
     for (const EventRecord& event : events) {
         const auto row = insertRow(m_connection, "event",
@@ -221,9 +199,7 @@ core::Result<void> SessionRepository::storeEvents(SessionId session, std::span<c
                                     {"tool", std::int64_t{event.tool}},
                                     {"kind", event.kind},
                                     {"detail_json", event.detailJson}});
-        if (!row) {
-            return tl::unexpected(row.error());
-        }
+        CHIRON_TRY(row);
     }
     return {};
 }
@@ -258,9 +234,7 @@ core::Result<void> SessionRepository::finishSession(SessionId session, const Ses
                                 {"loop_json", end.loopJson},
                                 {"seal", toBlob(*seal)},
                                 {"ring_file", std::string()}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     return appendAudit(m_connection, m_actor,
                        {"finishSession", "session", session, *row,
                         "{\"seal\":\"" + hex(seal->data(), seal->size()) + "\",\"state\":\"" +

@@ -10,9 +10,7 @@ namespace {
 // groups.
 core::Result<void> appendGroup(Connection& connection, Blob& bytes, const std::string& sql, std::int64_t id) {
     auto query = Query::run(connection, sql, {id});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     Blob digests;
     std::uint64_t count = 0;
     auto row = query->next();
@@ -21,9 +19,7 @@ core::Result<void> appendGroup(Connection& connection, Blob& bytes, const std::s
         digests.insert(digests.end(), digest.begin(), digest.end());
         ++count;
     }
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     for (int shift = 0; shift < 64; shift += 8) {
         bytes.push_back(static_cast<std::uint8_t>(count >> shift));
     }
@@ -39,9 +35,7 @@ core::Result<RowDigest> sessionSeal(Connection& connection, SessionId session) {
                             "SELECT digest FROM trial WHERE session_id = ? ORDER BY ordinal",
                             "SELECT digest FROM event WHERE session_id = ? ORDER BY ordinal",
                             "SELECT digest FROM second_summary WHERE session_id = ? ORDER BY second, tool"}) {
-        if (auto added = appendGroup(connection, bytes, sql, session); !added) {
-            return tl::unexpected(added.error());
-        }
+        CHIRON_TRY(appendGroup(connection, bytes, sql, session));
     }
     return bytesDigest(bytes);
 }
@@ -51,9 +45,7 @@ core::Result<RowDigest> scoreSeal(Connection& connection, std::int64_t scoreSetI
     auto added =
         appendGroup(connection, bytes,
                     "SELECT digest FROM score WHERE score_set_id = ? ORDER BY trial, ordinal", scoreSetId);
-    if (!added) {
-        return tl::unexpected(added.error());
-    }
+    CHIRON_TRY(added);
     return bytesDigest(bytes);
 }
 

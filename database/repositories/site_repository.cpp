@@ -26,37 +26,25 @@ core::Result<std::string> checkedSiteName(const std::string& name) {
         return core::fail(core::ErrorCode::badInput, "site name: expected one line without control characters");
     }
     const std::string stored = trimmed.toStdString();
-    if (auto good = checkText("site name", stored, kMaximumSiteNameCharacters); !good) {
-        return tl::unexpected(good.error());
-    }
+    CHIRON_TRY(checkText("site name", stored, kMaximumSiteNameCharacters));
     return stored;
 }
 
 core::Result<std::string> SiteRepository::siteName() {
-    if (const auto scope = authorise(m_connection, m_actor, Action::siteName); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::siteName));
     const auto name = selectText(m_connection, "SELECT value FROM meta WHERE key = ?", {std::string(kNameKey)});
     return name ? core::Result<std::string>(name->value_or("")) : tl::unexpected(name.error());
 }
 
 core::Result<void> SiteRepository::setSiteName(const std::string& name) {
-    if (auto writer = requireWriter(m_connection); !writer) {
-        return tl::unexpected(writer.error());
-    }
-    if (const auto scope = authorise(m_connection, m_actor, Action::setSiteName); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(requireWriter(m_connection));
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::setSiteName));
     const auto stored = checkedSiteName(name);
-    if (!stored) {
-        return tl::unexpected(stored.error());
-    }
+    CHIRON_TRY(stored);
     const auto put = Query::run(m_connection,
                                 "INSERT INTO meta (key, value) VALUES (?, ?) ON CONFLICT (key) DO UPDATE SET value = excluded.value",
                                 {std::string(kNameKey), *stored});
-    if (!put) {
-        return tl::unexpected(put.error());
-    }
+    CHIRON_TRY(put);
     const QJsonObject detail{{"name", QString::fromStdString(*stored)}};
     return appendAudit(m_connection, m_actor,
                        {"setSiteName", "meta", 0, std::nullopt, QJsonDocument(detail).toJson(QJsonDocument::Compact).toStdString()});

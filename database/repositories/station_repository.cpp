@@ -24,12 +24,8 @@ bool isPlain(const std::string& word) {
 } // namespace
 
 core::Result<std::int64_t> StationRepository::recordStationCheck(const StationCheck& check) {
-    if (auto writer = requireWriter(m_connection); !writer) {
-        return tl::unexpected(writer.error());
-    }
-    if (const auto scope = authorise(m_connection, m_actor, Action::recordStationCheck); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(requireWriter(m_connection));
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::recordStationCheck));
     if (check.what.empty() || check.build.empty() || !isPlain(check.what) || !isPlain(check.driver) || !isPlain(check.build) || !isPlain(check.serial)) {
         return core::fail(core::ErrorCode::badInput, "station check: expected what was checked and the program's build, in printable ASCII");
     }

@@ -14,13 +14,9 @@ public:
 
     core::Result<std::vector<std::uint8_t>> channelTable() override {
         auto query = Query::run(m_connection, "SELECT channel_table FROM session WHERE id = ?", {m_session});
-        if (!query) {
-            return tl::unexpected(query.error());
-        }
+        CHIRON_TRY(query);
         const auto row = query->next();
-        if (!row) {
-            return tl::unexpected(row.error());
-        }
+        CHIRON_TRY(row);
         return *row ? core::Result<std::vector<std::uint8_t>>(query->blob(0))
                     : core::fail(core::ErrorCode::notFound,
                                  "session " + std::to_string(m_session) + " is gone");
@@ -31,13 +27,9 @@ public:
                                 "SELECT first_tick, frames, payload, payload_digest, force_hash FROM chunk "
                                 "WHERE session_id = ? AND sequence = ?",
                                 {m_session, static_cast<std::int64_t>(sequence)});
-        if (!query) {
-            return tl::unexpected(query.error());
-        }
+        CHIRON_TRY(query);
         const auto row = query->next();
-        if (!row) {
-            return tl::unexpected(row.error());
-        }
+        CHIRON_TRY(row);
         const std::string name =
             "chunk " + std::to_string(sequence) + " of session " + std::to_string(m_session);
         const Blob digest = *row ? query->blob(3) : Blob();
@@ -68,9 +60,7 @@ core::Result<std::unique_ptr<recording::ChunkSource>> makeChunkSource(Connection
                                                                       SessionId session) {
     const auto count =
         selectInteger(connection, "SELECT count(*) FROM chunk WHERE session_id = ?", {session});
-    if (!count) {
-        return tl::unexpected(count.error());
-    }
+    CHIRON_TRY(count);
     return std::make_unique<StoredChunks>(connection, session, static_cast<std::size_t>(count->value_or(0)));
 }
 

@@ -53,9 +53,7 @@ bool isOfForces(std::string_view spoiled) {
 
 core::Result<Blinding> blindingOf(const std::string& designJson, bool unblinded) {
     const auto design = designObject(designJson);
-    if (!design) {
-        return tl::unexpected(design.error());
-    }
+    CHIRON_TRY(design);
     Blinding blinding;
     blinding.designed = design->value("blind_experimenter").toBool();
     blinding.on = blinding.designed && !unblinded;
@@ -82,9 +80,7 @@ core::Result<Blinding> blindingOf(const std::string& designJson, bool unblinded)
 core::Result<Blinding> blindingOf(Connection& connection, StudyPart part, std::int64_t number) {
     auto query = Query::run(connection, "SELECT s.design_json, s.unblinded FROM " + joinsTo(part), {number});
     const auto row = query ? query->next() : tl::unexpected(query.error());
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     return *row ? blindingOf(query->text(0), query->integer(1) != 0)
                 : core::fail(core::ErrorCode::notFound, "there is no study of number " + std::to_string(number));
 }
@@ -144,9 +140,7 @@ core::Result<std::vector<QuestionnaireAnswer>> shownAnswers(Connection& connecti
 
 core::Result<std::vector<StudyTrial>> shownTrials(Connection& connection, StudyRunNumber run) {
     const auto blinding = blindingOf(connection, StudyPart::run, run);
-    if (!blinding) {
-        return tl::unexpected(blinding.error());
-    }
+    CHIRON_TRY(blinding);
     return blinding->seals() ? core::Result<std::vector<StudyTrial>>(std::vector<StudyTrial>()) : studyTrialRows(connection, run);
 }
 
@@ -201,17 +195,13 @@ core::Result<ParticipantQuality> qualityOf(Connection& connection, ParticipantNu
     quality.participant = participant;
     quality.conditions = conditions;
     const auto runs = runRows(connection, participant);
-    if (!runs) {
-        return tl::unexpected(runs.error());
-    }
+    CHIRON_TRY(runs);
     std::set<std::string> devices, done;
     std::map<std::string, int> reasons;
     std::vector<double> late, times;
     for (const StudyRun& run : *runs) {
         const auto trials = studyTrialRows(connection, run.id);
-        if (!trials) {
-            return tl::unexpected(trials.error());
-        }
+        CHIRON_TRY(trials);
         addTrials(quality, *trials, devices, reasons, late, times);
         if (run.state == StudyRunState::completed) {
             done.insert(run.condition);
@@ -236,15 +226,11 @@ core::Result<std::vector<ParticipantQuality>> qualityRows(Connection& connection
     const auto blinding = blindingOf(connection, StudyPart::study, study);
     const auto conditions = blinding ? sealedConditionRows(connection, study) : tl::unexpected(blinding.error());
     auto participants = conditions ? participantRows(connection, "p.study_id = ?", {study}) : tl::unexpected(conditions.error());
-    if (!participants) {
-        return tl::unexpected(participants.error());
-    }
+    CHIRON_TRY(participants);
     std::vector<ParticipantQuality> rows;
     for (const Participant& participant : *participants) {
         auto quality = qualityOf(connection, participant.id, static_cast<int>(conditions->size()), *blinding);
-        if (!quality) {
-            return tl::unexpected(quality.error());
-        }
+        CHIRON_TRY(quality);
         rows.push_back(std::move(*quality));
     }
     return rows;
@@ -282,9 +268,7 @@ core::Result<std::set<SessionId>> sealedSittings(Connection& connection, const A
                                 "WHERE CASE WHEN json_valid(c.json) THEN json_extract(c.json, '$.level.title.en') END IN "
                                 "(SELECT s.key || ' / ' || k.sealed_code FROM study s JOIN study_condition k ON k.study_id = s.id WHERE " + blind + "))",
                             {});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     auto row = query->next();
     for (; row && *row; row = query->next()) {
         sealed.insert(query->integer(0));
@@ -294,9 +278,7 @@ core::Result<std::set<SessionId>> sealedSittings(Connection& connection, const A
 
 core::Result<void> mayOpenSitting(Connection& connection, const Actor& actor, SessionId session) {
     const auto closed = isSealedSitting(connection, actor, session);
-    if (!closed) {
-        return tl::unexpected(closed.error());
-    }
+    CHIRON_TRY(closed);
     return *closed ? core::fail(core::ErrorCode::notAllowed, "session " + std::to_string(session) +
                                                                  " is a session of a blinded study: it opens once the study is unblinded")
                    : core::Result<void>();

@@ -26,9 +26,7 @@ core::Result<void> mayRun(const StoredParticipant& who) {
 core::Result<SealedCondition> namedCondition(Connection& connection, const StoredStudy& study, const std::string& name) {
     const auto blinding = blindingOf(connection, StudyPart::study, study.id);
     const auto all = blinding ? sealedConditionRows(connection, study.id) : tl::unexpected(blinding.error());
-    if (!all) {
-        return tl::unexpected(all.error());
-    }
+    CHIRON_TRY(all);
     const auto found = std::find_if(all->begin(), all->end(), [&](const SealedCondition& each) {
         return each.sealedCode == name || (!blinding->on && each.condition == name);
     });
@@ -47,9 +45,7 @@ core::Result<ConductedRun> StudyRepository::conductRun(ParticipantNumber partici
     const auto blinding = named ? blindingOf(m_connection, StudyPart::study, study->id) : tl::unexpected(named.error());
     auto runs = blinding ? runRows(m_connection, participant) : tl::unexpected(blinding.error());
     good = runs ? mayRun(*who) : tl::unexpected(runs.error());
-    if (!good) {
-        return tl::unexpected(good.error());
-    }
+    CHIRON_TRY(good);
     ConductedRun conducted{named->condition, named->sealedCode, {}, {}, study->designJson};
     for (StudyRun& run : *runs) {
         if (run.condition != named->condition || run.state == StudyRunState::stopped) {
@@ -59,9 +55,7 @@ core::Result<ConductedRun> StudyRepository::conductRun(ParticipantNumber partici
             return core::fail(core::ErrorCode::wrongUse, "condition " + condition + " is completed");
         }
         auto trials = studyTrialRows(m_connection, run.id);
-        if (!trials) {
-            return tl::unexpected(trials.error());
-        }
+        CHIRON_TRY(trials);
         conducted.open = std::move(run);
         conducted.trials = std::move(*trials);
     }

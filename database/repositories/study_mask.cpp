@@ -50,9 +50,7 @@ Condition shared(const psychophysics::StudyDesign& design, const Blinding& blind
 
 core::Result<std::string> maskedDesign(const std::string& designJson, const Blinding& blinding, const std::vector<SealedCondition>& codes) {
     auto design = catalogue::readStudy(QByteArray::fromStdString(designJson), "design");
-    if (!design) {
-        return tl::unexpected(design.error());
-    }
+    CHIRON_TRY(design);
     const Condition like = shared(*design, blinding);
     design->conditions.clear();
     for (const SealedCondition& code : codes) {

@@ -47,9 +47,7 @@ core::Result<void> checkPerson(Connection& connection, const NewParticipant& wan
     }
     for (const ParticipantNumber id : *ids) {
         const auto participant = storedParticipant(connection, id);
-        if (!participant) {
-            return tl::unexpected(participant.error());
-        }
+        CHIRON_TRY(participant);
         if (participant->study == wanted.study && participant->state != ParticipantState::withdrawn) {
             return bad("this person takes part already"); // only those who may open the key table may know as
                                                           // whom
@@ -81,9 +79,7 @@ core::Result<std::string> codeFor(Connection& connection, const NewParticipant& 
     if (!wanted.wantedCode.empty()) {
         const auto taken = selectInteger(connection, "SELECT 1 FROM study_participant WHERE study_id = ? AND code = ?",
                                          {wanted.study, wanted.wantedCode});
-        if (!taken) {
-            return tl::unexpected(taken.error());
-        }
+        CHIRON_TRY(taken);
         return *taken ? core::fail(core::ErrorCode::badInput,
                                    "code \"" + wanted.wantedCode + "\": is taken in this study")
                       : core::Result<std::string>(wanted.wantedCode);
@@ -143,9 +139,7 @@ core::Result<void> insertParticipant(Connection& connection, const Actor& actor,
                                 {"enrolled_by", actor.personId()},
                                 {"enrolled_utc", core::utcNowIso8601()},
                                 {"erase_recordings", std::int64_t{0}}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     auto done = appendAudit(connection, actor,
                             {"enrolParticipant", "study_participant", id, *row,
                              "{\"study\":" + std::to_string(wanted.study) + "}"});
@@ -159,9 +153,7 @@ core::Result<Participant> StudyRepository::enrolParticipant(StudyNumber study, c
                                                             const std::string& wantedCode) {
     auto done = mayWriteStudy(m_connection, m_actor, Action::enrolParticipant, StudyPart::study, study);
     const auto stored = done ? studyInState(m_connection, study, "frozen") : tl::unexpected(done.error());
-    if (!stored) {
-        return tl::unexpected(stored.error());
-    }
+    CHIRON_TRY(stored);
     const NewParticipant wanted{study, identity, person, observer, wantedCode};
     done = checkWanted(m_connection, m_actor, wanted);
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM study_participant");
@@ -173,18 +165,14 @@ core::Result<Participant> StudyRepository::enrolParticipant(StudyNumber study, c
         return tl::unexpected(done.error());
     }
     const auto all = StudyReader(m_connection, m_actor).participants(study);
-    if (!all) {
-        return tl::unexpected(all.error());
-    }
+    CHIRON_TRY(all);
     const auto found = std::find_if(all->begin(), all->end(), [&](const Participant& p) { return p.id == id; });
     return found != all->end() ? core::Result<Participant>(*found)
                                : core::fail(core::ErrorCode::storage, "the new participant cannot be read");
 }
 
 core::Result<Participant> StudyRepository::enrolAccount(StudyNumber study, const std::string& identity, const std::string& account) {
-    if (auto allowed = mayWriteStudy(m_connection, m_actor, Action::enrolAccount, StudyPart::study, study); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(mayWriteStudy(m_connection, m_actor, Action::enrolAccount, StudyPart::study, study));
     const auto person = selectInteger(m_connection, "SELECT id FROM person WHERE name_key = ? AND kind = 'person'", {nameKey(account)});
     if (!person || !*person) {
         return person ? core::fail(core::ErrorCode::notFound, "there is no account \"" + account + "\"")
@@ -198,9 +186,7 @@ core::Result<void> StudyRepository::recordConsent(ParticipantNumber participant,
     const auto who = allowed ? storedParticipant(m_connection, participant) : tl::unexpected(allowed.error());
     const auto study = who ? studyInState(m_connection, who->study, "frozen") : tl::unexpected(who.error());
     const auto design = study ? designObject(study->designJson) : tl::unexpected(study.error());
-    if (!design) {
-        return tl::unexpected(design.error());
-    }
+    CHIRON_TRY(design);
     if (who->state != ParticipantState::enrolled) {
         return core::fail(core::ErrorCode::wrongUse, "participant " + who->code + " is " + std::string(token(who->state)) +
                                                          ": expected enrolled, without consent");
@@ -215,9 +201,7 @@ core::Result<void> StudyRepository::recordConsent(ParticipantNumber participant,
                                 {"sha256", Blob(bytes.begin(), bytes.end())},
                                 {"utc", core::utcNowIso8601()},
                                 {"recorded_by", m_actor.personId()}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     auto done = appendAudit(m_connection, m_actor, {"recordConsent", "participant_consent", participant, *row, "{}"});
     return done ? setState(m_connection, m_actor, participant, "recordConsent", {{"state", std::string("consented")}}) : done;
 }
@@ -225,14 +209,10 @@ core::Result<void> StudyRepository::recordConsent(ParticipantNumber participant,
 core::Result<void> StudyRepository::completeParticipant(ParticipantNumber participant) {
     auto allowed = mayWriteStudy(m_connection, m_actor, Action::completeParticipant, StudyPart::participant, participant);
     const auto who = allowed ? storedParticipant(m_connection, participant) : tl::unexpected(allowed.error());
-    if (!who) {
-        return tl::unexpected(who.error());
-    }
+    CHIRON_TRY(who);
     const auto open = selectInteger(
         m_connection, "SELECT count(*) FROM study_run WHERE participant_id = ? AND state = 'open'", {participant});
-    if (!open) {
-        return tl::unexpected(open.error());
-    }
+    CHIRON_TRY(open);
     const bool may = who->state == ParticipantState::consented ||
                      (who->simulated && who->state == ParticipantState::enrolled);
     if (!may || open->value_or(0) > 0) {
@@ -246,9 +226,7 @@ core::Result<void> StudyRepository::completeParticipant(ParticipantNumber partic
 core::Result<void> StudyRepository::withdrawParticipant(ParticipantNumber participant, bool eraseRecordings) {
     auto allowed = mayWriteStudy(m_connection, m_actor, Action::withdrawParticipant, StudyPart::participant, participant);
     const auto who = allowed ? storedParticipant(m_connection, participant) : tl::unexpected(allowed.error());
-    if (!who) {
-        return tl::unexpected(who.error());
-    }
+    CHIRON_TRY(who);
     auto open = Query::run(m_connection, "SELECT id FROM study_run WHERE participant_id = ? AND state = 'open'", {participant});
     std::vector<StudyRunNumber> runs;
     auto row = open ? open->next() : tl::unexpected(open.error());

@@ -59,9 +59,7 @@ core::Result<bool> mayKnow(Connection& connection, const Actor& actor, StudyNumb
 template <class T, class Make>
 core::Result<std::vector<T>> permittedRows(Connection& connection, const Actor& actor, Action action, StudyPart part,
                                            std::int64_t number, const std::string& sql, Make make) {
-    if (auto allowed = authoriseForStudy(connection, actor, action, part, number); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(authoriseForStudy(connection, actor, action, part, number));
     return rowsOf<T>(connection, sql, {number}, make);
 }
 
@@ -69,9 +67,7 @@ core::Result<std::vector<T>> permittedRows(Connection& connection, const Actor& 
 
 core::Result<std::vector<StudySummary>> StudyReader::listStudies(bool includeArchived) {
     const auto scope = authorise(m_connection, m_actor, Action::listStudies);
-    if (!scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(scope);
     return rowsOf<StudySummary>(m_connection,
                                 std::string("SELECT ") + kSummaryColumns +
                                     " FROM study s WHERE (s.author_id = 1 OR ?) AND (s.archived = 0 OR ?) AND pilot_of = '' ORDER BY s.id",
@@ -80,9 +76,7 @@ core::Result<std::vector<StudySummary>> StudyReader::listStudies(bool includeArc
 
 core::Result<std::vector<StudySummary>> StudyReader::listPilots(const std::string& key) {
     const auto scope = authorise(m_connection, m_actor, Action::listPilots);
-    if (!scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(scope);
     return rowsOf<StudySummary>(m_connection,
                                 std::string("SELECT ") + kSummaryColumns +
                                     " FROM study s WHERE (s.author_id = 1 OR ?) AND pilot_of <> '' AND pilot_of = ? ORDER BY s.id",
@@ -101,9 +95,7 @@ core::Result<StudyRecord> StudyReader::study(StudyNumber study) {
     StudyRecord& record = found->front();
     const auto blinding = blindingOf(record.designJson, record.summary.unblinded);
     const auto open = blinding ? mayKnow(m_connection, m_actor, study) : tl::unexpected(blinding.error());
-    if (!open) {
-        return tl::unexpected(open.error());
-    }
+    CHIRON_TRY(open);
     record.blinding = *blinding;
     record.masked = blinding->on && !record.summary.sha256.empty() && !*open;
     if (!record.masked) {
@@ -111,9 +103,7 @@ core::Result<StudyRecord> StudyReader::study(StudyNumber study) {
     }
     const auto codes = conditionCodes(study);
     auto masked = codes ? maskedDesign(record.designJson, *blinding, *codes) : tl::unexpected(codes.error());
-    if (!masked) {
-        return tl::unexpected(masked.error());
-    }
+    CHIRON_TRY(masked);
     record.designJson = std::move(*masked);
     return std::move(record);
 }
@@ -125,9 +115,7 @@ core::Result<StudyRecord> StudyReader::studyByKey(const std::string& key) {
                                           "author_id = 1, id LIMIT 1",
                                           {key, std::int64_t{*scope == Scope::all}})
                           : tl::unexpected(scope.error());
-    if (!id) {
-        return tl::unexpected(id.error());
-    }
+    CHIRON_TRY(id);
     return *id ? study(**id) : core::fail(core::ErrorCode::notFound, "there is no study \"" + key + "\" in the database");
 }
 
@@ -158,9 +146,7 @@ core::Result<std::vector<Participant>> StudyReader::participants(StudyNumber stu
 }
 
 core::Result<Participant> StudyReader::participantByCode(StudyNumber study, const std::string& code) {
-    if (auto allowed = authoriseForStudy(m_connection, m_actor, Action::participantByCode, StudyPart::study, study); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(authoriseForStudy(m_connection, m_actor, Action::participantByCode, StudyPart::study, study));
     auto found = participantRows(
         m_connection, "p.study_id = ? AND upper(replace(p.code, '-', '')) = upper(replace(?, '-', ''))", {study, code});
     if (!found || found->empty()) {
@@ -193,9 +179,7 @@ core::Result<std::vector<QuestionnaireAnswer>> StudyReader::questionnaireAnswers
 core::Result<std::vector<ParticipantKey>> StudyReader::participantKeys(StudyNumber study) {
     auto done = mayWriteStudy(m_connection, m_actor, Action::participantKeys, StudyPart::study, study);
     done = done ? appendAudit(m_connection, m_actor, {"participantKeys", "study", study, std::nullopt, "{}"}) : done;
-    if (!done) {
-        return tl::unexpected(done.error());
-    }
+    CHIRON_TRY(done);
     return rowsOf<ParticipantKey>(
         m_connection,
         "SELECT p.id, p.code, k.key_json, coalesce((SELECT name FROM person WHERE id = CASE WHEN json_valid(k.key_json) THEN "

@@ -60,9 +60,7 @@ core::Result<void> sealConditions(Connection& connection, const StoredStudy& stu
                                     {"ordinal", ordinal++},
                                     {"condition", condition},
                                     {"sealed_code", codeFrom(digest, attempt)}});
-        if (!row) {
-            return tl::unexpected(row.error());
-        }
+        CHIRON_TRY(row);
     }
     return {};
 }
@@ -90,16 +88,12 @@ core::Result<void> canBeBlind(const psychophysics::StudyDesign& design) {
 // not be run is not frozen.
 core::Result<std::string> frozenJson(const StoredStudy& study) {
     const auto design = catalogue::readStudy(QByteArray::fromStdString(study.designJson), "study " + study.key);
-    if (!design) {
-        return tl::unexpected(design.error());
-    }
+    CHIRON_TRY(design);
     if (design->id != study.key) {
         return core::fail(core::ErrorCode::badInput, "study " + study.key + ": $.id: \"" + design->id + "\": expected \"" +
                                                          study.key + "\", the key it was made with");
     }
-    if (auto blind = canBeBlind(*design); !blind) {
-        return tl::unexpected(blind.error());
-    }
+    CHIRON_TRY(canBeBlind(*design));
     return catalogue::studyJson(*design).toStdString();
 }
 
@@ -115,16 +109,12 @@ core::Result<void> changeStudy(Connection& connection, const Actor& actor, Study
 
 core::Result<StudyNumber> StudyRepository::createStudy(const std::string& key, const std::string& title,
                                                        const std::string& designJson) {
-    if (auto writer = requireWriter(m_connection); !writer) {
-        return tl::unexpected(writer.error());
-    }
+    CHIRON_TRY(requireWriter(m_connection));
     auto good = authoriseFor(m_connection, m_actor, Action::createStudy, m_actor.personId());
     good = good ? checkKey(key) : good;
     good = good ? checkText("title", title, kMaximumTitle) : good;
     const auto design = good ? designObject(designJson) : tl::unexpected(good.error());
-    if (!design) {
-        return tl::unexpected(design.error());
-    }
+    CHIRON_TRY(design);
     const bool simulated = m_actor.personId() == Actor::kSimulatedPerson;
     const auto taken = selectInteger(m_connection, "SELECT id FROM study WHERE key = ? AND (author_id = 1) = ?",
                                      {key, std::int64_t{simulated}});
@@ -150,9 +140,7 @@ core::Result<StudyNumber> StudyRepository::createStudy(const std::string& key, c
                                 {"unblinded", std::int64_t{0}},
                                 {"archived", std::int64_t{0}},
                                 {"demonstration", std::int64_t{demonstration->value_or("0") == "1"}}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     auto audited = appendAudit(m_connection, m_actor, {"createStudy", "study", id, *row, "{}"});
     return audited ? core::Result<StudyNumber>(id) : tl::unexpected(audited.error());
 }
@@ -161,9 +149,7 @@ core::Result<void> StudyRepository::saveDraft(StudyNumber study, const std::stri
     auto allowed = mayWriteStudy(m_connection, m_actor, Action::saveDraft, StudyPart::study, study);
     const auto stored = allowed ? studyInState(m_connection, study, "draft") : tl::unexpected(allowed.error());
     const auto design = stored ? designObject(designJson) : tl::unexpected(stored.error());
-    if (!design) {
-        return tl::unexpected(design.error());
-    }
+    CHIRON_TRY(design);
     std::vector<Column> changes{{"design_json", catalogue::canonicalJson(*design)}};
     const std::string title = (*design)["title"].toObject()["en"].toString().toStdString();
     if (!title.empty() && checkText("title", title, kMaximumTitle)) {
@@ -179,9 +165,7 @@ core::Result<std::string> StudyRepository::freezeStudy(StudyNumber study) {
     const auto design = json ? designObject(*json) : tl::unexpected(json.error());
     done = design ? sealConditions(m_connection, *stored, *design) : tl::unexpected(design.error());
     const auto seal = done ? conditionSeal(m_connection, study) : tl::unexpected(done.error());
-    if (!seal) {
-        return tl::unexpected(seal.error());
-    }
+    CHIRON_TRY(seal);
     const std::string sha256 = catalogue::sha256Hex(*json);
     const QByteArray bytes = QByteArray::fromHex(QByteArray::fromStdString(sha256));
     done = changeStudy(m_connection, m_actor, study, "freezeStudy",
@@ -211,9 +195,7 @@ core::Result<void> StudyRepository::setStudyArchived(StudyNumber study, bool arc
 core::Result<void> StudyRepository::unblindStudy(StudyNumber study, const std::string& reason) {
     auto allowed = mayWriteStudy(m_connection, m_actor, Action::unblindStudy, StudyPart::study, study);
     const auto stored = allowed ? storedStudy(m_connection, study) : tl::unexpected(allowed.error());
-    if (!stored) {
-        return tl::unexpected(stored.error());
-    }
+    CHIRON_TRY(stored);
     if (stored->state == "draft") {
         return core::fail(core::ErrorCode::wrongUse, "study " + stored->key + " is a draft: there is nothing to unblind");
     }

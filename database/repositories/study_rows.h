@@ -17,9 +17,7 @@ template <class T, class Make>
 core::Result<std::vector<T>> rowsOf(Connection& connection, const std::string& sql, const std::vector<Value>& values,
                                     Make make) {
     auto query = Query::run(connection, sql, values);
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<T> rows;
     auto row = query->next();
     for (; row && *row; row = query->next()) {

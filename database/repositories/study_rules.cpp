@@ -31,9 +31,7 @@ std::optional<State> stateOf(const std::array<std::string_view, n>& words, std::
 
 core::Result<RowDigest> sealOf(Connection& connection, const std::string& sql, std::int64_t number) {
     auto query = Query::run(connection, sql, {number});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     Blob bytes;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -75,9 +73,7 @@ core::Result<void> mayWriteStudy(Connection& connection, const Actor& actor, Act
 core::Result<StoredStudy> storedStudy(Connection& connection, StudyNumber study) {
     auto query = Query::run(connection, "SELECT id, key, state, design_json FROM study WHERE id = ?", {study});
     const auto row = query ? query->next() : tl::unexpected(query.error());
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     if (!*row) {
         return core::fail(core::ErrorCode::notFound, "there is no study " + std::to_string(study));
     }
@@ -100,9 +96,7 @@ core::Result<StoredParticipant> storedParticipant(Connection& connection, Partic
                             "SELECT id, study_id, code, state, simulated FROM study_participant WHERE id = ?",
                             {participant});
     const auto row = query ? query->next() : tl::unexpected(query.error());
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     if (!*row) {
         return core::fail(core::ErrorCode::notFound, "there is no participant " + std::to_string(participant));
     }
@@ -155,9 +149,7 @@ core::Result<void> endRun(Connection& connection, const Actor& actor, StudyRunNu
                                 {"ended_utc", core::utcNowIso8601()},
                                 {"trials", trials->value_or(0)},
                                 {"seal", toBlob(*seal)}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     return appendAudit(connection, actor,
                        {"finishRun", "study_run", run, *row,
                         "{\"seal\":\"" + hex(seal->data(), seal->size()) + "\",\"state\":\"" +

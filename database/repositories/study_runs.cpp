@@ -27,9 +27,7 @@ core::Result<void> notYetRun(Connection& connection, const NewStudyRun& run, con
         connection, "SELECT id, state FROM study_run WHERE participant_id = ? AND condition = ? AND state <> 'stopped'",
         {run.participant, condition});
     const auto row = query ? query->next() : tl::unexpected(query.error());
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     return *row ? core::fail(core::ErrorCode::wrongUse, "condition " + run.condition + " has a run (number " +
                                                             std::to_string(query->integer(0)) + ") that is " +
                                                             query->text(1) + ": an open one is resumed")
@@ -123,9 +121,7 @@ core::Result<void> checkRunOf(Connection& connection, const QuestionnaireAnswer&
         return {};
     }
     const auto state = selectText(connection, "SELECT state FROM study_run WHERE id = ? AND participant_id = ?", {answer.run, answer.participant});
-    if (!state) {
-        return tl::unexpected(state.error());
-    }
+    CHIRON_TRY(state);
     const std::string place = "answer " + answer.questionnaire + "." + answer.item + ": run " + std::to_string(answer.run);
     if (!*state) {
         return bad(place + ": expected a run of this participant");
@@ -168,9 +164,7 @@ core::Result<StudyRunNumber> StudyRepository::beginRun(const NewStudyRun& run) {
     auto good = mayWriteStudy(m_connection, m_actor, Action::beginRun, StudyPart::participant, run.participant);
     const auto who = good ? storedParticipant(m_connection, run.participant) : tl::unexpected(good.error());
     const auto study = who ? studyInState(m_connection, who->study, "frozen") : tl::unexpected(who.error());
-    if (!study) {
-        return tl::unexpected(study.error());
-    }
+    CHIRON_TRY(study);
     const auto named = namedCondition(m_connection, *study, run.condition);
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM study_run");
     if (!named || !last) {
@@ -182,9 +176,7 @@ core::Result<StudyRunNumber> StudyRepository::beginRun(const NewStudyRun& run) {
     if (good && (run.procedures.empty() || run.position < 0 || run.position > 1000)) {
         good = bad("run: expected the procedures' ids and a position from 0");
     }
-    if (!good) {
-        return tl::unexpected(good.error());
-    }
+    CHIRON_TRY(good);
     const StudyRunNumber id = last->value_or(0) + 1;
     const auto row = insertRow(m_connection, "study_run",
                                {{"id", id},
@@ -199,9 +191,7 @@ core::Result<StudyRunNumber> StudyRepository::beginRun(const NewStudyRun& run) {
                                 {"started_utc", core::utcNowIso8601()},
                                 {"ended_utc", std::string()},
                                 {"trials", std::int64_t{0}}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     auto audited = appendAudit(m_connection, m_actor, {"beginRun", "study_run", id, *row, "{}"});
     return audited ? core::Result<StudyRunNumber>(id) : tl::unexpected(audited.error());
 }
@@ -222,9 +212,7 @@ core::Result<void> StudyRepository::finishRun(StudyRunNumber run, StudyRunState 
         return allowed;
     }
     const auto present = selectText(m_connection, "SELECT state FROM study_run WHERE id = ?", {run});
-    if (!present) {
-        return tl::unexpected(present.error());
-    }
+    CHIRON_TRY(present);
     if (present->value_or("") != "open") {
         return core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run) + " has ended (" + present->value_or("") + ")");
     }
@@ -235,18 +223,14 @@ core::Result<void> StudyRepository::storeQuestionnaireAnswers(const std::vector<
     if (auto writer = requireWriter(m_connection); !writer) {
         return writer;
     }
-    if (const auto scope = authorise(m_connection, m_actor, Action::storeQuestionnaireAnswers); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(m_connection, m_actor, Action::storeQuestionnaireAnswers));
     for (const QuestionnaireAnswer& answer : answers) {
         auto good = authoriseForStudy(m_connection, m_actor, Action::storeQuestionnaireAnswers, StudyPart::participant,
                                       answer.participant);
         const auto who = good ? storedParticipant(m_connection, answer.participant) : tl::unexpected(good.error());
         const auto study = who ? storedStudy(m_connection, who->study) : tl::unexpected(who.error());
         const auto design = study ? designObject(study->designJson) : tl::unexpected(study.error());
-        if (!design) {
-            return tl::unexpected(design.error());
-        }
+        CHIRON_TRY(design);
         good = good ? mayAnswer(*who, *design, answer.questionnaire) : good;
         good = good ? checkAnswer(*design, answer) : good;
         good = good ? checkRunOf(m_connection, answer) : good;

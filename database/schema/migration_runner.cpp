@@ -37,9 +37,7 @@ core::Result<SchemaVersion> headerOf(const std::string& name) {
 
 core::Result<SchemaVersion> pragmasOf(const std::string& name) {
     auto connection = Connection::open(name, Connection::Mode::readOnly);
-    if (!connection) {
-        return tl::unexpected(connection.error());
-    }
+    CHIRON_TRY(connection);
     const auto id = selectInteger(**connection, "PRAGMA application_id");
     const auto version = selectInteger(**connection, "PRAGMA user_version");
     const auto tables = selectInteger(**connection, "SELECT count(*) FROM sqlite_schema");
@@ -87,25 +85,19 @@ core::Result<SchemaVersion> MigrationRunner::inspect(const std::string& file) co
         return header;
     }
     auto judged = judge(file, *header, newest());
-    if (!judged) {
-        return tl::unexpected(judged.error());
-    }
+    CHIRON_TRY(judged);
     auto present = pragmasOf(file);
     if (!present) {
         return present;
     }
     judged = judge(file, *present, newest());
-    if (!judged) {
-        return tl::unexpected(judged.error());
-    }
+    CHIRON_TRY(judged);
     return present;
 }
 
 core::Result<std::string> MigrationRunner::migrate(Connection& connection) const {
     const auto version = selectInteger(connection, "PRAGMA user_version");
-    if (!version) {
-        return tl::unexpected(version.error());
-    }
+    CHIRON_TRY(version);
     const int present = static_cast<int>(version->value_or(0));
     std::string copy;
     if (present > 0 && present < newest()) {
@@ -115,18 +107,14 @@ core::Result<std::string> MigrationRunner::migrate(Connection& connection) const
             copy = base + "-" + std::to_string(i); // an earlier attempt's copy is never overwritten
         }
         auto copied = copyDatabase(connection, copy);
-        if (!copied) {
-            return tl::unexpected(copied.error());
-        }
+        CHIRON_TRY(copied);
     }
     for (const Migration& migration : m_migrations) {
         if (migration.version <= present) {
             continue;
         }
         auto done = step(connection, migration);
-        if (!done) {
-            return tl::unexpected(done.error());
-        }
+        CHIRON_TRY(done);
     }
     return copy;
 }

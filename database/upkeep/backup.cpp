@@ -42,14 +42,10 @@ core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const st
     const std::string copy = folder + "/" + kSnapshotFile;
     auto done = copyDatabase(reader, copy, cancel);
     done = done ? writeErasures(reader, database.siteFolder(), folder + "/" + kErasuresFile) : done;
-    if (!done) {
-        return tl::unexpected(done.error());
-    }
+    CHIRON_TRY(done);
     auto snapshot = Connection::open(copy, Connection::Mode::readOnly);
     auto head = snapshot ? auditHead(**snapshot) : tl::unexpected(snapshot.error());
-    if (!head) {
-        return tl::unexpected(head.error());
-    }
+    CHIRON_TRY(head);
     if (const VerifyReport report = verifySnapshot(copy, &key, *head, {}, [cancel](std::uint64_t, std::uint64_t) { return !isSet(cancel); });
         !report.ok() && !report.cancelled) {
         return core::fail(core::ErrorCode::doesNotHold,
@@ -58,23 +54,17 @@ core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const st
     std::vector<std::string> files{kSnapshotFile, kErasuresFile};
     if (extra) {
         auto more = extra(**snapshot, folder);
-        if (!more) {
-            return tl::unexpected(more.error());
-        }
+        CHIRON_TRY(more);
         files.insert(files.end(), more->begin(), more->end());
     }
     snapshot->reset();
     Manifest manifest{kind, core::utcNowIso8601(), database.schemaVersion(), *head, {}, automaticNumber};
     for (const std::string& name : files) {
         const auto digest = fileDigest(folder + "/" + name, cancel);
-        if (!digest) {
-            return tl::unexpected(digest.error());
-        }
+        CHIRON_TRY(digest);
         manifest.files[name] = *digest;
     }
-    if (auto written = writeManifest(folder, manifest, key); !written) {
-        return tl::unexpected(written.error());
-    }
+    CHIRON_TRY(writeManifest(folder, manifest, key));
     return SnapshotInfo{folder,
                         kSnapshotFile,
                         manifest.files[kSnapshotFile],
@@ -90,9 +80,7 @@ core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& r
                                                const SnapshotExtra& extra, const std::atomic<bool>* cancel,
                                                std::int64_t automaticNumber) {
     const auto key = SiteKey::load(database.siteFolder());
-    if (!key) {
-        return tl::unexpected(key.error());
-    }
+    CHIRON_TRY(key);
     const QString target = QString::fromStdString(folder);
     if (QFileInfo::exists(target)) {
         return core::fail(core::ErrorCode::badInput, folder + ": exists already; a new folder is needed");
@@ -121,12 +109,8 @@ core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& r
 core::Result<SnapshotInfo> Upkeep::backup(Database& database, const Actor& actor, const std::string& folder,
                                           const std::atomic<bool>* cancel) {
     auto reader = database.openReader();
-    if (!reader) {
-        return tl::unexpected(reader.error());
-    }
-    if (const auto scope = authorise(**reader, actor, Action::backup); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(reader);
+    CHIRON_TRY(authorise(**reader, actor, Action::backup));
     const auto info = writeSnapshotFolder(database, **reader, folder, "backup", {}, cancel);
     if (!info || !database.isWritable()) {
         return info;

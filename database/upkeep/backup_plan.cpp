@@ -39,9 +39,7 @@ QString text(const std::string& words) {
 } // namespace
 
 core::Result<BackupStanding> Upkeep::backupStanding(Connection& connection, const Actor& actor) {
-    if (const auto scope = authorise(connection, actor, Action::backupStanding); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(connection, actor, Action::backupStanding));
     const auto plan = noteOf(connection, kPlanKey);
     const auto outcome = plan ? noteOf(connection, kOutcomeKey) : plan;
     const auto demonstration = selectText(connection, "SELECT value FROM meta WHERE key = 'demonstration'");
@@ -62,9 +60,7 @@ core::Result<BackupStanding> Upkeep::backupStanding(Connection& connection, cons
 }
 
 core::Result<void> Upkeep::setBackupPlan(Connection& connection, const Actor& actor, const BackupPlan& plan) {
-    if (const auto scope = authorise(connection, actor, Action::setBackupPlan); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(authorise(connection, actor, Action::setBackupPlan));
     if (plan.keep < 1 || plan.keep > kMostBackupsKept) {
         return core::fail(core::ErrorCode::badInput, "backups to keep: " + std::to_string(plan.keep) + "; expected 1 to " +
                                                          std::to_string(kMostBackupsKept));

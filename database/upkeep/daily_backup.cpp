@@ -92,16 +92,12 @@ core::Result<DailyBackup> make(Database& database, Connection& reader, const std
     const QDir place(name);
     const QString prefix = ownPrefix(database);
     removeLeftovers(place, prefix);
-    if (const auto room = checkRoom(database, name); !room) {
-        return tl::unexpected(room.error());
-    }
+    CHIRON_TRY(checkRoom(database, name));
     const std::vector<OwnBackup> before = ownBackups(place, prefix, key);
     const std::int64_t number = before.empty() ? 1 : before.front().number + 1;
     const QString folder = newName(place, prefix);
     auto made = writeSnapshotFolder(database, reader, folder.toStdString(), "backup", {}, cancel, number);
-    if (!made) {
-        return tl::unexpected(made.error());
-    }
+    CHIRON_TRY(made);
     // Checks what is on the disk and not what was written to it.
     if (const auto readBack = readManifest(made->folder, key, cancel); !readBack) {
         removeBackup(folder);
@@ -119,9 +115,7 @@ core::Result<DailyBackup> make(Database& database, Connection& reader, const std
 core::Result<void> note(Database& database, const Actor& actor, const core::Result<DailyBackup>& done) {
     return database.write([&](WriteContext& writing) -> core::Result<void> {
         auto standing = Upkeep::backupStanding(writing.connection(), actor);
-        if (!standing) {
-            return tl::unexpected(standing.error());
-        }
+        CHIRON_TRY(standing);
         standing->triedUtc = core::utcNowIso8601();
         standing->problem = done ? std::string() : done.error().message;
         if (done) {
@@ -142,12 +136,8 @@ core::Result<void> note(Database& database, const Actor& actor, const core::Resu
 core::Result<DailyBackup> Upkeep::dailyBackup(Database& database, const Actor& actor, const std::string& place, int keep,
                                               const std::atomic<bool>* cancel) {
     auto reader = database.openReader();
-    if (!reader) {
-        return tl::unexpected(reader.error());
-    }
-    if (const auto scope = authorise(**reader, actor, Action::dailyBackup); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(reader);
+    CHIRON_TRY(authorise(**reader, actor, Action::dailyBackup));
     if (keep < 1 || keep > kMostBackupsKept || !database.isWritable()) {
         return core::fail(core::ErrorCode::wrongUse, "a daily backup keeps 1 to " + std::to_string(kMostBackupsKept) +
                                                          ", of a database that is open for writing");

@@ -18,9 +18,7 @@ constexpr const char* kSecretTable = "credential";
 core::Result<std::vector<std::string>> namesOf(Connection& connection, const std::string& sql,
                                                const std::vector<Value>& values) {
     auto query = Query::run(connection, sql, values);
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
+    CHIRON_TRY(query);
     std::vector<std::string> names;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -63,9 +61,7 @@ core::Result<void> writeTable(Connection& connection, const std::string& table, 
         const QByteArray line = QJsonDocument(json).toJson(QJsonDocument::Compact) + '\n';
         written = file.write(line) == line.size();
     }
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
+    CHIRON_TRY(row);
     return written && file.commit()
                ? core::Result<void>()
                : core::fail(core::ErrorCode::storage, name + ": cannot be written (disk full?)");
@@ -86,9 +82,7 @@ core::Result<std::vector<std::string>> writeTables(Connection& snapshot, const s
     std::vector<std::string> files;
     for (const std::string& table : *tables) {
         const std::string name = "tables/" + table + ".jsonl";
-        if (auto written = writeTable(snapshot, table, folder + "/" + name); !written) {
-            return tl::unexpected(written.error());
-        }
+        CHIRON_TRY(writeTable(snapshot, table, folder + "/" + name));
         files.push_back(name);
     }
     return files;
@@ -100,12 +94,8 @@ core::Result<SnapshotInfo> Upkeep::exportSite(Database& database, const Actor& a
                                               const std::string& folder,
                                               const std::atomic<bool>* cancel) {
     auto reader = database.openReader();
-    if (!reader) {
-        return tl::unexpected(reader.error());
-    }
-    if (const auto scope = authorise(**reader, actor, Action::exportSite); !scope) {
-        return tl::unexpected(scope.error());
-    }
+    CHIRON_TRY(reader);
+    CHIRON_TRY(authorise(**reader, actor, Action::exportSite));
     const auto info = writeSnapshotFolder(database, **reader, folder, "export", writeTables, cancel);
     if (!info || !database.isWritable()) {
         return info;

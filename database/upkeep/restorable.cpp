@@ -21,9 +21,7 @@ core::Result<std::vector<Erasure>> erasuresToApply(const std::string& backupFold
     std::vector<Erasure> all;
     for (const std::string& file : {backupFolder + "/" + kErasuresFile, erasureListFile(siteFolder)}) {
         const auto listed = readErasureList(file);
-        if (!listed) {
-            return tl::unexpected(listed.error());
-        }
+        CHIRON_TRY(listed);
         for (const Erasure& erasure : *listed) {
             putErasure(all, erasure);
         }
@@ -54,28 +52,21 @@ core::Result<int> applyErasures(Connection& connection, const Actor& actor,
         Erasure again = erasure;
         const auto administrator =
             selectInteger(connection, "SELECT id FROM person WHERE id = ?", {erasure.administrator});
-        if (!administrator)
-            return tl::unexpected(administrator.error());
+        CHIRON_TRY(administrator);
         again.administrator = *administrator ? erasure.administrator : actor.personId();
         if (!erasure.participantCode.empty()) {
             const auto done = applyToParticipant(connection, actor, again);
-            if (!done) {
-                return tl::unexpected(done.error());
-            }
+            CHIRON_TRY(done);
             applied += *done ? 1 : 0;
             continue;
         }
         const auto created = selectText(
             connection, "SELECT created_utc FROM person WHERE id = ? AND kind = 'person'", {erasure.person});
-        if (!created) {
-            return tl::unexpected(created.error());
-        }
+        CHIRON_TRY(created);
         if (!*created || !isAbout(erasure, erasure.person, **created)) {
             continue;
         }
-        if (auto done = overwritePerson(connection, actor, again); !done) {
-            return tl::unexpected(done.error());
-        }
+        CHIRON_TRY(overwritePerson(connection, actor, again));
         ++applied;
     }
     return applied;
@@ -86,13 +77,9 @@ core::Result<int> applyErasures(Connection& connection, const Actor& actor,
 core::Result<int> prepare(const std::string& copy, const Actor& actor, const SiteKey& key,
                           const IBootClock* clock, const std::vector<Erasure>& erasures) {
     auto connection = Connection::create(copy);
-    if (!connection) {
-        return tl::unexpected(connection.error());
-    }
+    CHIRON_TRY(connection);
     (*connection)->setSite(&key, clock);
-    if (auto begun = (*connection)->begin(); !begun) {
-        return tl::unexpected(begun.error());
-    }
+    CHIRON_TRY((*connection)->begin());
     const auto oldHead = readHeadFile(key);
     const AuditHead cut = oldHead ? oldHead->value_or(AuditHead{}) : AuditHead{};
     auto applied = applyErasures(**connection, actor, erasures);
@@ -107,9 +94,7 @@ core::Result<int> prepare(const std::string& copy, const Actor& actor, const Sit
         (*connection)->rollback();
         return applied;
     }
-    if (auto committed = (*connection)->commit(); !committed) {
-        return tl::unexpected(committed.error());
-    }
+    CHIRON_TRY((*connection)->commit());
     // WAL mode is set before the copy is put in place: a rollback journal left by a kill would lock out
     // readers.
     auto vacuumed = (*connection)->execute("VACUUM; PRAGMA journal_mode=WAL;");
@@ -124,9 +109,7 @@ core::Result<void> bringCopyUpToDate(const std::string& copy) {
     }
     auto connection = Connection::create(copy);
     const auto migrated = connection ? runner.migrate(**connection) : tl::unexpected(connection.error());
-    if (!migrated) {
-        return tl::unexpected(migrated.error());
-    }
+    CHIRON_TRY(migrated);
     QFile::remove(QString::fromStdString(*migrated)); // the backup itself already is the copy of the old
                                                       // version
     return {};
@@ -136,13 +119,9 @@ core::Result<void> bringCopyUpToDate(const std::string& copy) {
 
 core::Result<int> makeRestorable(const std::string& copy, const RestoreRequest& request,
                                  const DatabaseOptions& options, const SiteKey& key, const AuditHead& head) {
-    if (auto current = bringCopyUpToDate(copy); !current) {
-        return tl::unexpected(current.error());
-    }
+    CHIRON_TRY(bringCopyUpToDate(copy));
     const auto actor = restorerIn(copy, request.name, request.password, options);
-    if (!actor) {
-        return tl::unexpected(actor.error());
-    }
+    CHIRON_TRY(actor);
     const auto verified = [&](const AuditHead& expected) -> core::Result<void> {
         const VerifyReport report = verifySnapshot(copy, &key, expected);
         return report.ok()
@@ -152,13 +131,9 @@ core::Result<int> makeRestorable(const std::string& copy, const RestoreRequest& 
                          "the backup does not verify, nothing was changed: " + report.findings.front().table +
                              " " + report.findings.front().row + " " + report.findings.front().detail);
     };
-    if (auto good = verified(head); !good) {
-        return tl::unexpected(good.error());
-    }
+    CHIRON_TRY(verified(head));
     const auto erasures = erasuresToApply(request.backupFolder, key.folder(), request.targetFile);
-    if (!erasures) {
-        return tl::unexpected(erasures.error());
-    }
+    CHIRON_TRY(erasures);
     const SystemBootClock clock;
     const auto applied = prepare(copy, *actor, key, &clock, *erasures);
     if (!applied) {

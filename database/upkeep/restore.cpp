@@ -137,24 +137,14 @@ core::Result<RestoreInfo> Upkeep::restore(const RestoreRequest& request, const D
     DatabaseOptions options = given;
     options.siteFolder = siteFolderFor(request.targetFile, given);
     NewSiteFolder made;
-    if (auto filled = made.fill(options.siteFolder, request.siteKeyFile); !filled) {
-        return tl::unexpected(filled.error());
-    }
+    CHIRON_TRY(made.fill(options.siteFolder, request.siteKeyFile));
     const auto key = SiteKey::load(options.siteFolder);
-    if (!key) {
-        return tl::unexpected(key.error());
-    }
+    CHIRON_TRY(key);
     const auto lock = takeWriterLock(request.targetFile);
-    if (!lock) {
-        return tl::unexpected(lock.error());
-    }
-    if (auto agreed = presentAdministratorAgrees(request, options); !agreed) {
-        return tl::unexpected(agreed.error());
-    }
+    CHIRON_TRY(lock);
+    CHIRON_TRY(presentAdministratorAgrees(request, options));
     const auto manifest = readManifest(request.backupFolder, **key);
-    if (!manifest) {
-        return tl::unexpected(manifest.error());
-    }
+    CHIRON_TRY(manifest);
     const std::string copy = request.targetFile + ".restoring";
     const QString copyName = QString::fromStdString(copy);
     removeWithItsLog(copy); // left by a killed restore

@@ -135,8 +135,7 @@ inline std::string_view nameOf(const Driver& driver, std::string_view kinematics
 template <class Kinematics>
 core::Result<std::unique_ptr<IToolKinematics>> makeKinematicsOf(const DeviceDescriptor& descriptor) {
     auto made = Kinematics::create(descriptor);
-    if (!made)
-        return tl::unexpected(made.error());
+    CHIRON_TRY(made);
     return std::make_unique<Kinematics>(*made);
 }
 

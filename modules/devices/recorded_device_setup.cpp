@@ -7,8 +7,7 @@ namespace chiron::devices {
 
 core::Result<std::unique_ptr<RecordedDevice>> RecordedDevice::create(const DeviceDescriptor& descriptor) {
     auto kinematics = makeKinematics(descriptor);
-    if (!kinematics)
-        return tl::unexpected(kinematics.error());
+    CHIRON_TRY(kinematics);
     return std::unique_ptr<RecordedDevice>(new RecordedDevice(descriptor, std::move(*kinematics)));
 }
 

@@ -189,8 +189,7 @@ core::Result<std::vector<Burst>> burstsOf(const DelayRecord& record) {
 
 core::Result<DelayEstimate> estimateDelay(const DelayRecord& record) {
     const auto bursts = burstsOf(record);
-    if (!bursts)
-        return tl::unexpected(bursts.error());
+    CHIRON_TRY(bursts);
     const Fit fit = bestFit(responseOf(*bursts));
     DelayEstimate out;
     out.delay_s = fit.delay_s;

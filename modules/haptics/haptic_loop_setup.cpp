@@ -14,8 +14,7 @@ core::Result<std::unique_ptr<HapticLoop>> HapticLoop::create(const HapticLoopPar
     std::vector<SafetyTool> guarded;
     for (const LoopTool& tool : parts.tools)
         guarded.push_back({tool.device.descriptor(), tool.device.kinematics(), tool.mapping});
-    if (auto configured = parts.supervisor.configure(parts.safety, guarded); !configured)
-        return tl::unexpected(configured.error());
+    CHIRON_TRY(parts.supervisor.configure(parts.safety, guarded));
     auto loop = std::unique_ptr<HapticLoop>(new HapticLoop(parts));
     if (loop->m_scene == nullptr)
         return core::fail(core::ErrorCode::badInput, "a loop needs a first scene, offered before it is made");

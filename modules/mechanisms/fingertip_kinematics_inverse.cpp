@@ -34,8 +34,7 @@ core::Result<void> checked(const FingertipGeometry& g, const FingertipPose& pose
 
 core::Result<core::Vec3> FingertipKinematics::inverse(const FingertipPose& pose) const {
     const FingertipLoop at = loop(pose);
-    if (auto sound = checked(m_geometry, pose, at); !sound)
-        return tl::unexpected(sound.error());
+    CHIRON_TRY(checked(m_geometry, pose, at));
     return at.drives;
 }
 
@@ -44,8 +43,7 @@ core::Result<FingertipPose> FingertipKinematics::forward(const core::Vec3& drive
     pose.z_m = drives.mean() - loop({}).drives.mean();
     if (!drives.allFinite() || !forward(drives, pose))
         return refuse("no pose of the platform has these drives");
-    if (auto sound = checked(m_geometry, pose, loop(pose)); !sound)
-        return tl::unexpected(sound.error());
+    CHIRON_TRY(checked(m_geometry, pose, loop(pose)));
     return pose;
 }
 

@@ -151,8 +151,7 @@ core::Result<FingerPadParameters> identifyPad(const FingertipPlatformParameters&
 
 core::Result<FingertipPlatformParameters> worn(FingertipPlatformParameters parameters, std::uint64_t seed) {
     auto pad = identifyPad(parameters, seed);
-    if (!pad)
-        return tl::unexpected(pad.error());
+    CHIRON_TRY(pad);
     parameters.control.pad = *pad;
     return parameters;
 }

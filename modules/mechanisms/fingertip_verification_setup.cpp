@@ -233,11 +233,9 @@ double effortAt(const FingertipPlatformParameters& parameters, double speed) {
 
 core::Result<FingertipVerification> verifyFingertip(const FingertipPlatformParameters& parameters, std::uint64_t seed,
                                                     const FingertipVerificationSettings& settings) {
-    if (auto sound = checked(settings); !sound)
-        return tl::unexpected(sound.error());
+    CHIRON_TRY(checked(settings));
     auto identified = worn(parameters, seed);
-    if (!identified)
-        return tl::unexpected(identified.error());
+    CHIRON_TRY(identified);
     FingertipPlatformParameters& plant = *identified;
     FingertipVerification out;
     out.settings = settings;
@@ -281,8 +279,7 @@ core::Result<std::vector<FingertipOnFinger>> verifyFingertipOnFingers(const Fing
         FingertipPlatformParameters on = parameters;
         on.pad = pad;
         auto verified = verifyFingertip(on, seed, settings);
-        if (!verified)
-            return tl::unexpected(verified.error());
+        CHIRON_TRY(verified);
         table.push_back({name, std::move(*verified)});
     }
     return table;
@@ -298,8 +295,7 @@ core::Result<std::vector<FingertipDegradation>> degradeFingertip(const Fingertip
     for (const char* what : {"force_noise", "adc", "delay", "friction", "backlash", "imu"}) {
         for (const double factor : {0.0, 1.0, 2.0, 4.0}) {
             const auto verified = verifyFingertip(degraded(parameters, what, factor), seed, settings);
-            if (!verified)
-                return tl::unexpected(verified.error());
+            CHIRON_TRY(verified);
             table.push_back({what, factor, verified->meanRmse_N, verified->meanRmseTrue_N, verified->meanError_deg,
                              verified->meanErrorTrue_deg, verified->largest_N, verified->holds()});
         }

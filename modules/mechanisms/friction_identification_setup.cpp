@@ -116,8 +116,7 @@ core::Result<void> check(const GimbalPlantParameters& p, const GimbalCoordinates
 
 core::Result<std::array<std::optional<AxisFriction>, 4>> identifyFriction(GimbalPlant& plant, const GimbalCoordinates& middle,
                                                                           const FrictionSweep& sweep) {
-    if (auto checked = check(plant.parameters(), middle, sweep); !checked)
-        return tl::unexpected(checked.error());
+    CHIRON_TRY(check(plant.parameters(), middle, sweep));
     std::array<std::optional<AxisFriction>, 4> found;
     for (const std::size_t axis : kMotorAxes) {
         Servo servo(plant, middle);

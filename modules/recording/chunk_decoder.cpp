@@ -147,13 +147,13 @@ core::Result<void> ChunkDecoder::decode(const Chunk& chunk, std::vector<core::Ha
 
 core::Result<core::HapticFrame> ChunkDecoder::decodeTick(const Chunk& chunk, std::uint64_t tick) {
     if (auto decoded = decodeAll(chunk); !decoded)
-        return tl::make_unexpected(decoded.error());
+        return tl::unexpected(decoded.error());
     for (std::size_t row = 0; m_tickChannel < m_fields.size() && row < chunk.frames; ++row) {
         if (static_cast<std::uint64_t>(m_values[m_tickChannel * chunk.frames + row]) != tick)
             continue;
         core::HapticFrame frame;
         if (auto filled = fill(chunk, row, frame); !filled)
-            return tl::make_unexpected(filled.error());
+            return tl::unexpected(filled.error());
         return frame;
     }
     return core::fail(core::ErrorCode::notFound,

@@ -24,7 +24,7 @@ CrashRing::~CrashRing() = default;
 core::Result<std::unique_ptr<CrashRing>> CrashRing::create(const RingSettings& settings) {
     auto file = RingFile::create(settings);
     if (!file)
-        return tl::make_unexpected(file.error());
+        return tl::unexpected(file.error());
     return std::unique_ptr<CrashRing>(new CrashRing(std::move(*file)));
 }
 

@@ -20,14 +20,14 @@ Recorder::Recorder(ChannelTable table, const IPositionOf& positionOf, TrialSink&
 core::Result<void> Recorder::resume(ChunkSource& stored) {
     auto reader = RecordingReader::open(stored);
     if (!reader)
-        return tl::make_unexpected(reader.error());
+        return tl::unexpected(reader.error());
     // Reads all chunks, although only the last second is missing: when a device's clock was set back, a
     // second may depend on any earlier one. A whole session takes a fraction of a second.
     std::vector<SecondSummary> storedAlready;
     for (std::size_t i = 0; i < reader->chunkCount(); ++i) {
         const auto frames = reader->framesOf(i);
         if (!frames)
-            return tl::make_unexpected(frames.error());
+            return tl::unexpected(frames.error());
         for (const core::HapticFrame& frame : *frames)
             m_summaries.add(frame, storedAlready);
         m_nextTick = frames->back().header.index + 1;
@@ -71,7 +71,7 @@ core::Result<void> Recorder::closeChunk() {
     const auto frames = std::span<const core::HapticFrame>(m_open).first(m_openCount);
     auto chunk = m_encoder.encode(m_sequence, frames);
     if (!chunk)
-        return tl::make_unexpected(chunk.error());
+        return tl::unexpected(chunk.error());
     for (const core::HapticFrame& frame : frames)
         m_summaries.add(frame, m_done);
     m_closed.push_back(std::move(*chunk));

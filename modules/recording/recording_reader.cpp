@@ -17,10 +17,10 @@ RecordingReader::RecordingReader(ChunkSource& source, ChannelTable table)
 core::Result<RecordingReader> RecordingReader::open(ChunkSource& source) {
     const auto bytes = source.channelTable();
     if (!bytes)
-        return tl::make_unexpected(bytes.error());
+        return tl::unexpected(bytes.error());
     auto table = ChannelTable::decode(*bytes);
     if (!table)
-        return tl::make_unexpected(table.error());
+        return tl::unexpected(table.error());
     return RecordingReader(source, std::move(*table));
 }
 
@@ -49,10 +49,10 @@ core::Result<Chunk> RecordingReader::checkedChunk(std::size_t sequence) {
 core::Result<std::vector<core::HapticFrame>> RecordingReader::framesOf(std::size_t sequence) {
     const auto chunk = checkedChunk(sequence);
     if (!chunk)
-        return tl::make_unexpected(chunk.error());
+        return tl::unexpected(chunk.error());
     std::vector<core::HapticFrame> frames;
     if (auto decoded = m_decoder.decode(*chunk, frames); !decoded)
-        return tl::make_unexpected(decoded.error());
+        return tl::unexpected(decoded.error());
     return frames;
 }
 
@@ -61,9 +61,9 @@ core::Result<std::vector<core::HapticFrame>> RecordingReader::allFrames() {
     for (std::size_t i = 0; i < m_checked.size(); ++i) {
         const auto chunk = checkedChunk(i);
         if (!chunk)
-            return tl::make_unexpected(chunk.error());
+            return tl::unexpected(chunk.error());
         if (auto decoded = m_decoder.decode(*chunk, all); !decoded)
-            return tl::make_unexpected(decoded.error());
+            return tl::unexpected(decoded.error());
     }
     return all;
 }
@@ -73,7 +73,7 @@ core::Result<std::uint64_t> RecordingReader::frameCount() {
     for (std::size_t i = 0; i < m_checked.size(); ++i) {
         const auto chunk = checkedChunk(i);
         if (!chunk)
-            return tl::make_unexpected(chunk.error());
+            return tl::unexpected(chunk.error());
         frames += chunk->frames;
     }
     return frames;
@@ -85,7 +85,7 @@ core::Result<std::uint64_t> RecordingReader::lastTickOf(const Chunk& chunk) {
         return chunk.firstTick + (chunk.frames - 1);
     m_ticks.clear();
     if (auto decoded = m_decoder.decodeChannel(chunk, *channel, m_ticks); !decoded)
-        return tl::make_unexpected(decoded.error());
+        return tl::unexpected(decoded.error());
     return static_cast<std::uint64_t>(m_ticks.back());
 }
 
@@ -97,13 +97,13 @@ core::Result<core::HapticFrame> RecordingReader::frameAtTick(std::uint64_t tick)
     for (int tries = 0; low < high; ++tries) {
         const auto chunk = checkedChunk(guess);
         if (!chunk)
-            return tl::make_unexpected(chunk.error());
+            return tl::unexpected(chunk.error());
         if (tick < chunk->firstTick) {
             high = guess;
         } else {
             const auto last = lastTickOf(*chunk);
             if (!last)
-                return tl::make_unexpected(last.error());
+                return tl::unexpected(last.error());
             if (tick <= *last)
                 return m_decoder.decodeTick(*chunk, tick);
             low = guess + 1;
@@ -129,9 +129,9 @@ core::Result<std::vector<std::int64_t>> RecordingReader::channelCounts(std::uint
     for (std::size_t i = 0; i < m_checked.size(); ++i) {
         const auto chunk = checkedChunk(i);
         if (!chunk)
-            return tl::make_unexpected(chunk.error());
+            return tl::unexpected(chunk.error());
         if (auto decoded = m_decoder.decodeChannel(*chunk, *channel, counts); !decoded)
-            return tl::make_unexpected(decoded.error());
+            return tl::unexpected(decoded.error());
     }
     return counts;
 }
@@ -139,7 +139,7 @@ core::Result<std::vector<std::int64_t>> RecordingReader::channelCounts(std::uint
 core::Result<std::vector<double>> RecordingReader::channelValues(std::uint8_t tool, std::string_view id) {
     const auto counts = channelCounts(tool, id);
     if (!counts)
-        return tl::make_unexpected(counts.error());
+        return tl::unexpected(counts.error());
     const Channel& channel = table().channels()[*table().find(tool, id)];
     const double steps = stepsPerUnit(channel.resolution);
     std::vector<double> values(counts->size());
@@ -153,7 +153,7 @@ core::Result<std::vector<double>> RecordingReader::channelValues(std::uint8_t to
 core::Result<Digest> RecordingReader::forceHash(std::size_t sequence) {
     const auto chunk = checkedChunk(sequence);
     if (!chunk)
-        return tl::make_unexpected(chunk.error());
+        return tl::unexpected(chunk.error());
     return chunk->forceHash;
 }
 
@@ -163,7 +163,7 @@ core::Result<void> RecordingReader::verify() {
         m_checked[i] = false; // the source may have changed meanwhile
         const auto frames = framesOf(i);
         if (!frames)
-            return tl::make_unexpected(frames.error());
+            return tl::unexpected(frames.error());
         for (const core::HapticFrame& frame : *frames) {
             if (frame.header.index < next)
                 return core::fail(ErrorCode::doesNotHold, "chunk " + std::to_string(i) + ": tick " +

@@ -66,7 +66,7 @@ void RingFile::close() noexcept {
 
 core::Result<RingFile> RingFile::create(const RingSettings& settings) {
     if (auto checked = checkSettings(settings); !checked)
-        return tl::make_unexpected(checked.error());
+        return tl::unexpected(checked.error());
     RingFile file;
     file.m_tools = static_cast<std::uint32_t>(settings.tools);
     file.m_mask = settings.capacity - 1;
@@ -74,10 +74,10 @@ core::Result<RingFile> RingFile::create(const RingSettings& settings) {
     const std::string name = ringFilePrefix(settings.database) + std::to_string(settings.session);
     const auto part = settings.folder / (name + kUnfinishedRingSuffix);
     if (auto made = file.make(part, kRingHeaderBytes + settings.capacity * file.m_slotBytes); !made)
-        return tl::make_unexpected(made.error());
+        return tl::unexpected(made.error());
     file.writeHeader(settings);
     if (auto published = file.publish(part, settings.folder / (name + kRingSuffix)); !published)
-        return tl::make_unexpected(published.error());
+        return tl::unexpected(published.error());
     return file;
 }
 

@@ -119,8 +119,7 @@ core::Result<ChannelTable> ChannelTable::forTools(std::span<const ToolChannels> 
                                                              std::to_string(core::kMaxCoordinates));
         addTool(channels, static_cast<std::uint8_t>(t), tools[t]);
     }
-    if (auto added = addScene(channels, scene); !added)
-        return tl::unexpected(added.error());
+    CHIRON_TRY(addScene(channels, scene));
     return fromChannels(std::move(channels));
 }
 

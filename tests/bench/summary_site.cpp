@@ -30,8 +30,7 @@ struct Stopper final : core::IFrameSink {
 /// Haptics alone, without an end in ten minutes.
 core::Result<catalogue::ExerciseLevel> longLevel() {
     const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
-    if (!catalogue)
-        return tl::unexpected(catalogue.error());
+    CHIRON_TRY(catalogue);
     const auto stored = QByteArray::fromStdString(catalogue->find("sphere_apex", 2)->resolvedJson);
     QJsonObject json = QJsonDocument::fromJson(stored).object();
     QJsonObject inner = json["level"].toObject();
@@ -70,13 +69,11 @@ SummarySite::~SummarySite() = default;
 
 core::Result<bool> SummarySite::record(std::uint64_t seed) {
     auto level = longLevel();
-    if (!level)
-        return tl::unexpected(level.error());
+    CHIRON_TRY(level);
     const auto kind = session::exerciseKind(level->exercise);
     const std::vector<std::string> operators = (*kind)->operatorNames();
     auto station = session::scriptedStation(**kind, *level, operators[seed % operators.size()], seed);
-    if (!station)
-        return tl::unexpected(station.error());
+    CHIRON_TRY(station);
     Stopper stopper;
     session::TrainingRequest request;
     request.level = std::move(*level);
@@ -85,8 +82,7 @@ core::Result<bool> SummarySite::record(std::uint64_t seed) {
     request.witness = &stopper;
     request.cancel = &stopper.stop;
     auto result = session::runTraining(*m_database, database::Actor::simulated(), std::move(request));
-    if (!result)
-        return tl::unexpected(result.error());
+    CHIRON_TRY(result);
     if (result->loop.ticks < kTenMinutes_ticks)
         return core::fail(core::ErrorCode::doesNotHold, "the session ended before its ten minutes were over");
     m_recorded.push_back(result->session);
@@ -97,23 +93,19 @@ core::Result<bool> SummarySite::record(std::uint64_t seed) {
 core::Result<bool> SummarySite::replicate(int sessions) {
     m_database.reset(); // the lock and the writer's connection go: what follows is no product's work
     auto writer = database::Connection::open(m_file, database::Connection::Mode::readWrite);
-    if (!writer)
-        return tl::unexpected(writer.error());
+    CHIRON_TRY(writer);
     (void)(*writer)->begin();
     const auto first = static_cast<std::int64_t>(m_recorded.back()) + 1;
     for (int n = static_cast<int>(m_recorded.size()); n < sessions; ++n) {
         const std::int64_t id = first + n;
         const auto from = static_cast<std::int64_t>(m_recorded[static_cast<std::size_t>(n) % m_recorded.size()]);
         for (const char* sql : {kCopySession, kCopySummaries})
-            if (auto copied = database::Query::run(**writer, sql, {id, from}); !copied)
-                return tl::unexpected(copied.error());
+            CHIRON_TRY(database::Query::run(**writer, sql, {id, from}));
     }
-    if (auto committed = (*writer)->commit(); !committed)
-        return tl::unexpected(committed.error());
+    CHIRON_TRY((*writer)->commit());
     (void)(*writer)->execute("PRAGMA wal_checkpoint(TRUNCATE)"); // leftovers in the log would only be slower
     auto reader = database::Connection::open(m_file, database::Connection::Mode::readOnly);
-    if (!reader)
-        return tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
     m_reader = std::move(*reader);
     m_summaryRows = (*database::selectInteger(*m_reader, "SELECT count(*) FROM second_summary")).value_or(0);
     return true;
@@ -124,18 +116,15 @@ core::Result<Totals> SummarySite::ask(int recorded) {
                                       "SELECT max(maximum_force_n), total(path_length_m) FROM second_summary "
                                       "WHERE session_id = ?",
                                       {static_cast<std::int64_t>(m_recorded[static_cast<std::size_t>(recorded)])});
-    if (!query)
-        return tl::unexpected(query.error());
-    if (auto row = query->next(); !row)
-        return tl::unexpected(row.error());
+    CHIRON_TRY(query);
+    CHIRON_TRY(query->next());
     return Totals{query->real(0), query->real(1)};
 }
 
 core::Result<std::vector<Totals>> SummarySite::askAll() {
     auto query = database::Query::run(*m_reader, "SELECT max(maximum_force_n), total(path_length_m) FROM second_summary "
                                                  "GROUP BY session_id");
-    if (!query)
-        return tl::unexpected(query.error());
+    CHIRON_TRY(query);
     std::vector<Totals> all;
     auto row = query->next();
     for (; row && *row; row = query->next())
@@ -146,8 +135,7 @@ core::Result<std::vector<Totals>> SummarySite::askAll() {
 core::Result<std::vector<Sample>> SummarySite::samples(int recorded) {
     auto stored = session::SessionView::open(*m_reader, database::Actor::simulated(),
                                                m_recorded[static_cast<std::size_t>(recorded)]);
-    if (!stored)
-        return tl::unexpected(stored.error());
+    CHIRON_TRY(stored);
     std::vector<Sample> all;
     auto done = (*stored)->eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
         for (const core::HapticFrame& frame : frames)

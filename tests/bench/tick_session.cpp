@@ -88,14 +88,12 @@ TickTimes timeTicks(haptics::HapticLoop& loop, Recording& recording, std::size_t
 
 core::Result<session::Station> stationOf(const session::SessionSetup& setup) {
     const auto kind = session::exerciseKind(setup.level.exercise);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    CHIRON_TRY(kind);
     auto station = session::scriptedStation(**kind, setup.level, kOperator, setup.seed);
     if (!station)
         return station;
     for (const auto& tool : station->tools)
-        if (auto opened = tool.device->open(); !opened)
-            return tl::unexpected(opened.error());
+        CHIRON_TRY(tool.device->open());
     return station;
 }
 
@@ -114,8 +112,7 @@ struct Playback {
     core::Result<void> open(const session::SessionSetup& setup) {
         for (const devices::DeviceDescriptor& descriptor : setup.devices) {
             auto device = devices::RecordedDevice::create(descriptor);
-            if (!device)
-                return tl::unexpected(device.error());
+            CHIRON_TRY(device);
             devices.push_back(std::move(*device));
         }
         return {};
@@ -147,15 +144,13 @@ std::unique_ptr<simulation::IScene> sceneOf(const session::SessionSetup& setup) 
 
 core::Result<RecordedSession> recordSession(const char* exercise, int level, std::uint64_t seed, std::size_t ticks) {
     const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
-    if (!catalogue)
-        return tl::unexpected(catalogue.error());
+    CHIRON_TRY(catalogue);
     RecordedSession recorded;
     recorded.setup.level = *catalogue->find(exercise, level);
     recorded.setup.seed = seed;
     recorded.setup.safety = session::headlessSafety(recorded.setup.level);
     auto station = stationOf(recorded.setup);
-    if (!station)
-        return tl::unexpected(station.error());
+    CHIRON_TRY(station);
     for (const auto& tool : station->tools)
         recorded.setup.devices.push_back(tool.device->descriptor());
     recorded.setup.mappings = station->mappings();
@@ -198,8 +193,7 @@ core::Result<TickTimes> timeWithRecordedDevice(const RecordedSession& recorded) 
 
 core::Result<std::size_t> sameFrames(const RecordedSession& recorded) {
     Playback playback;
-    if (auto opened = playback.open(recorded.setup); !opened)
-        return tl::unexpected(opened.error());
+    CHIRON_TRY(playback.open(recorded.setup));
     tests::FrameStore store(recorded.frames.size());
     tests::LoopBench bench(playback.tools(recorded.setup), playback.inputs, store,
                            sceneOf(recorded.setup), recorded.setup.safety);

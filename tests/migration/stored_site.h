@@ -24,9 +24,7 @@ inline void copyTo(const std::string& name, const QByteArray& content) {
 /// The site that version 1 stored, as a database of that version.
 inline core::Result<void> makeStoredSite(const std::string& file) {
     auto connection = Connection::create(file);
-    if (!connection) {
-        return tl::unexpected(connection.error());
-    }
+    CHIRON_TRY(connection);
     auto built = (*connection)
                      ->execute("PRAGMA foreign_keys=OFF; BEGIN;" +
                                contentOf(std::string(kStoredSite) + "v1_site.sql").toStdString() +

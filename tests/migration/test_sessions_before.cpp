@@ -44,8 +44,7 @@ constexpr SiteBefore kSitesBefore[] = {{"v3_sessions", "models 1"}, {"v3_session
 
 core::Result<void> makeSiteBefore(const std::string& file, const char* name) {
     auto connection = Connection::create(file);
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     const std::string stored = std::string(kStoredSite) + name;
     auto built = (*connection)
                      ->execute(unpacked(contentOf(stored + ".sql.zst")).toStdString() +

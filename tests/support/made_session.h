@@ -45,13 +45,10 @@ inline database::SessionId store(database::Database& database, const database::A
         if (!begun)
             return begun;
         auto sink = sessions.openSink(*begun);
-        if (!sink)
-            return tl::unexpected(sink.error());
+        CHIRON_TRY(sink);
         recording::Recorder recorder(*table, **positions, **sink, {.forceLimit_N = columns.forceLimit_N});
-        if (auto added = recorder.add(made.frames); !added)
-            return tl::unexpected(added.error());
-        if (auto done = recorder.finish(); !done)
-            return tl::unexpected(done.error());
+        CHIRON_TRY(recorder.add(made.frames));
+        CHIRON_TRY(recorder.finish());
         return begun;
     });
     if (!id)

@@ -124,31 +124,24 @@ CommandOutput output(const DemoPlace& place, const session::DemoSite& made, cons
 
 core::Result<CommandOutput> demo(const Arguments& arguments) {
     auto seed = arguments.seed(QStringLiteral("seed"), 1);
-    if (!seed)
-        return tl::unexpected(seed.error());
+    CHIRON_TRY(seed);
     auto place = placeFor(arguments);
-    if (!place)
-        return tl::unexpected(place.error());
+    CHIRON_TRY(place);
     auto content = catalogue::findContentDirectory();
-    if (!content)
-        return tl::unexpected(content.error());
+    CHIRON_TRY(content);
     auto catalogue = catalogue::Catalogue::load(*content);
-    if (!catalogue)
-        return tl::unexpected(catalogue.error());
+    CHIRON_TRY(catalogue);
     database::DatabaseOptions options = databaseOptions();
     options.demonstration = true;
     auto site = session::openSite(place->database.toStdString(), options);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     auto made = session::makeDemoSite(*site->database, *catalogue, *seed,
                                          [](const session::DemoProgress& now) {
                                              tell(QStringLiteral("step %1 of %2: %3").arg(now.step).arg(now.of).arg(QString::fromStdString(now.doing)));
                                          });
-    if (!made)
-        return tl::unexpected(made.error());
+    CHIRON_TRY(made);
     auto drawn = drawDemo(*site->database, *made, place->folder);
-    if (!drawn)
-        return tl::unexpected(drawn.error());
+    CHIRON_TRY(drawn);
     site->database.reset(); // verify must read the file as the next program will find it
     tell(QStringLiteral("verifying"));
     const database::VerifyReport verified = session::verifyEverything(place->database.toStdString(), databaseOptions());

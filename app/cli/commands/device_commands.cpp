@@ -58,24 +58,19 @@ core::Result<CommandOutput> checkFingertip(const Arguments& arguments, std::opti
     mechanisms::FingertipVerificationSettings settings;
     const auto frequency = arguments.number(QStringLiteral("frequency"), 0.05, 5.0, settings.frequency_Hz);
     const auto poses = arguments.integer(QStringLiteral("poses"), 1, 10000, settings.poses);
-    if (!seed)
-        return tl::unexpected(seed.error());
-    if (!frequency)
-        return tl::unexpected(frequency.error());
-    if (!poses)
-        return tl::unexpected(poses.error());
+    CHIRON_TRY(seed);
+    CHIRON_TRY(frequency);
+    CHIRON_TRY(poses);
     settings.frequency_Hz = *frequency;
     settings.poses = static_cast<int>(*poses);
     const mechanisms::FingertipPlatformParameters plant;
     auto verified = mechanisms::verifyFingertip(plant, *seed, settings);
-    if (!verified)
-        return tl::unexpected(verified.error());
+    CHIRON_TRY(verified);
     FingertipCheck check;
     check.seed = *seed;
     check.verification = std::move(*verified);
     auto fingers = mechanisms::verifyFingertipOnFingers(plant, *seed, settings);
-    if (!fingers)
-        return tl::unexpected(fingers.error());
+    CHIRON_TRY(fingers);
     check.fingers = std::move(*fingers);
     check.friction = mechanisms::identifyFingertipFriction(plant);
     check.arm = mechanisms::verifyFingertipArm({}, *seed);
@@ -83,8 +78,7 @@ core::Result<CommandOutput> checkFingertip(const Arguments& arguments, std::opti
     check.stiffnessCap_N_per_m = mechanisms::stiffnessCap_N_per_m(check.damping_Ns_per_m, core::kTickSeconds, check.verification.latency_s);
     if (arguments.has(QStringLiteral("degrade"))) {
         auto table = mechanisms::degradeFingertip(plant, *seed, settings);
-        if (!table)
-            return tl::unexpected(table.error());
+        CHIRON_TRY(table);
         check.degradation = std::move(*table);
     }
     return describeFingertipCheck(check, arguments.has(QStringLiteral("series")));
@@ -105,12 +99,10 @@ core::Result<MeasuredDelay> delayOf(const mechanisms::GimbalPlantParameters& pla
     atRest.strategy = std::make_unique<mechanisms::ScriptedMotion>(devices::kHeldFrom_D);
     atRest.gimbal = &plant;
     auto station = session::simulatedStation("gimbal_hprd", std::move(atRest));
-    if (!station)
-        return tl::unexpected(station.error());
+    CHIRON_TRY(station);
     const session::StationTool& tool = station->tools.front();
     const auto estimate = session::measureDelay(*tool.device, tool.mapping);
-    if (!estimate)
-        return tl::unexpected(estimate.error());
+    CHIRON_TRY(estimate);
     return MeasuredDelay{*estimate, tool.device->descriptor().serialNumber};
 }
 
@@ -160,17 +152,14 @@ core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
     parameters.sampleDelay_ticks = sampleDelay_ticks;
     mechanisms::GimbalPlant plant(parameters);
     const auto found = mechanisms::identifyFriction(plant, {});
-    if (!found)
-        return tl::unexpected(found.error());
+    CHIRON_TRY(found);
     const double given_s = core::kTickSeconds * parameters.sampleDelay_ticks + parameters.amplifierLag_s;
     const auto delay = delayOf(parameters);
-    if (!delay)
-        return tl::unexpected(delay.error());
+    CHIRON_TRY(delay);
     const double latency_s = delay->estimate.delay_s;
     const double cap = mechanisms::stiffnessCap_N_per_m(damping, core::kTickSeconds, latency_s);
     const auto felt = session::feelFriction(parameters, kCompensation);
-    if (!felt)
-        return tl::unexpected(felt.error());
+    CHIRON_TRY(felt);
     TextTable table({QStringLiteral("axis"), QStringLiteral(">Coulomb"), QStringLiteral(">given"), QStringLiteral(">viscous"), QStringLiteral(">given")});
     QJsonArray axes;
     bool holds = std::abs(latency_s - given_s) <= kDelayTolerance_s;
@@ -206,19 +195,15 @@ core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
 }
 
 core::Result<CommandOutput> check(const Arguments& arguments) {
-    if (auto refused = refuseOtherDrivers(arguments.value(QStringLiteral("driver"))); !refused)
-        return tl::unexpected(refused.error());
+    CHIRON_TRY(refuseOtherDrivers(arguments.value(QStringLiteral("driver"))));
     const QString fingertip = QStringLiteral("fingertip_arm");
     const auto mechanism = arguments.choice(QStringLiteral("mechanism"), {fingertip, QStringLiteral("gimbal_hprd")}, fingertip);
     // models.md: the default B of a wall.
     const auto damping = arguments.number(QStringLiteral("damping"), 0.01, 100.0, 2.0);
-    if (!mechanism)
-        return tl::unexpected(mechanism.error());
-    if (!damping)
-        return tl::unexpected(damping.error());
+    CHIRON_TRY(mechanism);
+    CHIRON_TRY(damping);
     const auto sampleDelay = arguments.integer(QStringLiteral("sample-delay"), 0, 3, 0);
-    if (!sampleDelay)
-        return tl::unexpected(sampleDelay.error());
+    CHIRON_TRY(sampleDelay);
     if (*mechanism == fingertip && arguments.has(QStringLiteral("sample-delay")))
         return wrongUse(QStringLiteral("option --sample-delay: means nothing with --mechanism fingertip_arm"));
     if (*mechanism == fingertip)

@@ -107,19 +107,15 @@ core::Result<CommandOutput> evaluate(const Arguments& arguments) {
                               .arg(quoted(id), lawNames())
                               .toStdString());
     const auto parameters = readLawParameters(*law, arguments.value(QStringLiteral("parameters")));
-    if (!parameters)
-        return tl::unexpected(parameters.error());
+    CHIRON_TRY(parameters);
     constexpr qint64 kLargest = qint64{256} << 20;
     const auto bytes = readStandardInput(kLargest);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
+    CHIRON_TRY(bytes);
     const auto table = readLawTable(*law, *bytes, QStringLiteral("stdin"));
-    if (!table)
-        return tl::unexpected(table.error());
+    CHIRON_TRY(table);
     core::setModelFloatingPointEnvironment();
     const auto results = evaluateLaw(*law, *parameters, *table, QStringLiteral("stdin"));
-    if (!results)
-        return tl::unexpected(results.error());
+    CHIRON_TRY(results);
     return tableOutput(*law, *table, *results, arguments.has(QStringLiteral("with-inputs")));
 }
 

@@ -23,8 +23,7 @@ QString text(const std::string& words) {
 core::Result<catalogue::Catalogue> load(const Arguments& arguments) {
     const auto folder =
         catalogue::findContentDirectory(arguments.value(QStringLiteral("content")).toStdString());
-    if (!folder)
-        return tl::unexpected(folder.error());
+    CHIRON_TRY(folder);
     return catalogue::Catalogue::load(*folder);
 }
 
@@ -168,10 +167,8 @@ QString missingText(const std::vector<catalogue::MissingText>& missing) {
 core::Result<CommandOutput> list(const Arguments& arguments) {
     const auto content = load(arguments);
     const auto language = chosenLanguage(arguments);
-    if (!language)
-        return tl::unexpected(language.error());
-    if (!content)
-        return tl::unexpected(content.error());
+    CHIRON_TRY(language);
+    CHIRON_TRY(content);
     QJsonArray json;
     TextTable table({QStringLiteral("exercise"), QStringLiteral(">level"), QStringLiteral("title"),
                      QStringLiteral(">tools"), QStringLiteral("needs force"), QStringLiteral("pass marks")});
@@ -222,11 +219,9 @@ QString levelText(const catalogue::ExerciseLevel& level, const std::string& lang
 
 core::Result<CommandOutput> show(const Arguments& arguments) {
     const auto language = chosenLanguage(arguments);
-    if (!language)
-        return tl::unexpected(language.error());
+    CHIRON_TRY(language);
     const auto content = load(arguments);
-    if (!content)
-        return tl::unexpected(content.error());
+    CHIRON_TRY(content);
     const catalogue::Exercise* exercise = content->find(arguments.operand(0).toStdString());
     if (!exercise) {
         QStringList ids;

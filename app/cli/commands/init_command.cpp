@@ -26,23 +26,18 @@ core::Result<std::unique_ptr<database::Database>> createOrOpen(const QString& pa
 core::Result<CommandOutput> init(const Arguments& arguments) {
     const std::string name = arguments.value(QStringLiteral("admin")).toStdString();
     const auto secrets = readSecrets(arguments, {QStringLiteral("CHIRON_PASSWORD")});
-    if (!secrets)
-        return tl::unexpected(secrets.error());
+    CHIRON_TRY(secrets);
     // These checks come before the file is created, so that a refused password leaves nothing behind.
-    if (auto fits = database::checkName(name); !fits)
-        return tl::unexpected(fits.error());
-    if (auto fits = database::checkPassword(name, (*secrets)[0]); !fits)
-        return tl::unexpected(fits.error());
+    CHIRON_TRY(database::checkName(name));
+    CHIRON_TRY(database::checkPassword(name, (*secrets)[0]));
     const QString path = databasePath(arguments);
     const auto database = createOrOpen(path);
-    if (!database)
-        return tl::unexpected(database.error());
+    CHIRON_TRY(database);
     const auto first =
         database::AccountService(**database)
             .createFirstAdministrator(name, (*secrets)[0],
                                       arguments.value(QStringLiteral("display-name")).toStdString());
-    if (!first)
-        return tl::unexpected(first.error());
+    CHIRON_TRY(first);
     const QString code = QString::fromStdString(first->recoveryCode);
     const QJsonObject json{{QStringLiteral("database"), path},
                            {QStringLiteral("schema_version"), (*database)->schemaVersion()},

@@ -26,8 +26,7 @@ QString text(const std::string& words) {
 core::Result<double> metresPerUnit(const Arguments& arguments) {
     const auto unit = arguments.choice(QStringLiteral("unit"), {QStringLiteral("mm"), QStringLiteral("cm"), QStringLiteral("m")},
                                        QStringLiteral("mm"));
-    if (!unit)
-        return tl::unexpected(unit.error());
+    CHIRON_TRY(unit);
     return *unit == QLatin1String("m") ? 1.0 : *unit == QLatin1String("cm") ? 0.01 : 0.001;
 }
 
@@ -35,13 +34,11 @@ core::Result<double> metresPerUnit(const Arguments& arguments) {
 /// Errors: badInput with the file, the place in it, what was found and what was expected.
 core::Result<MeshImport> readMeshFile(const Arguments& arguments) {
     const auto unit_m = metresPerUnit(arguments);
-    if (!unit_m)
-        return tl::unexpected(unit_m.error());
+    CHIRON_TRY(unit_m);
     constexpr qint64 kLargest = qint64{256} << 20;
     const QString path = arguments.operand(0);
     const auto file = readInputFile(path, kLargest);
-    if (!file)
-        return tl::unexpected(file.error());
+    CHIRON_TRY(file);
     const std::string_view bytes(file->constData(), static_cast<std::size_t>(file->size()));
     // If the format of a damaged file cannot be guessed, its name or its beginning decides; a file with
     // binary data is not OBJ.
@@ -80,8 +77,7 @@ QJsonObject reportJson(const QString& path, const MeshReport& report) {
 
 core::Result<CommandOutput> check(const Arguments& arguments) {
     const auto import = readMeshFile(arguments);
-    if (!import)
-        return tl::unexpected(import.error());
+    CHIRON_TRY(import);
     return CommandOutput{QJsonDocument(reportJson(arguments.operand(0), import->report)), text(import->report.text()), 0};
 }
 
@@ -109,11 +105,9 @@ template <class Whole> QJsonArray wholes(const std::vector<Whole>& values) {
 
 core::Result<CommandOutput> import(const Arguments& arguments) {
     const auto id = meshId(arguments);
-    if (!id)
-        return tl::unexpected(id.error());
+    CHIRON_TRY(id);
     const auto read = readMeshFile(arguments);
-    if (!read)
-        return tl::unexpected(read.error());
+    CHIRON_TRY(read);
     const auto stored = simulation::storedMesh(read->shape, id->toStdString());
     if (!stored)
         return badInput(QStringLiteral("%1: %2").arg(arguments.operand(0), text(stored.error().message)));

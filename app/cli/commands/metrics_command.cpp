@@ -26,8 +26,7 @@ QString allMetricIds() {
 
 core::Result<std::vector<scoring::MetricRequest>> requests(const Arguments& arguments) {
     auto names = arguments.list(QStringLiteral("metric"));
-    if (!names)
-        return tl::unexpected(names.error());
+    CHIRON_TRY(names);
     if (names->isEmpty())
         names = allMetricIds().split(QStringLiteral(", "));
     std::vector<scoring::MetricRequest> wanted;
@@ -53,24 +52,18 @@ core::Result<scoring::MarkMeaning> markOf(const std::string& exercise, const sco
 
 core::Result<CommandOutput> metrics(const Arguments& arguments) {
     const auto wanted = requests(arguments);
-    if (!wanted)
-        return tl::unexpected(wanted.error());
+    CHIRON_TRY(wanted);
     const auto limit = arguments.number(QStringLiteral("force-limit"), 0.01, 100.0, 4.0);
-    if (!limit)
-        return tl::unexpected(limit.error());
+    CHIRON_TRY(limit);
     const auto rows = scoring::readTraceCsvFile(arguments.operand(0).toStdString());
-    if (!rows)
-        return tl::unexpected(rows.error());
+    CHIRON_TRY(rows);
     const std::string exercise = arguments.value(QStringLiteral("exercise")).toStdString();
     const auto mark = markOf(exercise, rows->columns);
-    if (!mark)
-        return tl::unexpected(mark.error());
+    CHIRON_TRY(mark);
     const auto trace = scoring::buildSessionTrace(*rows, exercise, *limit, *mark);
-    if (!trace)
-        return tl::unexpected(trace.error());
+    CHIRON_TRY(trace);
     const auto card = scoring::calculateScore(*trace, *wanted, {}, true);
-    if (!card)
-        return tl::unexpected(card.error());
+    CHIRON_TRY(card);
     std::vector<TrialEnding> endings;
     for (const scoring::TrialTrace& trial : trace->trials)
         endings.push_back({{}, trial.marked || trial.completed, trial.timedOut, trial.failed, trial.unfinished});

@@ -19,8 +19,7 @@ core::Result<database::PersonId> personOf(Site& site, const std::string& name) {
     if (name == site.actor.name())
         return site.actor.personId();
     const auto person = database::AccountService(*site.database).personByName(site.actor, name);
-    if (!person)
-        return tl::unexpected(person.error());
+    CHIRON_TRY(person);
     return person->id;
 }
 
@@ -44,22 +43,17 @@ core::Result<void> writeFile(const QString& path, const QByteArray& bytes) {
 
 core::Result<CommandOutput> exportPerson(const Arguments& arguments) {
     auto site = openAsPerson(arguments, Opening::forReading);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     const auto id = personOf(*site, arguments.operand(0).toStdString());
-    if (!id)
-        return tl::unexpected(id.error());
+    CHIRON_TRY(id);
     const auto connection = site->database->openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     const auto everything = database::PrivacyRepository(**connection, site->actor).exportPerson(*id);
-    if (!everything)
-        return tl::unexpected(everything.error());
+    CHIRON_TRY(everything);
     const QJsonDocument json(personExportJson(*everything));
     const QString output = arguments.value(QStringLiteral("output"));
     if (!output.isEmpty()) {
-        if (auto written = writeFile(output, json.toJson()); !written)
-            return tl::unexpected(written.error());
+        CHIRON_TRY(writeFile(output, json.toJson()));
     }
     const QString text =
         peopleText({everything->person}) + QLatin1Char('\n') +
@@ -74,17 +68,14 @@ core::Result<CommandOutput> exportPerson(const Arguments& arguments) {
 
 core::Result<CommandOutput> erasePerson(const Arguments& arguments) {
     auto site = openAsPerson(arguments, Opening::forWriting);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     const auto id = personToErase(*site, arguments.operand(0));
-    if (!id)
-        return tl::unexpected(id.error());
+    CHIRON_TRY(id);
     const bool withdraw = arguments.has(QStringLiteral("withdraw-recordings"));
     const QString reason = arguments.value(QStringLiteral("reason"));
     const auto done = database::AccountService(*site->database)
                           .erasePerson(site->actor, site->secrets[0], *id, reason.toStdString(), withdraw);
-    if (!done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(done);
     const QJsonObject json{{QStringLiteral("id"), static_cast<qint64>(*id)},
                            {QStringLiteral("erased"), true},
                            {QStringLiteral("reason"), reason},

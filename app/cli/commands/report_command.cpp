@@ -19,27 +19,21 @@ core::Result<CommandOutput> report(const Arguments& arguments) {
     if (!isNumber || id < 1)
         return wrongUse(QStringLiteral("SESSION %1: expected the number of a session").arg(quoted(arguments.operand(0))));
     auto site = openAsAnybody(arguments, Opening::forReading);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     auto connection = site->database->openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     auto session = session::SessionView::open(**connection, site->actor, id);
-    if (!session)
-        return tl::unexpected(session.error());
+    CHIRON_TRY(session);
     auto data = session_report::reportDataOf(**session, **connection, site->actor, "en");
-    if (!data)
-        return tl::unexpected(data.error());
+    CHIRON_TRY(data);
     const report::PlotTheme theme = report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom));
     const QString path = QFileInfo(arguments.value(QStringLiteral("pdf"))).absoluteFilePath();
-    if (auto written = report::writeSessionPdf(path, *data, theme); !written)
-        return tl::unexpected(written.error());
+    CHIRON_TRY(report::writeSessionPdf(path, *data, theme));
     QJsonObject json{{"session_id", static_cast<double>(id)}, {"pdf", path}};
     QString text = path + QLatin1Char('\n');
     if (arguments.has(QStringLiteral("pictures"))) {
         auto pictures = report::writeSessionPngs(arguments.value(QStringLiteral("pictures")), *data, theme);
-        if (!pictures)
-            return tl::unexpected(pictures.error());
+        CHIRON_TRY(pictures);
         QJsonArray list;
         for (const QString& picture : *pictures) {
             list.append(picture);

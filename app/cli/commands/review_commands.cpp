@@ -22,17 +22,13 @@ struct Opened {
 
 core::Result<Opened> openStored(const Arguments& arguments) {
     auto id = arguments.integerOperand(0, 1, std::numeric_limits<qint64>::max());
-    if (!id)
-        return tl::unexpected(id.error());
+    CHIRON_TRY(id);
     auto site = openAsAnybody(arguments, Opening::forReading);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     auto connection = site->database->openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     auto session = session::SessionView::open(**connection, site->actor, *id);
-    if (!session)
-        return tl::unexpected(session.error());
+    CHIRON_TRY(session);
     return Opened{std::move(*site), std::move(*connection), std::move(*session)};
 }
 
@@ -58,23 +54,18 @@ QString forceText(const scoring::ForceFacts& force, bool felt) {
 
 core::Result<CommandOutput> score(const Arguments& arguments) {
     auto version = arguments.integer(QStringLiteral("metric-version"), 1, 1000, 0);
-    if (!version)
-        return tl::unexpected(version.error());
+    CHIRON_TRY(version);
     auto opened = openStored(arguments);
-    if (!opened)
-        return tl::unexpected(opened.error());
+    CHIRON_TRY(opened);
     auto card = opened->session->computeScores(static_cast<int>(*version));
-    if (!card)
-        return tl::unexpected(card.error());
+    CHIRON_TRY(card);
     auto view = viewOf(*opened->connection, opened->site.actor, opened->session->record().summary.id);
-    if (!view)
-        return tl::unexpected(view.error());
+    CHIRON_TRY(view);
     const bool same = session::sameScores(view->card, *card);
     const QJsonArray stored = metricsJson(view->card.metrics);
     view->card = std::move(*card);
     auto trace = opened->session->trace();
-    if (!trace)
-        return tl::unexpected(trace.error());
+    CHIRON_TRY(trace);
     const scoring::ForceFacts force = scoring::forceFactsOf(**trace);
     const bool felt = opened->session->record().setup.felt;
     QJsonObject json = scoreJson(*view);
@@ -88,11 +79,9 @@ core::Result<CommandOutput> score(const Arguments& arguments) {
 
 core::Result<CommandOutput> replay(const Arguments& arguments) {
     auto opened = openStored(arguments);
-    if (!opened)
-        return tl::unexpected(opened.error());
+    CHIRON_TRY(opened);
     auto report = session::replaySession(*opened->session);
-    if (!report)
-        return tl::unexpected(report.error());
+    CHIRON_TRY(report);
     QJsonObject json{{"session_id", static_cast<double>(opened->session->record().summary.id)},
                      {"frames", static_cast<double>(report->frames)},
                      {"identical", report->identical},

@@ -24,28 +24,23 @@ struct Reading {
 
 core::Result<Reading> openReading(const Arguments& arguments) {
     auto site = openAsAnybody(arguments, Opening::forReading);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     auto connection = site->database->openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     return Reading{std::move(*site), std::move(*connection)};
 }
 
 core::Result<CommandOutput> list(const Arguments& arguments) {
     database::SessionFilter filter;
     auto limit = arguments.integer(QStringLiteral("limit"), 1, 1'000'000, 0);
-    if (!limit)
-        return tl::unexpected(limit.error());
+    CHIRON_TRY(limit);
     filter.limit = static_cast<int>(*limit);
     filter.exercise = arguments.value(QStringLiteral("exercise")).toStdString();
     filter.includeArchived = arguments.has(QStringLiteral("archived"));
     auto reading = openReading(arguments);
-    if (!reading)
-        return tl::unexpected(reading.error());
+    CHIRON_TRY(reading);
     auto sessions = database::SessionReader(*reading->connection, reading->site.actor).listSessions(filter);
-    if (!sessions)
-        return tl::unexpected(sessions.error());
+    CHIRON_TRY(sessions);
     QJsonArray array;
     TextTable table({">id", "person", "exercise", ">level", ">attempt", "operator", "state", "passed", "started (UTC)", ">frames", ">bytes"});
     for (const database::SessionSummary& session : *sessions) {
@@ -61,20 +56,15 @@ core::Result<CommandOutput> list(const Arguments& arguments) {
 
 core::Result<CommandOutput> show(const Arguments& arguments) {
     auto id = arguments.integerOperand(0, 1, std::numeric_limits<qint64>::max());
-    if (!id)
-        return tl::unexpected(id.error());
+    CHIRON_TRY(id);
     auto reading = openReading(arguments);
-    if (!reading)
-        return tl::unexpected(reading.error());
+    CHIRON_TRY(reading);
     auto record = database::SessionReader(*reading->connection, reading->site.actor).session(*id);
-    if (!record)
-        return tl::unexpected(record.error());
+    CHIRON_TRY(record);
     auto view = viewOf(*reading->connection, reading->site.actor, *id);
-    if (!view)
-        return tl::unexpected(view.error());
+    CHIRON_TRY(view);
     auto events = eventsJson(*reading->connection, reading->site.actor, *record);
-    if (!events)
-        return tl::unexpected(events.error());
+    CHIRON_TRY(events);
     const QJsonArray yields = yieldsOf(*events);
     QJsonObject json = sessionJson(*view, *record);
     json.insert("yields", yields);
@@ -101,17 +91,13 @@ core::Result<CommandOutput> exportSession(const Arguments& arguments) {
             return wrongUse(QStringLiteral("--format: %1: unknown; expected csv, json, bids").arg(quoted(format)));
     }
     auto reading = openReading(arguments);
-    if (!reading)
-        return tl::unexpected(reading.error());
+    CHIRON_TRY(reading);
     auto session = session::SessionView::open(*reading->connection, reading->site.actor, *id);
-    if (!session)
-        return tl::unexpected(session.error());
+    CHIRON_TRY(session);
     auto view = viewOf(*reading->connection, reading->site.actor, *id);
-    if (!view)
-        return tl::unexpected(view.error());
+    CHIRON_TRY(view);
     auto events = eventsJson(*reading->connection, reading->site.actor, (*session)->record());
-    if (!events)
-        return tl::unexpected(events.error());
+    CHIRON_TRY(events);
     QJsonObject known = sessionJson(*view, (*session)->record());
     known.insert("events", *events);
     const QDir folder(arguments.has(QStringLiteral("folder")) ? arguments.value(QStringLiteral("folder")) : QStringLiteral("."));
@@ -121,8 +107,7 @@ core::Result<CommandOutput> exportSession(const Arguments& arguments) {
     QString text;
     for (const QString& format : *formats) {
         const QString path = folder.filePath(QStringLiteral("session_%1.%2").arg(*id).arg(format));
-        if (auto written = writeFormat(format, **session, known, path); !written)
-            return tl::unexpected(written.error());
+        CHIRON_TRY(writeFormat(format, **session, known, path));
         files.append(path);
         text += path + QLatin1Char('\n');
     }

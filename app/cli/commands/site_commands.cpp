@@ -19,11 +19,9 @@ CommandOutput nameOutput(const std::string& stored) {
 
 core::Result<CommandOutput> showName(const Arguments& arguments) {
     const auto site = openAsAnybody(arguments, Opening::forReading);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     const auto connection = site->database->openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     return database::SiteRepository(**connection, site->actor).siteName().map(nameOutput);
 }
 
@@ -36,16 +34,13 @@ core::Result<CommandOutput> name(const Arguments& arguments) {
     if (!removes && !gives)
         return showName(arguments);
     const auto wanted = database::checkedSiteName(arguments.operand(0).toStdString());
-    if (!wanted)
-        return tl::unexpected(wanted.error());
+    CHIRON_TRY(wanted);
     const auto site = openAsPerson(arguments, Opening::forWriting);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     const auto stored = site->database->write([&](database::WriteContext& writing) {
         return database::SiteRepository(writing.connection(), site->actor).setSiteName(*wanted);
     });
-    if (!stored)
-        return tl::unexpected(stored.error());
+    CHIRON_TRY(stored);
     return nameOutput(*wanted);
 }
 

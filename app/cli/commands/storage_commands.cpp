@@ -39,12 +39,10 @@ using Snapshot = core::Result<database::SnapshotInfo> (*)(database::Database&, c
 
 core::Result<CommandOutput> snapshot(const Arguments& arguments, Snapshot make) {
     auto site = openAsPerson(arguments, Opening::forWriting);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     const auto info =
         make(*site->database, site->actor, QFileInfo(arguments.operand(0)).absoluteFilePath().toStdString(), nullptr);
-    if (!info)
-        return tl::unexpected(info.error());
+    CHIRON_TRY(info);
     return snapshotOutput(*info);
 }
 
@@ -65,8 +63,7 @@ core::Result<CommandOutput> restore(const Arguments& arguments) {
             "CHIRON_PASSWORD or by --password-stdin"));
     const auto secrets = readSecrets(
         arguments, {QStringLiteral("CHIRON_PASSWORD"), QStringLiteral("CHIRON_PRESENT_PASSWORD")});
-    if (!secrets)
-        return tl::unexpected(secrets.error());
+    CHIRON_TRY(secrets);
     if (!QFileInfo(arguments.operand(0)).isDir())
         return core::fail(core::ErrorCode::notFound,
                           QStringLiteral("FOLDER %1: no such folder; expected one that backup made")
@@ -82,8 +79,7 @@ core::Result<CommandOutput> restore(const Arguments& arguments) {
     request.targetFile = databasePath(arguments).toStdString();
     request.siteKeyFile = arguments.value(QStringLiteral("site-key")).toStdString();
     const auto info = database::Upkeep::restore(request, databaseOptions());
-    if (!info)
-        return tl::unexpected(info.error());
+    CHIRON_TRY(info);
     const QJsonObject json{{QStringLiteral("database"), text(request.targetFile)},
                            {QStringLiteral("kept_old_file"), text(info->keptOldFile)},
                            {QStringLiteral("erasures_applied"), info->erasuresApplied},
@@ -100,8 +96,7 @@ core::Result<CommandOutput> restore(const Arguments& arguments) {
 
 core::Result<CommandOutput> migrate(const Arguments& arguments) {
     auto site = openAsPerson(arguments, Opening::forWriting); // opening for writing migrates, after a backup
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     const QJsonObject json{{QStringLiteral("database"), text(site->database->file())},
                            {QStringLiteral("schema_version"), site->database->schemaVersion()}};
     return CommandOutput{

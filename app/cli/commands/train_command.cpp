@@ -56,33 +56,28 @@ core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& argume
         return badInput(QStringLiteral("EXERCISE %1: unknown; see chiron-cli exercise list").arg(quoted(arguments.operand(0))));
     asked.operatorName = arguments.value(QStringLiteral("operator")).toStdString();
     auto seed = arguments.seed(QStringLiteral("seed"), 1);
-    if (!seed)
-        return tl::unexpected(seed.error());
+    CHIRON_TRY(seed);
     asked.seed = *seed;
     asked.realtime = arguments.has(QStringLiteral("realtime"));
     asked.familiarisation = arguments.has(QStringLiteral("familiarisation"));
     const auto map = arguments.choice(QStringLiteral("force-map"), {QStringLiteral("exact"), QStringLiteral("as-published")},
                                       QStringLiteral("exact"));
-    if (!map)
-        return tl::unexpected(map.error());
+    CHIRON_TRY(map);
     if (*map == QLatin1String("as-published"))
         asked.map = mechanisms::PolarMap::asPublished;
     asked.mechanism = arguments.value(QStringLiteral("mechanism")).toStdString();
     auto turn = baseTurnOf(arguments);
-    if (!turn)
-        return tl::unexpected(turn.error());
+    CHIRON_TRY(turn);
     asked.mounting.turn_rad = *turn;
     asked.mounting.turnGiven = arguments.has(QStringLiteral("base-turn"));
     std::vector<session::ScriptedSession> sessions;
     const int levels = static_cast<int>(exercise->levels.size());
     const bool all = arguments.value(QStringLiteral("level")) == QLatin1String("all");
     auto level = all ? core::Result<qint64>(1) : arguments.integer(QStringLiteral("level"), 1, levels, 1);
-    if (!level)
-        return tl::unexpected(level.error());
+    CHIRON_TRY(level);
     for (int number = all ? 1 : static_cast<int>(*level); number <= (all ? levels : static_cast<int>(*level)); ++number) {
         asked.level = number;
-        if (auto there = session::checkOperator(catalogue, asked); !there)
-            return tl::unexpected(there.error());
+        CHIRON_TRY(session::checkOperator(catalogue, asked));
         sessions.push_back(asked);
     }
     return sessions;
@@ -94,16 +89,13 @@ core::Result<std::vector<ScoreView>> runAll(session::OpenedSite& site, const dat
     std::vector<ScoreView> views;
     for (const session::ScriptedSession& session : sessions) {
         auto result = session::runScripted(*site.database, actor, catalogue, session, &g_cancel);
-        if (!result)
-            return tl::unexpected(result.error());
+        CHIRON_TRY(result);
         if (result->loop.realtime && !result->loop.priorityGranted)
             tell(QStringLiteral("no real-time priority: %1").arg(QString::fromStdString(result->loop.priorityDetail)));
         auto connection = site.database->openReader();
-        if (!connection)
-            return tl::unexpected(connection.error());
+        CHIRON_TRY(connection);
         auto view = viewOf(**connection, actor, result->session);
-        if (!view)
-            return tl::unexpected(view.error());
+        CHIRON_TRY(view);
         views.push_back(std::move(*view));
         if (g_cancel.load())
             break;
@@ -115,22 +107,17 @@ core::Result<CommandOutput> train(const Arguments& arguments) {
     std::vector<std::string> secrets;
     if (arguments.has(QStringLiteral("as"))) {
         auto read = readSecrets(arguments, {QStringLiteral("CHIRON_PASSWORD")});
-        if (!read)
-            return tl::unexpected(read.error());
+        CHIRON_TRY(read);
         secrets = std::move(*read);
     }
     auto content = catalogue::findContentDirectory();
-    if (!content)
-        return tl::unexpected(content.error());
+    CHIRON_TRY(content);
     auto catalogue = catalogue::Catalogue::load(*content);
-    if (!catalogue)
-        return tl::unexpected(catalogue.error());
+    CHIRON_TRY(catalogue);
     auto sessions = plan(arguments, *catalogue);
-    if (!sessions)
-        return tl::unexpected(sessions.error());
+    CHIRON_TRY(sessions);
     auto site = session::openSite(databasePath(arguments).toStdString(), databaseOptions());
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     for (const session::RecoveredSession& recovered : site->recovered) {
         tell(recovered.sealed ? QStringLiteral("session %1 was interrupted; what it holds is told once its study is unblinded").arg(recovered.session)
                               : QStringLiteral("session %1 was interrupted; %2 frames are kept").arg(recovered.session).arg(recovered.frames));
@@ -140,13 +127,11 @@ core::Result<CommandOutput> train(const Arguments& arguments) {
                      .arg(QString::fromStdString(recovered.problem)));
     }
     auto actor = actorFor(arguments, *site->database, secrets);
-    if (!actor)
-        return tl::unexpected(actor.error());
+    CHIRON_TRY(actor);
     std::signal(SIGINT, onSignal);
     std::signal(SIGTERM, onSignal);
     auto views = runAll(*site, *actor, *catalogue, *sessions);
-    if (!views)
-        return tl::unexpected(views.error());
+    CHIRON_TRY(views);
     QString text;
     QJsonArray list;
     for (const ScoreView& view : *views) {

@@ -16,8 +16,7 @@ namespace chiron::cli {
 namespace {
 
 core::Result<database::RoleSet> roles(const Arguments& arguments) {
-    if (const auto words = arguments.list(QStringLiteral("role")); !words)
-        return tl::unexpected(words.error());
+    CHIRON_TRY(arguments.list(QStringLiteral("role")));
     const QString given = arguments.value(QStringLiteral("role"));
     const auto set = database::rolesFromList(given.toStdString());
     if (!set)
@@ -32,8 +31,7 @@ core::Result<database::RoleSet> roles(const Arguments& arguments) {
 core::Result<CommandOutput> accountNow(Site& site, database::AccountService& accounts,
                                        const std::string& name, const QString& initialPassword = {}) {
     const auto person = accounts.personByName(site.actor, name);
-    if (!person)
-        return tl::unexpected(person.error());
+    CHIRON_TRY(person);
     QJsonObject json = personJson(*person);
     QString text = peopleText({*person});
     if (!initialPassword.isEmpty()) {
@@ -47,11 +45,9 @@ core::Result<CommandOutput> accountNow(Site& site, database::AccountService& acc
 
 core::Result<CommandOutput> add(const Arguments& arguments) {
     const auto set = roles(arguments);
-    if (!set)
-        return tl::unexpected(set.error());
+    CHIRON_TRY(set);
     auto site = openAsPerson(arguments, Opening::forWriting);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     const NewPassword password = newPasswordOrGenerated(site->secrets);
     database::AccountService accounts(*site->database);
     database::PersonRequest request;
@@ -60,19 +56,16 @@ core::Result<CommandOutput> add(const Arguments& arguments) {
     request.roles = *set;
     request.password = password.value;
     request.mustChangePassword = password.generated || arguments.has(QStringLiteral("must-change"));
-    if (auto made = accounts.createPerson(site->actor, request); !made)
-        return tl::unexpected(made.error());
+    CHIRON_TRY(accounts.createPerson(site->actor, request));
     return accountNow(*site, accounts, request.name,
                       password.generated ? QString::fromStdString(password.value) : QString());
 }
 
 core::Result<CommandOutput> list(const Arguments& arguments) {
     auto site = openAsPerson(arguments, Opening::forReading);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     const auto people = database::AccountService(*site->database).listPeople(site->actor);
-    if (!people)
-        return tl::unexpected(people.error());
+    CHIRON_TRY(people);
     QJsonArray json;
     for (const database::Person& person : *people)
         json.append(personJson(person));
@@ -81,15 +74,12 @@ core::Result<CommandOutput> list(const Arguments& arguments) {
 
 core::Result<CommandOutput> setEnabled(const Arguments& arguments, bool enabled) {
     auto site = openAsPerson(arguments, Opening::forWriting);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     database::AccountService accounts(*site->database);
     const std::string name = arguments.operand(0).toStdString();
     const auto person = accounts.personByName(site->actor, name);
-    if (!person)
-        return tl::unexpected(person.error());
-    if (auto done = accounts.setEnabled(site->actor, person->id, enabled); !done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(person);
+    CHIRON_TRY(accounts.setEnabled(site->actor, person->id, enabled));
     return accountNow(*site, accounts, name);
 }
 
@@ -103,25 +93,20 @@ core::Result<CommandOutput> enable(const Arguments& arguments) {
 
 core::Result<CommandOutput> role(const Arguments& arguments) {
     const auto set = roles(arguments);
-    if (!set)
-        return tl::unexpected(set.error());
+    CHIRON_TRY(set);
     auto site = openAsPerson(arguments, Opening::forWriting);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     database::AccountService accounts(*site->database);
     const std::string name = arguments.operand(0).toStdString();
     const auto person = accounts.personByName(site->actor, name);
-    if (!person)
-        return tl::unexpected(person.error());
-    if (auto done = accounts.setRoles(site->actor, person->id, *set); !done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(person);
+    CHIRON_TRY(accounts.setRoles(site->actor, person->id, *set));
     return accountNow(*site, accounts, name);
 }
 
 core::Result<CommandOutput> passwd(const Arguments& arguments) {
     auto site = openAsPerson(arguments, Opening::forWriting);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     database::AccountService accounts(*site->database);
     const std::string name =
         arguments.operand(0).isEmpty() ? site->actor.name() : arguments.operand(0).toStdString();
@@ -130,8 +115,7 @@ core::Result<CommandOutput> passwd(const Arguments& arguments) {
             return wrongUse(QStringLiteral(
                 "new password: none given; expected it in CHIRON_NEW_PASSWORD or, with --password-stdin, "
                 "as the second line of stdin"));
-        if (auto done = accounts.changePassword(site->actor, site->secrets[0], site->secrets[1]); !done)
-            return tl::unexpected(done.error());
+        CHIRON_TRY(accounts.changePassword(site->actor, site->secrets[0], site->secrets[1]));
         const QJsonObject json{{QStringLiteral("name"), QString::fromStdString(name)},
                                {QStringLiteral("changed"), true}};
         return CommandOutput{
@@ -140,19 +124,16 @@ core::Result<CommandOutput> passwd(const Arguments& arguments) {
             0};
     }
     const auto person = accounts.personByName(site->actor, name);
-    if (!person)
-        return tl::unexpected(person.error());
+    CHIRON_TRY(person);
     const NewPassword password = newPasswordOrGenerated(site->secrets);
-    if (auto done = accounts.resetPassword(site->actor, person->id, password.value); !done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(accounts.resetPassword(site->actor, person->id, password.value));
     return accountNow(*site, accounts, name,
                       password.generated ? QString::fromStdString(password.value) : QString());
 }
 
 core::Result<database::RosterExisting> existingPeople(const Arguments& arguments) {
     const auto word = arguments.choice(QStringLiteral("existing"), {QStringLiteral("skip"), QStringLiteral("update")}, QStringLiteral("skip"));
-    if (!word)
-        return tl::unexpected(word.error());
+    CHIRON_TRY(word);
     return *word == QLatin1String("update") ? database::RosterExisting::update : database::RosterExisting::skip;
 }
 
@@ -244,14 +225,11 @@ CommandOutput importOutput(const database::RosterOutcome& done) {
 core::Result<CommandOutput> importCsv(const Arguments& arguments) {
     constexpr qint64 kLargest = 16 << 20;
     const auto existing = existingPeople(arguments);
-    if (!existing)
-        return tl::unexpected(existing.error());
+    CHIRON_TRY(existing);
     const auto bytes = readInputFile(arguments.operand(0), kLargest);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
+    CHIRON_TRY(bytes);
     auto site = openAsPerson(arguments, Opening::forWriting);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     const auto done = database::AccountService(*site->database).importCsv(site->actor, bytes->toStdString(), *existing);
     // The database layer knows lines and columns; the file name is known here.
     if (!done)
@@ -263,39 +241,33 @@ core::Result<CommandOutput> rename(const Arguments& arguments) {
     if (!arguments.has(QStringLiteral("name")) && !arguments.has(QStringLiteral("display-name")))
         return wrongUse(QStringLiteral("nothing to change: expected --name, --display-name or both"));
     auto site = openAsPerson(arguments, Opening::forWriting);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     database::AccountService accounts(*site->database);
     const auto person = accounts.personByName(site->actor, arguments.operand(0).toStdString());
-    if (!person)
-        return tl::unexpected(person.error());
+    CHIRON_TRY(person);
     const auto given = [&](const char* option, const std::string& before) {
         const QString name = QLatin1String(option);
         return arguments.has(name) ? arguments.value(name).toStdString() : before;
     };
     const std::string name = given("name", person->name);
-    if (auto done = accounts.changeNames(site->actor, person->id, name, given("display-name", person->displayName)); !done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(accounts.changeNames(site->actor, person->id, name, given("display-name", person->displayName)));
     return accountNow(*site, accounts, name);
 }
 
 core::Result<CommandOutput> recover(const Arguments& arguments) {
     const auto secrets = readSecrets(
         arguments, {QStringLiteral("CHIRON_RECOVERY_CODE"), QStringLiteral("CHIRON_NEW_PASSWORD")});
-    if (!secrets)
-        return tl::unexpected(secrets.error());
+    CHIRON_TRY(secrets);
     if ((*secrets)[1].empty())
         return wrongUse(QStringLiteral(
             "new password: none given; expected it in CHIRON_NEW_PASSWORD or, with --password-stdin, as the "
             "second line of stdin"));
     const auto database =
         database::Database::openForWriting(databasePath(arguments).toStdString(), databaseOptions());
-    if (!database)
-        return tl::unexpected(database.error());
+    CHIRON_TRY(database);
     const auto code = database::AccountService(**database)
                           .recover(arguments.operand(0).toStdString(), (*secrets)[0], (*secrets)[1]);
-    if (!code)
-        return tl::unexpected(code.error());
+    CHIRON_TRY(code);
     const QString shown = QString::fromStdString(*code);
     return CommandOutput{
         QJsonDocument(QJsonObject{{QStringLiteral("name"), arguments.operand(0)},
@@ -305,11 +277,9 @@ core::Result<CommandOutput> recover(const Arguments& arguments) {
 
 core::Result<CommandOutput> recoveryCode(const Arguments& arguments) {
     auto site = openAsPerson(arguments, Opening::forWriting);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     const auto code = database::AccountService(*site->database).makeRecoveryCode(site->actor, site->secrets[0]);
-    if (!code)
-        return tl::unexpected(code.error());
+    CHIRON_TRY(code);
     const QString name = QString::fromStdString(site->actor.name());
     const QString shown = QString::fromStdString(*code);
     return CommandOutput{

@@ -96,37 +96,29 @@ core::Result<void> answerLines(Procedure& procedure, bool orders, const QStringL
 
 core::Result<CommandOutput> runAdaptive(const Arguments& arguments) {
     const auto seed = arguments.seed(QStringLiteral("seed"), 1);
-    if (!seed)
-        return tl::unexpected(seed.error());
+    CHIRON_TRY(seed);
     // One byte more than readProcedure() accepts, so that its message can say where the limit was exceeded.
     constexpr qint64 kLargest = (16 << 20) + 1;
     const QString path = arguments.value(QStringLiteral("procedure"));
     const auto bytes = readInputFile(path, kLargest);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
+    CHIRON_TRY(bytes);
     const auto content = catalogue::findContentDirectory();
-    if (!content)
-        return tl::unexpected(content.error());
+    CHIRON_TRY(content);
     const auto schema = catalogue::readSchema(QString::fromStdString(*content) + "/schema", QStringLiteral("procedure"));
-    if (!schema)
-        return tl::unexpected(schema.error());
+    CHIRON_TRY(schema);
     const auto spec = catalogue::readProcedure(*bytes, path.toStdString(), *schema);
-    if (!spec)
-        return tl::unexpected(spec.error());
+    CHIRON_TRY(spec);
     const auto procedure = makeProcedure(*spec, *seed);
     if (!procedure)
         return badInput(QStringLiteral("%1: %2").arg(path, QString::fromStdString(procedure.error().message)));
     const QStringList names = dimensionsOf(*spec);
     QJsonObject first = adaptiveState(**procedure, names);
     first.insert("procedure", QString::fromUtf8((*procedure)->id().data(), static_cast<qsizetype>((*procedure)->id().size())));
-    if (auto printed = printLine(first); !printed)
-        return tl::unexpected(printed.error());
-    if (auto answered = answerLines(**procedure, ordersThree(*spec), names); !answered)
-        return tl::unexpected(answered.error());
+    CHIRON_TRY(printLine(first));
+    CHIRON_TRY(answerLines(**procedure, ordersThree(*spec), names));
     QJsonObject last = adaptiveState(**procedure, names);
     last.insert("final", true);
-    if (auto printed = printLine(last); !printed)
-        return tl::unexpected(printed.error());
+    CHIRON_TRY(printLine(last));
     return CommandOutput{};
 }
 

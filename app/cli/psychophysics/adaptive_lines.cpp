@@ -97,8 +97,7 @@ core::Result<AdaptiveLine> parseAdaptiveLine(const QString& line, int outcomes, 
         return badInput(QStringLiteral("%1: expected %2").arg(quoted(word), expected(outcomes, orders)));
     if (!words.isEmpty()) {
         auto presented = presentedOf(words, dimensions);
-        if (!presented)
-            return tl::unexpected(presented.error());
+        CHIRON_TRY(presented);
         read.presented = std::move(*presented);
     }
     return read;

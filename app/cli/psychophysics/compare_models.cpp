@@ -21,8 +21,7 @@ constexpr std::size_t kMostCompared = 50; ///< because one of the models has the
 
 core::Result<SharedParameters> readParameters(const Arguments& arguments, const QString& option, const QString& fallback) {
     const auto list = arguments.has(option) ? arguments.list(option) : core::Result<QStringList>(fallback.split(u',', Qt::SkipEmptyParts));
-    if (!list)
-        return tl::unexpected(list.error());
+    CHIRON_TRY(list);
     SharedParameters shared;
     for (const QString& word : *list) {
         bool* at = word == u"threshold" ? &shared.threshold : word == u"width" ? &shared.width : word == u"lapse" ? &shared.lapse : word == u"guess" ? &shared.guess : nullptr;
@@ -167,14 +166,12 @@ core::Result<CommandOutput> compareModels(const Arguments& arguments) {
         return tl::unexpected(!options ? options.error() : !tested ? tested.error() : shared.error());
     if (!monteCarlo || !seed)
         return tl::unexpected(monteCarlo ? seed.error() : monteCarlo.error());
-    if (auto can = check(*options, *tested); !can)
-        return tl::unexpected(can.error());
+    CHIRON_TRY(check(*options, *tested));
     options->monteCarlo = static_cast<int>(*monteCarlo);
     options->seed = *seed;
     options->scale = options->scale.value_or(ownScale(options->function));
     const auto answers = readAnswers(arguments);
-    if (!answers)
-        return tl::unexpected(answers.error());
+    CHIRON_TRY(answers);
     if (answers->groups.size() < 2 || answers->groups.size() > kMostCompared)
         return badInput(QStringLiteral("%1: %2 groups by %3; expected 2 to %4").arg(arguments.operand(0)).arg(answers->groups.size()).arg(answers->by.join(u',')).arg(kMostCompared));
     std::vector<PsychometricData> data;

@@ -45,8 +45,7 @@ core::Result<DiscriminationTask> ruleOf(const Arguments& arguments, const QStrin
 
 core::Result<long long> count(const CsvTable& table, std::size_t row, int column) {
     const auto value = table.number(row, column);
-    if (!value)
-        return tl::unexpected(value.error());
+    CHIRON_TRY(value);
     if (!(*value >= 0.0 && *value <= 1e9) || *value != std::floor(*value))
         return table.fault(row, column, QStringLiteral("a whole number from 0 to 1e9"));
     return static_cast<long long>(*value);
@@ -54,8 +53,7 @@ core::Result<long long> count(const CsvTable& table, std::size_t row, int column
 
 core::Result<std::vector<Row>> readRows(const QString& path, bool fourCounts) {
     const auto table = readCsvTable(path);
-    if (!table)
-        return tl::unexpected(table.error());
+    CHIRON_TRY(table);
     const QStringList wanted = fourCounts ? kCounts : QStringList{"n_correct", "n_total"};
     std::vector<int> columns;
     for (const QString& name : wanted) {
@@ -68,8 +66,7 @@ core::Result<std::vector<Row>> readRows(const QString& path, bool fourCounts) {
         std::array<long long, 4> numbers{};
         for (std::size_t c = 0; c < columns.size(); ++c) {
             const auto number = count(*table, i, columns[c]);
-            if (!number)
-                return tl::unexpected(number.error());
+            CHIRON_TRY(number);
             numbers[c] = *number;
         }
         if (!fourCounts && numbers[0] > numbers[1])
@@ -88,8 +85,7 @@ core::Result<Row> rowOfOptions(const Arguments& arguments, bool fourCounts) {
             if (arguments.has(name))
                 return wrongUse(QStringLiteral("--%1 beside --proportion: expected one of them").arg(name));
         const auto proportion = arguments.number(QStringLiteral("proportion"), 0.0, 1.0, 0.0);
-        if (!proportion)
-            return tl::unexpected(proportion.error());
+        CHIRON_TRY(proportion);
         row.proportion = *proportion;
         return row;
     }
@@ -98,8 +94,7 @@ core::Result<Row> rowOfOptions(const Arguments& arguments, bool fourCounts) {
         if (!arguments.has(names[i]))
             return wrongUse(QStringLiteral("--%1 is missing; expected --%2, or a table").arg(names[i], names.join(QStringLiteral(", --"))));
         const auto number = arguments.integer(names[i], 0, kMost, 0);
-        if (!number)
-            return tl::unexpected(number.error());
+        CHIRON_TRY(number);
         numbers[static_cast<std::size_t>(i)] = *number;
     }
     if (fourCounts)
@@ -157,8 +152,7 @@ core::Result<QJsonObject> rowJson(const Arguments& arguments, const QString& tas
         json.insert("rule", "differencing");
     } else {
         const auto rule = ruleOf(arguments, task);
-        if (!rule)
-            return tl::unexpected(rule.error());
+        CHIRON_TRY(rule);
         if (row.counts) {
             const QJsonObject rates = yesNoJson(*row.counts, corrected);
             QJsonArray warnings = rates["warnings"].toArray();
@@ -187,8 +181,7 @@ core::Result<QJsonObject> rowJson(const Arguments& arguments, const QString& tas
 
 core::Result<CommandOutput> detectionTables(const Arguments& arguments) {
     const auto task = arguments.choice(QStringLiteral("task"), kTasks, QStringLiteral("yes-no"));
-    if (!task)
-        return tl::unexpected(task.error());
+    CHIRON_TRY(task);
     const bool fourCounts = *task == u"yes-no" || *task == u"same-different";
     const bool isTable = !arguments.operand(0).isEmpty();
     std::vector<Row> rows;
@@ -197,21 +190,18 @@ core::Result<CommandOutput> detectionTables(const Arguments& arguments) {
             if (arguments.has(QLatin1String(option)))
                 return wrongUse(QStringLiteral("--%1 beside a table: expected one of them").arg(QLatin1String(option)));
         auto read = readRows(arguments.operand(0), fourCounts);
-        if (!read)
-            return tl::unexpected(read.error());
+        CHIRON_TRY(read);
         rows = std::move(*read);
     } else {
         auto row = rowOfOptions(arguments, fourCounts);
-        if (!row)
-            return tl::unexpected(row.error());
+        CHIRON_TRY(row);
         rows.push_back(*row);
     }
     QJsonArray all;
     TextTable table({"task", ">d'", ">low", ">high", ">criterion", "warnings"});
     for (const Row& row : rows) {
         const auto json = rowJson(arguments, *task, row);
-        if (!json)
-            return tl::unexpected(json.error());
+        CHIRON_TRY(json);
         all.append(*json);
         const auto shown = [&](const char* key) { return shortNumber(json->value(QLatin1String(key)).toDouble(std::nan(""))); };
         QStringList warnings;

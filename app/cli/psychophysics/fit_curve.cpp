@@ -49,11 +49,9 @@ core::Result<FitOptions> readOptions(const Arguments& arguments) {
         return read;
     FitOptions options = *read;
     const auto prior = arguments.choice(QStringLiteral("prior"), {"auto", "psignifit", "open_below", "open_above", "wide"}, QStringLiteral("auto"));
-    if (!prior)
-        return tl::unexpected(prior.error());
+    CHIRON_TRY(prior);
     options.widthPrior = *widthPriorFromToken(prior->toStdString());
-    if (auto simulations = readSimulations(arguments, options); !simulations)
-        return tl::unexpected(simulations.error());
+    CHIRON_TRY(readSimulations(arguments, options));
     if (arguments.has(QStringLiteral("threshold-at")))
         options.draws = kDrawsOfDerived;
     return options;
@@ -121,8 +119,7 @@ core::Result<void> addDerived(const Arguments& arguments, const FitResult& fit, 
     const bool unscaled = arguments.has(QStringLiteral("unscaled"));
     if (arguments.has(QStringLiteral("threshold-at"))) {
         const auto proportion = arguments.number(QStringLiteral("threshold-at"), 0.001, 0.999, 0.75);
-        if (!proportion)
-            return tl::unexpected(proportion.error());
+        CHIRON_TRY(proportion);
         const double p = *proportion;
         const FitInterval interval = intervalOf(fit, [&](const CurveParameters& at) { return thresholdAt(fit, at, p, unscaled); });
         if (const double value = thresholdAt(fit, p, unscaled); fit.fitted && std::isnan(value))
@@ -133,8 +130,7 @@ core::Result<void> addDerived(const Arguments& arguments, const FitResult& fit, 
     json.insert("jnd", jnd(fit));
     if (arguments.has(QStringLiteral("reference"))) {
         const auto reference = arguments.number(QStringLiteral("reference"), -1e12, 1e12, 0.0);
-        if (!reference)
-            return tl::unexpected(reference.error());
+        CHIRON_TRY(reference);
         json.insert("reference", *reference);
         if (*reference == 0.0)
             warn(json, QStringLiteral("no_reference: a Weber fraction at 0 has no value"));
@@ -203,8 +199,7 @@ core::Result<QJsonObject> fitOf(const Arguments& arguments, bool likelihood, con
     if (fit.fitted && likelihood && options.bootstrap == Bootstrap::none && (options.curvePoints > 1 || arguments.has(QStringLiteral("threshold-at"))))
         fit.warnings.emplace_back("no_interval: a curve and a threshold at another proportion have intervals with --bootstrap only, by this method");
     QJsonObject json = fitJson(fit);
-    if (auto added = addDerived(arguments, fit, json); !added)
-        return tl::unexpected(added.error());
+    CHIRON_TRY(addDerived(arguments, fit, json));
     return json;
 }
 
@@ -235,23 +230,19 @@ QString groupsText(const QStringList& by, const QJsonArray& groups) {
 
 core::Result<CommandOutput> fitCurve(const Arguments& arguments) {
     const auto method = arguments.choice(QStringLiteral("method"), {"bayes", "ml"}, QStringLiteral("bayes"));
-    if (!method)
-        return tl::unexpected(method.error());
+    CHIRON_TRY(method);
     const auto options = readOptions(arguments);
-    if (!options)
-        return tl::unexpected(options.error());
+    CHIRON_TRY(options);
     if (*method == u"ml" && arguments.has(QStringLiteral("prior")))
         return wrongUse(QStringLiteral("--prior: expected with --method bayes; maximum likelihood has none"));
     if (*method == u"bayes" && options->bootstrap != Bootstrap::none)
         return wrongUse(QStringLiteral("--bootstrap: expected with --method ml; a Bayesian fit has credible intervals"));
     const auto answers = readAnswers(arguments);
-    if (!answers)
-        return tl::unexpected(answers.error());
+    CHIRON_TRY(answers);
     QJsonArray groups;
     for (const AnswersOf& group : answers->groups) {
         auto json = fitOf(arguments, *method == u"ml", group, *options);
-        if (!json)
-            return tl::unexpected(json.error());
+        CHIRON_TRY(json);
         if (answers->by.isEmpty())
             return CommandOutput{QJsonDocument(*json), fitText(*json), 0};
         json->insert("group", groupJson(answers->by, group.group));

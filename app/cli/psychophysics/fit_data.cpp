@@ -65,8 +65,7 @@ core::Result<AnswerColumns> columnsOf(const CsvTable& table, const Arguments& ar
     const QString expected = trials ? intensity + u',' + correct : intensity + QStringLiteral(",n_correct,n_total, or %1,%2 of single trials").arg(intensity, correct);
     const auto take = [&](int& into, const QString& name) -> core::Result<void> {
         const auto column = columnOf(table, name, expected);
-        if (!column)
-            return tl::unexpected(column.error());
+        CHIRON_TRY(column);
         into = *column;
         return {};
     };
@@ -77,12 +76,10 @@ core::Result<AnswerColumns> columnsOf(const CsvTable& table, const Arguments& ar
         read = take(columns.right, QStringLiteral("n_correct"));
     if (read && !trials)
         read = take(columns.total, QStringLiteral("n_total"));
-    if (!read)
-        return tl::unexpected(read.error());
+    CHIRON_TRY(read);
     for (const QString& name : by) {
         const auto column = columnOf(table, name, QStringLiteral("one of %1 for --by").arg(table.header.join(u',')));
-        if (!column)
-            return tl::unexpected(column.error());
+        CHIRON_TRY(column);
         if (*column == columns.intensity || *column == columns.correct || *column == columns.right || *column == columns.total)
             return wrongUse(QStringLiteral("--by %1: expected a column of groups, not one of the answers").arg(name));
         columns.by << *column;
@@ -172,8 +169,7 @@ private:
         if (values.contains(QString()))
             return {};
         const auto group = groupOf(values);
-        if (!group)
-            return tl::unexpected(group.error());
+        CHIRON_TRY(group);
         constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
         // A row that the fit counts and reports as not usable.
         PsychometricData& data = m_groups[*group].data;
@@ -185,8 +181,7 @@ private:
     }
     core::Result<void> put(std::size_t row, const QStringList& values, const ReadRow& read) {
         const auto group = groupOf(values);
-        if (!group)
-            return tl::unexpected(group.error());
+        CHIRON_TRY(group);
         double& trials = m_trials[*group];
         trials += read.of > 0.0 ? read.of : 0.0;
         // Of all levels together; a larger number would let the grid use up all memory.
@@ -231,18 +226,14 @@ core::Result<Asymptote> asymptote(const Arguments& arguments, const QString& opt
 
 core::Result<AnswerTable> readAnswers(const Arguments& arguments) {
     const auto by = arguments.list(QStringLiteral("by"));
-    if (!by)
-        return tl::unexpected(by.error());
+    CHIRON_TRY(by);
     const auto table = readCsvTable(arguments.operand(0));
-    if (!table)
-        return tl::unexpected(table.error());
+    CHIRON_TRY(table);
     const auto columns = columnsOf(*table, arguments, *by);
-    if (!columns)
-        return tl::unexpected(columns.error());
+    CHIRON_TRY(columns);
     Grouping grouping(*table, *columns, columns->trials() || !by->isEmpty(), arguments.has(QStringLiteral("drop-bad")));
     for (std::size_t row = 0; row < table->rows.size(); ++row)
-        if (auto added = grouping.add(row); !added)
-            return tl::unexpected(added.error());
+        CHIRON_TRY(grouping.add(row));
     AnswerTable answers{*by, grouping.take()};
     if (answers.groups.empty())
         return badInput(QStringLiteral("%1: no row can be used; expected at least one with a group and an answer").arg(table->name));

@@ -71,8 +71,7 @@ core::Result<Judges> readJudges(const CsvTable& table) {
         std::vector<double> ranks;
         for (const int column : columns) {
             const auto rank = table.number(row, column);
-            if (!rank)
-                return tl::unexpected(rank.error());
+            CHIRON_TRY(rank);
             ranks.push_back(*rank);
         }
         std::vector<int> order(ranks.size());
@@ -137,14 +136,11 @@ QJsonObject tauJson(const std::vector<std::vector<double>>& rows) {
 
 core::Result<QJsonObject> ranksJson(const Arguments& arguments, const CsvTable& table, const WorthOptions& options) {
     const auto judges = readJudges(table);
-    if (!judges)
-        return tl::unexpected(judges.error());
+    CHIRON_TRY(judges);
     auto order = arguments.list(QStringLiteral("order"));
-    if (!order)
-        return tl::unexpected(order.error());
+    CHIRON_TRY(order);
     const auto rows = inOrder(*judges, order->isEmpty() ? judges->items : *order);
-    if (!rows)
-        return tl::unexpected(rows.error());
+    CHIRON_TRY(rows);
     const Concordance w = kendallW(judges->ranks);
     const PageTrend page = pageTrend(*rows);
     std::vector<Selection> selections;
@@ -177,8 +173,7 @@ core::Result<QJsonObject> pairsJson(const CsvTable& table, const WorthOptions& o
                 items << table.cell(row, column);
         }
         const auto times = count >= 0 ? table.number(row, count) : core::Result<double>(1.0);
-        if (!times)
-            return tl::unexpected(times.error());
+        CHIRON_TRY(times);
         if (!(*times >= 0.0 && *times <= 1e9))
             return table.fault(row, count, QStringLiteral("a number from 0 to 1e9"));
         const auto index = [&](int column) { return static_cast<int>(items.indexOf(table.cell(row, column))); };
@@ -222,16 +217,13 @@ QString textOf(const QJsonObject& json) {
 core::Result<CommandOutput> rankings(const Arguments& arguments) {
     WorthOptions options;
     const auto regularisation = arguments.number(QStringLiteral("regularise"), 0.0, 1e6, 0.0);
-    if (!regularisation)
-        return tl::unexpected(regularisation.error());
+    CHIRON_TRY(regularisation);
     options.regularisation = *regularisation;
     const auto table = readCsvTable(arguments.operand(0));
-    if (!table)
-        return tl::unexpected(table.error());
+    CHIRON_TRY(table);
     const bool pairs = table->column("winner") >= 0 && table->column("loser") >= 0;
     const auto json = pairs ? pairsJson(*table, options) : ranksJson(arguments, *table, options);
-    if (!json)
-        return tl::unexpected(json.error());
+    CHIRON_TRY(json);
     return CommandOutput{QJsonDocument(*json), textOf(*json), 0};
 }
 

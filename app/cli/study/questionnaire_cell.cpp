@@ -103,8 +103,7 @@ QString expectedAnswer(const QuestionnaireItem& item, const std::string& languag
 
 core::Result<std::vector<const psychophysics::Questionnaire*>> chosenQuestionnaires(const Arguments& arguments, const psychophysics::StudyDesign& design) {
     const auto names = arguments.list(QStringLiteral("questionnaire"));
-    if (!names)
-        return tl::unexpected(names.error());
+    CHIRON_TRY(names);
     std::vector<const psychophysics::Questionnaire*> all;
     QStringList known;
     for (const psychophysics::Questionnaire& each : design.questionnaires) {

@@ -129,8 +129,7 @@ core::Result<DoneRuns> doneRuns(database::StudyReader reader, const std::vector<
     DoneRuns done;
     for (const database::Participant& each : participants) {
         const auto runs = reader.runs(each.id);
-        if (!runs)
-            return tl::unexpected(runs.error());
+        CHIRON_TRY(runs);
         for (const database::StudyRun& run : *runs)
             if (run.state == database::StudyRunState::completed)
                 done[{each.id, session::labelOf(run)}] = run.id;
@@ -141,8 +140,7 @@ core::Result<DoneRuns> doneRuns(database::StudyReader reader, const std::vector<
 /// All questions of the study.
 core::Result<std::vector<AskedQuestion>> allQuestions(const StudySite& study, const psychophysics::StudyDesign& design) {
     const auto conditions = study.reader().conditionCodes(study.number());
-    if (!conditions)
-        return tl::unexpected(conditions.error());
+    CHIRON_TRY(conditions);
     std::vector<std::string> labels;
     for (const database::SealedCondition& each : *conditions)
         labels.push_back(session::labelOf(each));
@@ -166,12 +164,10 @@ core::Result<std::string> languageOf(const Arguments& arguments, const std::vect
 core::Result<CommandOutput> importQuestionnaire(const Arguments& arguments) {
     constexpr qint64 kLargest = 16 << 20;
     const auto bytes = readInputFile(arguments.operand(1), kLargest);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
+    CHIRON_TRY(bytes);
     auto study = openStudy(arguments, Opening::forWriting);
     const auto design = study ? catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), study->record.summary.key) : tl::unexpected(study.error());
-    if (!design)
-        return tl::unexpected(design.error());
+    CHIRON_TRY(design);
     const auto participants = study->reader().participants(study->number());
     const auto stored = study->reader().questionnaireAnswers(study->number());
     if (!participants || !stored)
@@ -179,13 +175,11 @@ core::Result<CommandOutput> importQuestionnaire(const Arguments& arguments) {
     auto runs = doneRuns(study->reader(), *participants);
     const auto asked = runs ? allQuestions(*study, *design) : tl::unexpected(runs.error());
     const auto language = asked ? languageOf(arguments, *asked) : tl::unexpected(asked.error());
-    if (!language)
-        return tl::unexpected(language.error());
+    CHIRON_TRY(language);
     SheetFaults faults;
     const bool incomplete = arguments.has(QStringLiteral("incomplete"));
     const auto rows = readSheet(*bytes, arguments.operand(1), *asked, QString::fromStdString(study->record.summary.sha256), incomplete, faults);
-    if (!rows)
-        return tl::unexpected(rows.error());
+    CHIRON_TRY(rows);
     Matching matching(*participants, *stored, std::move(*runs), *language, incomplete, faults);
     for (const SheetRow& row : *rows)
         matching.take(row);
@@ -195,8 +189,7 @@ core::Result<CommandOutput> importQuestionnaire(const Arguments& arguments) {
     auto done = study->site.database->write([&](database::WriteContext& context) -> core::Result<void> {
         return database::StudyRepository(context.connection(), study->site.actor).storeQuestionnaireAnswers(matching.fresh());
     });
-    if (!done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(done);
     const int count = static_cast<int>(matching.fresh().size());
     const QJsonObject json{{"study", QString::fromStdString(study->record.summary.key)}, {"stored", count}, {"unchanged", matching.unchanged()}, {"participants", matching.participants()}};
     return CommandOutput{QJsonDocument(json), QStringLiteral("%1 answers of %2 participants stored; %3 were stored already\n").arg(count).arg(matching.participants()).arg(matching.unchanged()), 0};

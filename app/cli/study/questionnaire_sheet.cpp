@@ -92,11 +92,9 @@ std::vector<SheetRow> rowsOf(const CsvTable& table, const std::vector<const Aske
 
 core::Result<std::vector<SheetRow>> readCsv(const QByteArray& bytes, const QString& name, const Questions& asked, bool incomplete, SheetFaults& faults) {
     const auto text = utf8Text(bytes, name);
-    if (!text)
-        return tl::unexpected(text.error());
+    CHIRON_TRY(text);
     const auto table = parseCsvTable(*text, name);
-    if (!table)
-        return tl::unexpected(table.error());
+    CHIRON_TRY(table);
     const QString heading = QStringLiteral("%1:%2: heading").arg(name).arg(table->headerLine);
     const int codes = table->column(QStringLiteral("participant"));
     std::vector<const AskedQuestion*> columns;
@@ -152,8 +150,7 @@ SheetRow jsonRow(const QJsonObject& json, const QString& place, const Questions&
 
 core::Result<std::vector<SheetRow>> readJson(const QByteArray& bytes, const QString& name, const Questions& asked, const QString& sha256, SheetFaults& faults) {
     const auto file = catalogue::JsonFile::parse(bytes, name);
-    if (!file)
-        return tl::unexpected(file.error());
+    CHIRON_TRY(file);
     const QJsonObject& root = file->root();
     for (const QString& key : root.keys())
         if (!QStringList{"study", "design_sha256", "questions", "participants"}.contains(key))

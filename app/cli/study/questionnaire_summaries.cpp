@@ -110,17 +110,14 @@ core::Result<CommandOutput> summariseQuestionnaires(const Arguments& arguments) 
     auto study = openStudy(arguments, Opening::forReading);
     const auto design = study ? catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), study->record.summary.key) : tl::unexpected(study.error());
     const auto questionnaires = design ? chosenQuestionnaires(arguments, *design) : tl::unexpected(design.error());
-    if (!questionnaires)
-        return tl::unexpected(questionnaires.error());
+    CHIRON_TRY(questionnaires);
     database::StudyReader reader = study->reader();
     const auto answers = reader.questionnaireAnswers(study->number());
-    if (!answers)
-        return tl::unexpected(answers.error());
+    CHIRON_TRY(answers);
     std::map<database::ParticipantNumber, double> performance;
     if (arguments.has(QStringLiteral("performance"))) {
         const auto analysis = session::analyseStudy(reader, study->number(), 1);
-        if (!analysis)
-            return tl::unexpected(analysis.error());
+        CHIRON_TRY(analysis);
         performance = session::performanceOf(*analysis);
     }
     const bool withTexts = arguments.has(QStringLiteral("texts"));

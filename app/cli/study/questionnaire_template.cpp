@@ -105,18 +105,15 @@ core::Result<void> writeNew(const QString& path, const QByteArray& bytes) {
 
 core::Result<CommandOutput> questionnaireTemplate(const Arguments& arguments) {
     const auto format = arguments.choice(QStringLiteral("format"), {"csv", "json"}, QStringLiteral("csv"));
-    if (!format)
-        return tl::unexpected(format.error());
+    CHIRON_TRY(format);
     auto study = openStudy(arguments, Opening::forReading);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     const auto& summary = study->record.summary;
     if (summary.sha256.empty())
         return core::fail(core::ErrorCode::wrongUse, "study \"" + summary.key + "\": a draft has no participants; expected a frozen study");
     const auto design = catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), summary.key);
     const auto questionnaires = design ? chosenQuestionnaires(arguments, *design) : tl::unexpected(design.error());
-    if (!questionnaires)
-        return tl::unexpected(questionnaires.error());
+    CHIRON_TRY(questionnaires);
     const auto participants = study->reader().participants(study->number());
     const auto answers = study->reader().questionnaireAnswers(study->number());
     const auto conditions = study->reader().conditionCodes(study->number());
@@ -129,8 +126,7 @@ core::Result<CommandOutput> questionnaireTemplate(const Arguments& arguments) {
     Blank blank{QString::fromStdString(summary.key), QString::fromStdString(summary.sha256), language.toStdString(), askedQuestions(*questionnaires, labels), {}};
     blank.codes = openCodes(blank, *participants, *answers);
     const QString out = QFileInfo(arguments.value(QStringLiteral("out"))).absoluteFilePath();
-    if (auto written = writeNew(out, *format == u"json" ? jsonOf(blank) : csvOf(blank)); !written)
-        return tl::unexpected(written.error());
+    CHIRON_TRY(writeNew(out, *format == u"json" ? jsonOf(blank) : csvOf(blank)));
     QJsonArray ids;
     for (const Questionnaire* each : *questionnaires)
         ids.append(QString::fromStdString(each->id));

@@ -17,14 +17,11 @@ core::Result<database::StudyRecord> findStudy(database::StudyReader reader, cons
 
 core::Result<StudySite> openStudy(const Arguments& arguments, Opening opening) {
     auto site = opening == Opening::forWriting ? openAsPerson(arguments, opening) : openAsAnybody(arguments, opening);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     auto connection = site->database->openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     auto record = findStudy(database::StudyReader(**connection, site->actor), arguments.operand(0));
-    if (!record)
-        return tl::unexpected(record.error());
+    CHIRON_TRY(record);
     return StudySite{std::move(*site), std::move(*connection), std::move(*record)};
 }
 

@@ -177,18 +177,15 @@ void tellStatement(Told& told, const session::AnalysedCondition& condition) {
 
 core::Result<CommandOutput> analyseStudies(const Arguments& arguments) {
     auto study = openStudy(arguments, Opening::forReading);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     const std::string& sha256 = study->record.summary.sha256;
     if (sha256.empty())
         return core::fail(core::ErrorCode::wrongUse, "study \"" + study->record.summary.key + "\": a draft has no data; expected a frozen study");
     const auto seed = arguments.seed(QStringLiteral("seed"), 1);
-    if (!seed)
-        return tl::unexpected(seed.error());
+    CHIRON_TRY(seed);
     database::StudyReader reader = study->reader();
     auto analysis = session::analyseStudy(reader, study->number(), *seed, {.withShown = arguments.has(QStringLiteral("with-shown"))});
-    if (!analysis)
-        return tl::unexpected(analysis.error());
+    CHIRON_TRY(analysis);
     const bool blinded = analysis->blind();
     QJsonArray comparisons;
     const QString compared = tellComparisons(*analysis, comparisons);

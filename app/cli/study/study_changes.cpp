@@ -25,19 +25,16 @@ template <class Change> core::Result<CommandOutput> changed(StudySite& study, Ch
     auto done = study.site.database->write([&](database::WriteContext& context) -> core::Result<void> {
         return apply(database::StudyRepository(context.connection(), study.site.actor), number);
     });
-    if (!done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(done);
     auto record = study.reader().study(number);
-    if (!record)
-        return tl::unexpected(record.error());
+    CHIRON_TRY(record);
     const QJsonObject json = studyJson(record->summary);
     return CommandOutput{QJsonDocument(json), QStringLiteral("%1: %2 %3\n").arg(json["key"].toString(), json["state"].toString(), json["sha256"].toString()), 0};
 }
 
 template <class Change> core::Result<CommandOutput> change(const Arguments& arguments, Change&& apply) {
     auto study = openStudy(arguments, Opening::forWriting);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     return changed(*study, std::forward<Change>(apply));
 }
 
@@ -47,19 +44,15 @@ core::Result<database::Participant> participantOf(const Arguments& arguments, co
 
 template <class Change> core::Result<CommandOutput> changeParticipant(const Arguments& arguments, Change&& apply) {
     auto study = openStudy(arguments, Opening::forWriting);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     const auto participant = participantOf(arguments, *study);
-    if (!participant)
-        return tl::unexpected(participant.error());
+    CHIRON_TRY(participant);
     auto done = study->site.database->write([&](database::WriteContext& context) -> core::Result<void> {
         return apply(database::StudyRepository(context.connection(), study->site.actor), *study, *participant);
     });
-    if (!done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(done);
     const auto after = participantOf(arguments, *study);
-    if (!after)
-        return tl::unexpected(after.error());
+    CHIRON_TRY(after);
     const QJsonObject json = participantJson(*after);
     return CommandOutput{QJsonDocument(json), QStringLiteral("%1: %2\n").arg(json["code"].toString(), json["state"].toString()), 0};
 }
@@ -67,8 +60,7 @@ template <class Change> core::Result<CommandOutput> changeParticipant(const Argu
 /// SHA-256 of the consent text in the requested language.
 core::Result<std::string> consentSha256(const Arguments& arguments, const StudySite& study) {
     const auto design = catalogue::readStudy(QByteArray::fromStdString(study.record.designJson), study.record.summary.key);
-    if (!design)
-        return tl::unexpected(design.error());
+    CHIRON_TRY(design);
     const QString language = arguments.has(QStringLiteral("language")) ? arguments.value(QStringLiteral("language")) : QStringLiteral("en");
     const auto found = design->consent.find(language.toStdString());
     if (found == design->consent.end())
@@ -83,13 +75,11 @@ core::Result<CommandOutput> newStudy(const Arguments& arguments) {
     psychophysics::StudyDesign design;
     if (isStudyFile(from)) {
         auto read = readStudyFile(from);
-        if (!read)
-            return tl::unexpected(read.error());
+        CHIRON_TRY(read);
         design = std::move(*read);
     } else {
         const auto content = catalogue::StudyCatalogue::load();
-        if (!content)
-            return tl::unexpected(content.error());
+        CHIRON_TRY(content);
         const auto* found = content->find(from.toStdString());
         if (!found)
             return core::fail(core::ErrorCode::notFound, QStringLiteral("FROM %1: neither a file nor a study of the content").arg(quoted(from)).toStdString());
@@ -98,23 +88,20 @@ core::Result<CommandOutput> newStudy(const Arguments& arguments) {
     if (arguments.has(QStringLiteral("id")))
         design.id = arguments.value(QStringLiteral("id")).toStdString();
     auto site = openAsPerson(arguments, Opening::forWriting);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     const auto title = design.title.find("en");
     const std::string json = catalogue::studyJson(design).toStdString();
     auto number = site->database->write([&](database::WriteContext& context) {
         return database::StudyRepository(context.connection(), site->actor).createStudy(design.id, title == design.title.end() ? design.id : title->second, json);
     });
-    if (!number)
-        return tl::unexpected(number.error());
+    CHIRON_TRY(number);
     const QJsonObject told{{"id", static_cast<qint64>(*number)}, {"key", text(design.id)}, {"state", "draft"}};
     return CommandOutput{QJsonDocument(told), QStringLiteral("study %1: %2, a draft\n").arg(*number).arg(text(design.id)), 0};
 }
 
 core::Result<CommandOutput> freezeStudy(const Arguments& arguments) {
     return change(arguments, [](database::StudyRepository repository, database::StudyNumber study) -> core::Result<void> {
-        if (auto sha256 = repository.freezeStudy(study); !sha256)
-            return tl::unexpected(sha256.error());
+        CHIRON_TRY(repository.freezeStudy(study));
         return {};
     });
 }
@@ -131,12 +118,10 @@ core::Result<CommandOutput> archiveStudy(const Arguments& arguments) {
 core::Result<CommandOutput> unblindStudy(const Arguments& arguments) {
     const std::string reason = arguments.value(QStringLiteral("reason")).toStdString();
     auto study = openStudy(arguments, Opening::forWriting);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     const auto design = catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), study->record.summary.key);
     const auto participants = design ? study->reader().participants(study->number()) : tl::unexpected(design.error());
-    if (!participants)
-        return tl::unexpected(participants.error());
+    CHIRON_TRY(participants);
     auto done = changed(*study, [&](database::StudyRepository repository, database::StudyNumber number) { return repository.unblindStudy(number, reason); });
     if (!done)
         return done;
@@ -154,8 +139,7 @@ core::Result<CommandOutput> enrolParticipant(const Arguments& arguments) {
     const std::string given = qgetenv("CHIRON_IDENTITY").toStdString();
     qunsetenv("CHIRON_IDENTITY"); // so that no child process or crash report inherits it
     auto study = openStudy(arguments, Opening::forWriting);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     const std::string& identity = arguments.has(QStringLiteral("password-stdin")) ? study->site.secrets[1] : given;
     const std::string account = arguments.value(QStringLiteral("account")).toStdString();
     if (identity.empty() && account.empty())
@@ -165,8 +149,7 @@ core::Result<CommandOutput> enrolParticipant(const Arguments& arguments) {
         database::StudyRepository studies(context.connection(), study->site.actor);
         return account.empty() ? studies.enrolParticipant(number, identity, 0, {}) : studies.enrolAccount(number, identity, account);
     });
-    if (!enrolled)
-        return tl::unexpected(enrolled.error());
+    CHIRON_TRY(enrolled);
     const QJsonObject json = participantJson(*enrolled);
     return CommandOutput{QJsonDocument(json), QStringLiteral("%1: order %2\n").arg(json["code"].toString()).arg(enrolled->order), 0};
 }
@@ -174,8 +157,7 @@ core::Result<CommandOutput> enrolParticipant(const Arguments& arguments) {
 core::Result<CommandOutput> consentOf(const Arguments& arguments) {
     return changeParticipant(arguments, [&](database::StudyRepository repository, const StudySite& study, const database::Participant& participant) -> core::Result<void> {
         const auto sha256 = consentSha256(arguments, study);
-        if (!sha256)
-            return tl::unexpected(sha256.error());
+        CHIRON_TRY(sha256);
         return repository.recordConsent(participant.id, *sha256);
     });
 }
@@ -189,15 +171,12 @@ core::Result<CommandOutput> withdrawParticipant(const Arguments& arguments) {
 
 core::Result<CommandOutput> eraseParticipant(const Arguments& arguments) {
     auto study = openStudy(arguments, Opening::forWriting);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     const auto participant = participantOf(arguments, *study);
-    if (!participant)
-        return tl::unexpected(participant.error());
+    CHIRON_TRY(participant);
     const QString reason = arguments.value(QStringLiteral("reason"));
     const auto done = database::AccountService(*study->site.database).eraseParticipant(study->site.actor, study->site.secrets[0], participant->id, reason.toStdString());
-    if (!done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(done);
     const QJsonObject json{{"participant", text(participant->code)}, {"erased", true}, {"reason", reason}, {"recordings_withdrawn", participant->recordingsToErase}};
     return CommandOutput{QJsonDocument(json),
                          QStringLiteral("%1 is erased: identity and free answers are overwritten%2; runs and trials stay under the code.\n"
@@ -208,12 +187,10 @@ core::Result<CommandOutput> eraseParticipant(const Arguments& arguments) {
 
 core::Result<CommandOutput> studyKey(const Arguments& arguments) {
     auto study = openStudy(arguments, Opening::forWriting); // because the look-up is audited
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     const auto number = study->number();
     auto keys = study->site.database->write([&](database::WriteContext& context) { return database::StudyReader(context.connection(), study->site.actor).participantKeys(number); });
-    if (!keys)
-        return tl::unexpected(keys.error());
+    CHIRON_TRY(keys);
     QJsonArray array;
     const bool linked = std::any_of(keys->begin(), keys->end(), [](const database::ParticipantKey& key) { return !key.account.empty(); });
     TextTable table(linked ? QStringList{"code", "identity", "account"} : QStringList{"code", "identity"});

@@ -16,8 +16,7 @@ bool isStudyFile(const QString& name) {
 core::Result<psychophysics::StudyDesign> readStudyFile(const QString& path) {
     constexpr qint64 kLargest = 1 << 20;
     const auto bytes = readInputFile(path, kLargest);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
+    CHIRON_TRY(bytes);
     return catalogue::readStudy(*bytes, path.toStdString());
 }
 

@@ -105,12 +105,10 @@ QJsonValue deviceJson(const std::optional<session::RenderingLimits>& limits) {
 core::Result<CommandOutput> told(database::Database& database, const database::Actor& actor, const database::StudyRecord& study, const database::Participant& participant,
                                  const session::StudyRunReport& report) {
     auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     database::StudyReader reader(**connection, actor);
     const auto data = session::gatherStudy(reader, study.summary.id);
-    if (!data)
-        return tl::unexpected(data.error());
+    CHIRON_TRY(data);
     const QJsonArray runs = runsJson(*data, participant.code);
     QJsonObject json{{"study", text(study.summary.key)}, {"sha256", text(study.summary.sha256)}, {"participant", text(participant.code)}, {"observer", text(participant.observer)}, {"blinded", data->blinded},
                      {"device", deviceJson(report.limits)}, {"runs", runs}};
@@ -160,13 +158,11 @@ core::Result<CommandOutput> runStudy(const Arguments& arguments) {
         if (!arguments.has(QLatin1String(name)))
             return wrongUse(QStringLiteral("study run: --%1 is missing; expected --participant CODE and --observer SPEC for a simulated participant, or --person CODE").arg(QLatin1String(name)));
     auto request = requestOf(arguments);
-    if (!request)
-        return tl::unexpected(request.error());
+    CHIRON_TRY(request);
     std::vector<std::string> secrets;
     if (arguments.has(QStringLiteral("as"))) {
         auto read = readSecrets(arguments, {QStringLiteral("CHIRON_PASSWORD")});
-        if (!read)
-            return tl::unexpected(read.error());
+        CHIRON_TRY(read);
         secrets = std::move(*read);
     }
     const QString file = databasePath(arguments);
@@ -176,40 +172,32 @@ core::Result<CommandOutput> runStudy(const Arguments& arguments) {
         if (!secrets.empty())
             return core::fail(core::ErrorCode::notFound, QStringLiteral("--database %1: no such file; expected a database with the account of --as").arg(quoted(file)).toStdString());
         const auto wanted = findStudyToRun(nullptr, database::Actor::simulated(), name);
-        if (auto may = wanted ? mayBeRun(*wanted, *request) : tl::unexpected(wanted.error()); !may)
-            return tl::unexpected(may.error());
+        CHIRON_TRY(wanted ? mayBeRun(*wanted, *request) : tl::unexpected(wanted.error()));
     }
     auto site = session::openSite(file.toStdString(), databaseOptions());
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     const auto actor = secrets.empty() ? core::Result<database::Actor>(database::Actor::simulated())
                                        : database::AccountService(*site->database).login(arguments.value(QStringLiteral("as")).toStdString(), secrets[0]);
-    if (!actor)
-        return tl::unexpected(actor.error());
+    CHIRON_TRY(actor);
     const auto wanted = findStudyToRun(site->database.get(), *actor, name);
-    if (auto may = wanted ? mayBeRun(*wanted, *request) : tl::unexpected(wanted.error()); !may)
-        return tl::unexpected(may.error());
+    CHIRON_TRY(wanted ? mayBeRun(*wanted, *request) : tl::unexpected(wanted.error()));
     const auto ready = makeReady(*site->database, *actor, *wanted, *request);
-    if (!ready)
-        return tl::unexpected(ready.error());
+    CHIRON_TRY(ready);
     request->study = ready->study.summary.id;
     request->participantCode = ready->participant.code;
     std::signal(SIGINT, onSignal);
     std::signal(SIGTERM, onSignal);
     auto report = session::runStudyHeadless(*site->database, *actor, *request);
-    if (!report)
-        return tl::unexpected(report.error());
+    CHIRON_TRY(report);
     return told(*site->database, *actor, ready->study, ready->participant, *report);
 }
 
 core::Result<CommandOutput> rerunStudy(const Arguments& arguments) {
     auto study = openStudy(arguments, Opening::forReading);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     database::StudyReader reader = study->reader();
     const auto data = session::gatherStudy(reader, study->number());
-    if (!data)
-        return tl::unexpected(data.error());
+    CHIRON_TRY(data);
     if (data->blinded && !data->blinding.analysable())
         return core::fail(core::ErrorCode::wrongUse, "study \"" + study->record.summary.key + "\" is blinded and its conditions differ: expected it to be unblinded first");
     QJsonArray runs;
@@ -223,8 +211,7 @@ core::Result<CommandOutput> rerunStudy(const Arguments& arguments) {
             database::StudyRun byStandIn = run.run;
             byStandIn.condition = run.condition->id;
             const auto again = session::rerunChoices(*data->design, byStandIn, run.trials);
-            if (!again)
-                return tl::unexpected(again.error());
+            CHIRON_TRY(again);
             const bool same = again->same + again->ties == again->trials && again->sameProcedures;
             identical = identical && same;
             runs.append(QJsonObject{{"participant", text(each.participant.code)}, {"condition", run.label}, {"trials", again->trials}, {"same", again->same}, {"ties", again->ties},

@@ -17,8 +17,7 @@ using psychophysics::StudyDesign;
 
 core::Result<StudyToRun> ofContent(const QString& name) {
     const auto content = catalogue::StudyCatalogue::load();
-    if (!content)
-        return tl::unexpected(content.error());
+    CHIRON_TRY(content);
     if (const StudyDesign* design = content->find(name.toStdString()))
         return StudyToRun{*design, std::nullopt};
     return core::fail(core::ErrorCode::notFound, QStringLiteral("STUDY %1: no such study; expected one of the database or of the content, or a JSON file").arg(quoted(name)).toStdString());
@@ -28,13 +27,11 @@ core::Result<StudyToRun> ofContent(const QString& name) {
 /// key.
 core::Result<StudyToRun> ofFile(database::Database* database, const database::Actor& actor, const QString& path) {
     auto design = readStudyFile(path);
-    if (!design)
-        return tl::unexpected(design.error());
+    CHIRON_TRY(design);
     if (!database)
         return StudyToRun{std::move(*design), std::nullopt};
     auto connection = database->openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     auto stored = findStudy(database::StudyReader(**connection, actor), QString::fromStdString(design->id));
     if (!stored)
         return stored.error().code == core::ErrorCode::notFound ? core::Result<StudyToRun>(StudyToRun{std::move(*design), std::nullopt}) : tl::unexpected(stored.error());
@@ -48,8 +45,7 @@ core::Result<database::StudyNumber> frozen(database::StudyRepository& repository
     auto made = repository.createStudy(design.id, design.title.at("en"), catalogue::studyJson(design).toStdString());
     if (!made)
         return made;
-    if (auto done = repository.freezeStudy(*made); !done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(repository.freezeStudy(*made));
     return made;
 }
 
@@ -73,14 +69,12 @@ core::Result<StudyToRun> findStudyToRun(database::Database* database, const data
     if (!database)
         return ofContent(name);
     auto connection = database->openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     auto found = findStudy(database::StudyReader(**connection, actor), name);
     if (!found)
         return found.error().code == core::ErrorCode::notFound ? ofContent(name) : tl::unexpected(found.error());
     auto design = catalogue::readStudy(QByteArray::fromStdString(found->designJson), found->summary.key);
-    if (!design)
-        return tl::unexpected(design.error());
+    CHIRON_TRY(design);
     return StudyToRun{std::move(*design), std::move(*found)};
 }
 
@@ -98,14 +92,11 @@ core::Result<ReadyToRun> makeReady(database::Database& database, const database:
     return database.write([&](database::WriteContext& context) -> core::Result<ReadyToRun> {
         database::StudyRepository repository(context.connection(), actor);
         auto number = study.stored ? core::Result<database::StudyNumber>(study.stored->summary.id) : frozen(repository, study.design);
-        if (!number)
-            return tl::unexpected(number.error());
+        CHIRON_TRY(number);
         auto participant = enrolled(context, actor, *number, request);
-        if (!participant)
-            return tl::unexpected(participant.error());
+        CHIRON_TRY(participant);
         auto record = database::StudyReader(context.connection(), actor).study(*number);
-        if (!record)
-            return tl::unexpected(record.error());
+        CHIRON_TRY(record);
         return ReadyToRun{std::move(*record), std::move(*participant)};
     });
 }

@@ -47,8 +47,7 @@ core::Result<StudyDesign> designOf(const Arguments& arguments) {
             return tl::unexpected(study.error());
     }
     const auto content = catalogue::StudyCatalogue::load();
-    if (!content)
-        return tl::unexpected(content.error());
+    CHIRON_TRY(content);
     const StudyDesign* design = content->find(arguments.operand(0).toStdString());
     if (design)
         return *design;
@@ -61,8 +60,7 @@ core::Result<StudyDesign> designOf(const Arguments& arguments) {
 
 core::Result<QJsonArray> codesOf(database::StudyReader reader, database::StudyNumber study) {
     const auto codes = reader.conditionCodes(study);
-    if (!codes)
-        return tl::unexpected(codes.error());
+    CHIRON_TRY(codes);
     QJsonArray array;
     for (const database::SealedCondition& each : *codes)
         array.append(text(each.sealedCode));
@@ -102,8 +100,7 @@ core::Result<std::optional<PowerInputs>> readPower(const Arguments& arguments, c
     const auto alpha = arguments.number(QStringLiteral("alpha"), 1e-6, 0.5, question.alpha);
     const auto between = arguments.number(QStringLiteral("between-sd"), 0.0, 3.0, question.paired ? question.effectSdLog10 : question.personSdLog10);
     const auto ratio = arguments.number(QStringLiteral("ratio"), 0.01, 100.0, 1.0);
-    if (!participants)
-        return tl::unexpected(participants.error());
+    CHIRON_TRY(participants);
     for (const auto* each : {&wanted, &alpha, &between, &ratio})
         if (!*each)
             return tl::unexpected(each->error());
@@ -184,14 +181,11 @@ QJsonObject planJson(const Condition& condition, const ConditionPlan& plan) {
 
 core::Result<CommandOutput> listStudies(const Arguments& arguments) {
     auto site = openAsAnybody(arguments, Opening::forReading);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     auto connection = site->database->openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     auto studies = database::StudyReader(**connection, site->actor).listStudies(arguments.has(QStringLiteral("archived")));
-    if (!studies)
-        return tl::unexpected(studies.error());
+    CHIRON_TRY(studies);
     QJsonArray array;
     TextTable table({">id", "key", "title", "state", ">participants", ">completed", ">trials", "sha256"});
     for (const database::StudySummary& study : *studies) {
@@ -204,11 +198,9 @@ core::Result<CommandOutput> listStudies(const Arguments& arguments) {
 
 core::Result<CommandOutput> showStudy(const Arguments& arguments) {
     auto study = openStudy(arguments, Opening::forReading);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     auto participants = study->reader().participants(study->number());
-    if (!participants)
-        return tl::unexpected(participants.error());
+    CHIRON_TRY(participants);
     QJsonObject json = studyJson(study->record.summary);
     QJsonArray list;
     TextTable table({"code", ">order", "state", "observer"});
@@ -223,8 +215,7 @@ core::Result<CommandOutput> showStudy(const Arguments& arguments) {
         json.insert("design", QJsonDocument::fromJson(QByteArray::fromStdString(study->record.designJson)).object());
     } else {
         auto codes = codesOf(study->reader(), study->number());
-        if (!codes)
-            return tl::unexpected(codes.error());
+        CHIRON_TRY(codes);
         json.insert("conditions", std::move(*codes));
     }
     const QString head = alignedPairs({{"study", json["key"].toString()}, {"title", json["title"].toString()}, {"state", json["state"].toString()}, {"sha256", json["sha256"].toString()}});
@@ -233,31 +224,27 @@ core::Result<CommandOutput> showStudy(const Arguments& arguments) {
 
 core::Result<CommandOutput> exportStudy(const Arguments& arguments) {
     auto formats = arguments.list(QStringLiteral("format"));
-    if (!formats)
-        return tl::unexpected(formats.error());
+    CHIRON_TRY(formats);
     if (formats->isEmpty())
         *formats << QStringLiteral("csv");
     for (const QString& format : *formats)
         if (format != u"csv" && format != u"bids")
             return wrongUse(QStringLiteral("--format: %1: unknown; expected csv, bids").arg(quoted(format)));
     auto study = openStudy(arguments, Opening::forReading);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     const QString out = QFileInfo(arguments.value(QStringLiteral("out"))).absoluteFilePath();
     QJsonArray folders;
     QString words;
     const auto folderOf = [&](const QString& format) { return formats->size() == 1 ? out : out + u'/' + format; };
     for (const QString& format : *formats) // check all of them before any is written
-        if (auto free = session::NewFolder::isFree(folderOf(format).toStdString()); !free)
-            return tl::unexpected(free.error());
+        CHIRON_TRY(session::NewFolder::isFree(folderOf(format).toStdString()));
     for (const QString& format : *formats) {
         const QString folder = folderOf(format);
         database::StudyReader reader = study->reader();
         const std::filesystem::path path(folder.toStdString());
         const auto written = format == u"csv" ? session::exportStudyCsv(reader, study->number(), path)
                                               : session::exportStudyBids(reader, *study->connection, study->site.actor, study->number(), path);
-        if (!written)
-            return tl::unexpected(written.error());
+        CHIRON_TRY(written);
         folders.append(folder);
         words += folder + u'\n';
     }
@@ -273,13 +260,10 @@ core::Result<CommandOutput> planStudy(const Arguments& arguments) {
     if (!observer)
         return badInput(QStringLiteral("--observer: %1").arg(text(observer.error().message)));
     const auto design = designOf(arguments);
-    if (!design)
-        return tl::unexpected(design.error());
-    if (auto ofItsKind = session::checkObserver(*design, *observer); !ofItsKind)
-        return tl::unexpected(ofItsKind.error());
+    CHIRON_TRY(design);
+    CHIRON_TRY(session::checkObserver(*design, *observer));
     const auto powerInputs = readPower(arguments, *design);
-    if (!powerInputs)
-        return tl::unexpected(powerInputs.error());
+    CHIRON_TRY(powerInputs);
     if (*powerInputs && *runs < 2)
         return wrongUse(QStringLiteral("--power: expected --runs of at least 2: the spread of a run's estimate is simulated"));
     QJsonArray conditions;

@@ -25,8 +25,7 @@ core::Result<std::map<std::string, double>> valuesBefore(database::Connection& c
     filter.exercise = now.exercise;
     filter.level = now.level;
     auto listed = database::SessionReader(connection, actor).listSessions(filter);
-    if (!listed)
-        return tl::unexpected(listed.error());
+    CHIRON_TRY(listed);
     std::optional<database::SessionId> latest;
     for (const database::SessionSummary& other : *listed)
         if (other.id < now.id && other.felt == now.felt && other.state == database::SessionState::completed && session::countsAsAttempt(other))
@@ -51,34 +50,27 @@ core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, cons
     database::SessionReader sessions(connection, actor);
     DebriefHead head;
     auto record = sessions.session(session);
-    if (!record)
-        return tl::unexpected(record.error());
+    CHIRON_TRY(record);
     head.record = std::move(*record);
     const auto names = PeopleNames::read(connection, actor);
-    if (!names)
-        return tl::unexpected(names.error());
+    CHIRON_TRY(names);
     head.record.summary.personName = names->of(head.record.summary);
     auto setup = session::setupFromStored(head.record.setup);
-    if (!setup)
-        return tl::unexpected(setup.error());
+    CHIRON_TRY(setup);
     head.setup = std::move(*setup);
     const auto face = exerciseFace(head.setup.level.exercise);
-    if (!face)
-        return tl::unexpected(face.error());
+    CHIRON_TRY(face);
     head.face = *face;
     auto report = session_report::reportHeadOf(head.record, head.setup, connection, actor, language);
-    if (!report)
-        return tl::unexpected(report.error());
+    CHIRON_TRY(report);
     head.report = std::move(*report);
     if (!head.report.metrics.empty()) {
         auto before = valuesBefore(connection, actor, head.record.summary);
-        if (!before)
-            return tl::unexpected(before.error());
+        CHIRON_TRY(before);
         head.before = std::move(*before);
     }
     auto comments = loadComments(connection, actor, session);
-    if (!comments)
-        return tl::unexpected(comments.error());
+    CHIRON_TRY(comments);
     head.comments = std::move(*comments);
     if (!head.record.decisions.empty())
         head.deciders = shownNames(connection);
@@ -88,8 +80,7 @@ core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, cons
 core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection, const database::Actor& actor,
                                                 database::SessionId session, const std::atomic<bool>& cancelled) {
     auto stored = session::SessionView::open(connection, actor, session);
-    if (!stored)
-        return tl::unexpected(stored.error());
+    CHIRON_TRY(stored);
     if (auto read = (*stored)->decode([&cancelled](double) { return !cancelled.load(); }); !read)
         return tl::unexpected(read.error());
     const session::PlaybackTrack& track = **(*stored)->track();
@@ -97,14 +88,12 @@ core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection
     DebriefDetails details;
     const catalogue::ExerciseLevel& level = (*stored)->setup().level;
     const auto face = exerciseFace(level.exercise);
-    if (!face)
-        return tl::unexpected(face.error());
+    CHIRON_TRY(face);
     details.part = (*face)->readDebrief(level, trace);
     details.force = session_report::feltFactsOf(trace);
     details.duration_s = track.duration_s;
     auto comments = loadComments(connection, actor, session);
-    if (!comments)
-        return tl::unexpected(comments.error());
+    CHIRON_TRY(comments);
     for (NamedComment& named : *comments) {
         const auto tick = named.comment.tick;
         details.comments.push_back({std::move(named), tick ? std::optional(track.timeOfTick(*tick)) : std::nullopt});
@@ -122,8 +111,7 @@ core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection
 core::Result<report::ReportData> loadReport(database::Connection& connection, const database::Actor& actor,
                                             database::SessionId session, const std::string& language) {
     auto stored = session::SessionView::open(connection, actor, session);
-    if (!stored)
-        return tl::unexpected(stored.error());
+    CHIRON_TRY(stored);
     return session_report::reportDataOf(**stored, connection, actor, language);
 }
 

@@ -29,10 +29,8 @@ struct TraceCheck {
 
 core::Result<TraceCheck> readTrace(const QString& file, session::PointerTool tool, int tools) {
     auto rows = scoring::readTraceCsvFile(file.toStdString());
-    if (!rows)
-        return tl::unexpected(rows.error());
-    if (auto station = session::traceStation(*rows, tool, tools); !station)
-        return tl::unexpected(station.error());
+    CHIRON_TRY(rows);
+    CHIRON_TRY(session::traceStation(*rows, tool, tools));
     return TraceCheck{static_cast<int>(rows->rows.size()), rows->rows.back().t_s - rows->rows.front().t_s};
 }
 

@@ -32,13 +32,11 @@ using Standings = std::vector<session::LevelStanding>;
 core::Result<Standings> readStandings(const database::Database& database, const database::Actor& actor,
                                       const catalogue::Catalogue& catalogue) {
     auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     database::SessionFilter filter;
     filter.person = actor.personId();
     auto sessions = database::SessionReader(**connection, actor).listSessions(filter);
-    if (!sessions)
-        return tl::unexpected(sessions.error());
+    CHIRON_TRY(sessions);
     return session::levelStandings(catalogue, *sessions);
 }
 

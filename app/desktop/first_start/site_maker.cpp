@@ -40,32 +40,26 @@ QString doingWords(const session::DemoProgress& now, const catalogue::Catalogue&
 core::Result<MadeSite> makeSite(const std::string& file, const database::DatabaseOptions& options, database::Database* open,
                                 const AdministratorRequest& request) {
     auto content = loadContent();
-    if (!content)
-        return tl::unexpected(content.error());
-    if (const auto name = database::checkedSiteName(request.siteName); !name)
-        return tl::unexpected(name.error()); // before anything is created
+    CHIRON_TRY(content);
+    CHIRON_TRY(database::checkedSiteName(request.siteName)); // before anything is created
     MadeSite made;
     made.catalogue = std::move(*content);
     if (open == nullptr) {
         auto site = session::openSite(file, options);
-        if (!site)
-            return tl::unexpected(site.error());
+        CHIRON_TRY(site);
         made.database = std::move(site->database);
         open = made.database.get();
     }
     database::AccountService accounts(*open);
     const auto first = accounts.createFirstAdministrator(request.name, request.password, request.displayName);
-    if (!first)
-        return tl::unexpected(first.error());
+    CHIRON_TRY(first);
     const auto actor = accounts.login(request.name, request.password);
-    if (!actor)
-        return tl::unexpected(actor.error());
+    CHIRON_TRY(actor);
     if (!request.siteName.empty()) {
         const auto named = open->write([&](database::WriteContext& writing) {
             return database::SiteRepository(writing.connection(), *actor).setSiteName(request.siteName);
         });
-        if (!named)
-            return tl::unexpected(named.error());
+        CHIRON_TRY(named);
     }
     made.actor = *actor;
     made.recoveryCode = first->recoveryCode;
@@ -75,14 +69,12 @@ core::Result<MadeSite> makeSite(const std::string& file, const database::Databas
 core::Result<MadeSite> makeDemonstration(const std::string& file, const database::DatabaseOptions& options, WorkToken& token,
                                          const std::string& language) {
     auto content = loadContent();
-    if (!content)
-        return tl::unexpected(content.error());
+    CHIRON_TRY(content);
     MadeSite made;
     made.catalogue = std::move(*content);
     if (QFileInfo::exists(QString::fromStdString(file))) {
         auto site = session::openSite(file, options);
-        if (!site)
-            return tl::unexpected(site.error());
+        CHIRON_TRY(site);
         if (!site->database->isDemonstration())
             return core::fail(core::ErrorCode::badInput, file + ": holds a site that is no demonstration; it was left as it is");
         made.database = std::move(site->database);
@@ -95,8 +87,7 @@ core::Result<MadeSite> makeDemonstration(const std::string& file, const database
             token.setDoing(doingWords(now, content, language));
         },
         &token.flag());
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     made.database = std::move(*site);
     return made;
 }

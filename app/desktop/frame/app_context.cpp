@@ -21,11 +21,9 @@ struct Opened {
 
 core::Result<Opened> openWithContent(const std::string& file, const database::DatabaseOptions& options) {
     auto content = catalogue::findContentDirectory().and_then([](const std::string& folder) { return catalogue::Catalogue::load(folder); });
-    if (!content)
-        return tl::unexpected(content.error());
+    CHIRON_TRY(content);
     auto site = session::openSite(file, options);
-    if (!site)
-        return tl::unexpected(site.error());
+    CHIRON_TRY(site);
     return Opened{std::move(*site), std::move(*content)};
 }
 

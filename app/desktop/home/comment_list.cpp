@@ -21,15 +21,12 @@ int newsUpTo(const std::vector<database::PersonId>& authors, database::PersonId 
 
 core::Result<std::vector<FoundComment>> readComments(const database::Database& database, const database::Actor& actor, const ExerciseTitles& titles) {
     auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     auto sessions = database::SessionReader(**connection, actor).commentedSessions();
-    if (!sessions)
-        return tl::unexpected(sessions.error());
+    CHIRON_TRY(sessions);
     const std::map<database::PersonId, std::string> names = shownNames(**connection);
     const auto people = PeopleNames::read(**connection, actor);
-    if (!people)
-        return tl::unexpected(people.error());
+    CHIRON_TRY(people);
     std::vector<FoundComment> found;
     for (database::CommentedSession& session : *sessions) {
         bool concerned = session.session.person == actor.personId();

@@ -14,8 +14,7 @@ namespace {
 
 core::Result<std::vector<database::SessionSummary>> ownSessions(const database::Database& database, const database::Actor& actor) {
     auto reader = database.openReader();
-    if (!reader)
-        return tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
     database::SessionFilter filter;
     filter.person = actor.personId();
     return database::SessionReader(**reader, actor).listSessions(filter);

@@ -48,8 +48,7 @@ std::vector<SessionRow> rowsOf(std::vector<database::SessionSummary> sessions, c
 core::Result<void> readCommented(database::Connection& connection, SessionReader& reader, const HomeReading& reading, HomeData& data) {
     const HomeQuestion& question = reading.question;
     auto sessions = reader.commentedSessions({.toRead = true, .most = kLookedThrough});
-    if (!sessions)
-        return tl::unexpected(sessions.error());
+    CHIRON_TRY(sessions);
     const std::map<database::PersonId, std::string> names = shownNames(connection);
     for (database::CommentedSession& session : *sessions) {
         std::vector<database::PersonId> authors;
@@ -71,8 +70,7 @@ core::Result<void> readOwn(database::Connection& connection, SessionReader& read
     filter.person = question.actor.personId();
     filter.newestFirst = true;
     auto own = reader.listSessions(filter);
-    if (!own)
-        return tl::unexpected(own.error());
+    CHIRON_TRY(own);
     data.standings = session::levelStandings(question.catalogue, *own);
     std::erase_if(*own, [](const auto& session) { return session.state == database::SessionState::running; });
     if (auto read = readCommented(connection, reader, reading, data); !read)
@@ -103,15 +101,13 @@ core::Result<void> readForTrainer(SessionReader& reader, const HomeReading& read
     filter.newestFirst = true;
     filter.limit = kNewest;
     auto newest = reader.listSessions(filter);
-    if (!newest)
-        return tl::unexpected(newest.error());
+    CHIRON_TRY(newest);
     data.people = recentPeople(*newest, reading.names);
     SessionFilter waiting;
     waiting.newestFirst = true;
     waiting.toReview = true;
     auto toReview = reader.listSessions(waiting);
-    if (!toReview)
-        return tl::unexpected(toReview.error());
+    CHIRON_TRY(toReview);
     data.toReview = static_cast<int>(toReview->size());
     std::stable_sort(toReview->begin(), toReview->end(),
                      [](const auto& a, const auto& b) { return session::attentionRank(a) < session::attentionRank(b); });
@@ -121,22 +117,18 @@ core::Result<void> readForTrainer(SessionReader& reader, const HomeReading& read
 
 core::Result<void> readForAdmin(database::Database& database, database::Connection& connection, SessionReader& reader, const HomeQuestion& question, HomeData& data) {
     const auto people = database::AccountService(database).listPeople(question.actor);
-    if (!people)
-        return tl::unexpected(people.error());
+    CHIRON_TRY(people);
     data.accounts = static_cast<int>(std::count_if(people->begin(), people->end(), [](const auto& person) { return person.enabled; }));
     const auto code = database::AccountService(database).hasRecoveryCode(question.actor);
-    if (!code)
-        return tl::unexpected(code.error());
+    CHIRON_TRY(code);
     data.lacksRecoveryCode = !*code;
     database::StudyReader studies(connection, question.actor);
     const auto withdrawn = session::withdrawnParticipants(studies);
-    if (!withdrawn)
-        return tl::unexpected(withdrawn.error());
+    CHIRON_TRY(withdrawn);
     data.toErase = static_cast<int>(std::count_if(withdrawn->begin(), withdrawn->end(), [](const auto& each) { return each.participant.recordingsToErase; }));
     data.room = session::storageRoom(question.databaseFile, recording::defaultRingFolder());
     auto standing = database::Upkeep::backupStanding(connection, question.actor);
-    if (!standing)
-        return tl::unexpected(standing.error());
+    CHIRON_TRY(standing);
     data.backups = std::move(*standing);
     const auto backups = session::listBackups(session::folderOfPlan(data.backups.plan, question.backupFolder, question.databaseFile));
     data.latestBackupUtc = backups.empty() ? std::string() : backups.front().createdUtc;
@@ -166,16 +158,13 @@ void readRecovered(SessionReader& reader, const HomeReading& reading, HomeData& 
 
 core::Result<HomeData> readHome(database::Database& database, const HomeQuestion& question) {
     auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     SessionReader reader(**connection, question.actor);
     const database::RoleSet& roles = question.actor.roles();
     const auto self = database::AccountService(database).self(question.actor);
-    if (!self)
-        return tl::unexpected(self.error());
+    CHIRON_TRY(self);
     const auto names = PeopleNames::read(**connection, question.actor);
-    if (!names)
-        return tl::unexpected(names.error());
+    CHIRON_TRY(names);
     const HomeReading reading{question, *names};
     HomeData data;
     data.name = self->displayName.empty() ? self->name : self->displayName;
@@ -185,8 +174,7 @@ core::Result<HomeData> readHome(database::Database& database, const HomeQuestion
         done = readForTrainer(reader, reading, data);
     if (done && roles.contains(Role::admin))
         done = readForAdmin(database, **connection, reader, question, data);
-    if (!done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(done);
     readRecovered(reader, reading, data);
     return data;
 }

@@ -235,8 +235,7 @@ void LoginScreen::changePassword(NewPasswordPage* page, const database::Actor& a
         page,
         [database, actor, old = oldPassword.toStdString(), fresh = newPassword.toStdString()](WorkToken&) -> core::Result<database::Actor> {
             database::AccountService accounts(*database);
-            if (const auto changed = accounts.changePassword(actor, old, fresh); !changed)
-                return tl::unexpected(changed.error());
+            CHIRON_TRY(accounts.changePassword(actor, old, fresh));
             return accounts.login(actor.name(), fresh);
         },
         [this, page](core::Result<database::Actor> again) {

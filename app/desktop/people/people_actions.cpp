@@ -32,11 +32,9 @@ constexpr qint64 kLargestRoster_bytes = 4 << 20;
 
 core::Result<void> writeExport(database::Database& database, const database::Actor& actor, database::PersonId person, const QString& name) {
     auto reader = database.openReader();
-    if (!reader)
-        return tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
     const auto everything = database::PrivacyRepository(**reader, actor).exportPerson(person);
-    if (!everything)
-        return tl::unexpected(everything.error());
+    CHIRON_TRY(everything);
     const QByteArray json = QJsonDocument(session::personExportJson(*everything)).toJson();
     QSaveFile file(name);
     if (!file.open(QIODevice::WriteOnly) || !file.setPermissions(QFile::ReadOwner | QFile::WriteOwner) || file.write(json) != json.size() ||

@@ -47,28 +47,22 @@ core::Result<PlaybackData> loadPlayback(database::Connection& connection, const 
                                         database::SessionId session, const std::function<bool(double)>& progress) {
     PlaybackData data;
     auto record = database::SessionReader(connection, actor).session(session);
-    if (!record)
-        return tl::unexpected(record.error());
+    CHIRON_TRY(record);
     data.record = std::move(*record);
     const auto names = PeopleNames::read(connection, actor);
-    if (!names)
-        return tl::unexpected(names.error());
+    CHIRON_TRY(names);
     data.record.summary.personName = names->of(data.record.summary);
     auto setup = session::setupFromStored(data.record.setup);
-    if (!setup)
-        return tl::unexpected(setup.error());
+    CHIRON_TRY(setup);
     data.setup = std::move(*setup);
     if (data.record.summary.recordingErased)
         return data;
     auto stored = session::SessionView::open(connection, actor, session);
-    if (!stored)
-        return tl::unexpected(stored.error());
-    if (auto read = (*stored)->decode(progress); !read)
-        return tl::unexpected(read.error());
+    CHIRON_TRY(stored);
+    CHIRON_TRY((*stored)->decode(progress));
     data.track = **(*stored)->track();
     const auto face = exerciseFace(data.setup.level.exercise);
-    if (!face)
-        return tl::unexpected(face.error());
+    CHIRON_TRY(face);
     data.layer = (*face)->playbackLayer(data.setup, **(*stored)->trace());
     return data;
 }
@@ -81,11 +75,9 @@ core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& conne
     filter.level = record.summary.level;
     filter.state = database::SessionState::completed;
     auto sessions = database::SessionReader(connection, actor).listSessions(filter);
-    if (!sessions)
-        return tl::unexpected(sessions.error());
+    CHIRON_TRY(sessions);
     const auto names = PeopleNames::read(connection, actor);
-    if (!names)
-        return tl::unexpected(names.error());
+    CHIRON_TRY(names);
     std::vector<GhostCandidate> own;
     std::vector<GhostCandidate> scripted;
     std::vector<GhostCandidate> others;
@@ -125,8 +117,7 @@ std::map<database::PersonId, std::string> shownNames(database::Connection& conne
 core::Result<std::vector<NamedComment>> loadComments(database::Connection& connection, const database::Actor& actor,
                                                      database::SessionId session) {
     auto comments = database::SessionReader(connection, actor).comments(session);
-    if (!comments)
-        return tl::unexpected(comments.error());
+    CHIRON_TRY(comments);
     std::map<database::PersonId, std::string> names = shownNames(connection);
     std::vector<NamedComment> named;
     for (const database::SessionComment& comment : *comments)

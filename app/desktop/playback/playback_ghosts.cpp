@@ -71,8 +71,7 @@ void PlaybackScreen::chooseGhost() {
         this,
         [&database, actor = context().actor(), id](WorkToken& token) -> core::Result<PlaybackData> {
             auto connection = database.openReader();
-            if (!connection)
-                return tl::unexpected(connection.error());
+            CHIRON_TRY(connection);
             return loadPlayback(**connection, actor, id, [&token](double) { return !token.cancelled(); });
         },
         [this, id](core::Result<PlaybackData> ghost) {

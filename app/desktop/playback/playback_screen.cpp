@@ -87,8 +87,7 @@ void PlaybackScreen::load() {
             // This loads what the scene needs, so that the window does not wait for it later.
             scene3d::findWhyFlat();
             auto connection = database.openReader();
-            if (!connection)
-                return tl::unexpected(connection.error());
+            CHIRON_TRY(connection);
             return loadPlayback(**connection, actor, id, [&token](double part) {
                 token.setProgress(static_cast<int>(100 * part), 100);
                 return !token.cancelled();

@@ -24,14 +24,11 @@ const QString kChosenExercise = QStringLiteral("exercise");
 /// Thread: worker; blocks.
 core::Result<std::vector<session::PersonStanding>> readGroup(const database::Database& database, const database::Actor& actor, const catalogue::Catalogue& catalogue) {
     auto reader = database.openReader();
-    if (!reader)
-        return tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
     const auto people = database::AccountRepository(**reader, actor).listPeople();
-    if (!people)
-        return tl::unexpected(people.error());
+    CHIRON_TRY(people);
     const auto sessions = database::SessionReader(**reader, actor).listSessions();
-    if (!sessions)
-        return tl::unexpected(sessions.error());
+    CHIRON_TRY(sessions);
     return session::groupStandings(catalogue, *people, *sessions);
 }
 

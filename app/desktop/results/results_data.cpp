@@ -32,8 +32,7 @@ core::Result<void> writeJson(const QString& path, const QJsonObject& json) {
 core::Result<void> writeSamples(database::Connection& connection, const database::Actor& actor, database::SessionId session,
                                 const QDir& folder) {
     auto stored = session::SessionView::open(connection, actor, session);
-    if (!stored)
-        return tl::unexpected(stored.error());
+    CHIRON_TRY(stored);
     return session::exportCsv(**stored, folder.filePath(QStringLiteral("session_%1.csv").arg(session)));
 }
 
@@ -64,8 +63,7 @@ core::Result<std::vector<Attempt>> loadAttempts(database::Connection& connection
     database::SessionFilter filter;
     filter.person = person;
     auto sessions = database::SessionReader(connection, actor).listSessions(filter);
-    if (!sessions)
-        return tl::unexpected(sessions.error());
+    CHIRON_TRY(sessions);
     database::ScoreRepository scores(connection, actor);
     std::vector<Attempt> attempts;
     for (database::SessionSummary& summary : *sessions) {
@@ -82,13 +80,10 @@ core::Result<std::vector<Attempt>> loadAttempts(database::Connection& connection
 core::Result<std::string> exportOwnData(database::Connection& connection, const database::Actor& actor, const std::string& parent,
                                         const std::function<bool(double)>& progress) {
     auto everything = database::PrivacyRepository(connection, actor).exportPerson(actor.personId());
-    if (!everything)
-        return tl::unexpected(everything.error());
+    CHIRON_TRY(everything);
     auto folder = newFolder(QString::fromStdString(parent), everything->person);
-    if (!folder)
-        return tl::unexpected(folder.error());
-    if (auto written = writeJson(folder->filePath(QStringLiteral("person.json")), session::personExportJson(*everything)); !written)
-        return tl::unexpected(written.error());
+    CHIRON_TRY(folder);
+    CHIRON_TRY(writeJson(folder->filePath(QStringLiteral("person.json")), session::personExportJson(*everything)));
     std::size_t done = 0;
     for (const database::PersonSession& session : everything->sessions) {
         if (!progress(static_cast<double>(done++) / static_cast<double>(everything->sessions.size())))
@@ -96,8 +91,7 @@ core::Result<std::string> exportOwnData(database::Connection& connection, const 
         const database::SessionSummary& summary = session.record.summary;
         if (summary.recordingErased || summary.chunks == 0 || session.sealed)
             continue;
-        if (auto written = writeSamples(connection, actor, summary.id, *folder); !written)
-            return tl::unexpected(written.error());
+        CHIRON_TRY(writeSamples(connection, actor, summary.id, *folder));
     }
     return folder->path().toStdString();
 }

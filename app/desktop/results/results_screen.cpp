@@ -76,8 +76,7 @@ void ResultsScreen::load() {
         this,
         [&database, actor = context().actor(), whose = person()](WorkToken& token) -> core::Result<std::vector<Attempt>> {
             auto connection = database.openReader();
-            if (!connection)
-                return tl::unexpected(connection.error());
+            CHIRON_TRY(connection);
             return loadAttempts(**connection, actor, whose, [&token](double part) {
                 token.setProgress(static_cast<int>(100 * part), 100);
                 return !token.cancelled();
@@ -348,8 +347,7 @@ void ResultsScreen::exportTo(const QString& parent) {
         this,
         [&database, actor = context().actor(), folder = parent.toStdString()](WorkToken& token) -> core::Result<std::string> {
             auto connection = database.openReader();
-            if (!connection)
-                return tl::unexpected(connection.error());
+            CHIRON_TRY(connection);
             return exportOwnData(**connection, actor, folder, [&token](double part) {
                 token.setProgress(static_cast<int>(100 * part), 100);
                 return !token.cancelled();

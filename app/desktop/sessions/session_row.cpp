@@ -32,14 +32,11 @@ SessionRow makeSessionRow(database::SessionSummary summary, const ExerciseTitles
 core::Result<std::vector<SessionRow>> readSessionRows(const database::Database& database, const database::Actor& actor,
                                                       const ExerciseTitles& titles, const database::SessionFilter& filter) {
     auto reader = database.openReader();
-    if (!reader)
-        return tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
     auto sessions = database::SessionReader(**reader, actor).listSessions(filter);
-    if (!sessions)
-        return tl::unexpected(sessions.error());
+    CHIRON_TRY(sessions);
     const auto names = PeopleNames::read(**reader, actor);
-    if (!names)
-        return tl::unexpected(names.error());
+    CHIRON_TRY(names);
     std::vector<SessionRow> rows;
     rows.reserve(sessions->size());
     for (database::SessionSummary& session : *sessions)
@@ -50,11 +47,9 @@ core::Result<std::vector<SessionRow>> readSessionRows(const database::Database& 
 core::Result<SessionRow> readSessionRow(const database::Database& database, const database::Actor& actor,
                                         const ExerciseTitles& titles, database::SessionId session) {
     auto reader = database.openReader();
-    if (!reader)
-        return tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
     auto record = database::SessionReader(**reader, actor).session(session);
-    if (!record)
-        return tl::unexpected(record.error());
+    CHIRON_TRY(record);
     const auto names = PeopleNames::read(**reader, actor);
     return names ? core::Result<SessionRow>(makeSessionRow(std::move(record->summary), titles, *names)) : tl::unexpected(names.error());
 }

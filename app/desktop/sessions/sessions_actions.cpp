@@ -172,8 +172,7 @@ void SessionsScreen::reload(database::SessionId session) {
         this,
         [&database = context().site().database(), actor = context().actor(), titles = m_titles, session](WorkToken&) -> core::Result<std::vector<SessionRow>> {
             auto row = readSessionRow(database, actor, titles, session);
-            if (!row)
-                return tl::unexpected(row.error());
+            CHIRON_TRY(row);
             database::SessionFilter siblings;
             siblings.person = row->summary.person;
             siblings.exercise = row->summary.exercise;

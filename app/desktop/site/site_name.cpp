@@ -7,8 +7,7 @@ namespace chiron::desktop {
 
 core::Result<QString> readSiteName(database::Database& database, const database::Actor& actor) {
     auto reader = database.openReader();
-    if (!reader)
-        return tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
     const auto name = database::SiteRepository(**reader, actor).siteName();
     return name ? core::Result<QString>(QString::fromStdString(*name)) : tl::unexpected(name.error());
 }

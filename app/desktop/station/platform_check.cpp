@@ -15,15 +15,13 @@ core::Result<PlatformCheck> runPlatformCheck(const PlatformCheckLength& length, 
     settings.poses = length.poses;
     token.setProgress(0, kSteps);
     auto verified = mechanisms::verifyFingertip(check.plant, length.seed, settings);
-    if (!verified)
-        return tl::unexpected(verified.error());
+    CHIRON_TRY(verified);
     check.verified = std::move(*verified);
     token.setProgress(1, kSteps);
     if (token.cancelled())
         return stopped();
     auto fingers = mechanisms::verifyFingertipOnFingers(check.plant, length.seed, settings);
-    if (!fingers)
-        return tl::unexpected(fingers.error());
+    CHIRON_TRY(fingers);
     check.fingers = std::move(*fingers);
     token.setProgress(2, kSteps);
     if (token.cancelled())
@@ -40,8 +38,7 @@ core::Result<PlatformCheck> runPlatformCheck(const PlatformCheckLength& length, 
     constexpr int kPosesEach = 20;
     settings.poses = std::min(settings.poses, kPosesEach);
     auto worse = mechanisms::degradeFingertip(check.plant, length.seed, settings);
-    if (!worse)
-        return tl::unexpected(worse.error());
+    CHIRON_TRY(worse);
     check.worse = std::move(*worse);
     if (token.cancelled())
         return stopped();

@@ -11,16 +11,14 @@ core::Result<StationFacts> readStationFacts(const database::Database& database, 
     // the station.
     constexpr int kLookedAt = 20;
     auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     database::SessionReader reader(**connection, actor);
     database::SessionFilter filter;
     filter.newestFirst = true;
     filter.includeArchived = true;
     filter.limit = kLookedAt;
     const auto newest = reader.listSessions(filter);
-    if (!newest)
-        return tl::unexpected(newest.error());
+    CHIRON_TRY(newest);
     StationFacts facts;
     facts.room = session::storageRoom(database.file(), recording::defaultRingFolder());
     for (const database::SessionSummary& summary : *newest) {

@@ -11,21 +11,18 @@ namespace chiron::desktop {
 core::Result<StorageFacts> readStorageFacts(const database::Database& database, const database::Actor& actor,
                                             const std::string& stationFolder) {
     auto reader = database.openReader();
-    if (!reader)
-        return tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
     database::SessionFilter all;
     all.includeArchived = true;
     const auto sessions = database::SessionReader(**reader, actor).listSessions(all);
-    if (!sessions)
-        return tl::unexpected(sessions.error());
+    CHIRON_TRY(sessions);
     StorageFacts facts;
     facts.sessions = static_cast<int>(sessions->size());
     for (const database::SessionSummary& session : *sessions)
         facts.recordings_bytes += session.recordingBytes;
     facts.room = session::storageRoom(database.file(), recording::defaultRingFolder());
     auto standing = database::Upkeep::backupStanding(**reader, actor);
-    if (!standing)
-        return tl::unexpected(standing.error());
+    CHIRON_TRY(standing);
     facts.standing = std::move(*standing);
     facts.backupFolder = session::folderOfPlan(facts.standing.plan, stationFolder, database.file());
     facts.onTheSitesDisk = session::onOneDisk(facts.backupFolder, database.file());

@@ -65,8 +65,7 @@ void EnrolDialog::submit() {
             auto theirs = answers;
             for (database::QuestionnaireAnswer& answer : theirs)
                 answer.participant = enrolled->id;
-            if (auto stored = studies.storeQuestionnaireAnswers(theirs); !stored)
-                return tl::unexpected(stored.error()); // everything is one transaction, so nobody is enrolled
+            CHIRON_TRY(studies.storeQuestionnaireAnswers(theirs)); // everything is one transaction, so nobody is enrolled
             return enrolled;
         },
         [this, account](const core::Result<database::Participant>& participant) {

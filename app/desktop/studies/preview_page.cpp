@@ -202,8 +202,7 @@ void PreviewPage::start() {
                     token.setProgress(static_cast<int>(kSteps * (static_cast<double>(i) + part) / count), kSteps);
                     return !token.cancelled();
                 });
-                if (!result)
-                    return tl::unexpected(result.error());
+                CHIRON_TRY(result);
                 results.push_back(std::move(*result));
             }
             return results;

@@ -20,8 +20,7 @@ core::Result<std::vector<LeftRun>> leftRuns(database::StudyReader& reader, const
         if (run.state != database::StudyRunState::open)
             continue;
         const auto trials = reader.studyTrials(run.id);
-        if (!trials)
-            return tl::unexpected(trials.error());
+        CHIRON_TRY(trials);
         const psychophysics::Condition* condition = session::analysedBy(study.design, study.blinding, run.condition);
         all.push_back({run.id, static_cast<int>(std::count_if(trials->begin(), trials->end(), counts)), condition ? session::trialsAtMost(*condition) : 0,
                        trials->empty() ? run.startedUtc : trials->back().utc});
@@ -31,17 +30,14 @@ core::Result<std::vector<LeftRun>> leftRuns(database::StudyReader& reader, const
 
 core::Result<void> addTrials(database::StudyReader& reader, PilotRow& row) {
     const auto participants = reader.participants(row.summary.id);
-    if (!participants)
-        return tl::unexpected(participants.error());
+    CHIRON_TRY(participants);
     double seconds = 0.0;
     for (const database::Participant& participant : *participants) {
         const auto runs = reader.runs(participant.id);
-        if (!runs)
-            return tl::unexpected(runs.error());
+        CHIRON_TRY(runs);
         for (const database::StudyRun& run : *runs) {
             const auto trials = reader.studyTrials(run.id);
-            if (!trials)
-                return tl::unexpected(trials.error());
+            CHIRON_TRY(trials);
             for (const database::StudyTrial& trial : *trials) {
                 row.spoiled += trial.spoiled.empty() ? 0 : 1;
                 row.scored += counts(trial) ? 1 : 0;
@@ -55,14 +51,12 @@ core::Result<void> addTrials(database::StudyReader& reader, PilotRow& row) {
 
 core::Result<std::vector<PilotRow>> pilotRows(database::StudyReader& reader, const std::string& key) {
     auto summaries = reader.listPilots(key);
-    if (!summaries)
-        return tl::unexpected(summaries.error());
+    CHIRON_TRY(summaries);
     std::vector<PilotRow> rows;
     for (database::StudySummary& summary : *summaries) {
         PilotRow row;
         row.summary = std::move(summary);
-        if (auto added = addTrials(reader, row); !added)
-            return tl::unexpected(added.error());
+        CHIRON_TRY(addTrials(reader, row));
         rows.push_back(std::move(row));
     }
     return rows;
@@ -76,39 +70,31 @@ int pilotsTried(const OpenStudy& study) {
 
 core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::StudyNumber study) {
     auto record = reader.study(study);
-    if (!record)
-        return tl::unexpected(record.error());
+    CHIRON_TRY(record);
     auto design = catalogue::readStudy(QByteArray::fromStdString(record->designJson), record->summary.key);
-    if (!design)
-        return tl::unexpected(design.error());
+    CHIRON_TRY(design);
     OpenStudy open{std::move(record->summary), std::move(*design), {}, {}, {}, {}, record->blinding, record->masked, {}};
     auto sealed = reader.conditionCodes(study);
-    if (!sealed)
-        return tl::unexpected(sealed.error());
+    CHIRON_TRY(sealed);
     open.sealed = std::move(*sealed);
     auto participants = reader.participants(study);
-    if (!participants)
-        return tl::unexpected(participants.error());
+    CHIRON_TRY(participants);
     for (database::Participant& participant : *participants) {
         auto runs = reader.runs(participant.id);
-        if (!runs)
-            return tl::unexpected(runs.error());
+        CHIRON_TRY(runs);
         auto left = leftRuns(reader, open, *runs);
-        if (!left)
-            return tl::unexpected(left.error());
+        CHIRON_TRY(left);
         open.participants.push_back({std::move(participant), std::move(*runs), std::move(*left)});
     }
     auto answers = reader.questionnaireAnswers(study);
-    if (!answers)
-        return tl::unexpected(answers.error());
+    CHIRON_TRY(answers);
     for (const database::QuestionnaireAnswer& answer : *answers) {
         open.answered.emplace(answer.participant, answer.questionnaire);
         if (answer.run != 0)
             open.answeredAfter.emplace(answer.run, answer.questionnaire);
     }
     auto pilots = pilotRows(reader, open.summary.key);
-    if (!pilots)
-        return tl::unexpected(pilots.error());
+    CHIRON_TRY(pilots);
     open.pilots = std::move(*pilots);
     return open;
 }

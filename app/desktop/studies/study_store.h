@@ -25,8 +25,7 @@ std::shared_ptr<WorkToken> readStudies(AppContext& context, QObject* owner, Job 
         owner,
         [&database = context.site().database(), actor = context.actor(), job = std::move(job)](WorkToken&) -> Answer {
             auto connection = database.openReader();
-            if (!connection)
-                return tl::unexpected(connection.error());
+            CHIRON_TRY(connection);
             database::StudyReader reader(**connection, actor);
             return job(reader);
         },

@@ -102,8 +102,7 @@ void StudyDataScreen::exportTo(const ExportWords& words,
         &context(), // so that people who moved to another screen get the result as well
         [&database = context().site().database(), actor = context().actor(), write](WorkToken&) -> core::Result<void> {
             auto connection = database.openReader();
-            if (!connection)
-                return tl::unexpected(connection.error());
+            CHIRON_TRY(connection);
             database::StudyReader reader(**connection, actor);
             return write(**connection, reader);
         },

@@ -84,8 +84,7 @@ void StudyDataScreen::load() {
         this,
         [&database, actor = context().actor(), study = m_study, withShown = m_withShown](WorkToken&) -> core::Result<StudyFacts> {
             auto connection = database.openReader();
-            if (!connection)
-                return tl::unexpected(connection.error());
+            CHIRON_TRY(connection);
             database::StudyReader reader(**connection, actor);
             return studyFacts(reader, study, withShown);
         },

@@ -25,11 +25,9 @@ std::optional<ApexFacts> apexFacts(const session::AnalysedCondition& condition) 
 
 core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::StudyNumber study, bool withShown) {
     auto open = openStudy(reader, study);
-    if (!open)
-        return tl::unexpected(open.error());
+    CHIRON_TRY(open);
     auto analysis = session::analyseStudy(reader, study, open->design.seed, {.withShown = withShown});
-    if (!analysis)
-        return tl::unexpected(analysis.error());
+    CHIRON_TRY(analysis);
     StudyFacts facts;
     facts.study = std::move(*open);
     facts.quality = analysis->quality;
@@ -49,8 +47,7 @@ core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::Stu
     }
     facts.anyShown = std::any_of(facts.runs.begin(), facts.runs.end(), [](const RunFacts& run) { return !run.felt.value_or(true); });
     auto answers = reader.questionnaireAnswers(study);
-    if (!answers)
-        return tl::unexpected(answers.error());
+    CHIRON_TRY(answers);
     facts.answers = std::move(*answers);
     return facts;
 }

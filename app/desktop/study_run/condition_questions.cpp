@@ -70,8 +70,7 @@ void ConditionQuestions::submit() {
         [&database = m_context.site().database(), actor = m_context.actor(), about = m_about, answers = m_form->answers(0, m_about.run)](WorkToken&) {
             return database.write([&](database::WriteContext& writing) -> core::Result<void> {
                 const auto who = database::StudyReader(writing.connection(), actor).participantByCode(about.study, about.participant.toStdString());
-                if (!who)
-                    return tl::unexpected(who.error());
+                CHIRON_TRY(who);
                 auto theirs = answers;
                 for (database::QuestionnaireAnswer& answer : theirs)
                     answer.participant = who->id;

@@ -42,15 +42,13 @@ void RunScreen::load() {
                          readStudies(context(), this,
                                      [](database::StudyReader& reader) -> core::Result<std::vector<OpenStudy>> {
                                          auto list = reader.listStudies();
-                                         if (!list)
-                                             return tl::unexpected(list.error());
+                                         CHIRON_TRY(list);
                                          std::vector<OpenStudy> studies;
                                          for (const database::StudySummary& summary : *list) {
                                              if (summary.state != database::StudyState::frozen && summary.state != database::StudyState::closed)
                                                  continue;
                                              auto open = openStudy(reader, summary.id);
-                                             if (!open)
-                                                 return tl::unexpected(open.error());
+                                             CHIRON_TRY(open);
                                              studies.push_back(std::move(*open));
                                          }
                                          return studies;

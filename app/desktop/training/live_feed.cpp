@@ -14,8 +14,7 @@ core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(database::Database& data
             emit to->finished();
         }, Qt::QueuedConnection);
     });
-    if (!training)
-        return tl::unexpected(training.error());
+    CHIRON_TRY(training);
     feed->m_training = std::move(*training);
     feed->m_timer.setTimerType(Qt::PreciseTimer);
     connect(&feed->m_timer, &QTimer::timeout, feed.get(), &LiveFeed::tick);

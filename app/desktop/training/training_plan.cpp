@@ -16,8 +16,7 @@ constexpr int kTried = 3; // number of trials: enough to improve by the third, s
 
 core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level, std::uint64_t seed) {
     auto kind = session::exerciseKind(level.exercise);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    CHIRON_TRY(kind);
     switch (plan.driver->movedBy) {
     case devices::MovedBy::person:
         return session::personStation(*plan.driver, plan.workspace, **kind, level);
@@ -31,8 +30,7 @@ core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalog
         break;
     }
     auto rows = scoring::readTraceCsvFile(plan.traceFile.toStdString());
-    if (!rows)
-        return tl::unexpected(rows.error());
+    CHIRON_TRY(rows);
     return session::traceStation(*rows, (*kind)->pointerTool(), (*kind)->toolCount(level));
 }
 
@@ -123,8 +121,7 @@ core::Result<session::TrainingRequest> requestOf(const TrainingPlan& plan, const
     request.familiarisation = (plan.familiarisation && plan.ownHand()) || plan.practises();
     request.ringFolder = recording::defaultRingFolder();
     auto station = stationOf(plan, level, request.seed);
-    if (!station)
-        return tl::unexpected(station.error());
+    CHIRON_TRY(station);
     request.station = std::move(*station);
     return request;
 }

@@ -38,8 +38,7 @@ SittingResult<BegunRun> goOnWith(const OpenedStudy& study, const database::Condu
     if (auto same = sameTable(begun, limit); !same)
         return tl::unexpected(refused(same.error(), DeviceRefusal::rendersLess));
     auto progress = StudyProgress::resume(study.design, conducted.condition, begun.seed, conducted.trials, StudyProgress::limitOf(begun.procedures));
-    if (!progress)
-        return tl::unexpected(progress.error());
+    CHIRON_TRY(progress);
     if (auto same = sameVersions(begun, progress->procedureIds()); !same) {
         SittingError typed(same.error());
         typed.otherVersion = true;
@@ -54,19 +53,15 @@ const psychophysics::Condition* ConductedSitting::condition() const { return con
 
 core::Result<ConductedSitting> conductSitting(database::Database& database, const database::Actor& actor, const LiveStudyRequest& request) {
     auto study = openStudy(database, actor, request.study, request.participantCode);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     auto label = chosenLabel(*study, request.condition);
-    if (!label)
-        return tl::unexpected(label.error());
+    CHIRON_TRY(label);
     if (request.station.tools.empty())
         return core::fail(core::ErrorCode::wrongUse, "a sitting needs a device");
     auto run = conduct(database, actor, *study, *label);
-    if (!run)
-        return tl::unexpected(run.error());
+    CHIRON_TRY(run);
     study = unmasked(std::move(*study), *run);
-    if (!study)
-        return tl::unexpected(study.error());
+    CHIRON_TRY(study);
     ConductedSitting sitting{std::move(*study), std::move(*label), std::move(*run)};
     if (!sitting.condition())
         return core::fail(core::ErrorCode::notFound, "condition \"" + sitting.label + "\" is not one of the study's");
@@ -86,8 +81,7 @@ SittingResult<BegunRun> beginOrGoOn(database::Database& database, const database
     if (!progress)
         return tl::unexpected(rendersAny(*sitting.condition(), limit) ? SittingError(progress.error()) : refused(progress.error(), DeviceRefusal::rendersNone));
     auto run = beginRun(database, actor, sitting.study, sitting.label, seed, progress->procedureIds());
-    if (!run)
-        return tl::unexpected(run.error());
+    CHIRON_TRY(run);
     return BegunRun{*run, seed, std::move(*progress)};
 }
 

@@ -10,8 +10,7 @@ namespace chiron::session {
 SittingResult<std::unique_ptr<LiveSitting>> LiveSitting::start(database::Database& database, const database::Actor& actor,
                                                                LiveStudyRequest request) {
     const auto sitting = conductSitting(database, actor, request);
-    if (!sitting)
-        return tl::unexpected(sitting.error());
+    CHIRON_TRY(sitting);
     if (const MarkSessions* marks = markSessionsOf(*sitting->condition()))
         return marks->begin(database, actor, *sitting, std::move(request));
     return LiveStudy::start(database, actor, *sitting, std::move(request));

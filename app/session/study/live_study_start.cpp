@@ -27,16 +27,13 @@ SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(dat
                                                                             const ConductedSitting& sitting, LiveStudyRequest request) {
     const OpenedStudy& study = sitting.study;
     const psychophysics::Condition& condition = *sitting.condition();
-    if (auto possible = studyLevel(study.design, condition); !possible)
-        return tl::unexpected(possible.error()); // before a run begins
+    CHIRON_TRY(studyLevel(study.design, condition)); // before a run begins
     const RenderingLimits limits = limitsAt(request.station.tools.front().device->descriptor(), request.measuredDelay_s);
     const LimitedTable table = study.blind() ? blindTable(study.design, condition, limits) : limitedTable(condition, limits);
     auto begun = beginOrGoOn(database, actor, sitting, table.limit);
-    if (!begun)
-        return tl::unexpected(begun.error());
+    CHIRON_TRY(begun);
     auto level = studyLevel(study.design, condition, simulation::ComparisonControl::none, sessionLabel(study, sitting.run.sealedCode));
-    if (!level)
-        return tl::unexpected(level.error());
+    CHIRON_TRY(level);
     auto state = std::make_unique<State>(database, actor, study, std::move(begun->progress), std::move(*level),
                                          !request.station.tools.front().device->descriptor().rendersForce, request.language);
     state->tryFor_s = sitting.run.trials.empty() ? request.freeMinute_s : 0.0;
@@ -53,8 +50,7 @@ SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(dat
     training.studyRun = begun->number;
     training.witness = &state->tap;
     auto live = LiveTraining::start(database, actor, std::move(training));
-    if (!live)
-        return tl::unexpected(live.error());
+    CHIRON_TRY(live);
     state->training = std::move(*live);
     state->training->post(core::CommandKind::start);
     return state;

@@ -21,16 +21,14 @@ const std::map<std::string, std::string>& pilotWords() {
 /// "tubes_pilot_2": the first key that is free.
 core::Result<std::string> freeKey(database::StudyReader& reader, const std::string& study) {
     const auto pilots = reader.listPilots(study);
-    if (!pilots)
-        return tl::unexpected(pilots.error());
+    CHIRON_TRY(pilots);
     for (std::size_t n = pilots->size() + 1;; ++n) {
         const std::string end = "_pilot_" + std::to_string(n);
         const std::string key = study.substr(0, kLongestKey - end.size()) + end;
         const auto taken = reader.studyByKey(key);
         if (!taken && taken.error().code == core::ErrorCode::notFound)
             return key;
-        if (!taken)
-            return tl::unexpected(taken.error());
+        CHIRON_TRY(taken);
     }
 }
 
@@ -44,19 +42,14 @@ core::Result<PilotRun> begin(database::Connection& connection, const database::A
     database::StudyReader reader(connection, actor);
     database::StudyRepository studies(connection, actor);
     const auto key = freeKey(reader, draft.id);
-    if (!key)
-        return tl::unexpected(key.error());
+    CHIRON_TRY(key);
     const psychophysics::StudyDesign design = pilotDesign(draft, *key);
     const auto study = studies.createStudy(*key, design.title.at("en"), catalogue::studyJson(design).toStdString());
-    if (!study)
-        return tl::unexpected(study.error());
-    if (auto frozen = studies.freezeStudy(*study); !frozen)
-        return tl::unexpected(frozen.error());
+    CHIRON_TRY(study);
+    CHIRON_TRY(studies.freezeStudy(*study));
     const auto participant = studies.enrolParticipant(*study, who, 0, {});
-    if (!participant)
-        return tl::unexpected(participant.error());
-    if (auto agreed = studies.recordConsent(participant->id, catalogue::studySha256(QByteArray::fromStdString(consentIn(design, language)))); !agreed)
-        return tl::unexpected(agreed.error());
+    CHIRON_TRY(participant);
+    CHIRON_TRY(studies.recordConsent(participant->id, catalogue::studySha256(QByteArray::fromStdString(consentIn(design, language)))));
     return PilotRun{*study, participant->code};
 }
 
@@ -77,8 +70,7 @@ psychophysics::StudyDesign pilotDesign(const psychophysics::StudyDesign& draft, 
 core::Result<PilotRun> beginPilot(database::Database& database, const database::Actor& actor, const psychophysics::StudyDesign& draft,
                                   const std::string& who, const std::string& language) {
     // Errors of the draft are reported for the draft, not for its copy.
-    if (auto read = catalogue::readStudy(catalogue::studyJson(draft), draft.id); !read)
-        return tl::unexpected(read.error());
+    CHIRON_TRY(catalogue::readStudy(catalogue::studyJson(draft), draft.id));
     return database.write([&](database::WriteContext& writing) { return begin(writing.connection(), actor, draft, who, language); });
 }
 

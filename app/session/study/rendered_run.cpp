@@ -32,8 +32,7 @@ core::Result<void> runDirected(Station& station, const catalogue::ExerciseLevel&
     scenes.offer(scene);
     const haptics::LoopTool tool{*station.tools.front().device, station.tools.front().mapping};
     auto loop = haptics::HapticLoop::create({{&tool, 1}, inputs, supervisor, headlessSafety(level), scenes, director});
-    if (!loop)
-        return tl::unexpected(loop.error());
+    CHIRON_TRY(loop);
     core::setModelFloatingPointEnvironment();
     realtime::TickSource ticks;
     realtime::AsFastRunner runner(ticks);
@@ -123,14 +122,11 @@ core::Result<RenderedRun> runRendered(const RenderedRunRequest& request) {
     if (!condition)
         return core::fail(core::ErrorCode::badInput, "condition \"" + request.condition + "\" is not one of the study's");
     auto level = studyLevel(request.design, *condition, request.control);
-    if (!level)
-        return tl::unexpected(level.error());
+    CHIRON_TRY(level);
     auto participant = participantStation(*level, core::Random::mix(request.seed, "participant"));
-    if (!participant)
-        return tl::unexpected(participant.error());
+    CHIRON_TRY(participant);
     auto progress = StudyProgress::begin(request.design, request.condition, request.seed);
-    if (!progress)
-        return tl::unexpected(progress.error());
+    CHIRON_TRY(progress);
     psychophysics::SimulatedObserver observer(request.observer, core::Random::mix(request.seed, "observer"));
     FidelityMeter meter(level->parameters.as<simulation::ComparisonParameters>(), request.design.fidelity,
                         request.design.trial.mustTouchAll);
@@ -144,8 +140,7 @@ core::Result<RenderedRun> runRendered(const RenderedRunRequest& request) {
                             },
                             [&] { return request.trialsAtMost > 0 && scored >= request.trialsAtMost; },
                             request.design.trial.exploreLimit_s});
-    if (auto done = runDirected(participant->station, *level, request.seed, director); !done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(runDirected(participant->station, *level, request.seed, director));
     if (!director.recorded())
         return tl::unexpected(director.recorded().error());
     run.ticks = director.ticks();
@@ -163,14 +158,11 @@ core::Result<RenderingNoise> renderingNoise(const psychophysics::StudyDesign& de
     if (!found || candidate < 0 || static_cast<std::size_t>(candidate) >= found->stimulus.differences.size() || trials < 1)
         return core::fail(core::ErrorCode::badInput, "a condition of the study, one of its candidates and at least one trial are expected");
     auto level = studyLevel(design, *found);
-    if (!level)
-        return tl::unexpected(level.error());
+    CHIRON_TRY(level);
     auto participant = participantStation(*level, core::Random::mix(seed, "participant"));
-    if (!participant)
-        return tl::unexpected(participant.error());
+    CHIRON_TRY(participant);
     NoiseDirector director(*participant->mind, level->parameters.as<simulation::ComparisonParameters>(), candidate, trials);
-    if (auto done = runDirected(participant->station, *level, seed, director); !done)
-        return tl::unexpected(done.error());
+    CHIRON_TRY(runDirected(participant->station, *level, seed, director));
     RenderingNoise out;
     out.missed = director.missed;
     out.seconds = static_cast<double>(director.ticks) * 1e-3 / trials;

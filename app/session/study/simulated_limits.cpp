@@ -14,12 +14,10 @@ core::Result<RenderingLimits> simulatedLimits() {
     atRest.strategy = std::make_unique<mechanisms::ScriptedMotion>(devices::kHeldFrom_D);
     atRest.hand = operators::comparisonHand();
     auto station = simulatedStation(kUsualMechanism, std::move(atRest));
-    if (!station)
-        return tl::unexpected(station.error());
+    CHIRON_TRY(station);
     const StationTool& tool = station->tools.front();
     const auto delay = measureDelay(*tool.device, tool.mapping);
-    if (!delay)
-        return tl::unexpected(delay.error());
+    CHIRON_TRY(delay);
     return limitsAt(tool.device->descriptor(), delay->delay_s);
 }
 

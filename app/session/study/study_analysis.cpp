@@ -45,8 +45,7 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
     out.participant = participant;
     out.run = run;
     auto trials = reader.studyTrials(run.id);
-    if (!trials)
-        return tl::unexpected(trials.error());
+    CHIRON_TRY(trials);
     out.trials = std::move(*trials);
     for (const database::StudyTrial& trial : out.trials) {
         if (trial.practice)
@@ -74,8 +73,7 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
             if (warning.kind == WarningKind::shownRun)
                 out.apex->warnings.push_back(warning);
     auto replayed = rerun(study, condition, run, out.trials);
-    if (!replayed)
-        return tl::unexpected(replayed.error());
+    CHIRON_TRY(replayed);
     out.replayed = *replayed;
     return out;
 }
@@ -143,8 +141,7 @@ core::Result<std::vector<std::string>> labelsOf(database::StudyReader& reader, c
         return labels;
     }
     auto codes = reader.conditionCodes(study.record.summary.id);
-    if (!codes)
-        return tl::unexpected(codes.error());
+    CHIRON_TRY(codes);
     for (const database::SealedCondition& each : *codes)
         labels.push_back(labelOf(each));
     return labels;
@@ -196,17 +193,14 @@ namespace {
 core::Result<StudyAnalysis> opened(database::StudyReader& reader, database::StudyNumber number) {
     StudyAnalysis study;
     auto record = reader.study(number);
-    if (!record)
-        return tl::unexpected(record.error());
+    CHIRON_TRY(record);
     study.record = std::move(*record);
     auto design = catalogue::readStudy(QByteArray::fromStdString(study.record.designJson), "study " + std::to_string(number));
-    if (!design)
-        return tl::unexpected(design.error());
+    CHIRON_TRY(design);
     study.design = std::move(*design);
     study.blinding = study.record.blinding;
     const auto labels = labelsOf(reader, study);
-    if (!labels)
-        return tl::unexpected(labels.error());
+    CHIRON_TRY(labels);
     for (const std::string& label : *labels)
         study.conditions.push_back({label, {}, {}, {}, {}, {}});
     return study;
@@ -214,15 +208,13 @@ core::Result<StudyAnalysis> opened(database::StudyReader& reader, database::Stud
 
 core::Result<void> addRuns(database::StudyReader& reader, StudyAnalysis& study, const database::Participant& participant, std::uint64_t seed) {
     auto runs = reader.runs(participant.id);
-    if (!runs)
-        return tl::unexpected(runs.error());
+    CHIRON_TRY(runs);
     for (const database::StudyRun& run : *runs) {
         const auto at = std::find_if(study.conditions.begin(), study.conditions.end(), [&](const auto& each) { return each.condition == labelOf(run); });
         if (at == study.conditions.end() || run.state == database::StudyRunState::stopped)
             continue;
         auto analysed = analyseRun(reader, study, analysedBy(study.design, study.blinding, run.condition), participant, run, seed);
-        if (!analysed)
-            return tl::unexpected(analysed.error());
+        CHIRON_TRY(analysed);
         if (!analysed->trials.empty() || study.sealed())
             at->runs.push_back(std::move(*analysed));
     }
@@ -236,14 +228,11 @@ core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database
     if (!study)
         return study;
     auto participants = reader.participants(number);
-    if (!participants)
-        return tl::unexpected(participants.error());
+    CHIRON_TRY(participants);
     for (const database::Participant& participant : *participants)
-        if (auto added = addRuns(reader, *study, participant, seed); !added)
-            return tl::unexpected(added.error());
+        CHIRON_TRY(addRuns(reader, *study, participant, seed));
     auto quality = reader.trialQuality(number);
-    if (!quality)
-        return tl::unexpected(quality.error());
+    CHIRON_TRY(quality);
     study->quality = std::move(*quality);
     for (const database::Participant& participant : *participants)
         study->codes[participant.id] = participant.code;

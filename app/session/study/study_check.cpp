@@ -15,14 +15,12 @@ namespace {
 core::Result<void> checkStation(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition, const std::string& trainee) {
     if (const MarkSessions* marks = markSessionsOf(condition)) {
         auto level = marks->level(design, condition, 1, {});
-        if (!level)
-            return tl::unexpected(level.error());
+        CHIRON_TRY(level);
         const auto station = marks->scripted(*level, trainee, 1);
         return station ? core::Result<void>() : tl::unexpected(station.error());
     }
     auto level = studyLevel(design, condition);
-    if (!level)
-        return tl::unexpected(level.error());
+    CHIRON_TRY(level);
     const auto participant = participantStation(*level, 1);
     return participant ? core::Result<void>() : tl::unexpected(participant.error());
 }
@@ -30,8 +28,7 @@ core::Result<void> checkStation(const psychophysics::StudyDesign& design, const 
 core::Result<void> checkCondition(const psychophysics::StudyDesign& design, bool blind, const psychophysics::Condition& condition, const StudyRunRequest& request,
                                   const RenderingLimits& limits) {
     const auto limit = limitOnStation(design, blind, condition, request, limits);
-    if (!limit)
-        return tl::unexpected(limit.error());
+    CHIRON_TRY(limit);
     const auto progress = StudyProgress::begin(design, condition.id, 1, *limit);
     return progress ? core::Result<void>() : tl::unexpected(progress.error());
 }
@@ -51,8 +48,7 @@ core::Result<double> limitOnStation(const psychophysics::StudyDesign& design, bo
                                     const StudyRunRequest& request, const RenderingLimits& limits) {
     if (request.quick)
         return StudyProgress::kNoLimit;
-    if (const auto station = checkStation(design, condition, request.observer.trainee); !station)
-        return tl::unexpected(station.error());
+    CHIRON_TRY(checkStation(design, condition, request.observer.trainee));
     return (blind ? blindTable(design, condition, limits) : limitedTable(condition, limits)).limit;
 }
 
@@ -63,8 +59,7 @@ core::Result<void> checkStudyRun(const psychophysics::StudyDesign& design, bool 
     if (one && !conditionOf(design, request.condition))
         return core::fail(core::ErrorCode::notFound, "condition \"" + request.condition + "\" is not one of the study's");
     const auto limits = limitsOfRun(request);
-    if (!limits)
-        return tl::unexpected(limits.error());
+    CHIRON_TRY(limits);
     for (const psychophysics::Condition& condition : design.conditions)
         if (!one || condition.id == request.condition)
             if (auto good = checkCondition(design, blind, condition, request, *limits); !good)

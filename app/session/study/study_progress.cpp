@@ -77,8 +77,7 @@ core::Result<StudyProgress> StudyProgress::resume(const psychophysics::StudyDesi
         if (progress->needsExperimenter())
             // The run continued, since otherwise there would be no further trial.
             progress->experimenterSays(true);
-        if (auto taken = progress->m_state->apply(trial); !taken)
-            return tl::unexpected(taken.error());
+        CHIRON_TRY(progress->m_state->apply(trial));
     }
     State& state = *progress->m_state;
     // The interruption counts as a break.
@@ -134,8 +133,7 @@ core::Result<database::StudyTrial> StudyProgress::record(const StudyAnswer& answ
     const bool counts = !trial.practice && trial.spoiled.empty();
     if (counts)
         trial.outcome = psychophysics::correctAnswer(task, shown.arrangement) < 0 ? 1 : psychophysics::outcomeOf(task, shown.arrangement, answer.answer);
-    if (auto taken = m_state->apply(trial); !taken)
-        return tl::unexpected(taken.error());
+    CHIRON_TRY(m_state->apply(trial));
     return trial;
 }
 

@@ -124,8 +124,7 @@ core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& des
                                            const std::vector<database::StudyTrial>& trials) {
     constexpr double kTie = 1e-9; // nats (psychophysics.md §6)
     auto progress = StudyProgress::begin(design, run.condition, run.seed, StudyProgress::limitOf(run.procedures));
-    if (!progress)
-        return tl::unexpected(progress.error());
+    CHIRON_TRY(progress);
     ReplayedChoices replayed;
     replayed.sameProcedures = progress->procedureIds() == run.procedures;
     for (const database::StudyTrial& trial : trials) {
@@ -142,8 +141,7 @@ core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& des
             ++replayed.ties;
         else if (replayed.firstDifference < 0)
             replayed.firstDifference = trial.ordinal;
-        if (auto taken = progress->m_state->apply(trial); !taken)
-            return tl::unexpected(taken.error());
+        CHIRON_TRY(progress->m_state->apply(trial));
     }
     return replayed;
 }

@@ -50,11 +50,9 @@ struct Sitting {
 
 core::Result<database::SessionId> runRecorded(Sitting& sitting, const OpenedStudy& study, std::uint64_t seed) {
     auto level = studyLevel(study.design, sitting.condition, sitting.request.control, sessionLabel(study, sitting.sealedCode));
-    if (!level)
-        return tl::unexpected(level.error());
+    CHIRON_TRY(level);
     auto participant = participantStation(*level, core::Random::mix(seed, "participant"));
-    if (!participant)
-        return tl::unexpected(participant.error());
+    CHIRON_TRY(participant);
     FidelityMeter meter(level->parameters.as<simulation::ComparisonParameters>(), study.design.fidelity,
                         study.design.trial.mustTouchAll);
     std::atomic<database::SessionId> session{0};
@@ -74,8 +72,7 @@ core::Result<database::SessionId> runRecorded(Sitting& sitting, const OpenedStud
     request.director = &director;
     request.onSession = [&](database::SessionId id) { session.store(id); };
     auto result = runTrainingOn(sitting.database, sitting.actor, request);
-    if (!result)
-        return tl::unexpected(result.error());
+    CHIRON_TRY(result);
     if (!director.recorded())
         return tl::unexpected(director.recorded().error());
     return result->session;
@@ -165,22 +162,17 @@ core::Result<BegunRun> beginOrResume(database::Database& database, const databas
             alike = sameSeed(study, *open, request);
         if (alike)
             alike = sameTable(*open, limit);
-        if (!alike)
-            return tl::unexpected(alike.error());
+        CHIRON_TRY(alike);
         auto progress =
             StudyProgress::resume(study.design, conducted.condition, open->seed, conducted.trials, StudyProgress::limitOf(open->procedures));
-        if (!progress)
-            return tl::unexpected(progress.error());
-        if (auto same = sameVersions(*open, progress->procedureIds()); !same)
-            return tl::unexpected(same.error());
+        CHIRON_TRY(progress);
+        CHIRON_TRY(sameVersions(*open, progress->procedureIds()));
         return BegunRun{open->id, open->sealedCode, open->seed, std::move(conducted.trials), std::move(*progress)};
     }
     auto progress = StudyProgress::begin(study.design, conducted.condition, seed, limit);
-    if (!progress)
-        return tl::unexpected(progress.error());
+    CHIRON_TRY(progress);
     const auto begun = beginRun(database, actor, study, label, seed, progress->procedureIds());
-    if (!begun)
-        return tl::unexpected(begun.error());
+    CHIRON_TRY(begun);
     return BegunRun{*begun, conducted.sealedCode, seed, {}, std::move(*progress)};
 }
 
@@ -191,11 +183,9 @@ core::Result<StudyRunSummary> runConducted(database::Database& database, const d
     if (!found)
         return core::fail(core::ErrorCode::notFound, "condition \"" + label + "\" is not one of the study's");
     const auto limit = limitOnStation(study.design, study.blind(), *found, request, limits);
-    if (!limit)
-        return tl::unexpected(limit.error());
+    CHIRON_TRY(limit);
     auto run = beginOrResume(database, actor, study, label, conducted, request, *limit);
-    if (!run)
-        return tl::unexpected(run.error());
+    CHIRON_TRY(run);
     // Each resumption has its own random streams, so that it does not repeat numbers that an earlier part of
     // the run has drawn.
     const std::uint64_t seed = core::Random::mix(run->seed, "sitting " + std::to_string(run->trials.size()));
@@ -210,8 +200,7 @@ core::Result<StudyRunSummary> runConducted(database::Database& database, const d
     } else if (!run->progress.done()) {
         const MarkSessions* marks = markSessionsOf(*found);
         auto session = marks ? runMarks(*marks, sitting, study) : runRecorded(sitting, study, seed >> 1);
-        if (!session)
-            return tl::unexpected(session.error());
+        CHIRON_TRY(session);
         summary.session = *session;
     }
     if (!sitting.stored)
@@ -221,19 +210,16 @@ core::Result<StudyRunSummary> runConducted(database::Database& database, const d
     summary.completed = run->progress.done() && !run->progress.gaveUp();
     summary.estimates = run->progress.estimates();
     if (summary.completed)
-        if (auto ended = finishRun(database, actor, study, run->number); !ended)
-            return tl::unexpected(ended.error());
+        CHIRON_TRY(finishRun(database, actor, study, run->number));
     return summary;
 }
 
 core::Result<StudyRunSummary> runCondition(database::Database& database, const database::Actor& actor, const StudyRunRequest& request,
                                            const OpenedStudy& study, const std::string& label, const RenderingLimits& limits) {
     const auto conducted = conduct(database, actor, study, label);
-    if (!conducted)
-        return tl::unexpected(conducted.error());
+    CHIRON_TRY(conducted);
     const auto open = unmasked(study, *conducted);
-    if (!open)
-        return tl::unexpected(open.error());
+    CHIRON_TRY(open);
     auto run = runConducted(database, actor, request, *open, label, *conducted, limits);
     return run ? std::move(run) : tl::unexpected(sealedError(study, *conducted, run.error()));
 }
@@ -246,8 +232,7 @@ core::Result<void> mayBeSimulated(const OpenedStudy& study, const StudyRunReques
     if (participant.observer.empty())
         return {};
     const auto enrolled = psychophysics::parseObserver(participant.observer);
-    if (!enrolled)
-        return tl::unexpected(enrolled.error());
+    CHIRON_TRY(enrolled);
     if (psychophysics::observerText(*enrolled) != psychophysics::observerText(request.observer))
         return core::fail(core::ErrorCode::wrongUse, "participant " + participant.code + " was enrolled as " + participant.observer + ", not as " +
                                                          psychophysics::observerText(request.observer));
@@ -259,35 +244,28 @@ core::Result<void> mayBeSimulated(const OpenedStudy& study, const StudyRunReques
 core::Result<StudyRunReport> runStudyHeadless(database::Database& database, const database::Actor& actor,
                                               const StudyRunRequest& request) {
     auto study = openStudy(database, actor, request.study, request.participantCode);
-    if (!study)
-        return tl::unexpected(study.error());
-    if (auto may = mayBeSimulated(*study, request); !may)
-        return tl::unexpected(may.error());
-    if (auto suits = checkObserver(study->design, request.observer); !suits)
-        return tl::unexpected(suits.error());
+    CHIRON_TRY(study);
+    CHIRON_TRY(mayBeSimulated(*study, request));
+    CHIRON_TRY(checkObserver(study->design, request.observer));
     std::vector<std::string> conditions = openConditions(*study);
     if (!request.condition.empty())
         conditions = {request.condition};
     else if (conditions.empty())
-        if (auto same = seedIsOfWhatWasDone(*study, request); !same)
-            return tl::unexpected(same.error());
+        CHIRON_TRY(seedIsOfWhatWasDone(*study, request));
     const auto limits = limitsOfRun(request);
-    if (!limits)
-        return tl::unexpected(limits.error());
+    CHIRON_TRY(limits);
     StudyRunReport report;
     if (!request.quick)
         report.limits = *limits;
     for (const std::string& label : conditions) {
         auto run = runCondition(database, actor, request, *study, label, *limits);
-        if (!run)
-            return tl::unexpected(run.error());
+        CHIRON_TRY(run);
         report.runs.push_back(std::move(*run));
         if (!report.runs.back().completed)
             break;
     }
     auto now = openStudy(database, actor, request.study, request.participantCode);
-    if (!now)
-        return tl::unexpected(now.error());
+    CHIRON_TRY(now);
     report.completed = openConditions(*now).empty();
     return report;
 }

@@ -13,8 +13,7 @@ namespace chiron::session {
 core::Result<catalogue::ExerciseLevel> studyLevel(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
                                                   simulation::ComparisonControl control, const std::string& sealedCode) {
     auto parameters = catalogue::comparisonOf(condition, design.trial);
-    if (!parameters)
-        return tl::unexpected(parameters.error());
+    CHIRON_TRY(parameters);
     parameters->control = control;
     return catalogue::comparisonLevel(*parameters, design.id, sealedCode.empty() ? condition.id : sealedCode);
 }
@@ -27,8 +26,7 @@ const psychophysics::Condition* conditionOf(const psychophysics::StudyDesign& de
 core::Result<ParticipantStation> participantStation(const catalogue::ExerciseLevel& level, std::uint64_t seed) {
     const auto& parameters = level.parameters.as<simulation::ComparisonParameters>();
     auto explorer = operators::makeComparisonExplorer(operators::comparisonBriefing(parameters));
-    if (!explorer)
-        return tl::unexpected(explorer.error());
+    CHIRON_TRY(explorer);
     ParticipantStation out;
     out.mind = explorer->get();
     SimulatedHand participant;
@@ -36,8 +34,7 @@ core::Result<ParticipantStation> participantStation(const catalogue::ExerciseLev
     participant.hand = operators::comparisonHand();
     participant.seed = core::Random::mix(seed, "hand");
     auto station = simulatedStation(kUsualMechanism, std::move(participant));
-    if (!station)
-        return tl::unexpected(station.error());
+    CHIRON_TRY(station);
     out.station = std::move(*station);
     out.station.operatorName = "participant";
     return out;

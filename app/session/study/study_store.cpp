@@ -24,31 +24,25 @@ bool hasRun(const OpenedStudy& study, const std::string& label, database::StudyR
 core::Result<OpenedStudy> openStudy(database::Database& database, const database::Actor& actor, database::StudyNumber number,
                                     const std::string& participantCode) {
     auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
     database::StudyReader reader(**connection, actor);
     OpenedStudy study;
     auto record = reader.study(number);
-    if (!record)
-        return tl::unexpected(record.error());
+    CHIRON_TRY(record);
     study.record = std::move(*record);
     if (study.record.summary.state == database::StudyState::draft)
         return core::fail(core::ErrorCode::wrongUse, "study " + std::to_string(number) + " is a draft: it is frozen before anybody takes part");
     auto design = catalogue::readStudy(QByteArray::fromStdString(study.record.designJson), "study " + std::to_string(number));
-    if (!design)
-        return tl::unexpected(design.error());
+    CHIRON_TRY(design);
     study.design = std::move(*design);
     auto participant = reader.participantByCode(number, participantCode);
-    if (!participant)
-        return tl::unexpected(participant.error());
+    CHIRON_TRY(participant);
     study.participant = std::move(*participant);
     auto runs = reader.runs(study.participant.id);
-    if (!runs)
-        return tl::unexpected(runs.error());
+    CHIRON_TRY(runs);
     study.runs = std::move(*runs);
     const auto conditions = reader.conditionCodes(number);
-    if (!conditions)
-        return tl::unexpected(conditions.error());
+    CHIRON_TRY(conditions);
     study.order = labelsInOrder(study.design, *conditions, study.participant.order);
     return study;
 }
@@ -105,8 +99,7 @@ core::Result<OpenedStudy> unmasked(OpenedStudy study, const database::ConductedR
     if (!study.record.masked)
         return study;
     auto design = catalogue::readStudy(QByteArray::fromStdString(run.designJson), "study " + study.record.summary.key);
-    if (!design)
-        return tl::unexpected(design.error());
+    CHIRON_TRY(design);
     study.design = std::move(*design);
     return study;
 }

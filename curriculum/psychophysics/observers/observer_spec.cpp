@@ -65,8 +65,7 @@ core::Result<ObserverSpec> parseObserver(std::string_view text) {
     bool known = false; // whether the text says how accurate the observer is
     for (std::string_view rest = text;;) {
         const std::size_t comma = rest.find(',');
-        if (auto read = readPart(rest.substr(0, comma), spec); !read)
-            return tl::unexpected(read.error());
+        CHIRON_TRY(readPart(rest.substr(0, comma), spec));
         seen = rest.substr(0, rest.find(':'));
         known = known || seen == "weber" || !spec.trainee.empty();
         if (comma == std::string_view::npos && !known)

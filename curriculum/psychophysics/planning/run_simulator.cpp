@@ -67,8 +67,7 @@ core::Result<RunSimulator> RunSimulator::make(const Condition& condition) {
     simulator.m_condition = condition;
     for (const ProcedureSpec& spec : condition.procedures) {
         auto factory = procedureFactory(spec);
-        if (!factory)
-            return tl::unexpected(factory.error());
+        CHIRON_TRY(factory);
         simulator.m_factories.push_back(std::move(*factory));
     }
     return simulator;

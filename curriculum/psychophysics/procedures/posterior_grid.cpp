@@ -65,8 +65,7 @@ core::Result<PosteriorGrid> PosteriorGrid::make(const std::vector<ParameterGrid>
     PosteriorGrid grid;
     grid.m_parameters = parameters;
     for (const ParameterGrid& parameter : parameters) {
-        if (auto good = check(parameter); !good)
-            return tl::unexpected(good.error());
+        CHIRON_TRY(check(parameter));
         if (parameter.values.size() > kMostCells / grid.m_cells)
             return fail(ErrorCode::badInput, "parameters: more than " + std::to_string(kMostCells) + " cells: expected fewer");
         grid.m_cells *= parameter.values.size();

@@ -75,8 +75,7 @@ core::Result<ProcedureFactory> procedureFactory(const ProcedureSpec& spec) { ret
 
 core::Result<std::unique_ptr<Procedure>> makeProcedure(const ProcedureSpec& spec, std::uint64_t seed) {
     const auto factory = procedureFactory(spec);
-    if (!factory)
-        return tl::unexpected(factory.error());
+    CHIRON_TRY(factory);
     return (*factory)(seed);
 }
 

@@ -110,8 +110,7 @@ protected:
 /// Returns a factory for a procedure that depends only on its specification. A wrong specification is refused
 /// at once; later runs use the checked one.
 template <class Make> core::Result<ProcedureFactory> checkedFactory(Make make) {
-    if (auto first = make(1); !first)
-        return tl::unexpected(first.error());
+    CHIRON_TRY(make(1));
     return [make](std::uint64_t seed) { return std::move(*make(seed)); };
 }
 

@@ -207,10 +207,8 @@ core::Result<void> checkAsymptotes(const PsychometricFunction& function, const P
 
 core::Result<std::shared_ptr<const OutcomeTables>> psychometricTables(const PsychometricFunction& function,
                                                                       const std::vector<Stimulus>& stimuli, const PosteriorGrid& grid) {
-    if (auto good = checkShape(function, grid); !good)
-        return tl::unexpected(good.error());
-    if (auto good = checkAsymptotes(function, grid); !good)
-        return tl::unexpected(good.error());
+    CHIRON_TRY(checkShape(function, grid));
+    CHIRON_TRY(checkAsymptotes(function, grid));
     auto tables = std::make_shared<PsychometricTables>(function, stimuli, grid);
     if (!tables->finite())
         return fail(ErrorCode::badInput, "function: " + std::string(function.name) + ": expected one that is a probability for all parameters and stimuli");

@@ -62,8 +62,7 @@ double optimalQuantileOrder(double low, double high) noexcept {
 }
 
 core::Result<std::unique_ptr<Procedure>> Quest::make(const QuestSpec& spec) {
-    if (auto good = check(spec); !good)
-        return tl::unexpected(good.error());
+    CHIRON_TRY(check(spec));
     return std::make_unique<Quest>(spec);
 }
 

@@ -109,8 +109,7 @@ core::Result<std::vector<double>> QuestPlus::likelihoodOf(const RecordedTrial& t
     if (!m_model->tablesAt)
         return fail(ErrorCode::badInput, "stimulus that is not on the grid: expected one of stimuli");
     auto tables = m_model->tablesAt(trial.presented);
-    if (!tables)
-        return tl::unexpected(tables.error());
+    CHIRON_TRY(tables);
     (*tables)->likelihood(0, trial.outcome, likelihood);
     return likelihood;
 }
@@ -118,8 +117,7 @@ core::Result<std::vector<double>> QuestPlus::likelihoodOf(const RecordedTrial& t
 core::Result<void> QuestPlus::take(const RecordedTrial& trial) {
     const int candidate = candidateOf(trial.presented);
     const auto likelihood = likelihoodOf(trial, candidate);
-    if (!likelihood)
-        return tl::unexpected(likelihood.error());
+    CHIRON_TRY(likelihood);
     if (!m_posterior.update(*likelihood))
         return fail(ErrorCode::badInput, "outcome " + std::to_string(trial.outcome) +
                                              ": impossible at this stimulus for all parameters of the grid: expected a grid with a "
@@ -150,8 +148,7 @@ ProcedureEstimate QuestPlus::estimate() const {
 }
 
 core::Result<ProcedureFactory> factoryOfModel(const core::Result<std::shared_ptr<const QuestPlusModel>>& model, const std::string& purpose) {
-    if (!model)
-        return tl::unexpected(model.error());
+    CHIRON_TRY(model);
     return [shared = *model, purpose](std::uint64_t seed) { return std::make_unique<QuestPlus>(shared, core::Random::mix(seed, purpose)); };
 }
 

@@ -119,22 +119,18 @@ core::Result<void> addFunction(QuestPlusModel& model, const QuestPlusSpec& spec)
     if (spec.outcomes != 2)
         return fail(ErrorCode::badInput, "outcomes: expected 2 with this function");
     const auto places = placesOf(spec, *function);
-    if (!places)
-        return tl::unexpected(places.error());
+    CHIRON_TRY(places);
     auto parameters = ordered(spec.parameters, function->parameters());
-    if (!parameters)
-        return tl::unexpected(parameters.error());
+    CHIRON_TRY(parameters);
     auto prior = PosteriorGrid::make(*parameters);
-    if (!prior)
-        return tl::unexpected(prior.error());
+    CHIRON_TRY(prior);
     if (prior->cells() > kMostEntries / model.stimuli.size())
         return fail(ErrorCode::badInput, "parameters: cells times stimuli more than " + std::to_string(kMostEntries) + ": expected fewer");
     std::vector<Stimulus> stimuli;
     for (const Stimulus& given : model.stimuli)
         stimuli.push_back(arranged(given, *places));
     auto tables = psychometricTables(*function, stimuli, *prior);
-    if (!tables)
-        return tl::unexpected(tables.error());
+    CHIRON_TRY(tables);
     model.prior = std::move(*prior);
     model.tables = std::move(*tables);
     model.tablesAt = [function, grid = model.prior, order = *places](const Stimulus& x) { return psychometricTables(*function, {arranged(x, order)}, grid); };
@@ -143,15 +139,13 @@ core::Result<void> addFunction(QuestPlusModel& model, const QuestPlusSpec& spec)
 
 core::Result<void> addTable(QuestPlusModel& model, const QuestPlusSpec& spec) {
     auto prior = PosteriorGrid::make(spec.parameters);
-    if (!prior)
-        return tl::unexpected(prior.error());
+    CHIRON_TRY(prior);
     if (!std::is_partitioned(spec.parameters.begin(), spec.parameters.end(), [](const ParameterGrid& p) { return !p.nuisance; }))
         return fail(ErrorCode::badInput, "parameters: expected those that are a nuisance last, with a table");
     if (static_cast<int>(spec.table.size()) != spec.outcomes || spec.outcomes < 2)
         return fail(ErrorCode::badInput, "table: expected as many outcomes as outcomes says, at least 2");
     auto tables = generalTables(spec.table, *prior);
-    if (!tables)
-        return tl::unexpected(tables.error());
+    CHIRON_TRY(tables);
     if ((*tables)->stimuli() != model.stimuli.size())
         return fail(ErrorCode::badInput, "table: expected " + std::to_string(model.stimuli.size()) + " stimuli");
     model.prior = std::move(*prior);
@@ -175,16 +169,13 @@ void limitRepeats(QuestPlusModel& model, int limit) {
 }
 
 core::Result<std::shared_ptr<const QuestPlusModel>> questPlusModel(const QuestPlusSpec& spec) {
-    if (auto good = checkRules(spec); !good)
-        return tl::unexpected(good.error());
+    CHIRON_TRY(checkRules(spec));
     auto model = std::make_shared<QuestPlusModel>();
     model->id = "quest_plus@1";
     auto stimuli = stimuliOf(spec);
-    if (!stimuli)
-        return tl::unexpected(stimuli.error());
+    CHIRON_TRY(stimuli);
     model->stimuli = std::move(*stimuli);
-    if (auto added = spec.function == "table" ? addTable(*model, spec) : addFunction(*model, spec); !added)
-        return tl::unexpected(added.error());
+    CHIRON_TRY(spec.function == "table" ? addTable(*model, spec) : addFunction(*model, spec));
     model->stop = spec.stop;
     limitRepeats(*model, spec.repeatLimit);
     model->catchShare = spec.catchEvery;

@@ -111,18 +111,15 @@ struct Checked {
 };
 
 core::Result<Checked> checked(Rank3Spec spec) {
-    if (auto good = check(spec); !good)
-        return tl::unexpected(good.error());
+    CHIRON_TRY(check(spec));
     if (spec.log10Sigma.empty())
         spec.log10Sigma = defaultLog10Sigma(spec.differences);
-    if (auto good = checkSize(spec); !good)
-        return tl::unexpected(good.error());
+    CHIRON_TRY(checkSize(spec));
     std::vector<ParameterGrid> axes{{"log10_sigma", spec.log10Sigma, {}, false}, {"lapse", spec.lapse, {}, false}};
     if (spec.allowTies)
         axes.insert(axes.begin() + 1, {"tie_threshold", spec.tieThresholds, {}, false});
     auto prior = PosteriorGrid::make(axes);
-    if (!prior)
-        return tl::unexpected(prior.error());
+    CHIRON_TRY(prior);
     return Checked{std::move(spec), *std::move(prior)};
 }
 
@@ -135,13 +132,11 @@ core::Result<void> checkRank3(const Rank3Spec& spec) {
 
 core::Result<std::shared_ptr<const QuestPlusModel>> rank3Model(const Rank3Spec& given) {
     auto good = checked(given);
-    if (!good)
-        return tl::unexpected(good.error());
+    CHIRON_TRY(good);
     const Rank3Spec& spec = good->spec;
     const Observers observers(spec);
     auto tables = tablesOf(spec.differences, spec, observers, good->prior);
-    if (!tables)
-        return tl::unexpected(tables.error());
+    CHIRON_TRY(tables);
     auto model = std::make_shared<QuestPlusModel>();
     model->id = spec.allowTies ? "rank3_quest_plus_ties@1" : "rank3_quest_plus@1";
     for (const double difference : spec.differences)

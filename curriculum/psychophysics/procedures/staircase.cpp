@@ -67,8 +67,7 @@ double staircaseTarget(int up, int down, double stepRatio) noexcept {
 }
 
 core::Result<std::unique_ptr<Procedure>> Staircase::make(const StaircaseSpec& spec) {
-    if (auto good = check(spec); !good)
-        return tl::unexpected(good.error());
+    CHIRON_TRY(check(spec));
     return std::make_unique<Staircase>(spec);
 }
 

@@ -23,8 +23,7 @@ core::Result<std::unique_ptr<DeformableOrgan>> DeformableOrgan::create(const Tri
     for (const SurfaceTriangle& triangle : mesh.triangles())
         triangles.push_back(triangle.vertex);
     auto network = SpringNetwork::create({vertices, triangles}, anchored, reference, settings.network);
-    if (!network)
-        return tl::unexpected(network.error());
+    CHIRON_TRY(network);
     return std::unique_ptr<DeformableOrgan>(new DeformableOrgan(mesh, std::move(*network), settings));
 }
 

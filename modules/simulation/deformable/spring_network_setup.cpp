@@ -264,10 +264,8 @@ core::Result<std::unique_ptr<SpringNetwork>> SpringNetwork::create(const Surface
                                                                    const std::vector<bool>& anchored,
                                                                    std::uint32_t reference,
                                                                    const SpringNetworkParameters& parameters) {
-    if (auto ok = check(parameters); !ok)
-        return tl::unexpected(ok.error());
-    if (auto ok = check(surface, anchored, reference); !ok)
-        return tl::unexpected(ok.error());
+    CHIRON_TRY(check(parameters));
+    CHIRON_TRY(check(surface, anchored, reference));
     auto network = SpringNetworkBuilder(surface, anchored, reference, parameters).build();
     if (!network)
         return refuse("the mesh gives no sound network; expected a surface of triangles with area");

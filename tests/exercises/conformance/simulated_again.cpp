@@ -42,14 +42,12 @@ public:
 core::Result<void> run(session::SessionView& session, const std::function<void(const TickAgain&)>& look) {
     const session::SessionSetup& setup = session.setup();
     auto kind = session::exerciseKind(setup.level.exercise);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    CHIRON_TRY(kind);
     std::vector<std::unique_ptr<devices::RecordedDevice>> devices;
     std::vector<haptics::LoopTool> tools;
     for (std::size_t i = 0; i < setup.devices.size(); ++i) {
         auto device = devices::RecordedDevice::create(setup.devices[i]);
-        if (!device)
-            return tl::unexpected(device.error());
+        CHIRON_TRY(device);
         devices.push_back(std::move(*device));
         tools.push_back({*devices.back(), setup.mappings[i]});
     }
@@ -61,8 +59,7 @@ core::Result<void> run(session::SessionView& session, const std::function<void(c
     std::unique_ptr<simulation::IScene> scene = std::make_unique<HeardScene>((*kind)->makeScene(setup), heard);
     scenes.offer(scene);
     auto loop = haptics::HapticLoop::create({tools, inputs, supervisor, setup.safety, scenes, sink});
-    if (!loop)
-        return tl::unexpected(loop.error());
+    CHIRON_TRY(loop);
     realtime::TickSource ticks;
     return session.eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
         for (const core::HapticFrame& frame : frames) {

@@ -77,16 +77,14 @@ inline void storeManySessions(database::Database& database, const std::vector<da
                 made.deviceJson = made.mappingJson = made.supervisorJson = made.versionsJson = "{}";
                 made.channelTable = {1};
                 const auto id = sessions.beginSession(made);
-                if (!id)
-                    return tl::unexpected(id.error());
+                CHIRON_TRY(id);
                 const auto ticks = static_cast<std::uint64_t>(10'000 + (n * 7919) % 50'000);
                 if (auto ended = sessions.finishSession(*id, {madeState(n), ticks, ticks, 0, "{}"}); !ended)
                     return ended;
                 scoring::ScoreCard card;
                 card.metrics = {{"time", 1, "s", 1.0 + n % 60, "", n % 3 == 0}};
                 card.passed = n % 3 == 0;
-                if (auto scored = database::ScoreRepository(writing.connection(), actor).storeScores(*id, card); !scored)
-                    return tl::unexpected(scored.error());
+                CHIRON_TRY(database::ScoreRepository(writing.connection(), actor).storeScores(*id, card));
                 if (!spread)
                     continue;
                 if (auto moved = writing.connection().execute("UPDATE session SET started_utc='" + madeStart(n) + "' WHERE id=" + std::to_string(*id)); !moved)

@@ -53,26 +53,20 @@ public:
 
     core::Result<void> create() {
         auto made = database::Database::create(path(), options);
-        if (!made) {
-            return tl::unexpected(made.error());
-        }
+        CHIRON_TRY(made);
         database = *std::move(made);
         return {};
     }
     core::Result<void> reopen() {
         database.reset();
         auto opened = database::Database::openForWriting(path(), options);
-        if (!opened) {
-            return tl::unexpected(opened.error());
-        }
+        CHIRON_TRY(opened);
         database = *std::move(opened);
         return {};
     }
     core::Result<database::Actor> administrator(const std::string& name = "ada") {
         database::AccountService accounts(*database);
-        if (auto made = accounts.createFirstAdministrator(name, kPassword); !made) {
-            return tl::unexpected(made.error());
-        }
+        CHIRON_TRY(accounts.createFirstAdministrator(name, kPassword));
         return accounts.login(name, kPassword);
     }
     core::Result<database::Actor> person(const database::Actor& by, const std::string& name,
@@ -148,15 +142,11 @@ inline core::Result<database::SessionId> storeSession(database::Database& databa
             return session;
         }
         auto sink = sessions.openSink(*session);
-        if (!sink) {
-            return tl::unexpected(sink.error());
-        }
+        CHIRON_TRY(sink);
         for (std::uint32_t i = 0; i < chunks; ++i) {
             const recording::Chunk chunk = someChunk(i, chunkBytes);
             const recording::SecondSummary second{i, 0, 250, 0.01, 1.5, 0.5, 0.25, 0.0, 3};
-            if (auto done = (*sink)->write({&chunk, 1}, {&second, 1}); !done) {
-                return tl::unexpected(done.error());
-            }
+            CHIRON_TRY((*sink)->write({&chunk, 1}, {&second, 1}));
         }
         TrialRecord trial;
         trial.lastTick = 999;

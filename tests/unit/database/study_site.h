@@ -74,9 +74,7 @@ inline core::Result<database::ParticipantNumber> enrol(database::StudyRepository
                                                        database::StudyNumber study, bool consent) {
     const bool simulated = actor.kind() == database::ActorKind::simulated;
     const auto made = studies.enrolParticipant(study, simulated ? "" : "Jane Roe, ward 3", 0, simulated ? "weber:0.1" : "");
-    if (!made) {
-        return tl::unexpected(made.error());
-    }
+    CHIRON_TRY(made);
     const auto agreed = consent ? studies.recordConsent(made->id, consentDigest()) : core::Result<void>();
     return agreed ? core::Result<database::ParticipantNumber>(made->id) : tl::unexpected(agreed.error());
 }
@@ -93,23 +91,17 @@ inline core::Result<StudyTargets> makeStudies(database::Database& site, const da
         }
         made.draft = *draft;
         made.frozen = *frozen;
-        if (const auto done = studies.freezeStudy(*frozen); !done) {
-            return tl::unexpected(done.error());
-        }
+        CHIRON_TRY(studies.freezeStudy(*frozen));
         for (auto [target, consent] : {std::pair{&made.enrolled, false}, {&made.ready, true}, {&made.running, true},
                                        {&made.withdrawn, true}}) {
             const auto who = enrol(studies, actor, *frozen, consent);
-            if (!who) {
-                return tl::unexpected(who.error());
-            }
+            CHIRON_TRY(who);
             *target = *who;
         }
         const auto run = studies.beginRun({made.running, codeOf(w.connection(), *frozen, "hard"), 0, 0xfedcba9876543210ULL, "descending@1"});
         auto done = run ? studies.storeStudyTrial(someTrial(*run, 0)) : tl::unexpected(run.error());
         done = done ? studies.withdrawParticipant(made.withdrawn, true) : done;
-        if (!done) {
-            return tl::unexpected(done.error());
-        }
+        CHIRON_TRY(done);
         made.run = *run;
         return made;
     });

@@ -76,15 +76,13 @@ core::Result<Someone> TestErasureReach::add(const std::string& name) {
     Someone who;
     const auto actor = m->person(m_admin, name, {Role::trainee});
     const auto training = actor ? storeSession(*m->database, *actor, 2) : tl::unexpected(actor.error());
-    if (!training)
-        return tl::unexpected(training.error());
+    CHIRON_TRY(training);
     who.person = actor->personId();
     who.training = *training;
     const auto begun = m->database->write([&](WriteContext& w) -> core::Result<void> {
         StudyRepository studies(w.connection(), m_ruth);
         const auto enrolled = studies.enrolParticipant(m_study, name + " of ward 3", who.person, "");
-        if (!enrolled)
-            return tl::unexpected(enrolled.error());
+        CHIRON_TRY(enrolled);
         who.participant = enrolled->id;
         auto good = studies.recordConsent(who.participant, consentDigest());
         const auto run = studies.beginRun({who.participant, codeOf(w.connection(), m_study, "soft"), 0, 1, "descending@1"});
@@ -97,8 +95,7 @@ core::Result<Someone> TestErasureReach::add(const std::string& name) {
     setup.studyRun = who.run;
     const auto left = begun ? storeSession(*m->database, m_ruth, 2, 700, setup) : tl::unexpected(begun.error());
     const auto sitting = left ? storeSession(*m->database, m_ruth, 2) : left;
-    if (!sitting)
-        return tl::unexpected(sitting.error());
+    CHIRON_TRY(sitting);
     who.sitting = *sitting; // as earlier versions recorded it: known by its trial alone
     who.left = *left;
     const auto stored = m->database->write([&](WriteContext& w) -> core::Result<void> {

@@ -107,9 +107,7 @@ void TestRecordings::unfinishedSessionsAreRecovered() {
     REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
         SessionRepository sessions(w.connection(), Actor::maintenance());
         auto sink = sessions.openSink(id); // goes on where the dead program stopped
-        if (!sink) {
-            return tl::unexpected(sink.error());
-        }
+        CHIRON_TRY(sink);
         const recording::Chunk chunk = someChunk(1);
         auto done = (*sink)->write({&chunk, 1}, {});
         return done ? sessions.finishSession(id, {SessionState::interrupted, 500, 500, 0, "{}"}) : done;

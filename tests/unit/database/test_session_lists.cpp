@@ -54,9 +54,7 @@ void TestSessionLists::thousandsOfSessionsUseTheIndexes() {
                 NewSession session = someSession();
                 session.level = 1 + i % 4;
                 const Actor actor = i % 10 == 0 ? *ada : Actor::simulated();
-                if (const auto id = SessionRepository(w.connection(), actor).beginSession(session); !id) {
-                    return tl::unexpected(id.error());
-                }
+                CHIRON_TRY(SessionRepository(w.connection(), actor).beginSession(session));
             }
             return {};
         }));

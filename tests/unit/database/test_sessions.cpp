@@ -192,9 +192,7 @@ void TestSessions::listsChooseWhatIsAsked() {
             NewSession setup = someSession();
             setup.level = i < 3 ? 1 : 2;
             setup.exercise = i < 4 ? "sphere_apex" : "palpation";
-            if (const auto id = SessionRepository(w.connection(), i % 2 == 0 ? *ada : Actor::simulated()).beginSession(setup); !id) {
-                return tl::unexpected(id.error());
-            }
+            CHIRON_TRY(SessionRepository(w.connection(), i % 2 == 0 ? *ada : Actor::simulated()).beginSession(setup));
         }
         auto done = SessionRepository(w.connection(), Actor::simulated()).finishSession(2, {});
         return done ? SessionRepository(w.connection(), *ada).setArchived(4, true) : done;

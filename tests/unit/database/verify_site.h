@@ -23,9 +23,7 @@ inline bool has(const database::VerifyReport& report, const std::string& kind, c
 inline core::Result<database::StudyRunNumber> addStudies(DatabaseFixture& f, const database::Actor& ada) {
     using namespace database;
     const auto made = makeStudies(*f.database, ada, "site");
-    if (!made) {
-        return tl::unexpected(made.error());
-    }
+    CHIRON_TRY(made);
     auto done = f.database->write([&](WriteContext& w) -> core::Result<void> {
         StudyRepository studies(w.connection(), ada);
         const auto run = studies.beginRun({made->ready, codeOf(w.connection(), made->frozen, "soft"), 0, 5, "descending@1"});
@@ -48,13 +46,9 @@ inline core::Result<void> makeSite(DatabaseFixture& f) {
     using namespace database;
     auto done = f.create();
     const auto ada = done ? f.administrator() : core::Result<Actor>(tl::unexpected(done.error()));
-    if (!ada) {
-        return tl::unexpected(ada.error());
-    }
+    CHIRON_TRY(ada);
     const auto open = addStudies(f, *ada);
-    if (!open) {
-        return tl::unexpected(open.error());
-    }
+    CHIRON_TRY(open);
     NewSession sitting = someSession();
     sitting.studyRun = *open;
     const auto first = storeSession(*f.database, Actor::simulated(), 6, 9000);

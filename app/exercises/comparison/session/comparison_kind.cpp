@@ -55,8 +55,7 @@ core::Result<ScriptedTrainee> ComparisonKind::makeOperator(const catalogue::Exer
     if (name != "participant")
         return core::fail(core::ErrorCode::notFound, "operator '" + name + "' is unknown; expected participant");
     auto explorer = operators::makeComparisonExplorer(operators::comparisonBriefing(parametersOf(level)));
-    if (!explorer)
-        return tl::unexpected(explorer.error());
+    CHIRON_TRY(explorer);
     return oneHanded(std::move(*explorer), operators::comparisonHand());
 }
 

@@ -85,8 +85,7 @@ core::Result<ScriptedTrainee> ElasticTubeKind::makeOperatorAt(std::span<const de
                                                              const catalogue::ExerciseLevel& level, const std::string& name,
                                                              std::uint64_t seed) const {
     auto settings = operators::elasticTubeOperatorSettings(name);
-    if (!settings)
-        return tl::unexpected(settings.error());
+    CHIRON_TRY(settings);
     const auto& p = parametersOf(level);
     operators::ElasticTubeBriefing briefing;
     briefing.goal = p.task == TubeTask::stretch    ? operators::TubeGoal::mark
@@ -97,8 +96,7 @@ core::Result<ScriptedTrainee> ElasticTubeKind::makeOperatorAt(std::span<const de
     briefing.retracts = p.hasFold();
     briefing.places.assign(places.begin(), places.end());
     auto strategies = operators::makeElasticTubeOperator(*settings, briefing, seed);
-    if (!strategies)
-        return tl::unexpected(strategies.error());
+    CHIRON_TRY(strategies);
     return ScriptedTrainee{std::move(*strategies), settings->hand};
 }
 

@@ -76,8 +76,7 @@ core::Result<ScriptedTrainee> ObjectHandlingKind::makeOperatorAt(std::span<const
                                                                 const catalogue::ExerciseLevel& level, const std::string& name,
                                                                 std::uint64_t seed) const {
     auto settings = operators::objectHandlingOperatorSettings(name);
-    if (!settings)
-        return tl::unexpected(settings.error());
+    CHIRON_TRY(settings);
     const auto& p = parametersOf(level);
     operators::ObjectHandlingBriefing briefing;
     briefing.weigh = p.task == simulation::HandlingTask::weigh;
@@ -85,8 +84,7 @@ core::Result<ScriptedTrainee> ObjectHandlingKind::makeOperatorAt(std::span<const
     briefing.jawLength_m = p.jawLength_m;
     briefing.place = places.front();
     auto strategies = operators::makeObjectHandlingOperator(*settings, briefing, seed);
-    if (!strategies)
-        return tl::unexpected(strategies.error());
+    CHIRON_TRY(strategies);
     ScriptedTrainee trainee;
     trainee.strategies = std::move(*strategies);
     trainee.hand = settings->hand;

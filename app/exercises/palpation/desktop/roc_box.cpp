@@ -77,8 +77,7 @@ void RocBox::ask(Background& background, database::Database& database, const dat
         this,
         [&database, actor, query](WorkToken& token) -> core::Result<session::PooledDetection> {
             auto connection = database.openReader();
-            if (!connection)
-                return tl::unexpected(connection.error());
+            CHIRON_TRY(connection);
             return session::detectionOf(**connection, actor, query, [&token](double part) {
                 token.setProgress(static_cast<int>(100 * part), 100);
                 return !token.cancelled();

@@ -50,8 +50,7 @@ core::Result<PooledDetection> detectionOf(database::Connection& connection, cons
     if (query.level > 0)
         filter.level = query.level;
     auto sessions = database::SessionReader(connection, actor).listSessions(filter);
-    if (!sessions)
-        return tl::unexpected(sessions.error());
+    CHIRON_TRY(sessions);
     PooledDetection pooled;
     std::size_t done = 0;
     for (const database::SessionSummary& summary : *sessions) {
@@ -60,13 +59,11 @@ core::Result<PooledDetection> detectionOf(database::Connection& connection, cons
         if (!isWanted(summary, query))
             continue;
         auto stored = SessionView::open(connection, actor, summary.id);
-        if (!stored)
-            return tl::unexpected(stored.error());
+        CHIRON_TRY(stored);
         if (!tellsDetection((*stored)->setup().level, query))
             continue;
         auto trace = (*stored)->trace();
-        if (!trace)
-            return tl::unexpected(trace.error());
+        CHIRON_TRY(trace);
         addDetection(pooled, **trace);
     }
     return pooled;

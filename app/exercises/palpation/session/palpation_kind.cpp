@@ -165,11 +165,9 @@ core::Result<ScriptedTrainee> PalpationKind::makeOperatorAt(std::span<const devi
                                                            const catalogue::ExerciseLevel& level, const std::string& name,
                                                            std::uint64_t seed) const {
     auto settings = operators::palpationOperatorSettings(name);
-    if (!settings)
-        return tl::unexpected(settings.error());
+    CHIRON_TRY(settings);
     auto strategies = operators::makePalpationOperator(*settings, briefingOf(*this, mechanism, level, places), seed);
-    if (!strategies)
-        return tl::unexpected(strategies.error());
+    CHIRON_TRY(strategies);
     return ScriptedTrainee{std::move(*strategies), settings->hand};
 }
 

@@ -70,8 +70,7 @@ core::Result<std::vector<PalpationOutcome>> palpationOutcomes(const scoring::Ses
 core::Result<std::vector<PalpationTrialRecord>> palpationRecord(const scoring::SessionTrace& trace,
                                                                 const simulation::PalpationParameters& level) {
     auto outcomes = palpationOutcomes(trace);
-    if (!outcomes)
-        return tl::unexpected(outcomes.error());
+    CHIRON_TRY(outcomes);
     std::vector<PalpationTrialRecord> records;
     for (std::size_t i = 0; i < outcomes->size(); ++i)
         records.push_back({std::move((*outcomes)[i]), mapOf(level, trace.trials[i]), lastCoverage(trace.trials[i])});

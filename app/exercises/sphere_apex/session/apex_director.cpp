@@ -6,11 +6,9 @@ namespace chiron::session {
 core::Result<std::unique_ptr<ApexDirector>> ApexDirector::create(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                                                                  const Station& station, Parts parts) {
     const auto kind = exerciseKind(level.exercise);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    CHIRON_TRY(kind);
     auto watch = ApexWatch::create(level, seed, station, parts.design);
-    if (!watch)
-        return tl::unexpected(watch.error());
+    CHIRON_TRY(watch);
     std::unique_ptr<ApexDirector> director(new ApexDirector(std::move(parts), std::move(*watch)));
     director->m_tickLimit = (*kind)->tickLimit(level);
     return director;

@@ -25,28 +25,24 @@ int ApexSessions::trialsAtMost() const noexcept { return catalogue::kApexTrialsA
 core::Result<catalogue::ExerciseLevel> ApexSessions::level(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
                                                            int trials, const std::string& label) const {
     const auto parameters = catalogue::apexOf(condition, design.trial, trials);
-    if (!parameters)
-        return tl::unexpected(parameters.error());
+    CHIRON_TRY(parameters);
     return catalogue::apexLevel(*parameters, design.id, label.empty() ? condition.id : label);
 }
 
 core::Result<Station> ApexSessions::scripted(const catalogue::ExerciseLevel& level, const std::string& trainee, std::uint64_t seed) const {
     const auto kind = exerciseKind(kExercise);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    CHIRON_TRY(kind);
     return scriptedStation(**kind, level, trainee.empty() ? kUsualTrainee : trainee, seed);
 }
 
 core::Result<database::SessionId> ApexSessions::run(database::Database& database, const database::Actor& actor, const MarkSitting& sitting) const {
     auto level = this->level(sitting.study.design, sitting.condition, sitting.trials, sessionLabel(sitting.study, sitting.sealedCode));
-    if (!level)
-        return tl::unexpected(level.error());
+    CHIRON_TRY(level);
     TrainingRequest request;
     request.level = *level;
     request.seed = sitting.seed;
     auto station = scripted(*level, sitting.trainee, core::Random::mix(sitting.seed, "participant"));
-    if (!station)
-        return tl::unexpected(station.error());
+    CHIRON_TRY(station);
     request.station = std::move(*station);
     std::atomic<database::SessionId> session{0};
     auto director = ApexDirector::create(*level, sitting.seed, request.station,
@@ -55,15 +51,13 @@ core::Result<database::SessionId> ApexSessions::run(database::Database& database
                                               trial.session = session.load();
                                               return sitting.store(std::move(trial));
                                           }});
-    if (!director)
-        return tl::unexpected(director.error());
+    CHIRON_TRY(director);
     request.ringFolder = sitting.ringFolder;
     request.studyRun = sitting.run;
     request.director = director->get();
     request.onSession = [&](database::SessionId id) { session.store(id); };
     auto result = runTrainingOn(database, actor, request);
-    if (!result)
-        return tl::unexpected(result.error());
+    CHIRON_TRY(result);
     if (!(*director)->recorded())
         return tl::unexpected((*director)->recorded().error());
     return result->session;

@@ -29,8 +29,7 @@ core::Result<ApexWatch> ApexWatch::create(const catalogue::ExerciseLevel& level,
     for (const auto& tool : station.tools)
         setup.devices.push_back(tool.device->descriptor());
     auto positions = ToolPositions::create(setup);
-    if (!positions)
-        return tl::unexpected(positions.error());
+    CHIRON_TRY(positions);
     ApexWatch watch(meterOf(design, !setup.felt()));
     const auto& p = level.parameters.as<simulation::SphereApexParameters>();
     watch.m_positions = std::move(*positions);

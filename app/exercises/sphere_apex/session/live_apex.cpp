@@ -21,8 +21,7 @@ core::Result<double> stiffest(const OpenedStudy& study, const psychophysics::Con
         if (each.id != condition.id && !(study.blind() && looksForApex(each)))
             continue;
         const auto level = ApexSessions().level(study.design, each, 1, {});
-        if (!level)
-            return tl::unexpected(level.error());
+        CHIRON_TRY(level);
         stiffness = std::max(stiffness, level->parameters.as<simulation::SphereApexParameters>().stiffnessHigh_N_per_m);
     }
     return stiffness;
@@ -30,8 +29,7 @@ core::Result<double> stiffest(const OpenedStudy& study, const psychophysics::Con
 
 SittingResult<void> renderable(const OpenedStudy& study, const psychophysics::Condition& condition, const RenderingLimits& limits) {
     const auto stiffness = stiffest(study, condition);
-    if (!stiffness)
-        return tl::unexpected(stiffness.error());
+    CHIRON_TRY(stiffness);
     if (*stiffness <= limits.largestStiffness_N_per_m)
         return {};
     SittingError error({core::ErrorCode::badInput, "a sphere of " + std::to_string(std::lround(*stiffness)) + " N/m, and the device renders " +
@@ -58,12 +56,10 @@ SittingResult<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(datab
     const OpenedStudy& study = sitting.study;
     const psychophysics::Condition& condition = *sitting.condition();
     const RenderingLimits limits = limitsAt(request.station.tools.front().device->descriptor(), request.measuredDelay_s);
-    if (auto possible = renderable(study, condition, limits); !possible)
-        return tl::unexpected(possible.error()); // before a run begins
+    CHIRON_TRY(renderable(study, condition, limits)); // before a run begins
     const LimitedTable table = study.blind() ? blindTable(study.design, condition, limits) : limitedTable(condition, limits);
     auto begun = beginOrGoOn(database, actor, sitting, table.limit);
-    if (!begun)
-        return tl::unexpected(begun.error());
+    CHIRON_TRY(begun);
     auto state = std::make_unique<State>(database, actor, sitting, std::move(*begun), request.language);
     state->waitsAfterPractice = request.waitsAfterPractice;
     state->view.firstPart = study.firstPart(sitting.label);
@@ -78,8 +74,7 @@ SittingResult<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(datab
     state->summarise();
     if (sitting.run.trials.empty() && state->nextStation) // the free minute takes a session of its own
         state->tryFor_s = request.freeMinute_s;
-    if (auto first = state->beginSession(std::move(request.station)); !first)
-        return tl::unexpected(first.error());
+    CHIRON_TRY(state->beginSession(std::move(request.station)));
     return state;
 }
 

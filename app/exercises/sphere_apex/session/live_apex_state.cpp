@@ -28,12 +28,10 @@ core::Result<void> LiveApex::State::beginSession(Station station) {
     const bool free = tryFor_s > 0.0;
     const int wanted = free ? kTriedSpheres : std::clamp(progress.toCome(), 1, catalogue::kApexTrialsAtMost);
     auto made = ApexSessions().level(study.design, *condition, wanted, sessionLabel(study, sealedCode));
-    if (!made)
-        return tl::unexpected(made.error());
+    CHIRON_TRY(made);
     const std::uint64_t seed = core::Random::mix(runSeed, free ? std::string("free minute") : "sitting " + std::to_string(trials.size())) >> 1;
     auto watching = ApexWatch::create(*made, seed, station, study.design);
-    if (!watching)
-        return tl::unexpected(watching.error());
+    CHIRON_TRY(watching);
     auto ticks = std::make_unique<ApexTap>();
     TrainingRequest request;
     request.level = *made;
@@ -43,8 +41,7 @@ core::Result<void> LiveApex::State::beginSession(Station station) {
     request.studyRun = run;
     request.witness = ticks.get();
     auto live = LiveTraining::start(database, actor, std::move(request));
-    if (!live)
-        return tl::unexpected(live.error());
+    CHIRON_TRY(live);
     level = std::move(*made);
     watch = std::move(*watching);
     before = std::move(training);

@@ -97,11 +97,9 @@ simulation::YieldLaw SphereApexKind::yieldLaw(const catalogue::ExerciseLevel& le
 core::Result<ScriptedTrainee> SphereApexKind::makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
                                                           std::uint64_t seed) const {
     auto settings = operators::sphereApexOperatorSettings(name);
-    if (!settings)
-        return tl::unexpected(settings.error());
+    CHIRON_TRY(settings);
     auto strategy = operators::makeSphereApexOperator(*settings, seed);
-    if (!strategy)
-        return tl::unexpected(strategy.error());
+    CHIRON_TRY(strategy);
     return oneHanded(std::move(*strategy), settings->hand);
 }
 

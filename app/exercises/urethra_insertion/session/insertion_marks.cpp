@@ -107,8 +107,7 @@ void addPeaks(PlaybackTrack& track, const scoring::TrialTrace& trial) {
 core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::SessionTrace& trace,
                                      std::span<const scoring::Gate> gates, bool traumaIsCritical) {
     const auto scored = scoring::onStoredGrids(trace);
-    if (!scored)
-        return tl::unexpected(scored.error());
+    CHIRON_TRY(scored);
     for (const scoring::TrialTrace& trial : scored->trials) {
         if (!trial.insertion)
             continue;

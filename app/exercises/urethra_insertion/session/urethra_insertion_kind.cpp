@@ -66,11 +66,9 @@ simulation::YieldLaw UrethraInsertionKind::yieldLaw(const catalogue::ExerciseLev
 core::Result<ScriptedTrainee> UrethraInsertionKind::makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
                                                           std::uint64_t seed) const {
     auto settings = operators::urethraInsertionOperatorSettings(name);
-    if (!settings)
-        return tl::unexpected(settings.error());
+    CHIRON_TRY(settings);
     auto strategy = operators::makeUrethraInsertionOperator(*settings, seed);
-    if (!strategy)
-        return tl::unexpected(strategy.error());
+    CHIRON_TRY(strategy);
     return oneHanded(std::move(*strategy), settings->hand);
 }
 

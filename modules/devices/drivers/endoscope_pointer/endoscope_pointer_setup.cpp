@@ -57,8 +57,7 @@ DeviceDescriptor describe(const EndoscopePointerSettings& s) {
 
 core::Result<EndoscopePoseKinematics> EndoscopePoseKinematics::create(const DeviceDescriptor& descriptor) {
     const auto resolution = axisResolutions<kAxes>(descriptor, kId, "x, y, z, pitch, yaw, roll");
-    if (!resolution)
-        return tl::unexpected(resolution.error());
+    CHIRON_TRY(resolution);
     for (std::size_t i = 0; i < kAxes; ++i)
         if (descriptor.axes[i].unit != (i < 3 ? AxisUnit::metre : AxisUnit::radian))
             return kinematicsMisfit(kId, "axes[" + std::to_string(i) + "] must be in " + (i < 3 ? "metres" : "radians"));
@@ -69,12 +68,10 @@ EndoscopePoseKinematics::~EndoscopePoseKinematics() = default;
 
 core::Result<std::unique_ptr<EndoscopePointerDevice>>
 EndoscopePointerDevice::create(const EndoscopePointerSettings& settings) {
-    if (auto checked = check(settings); !checked)
-        return tl::unexpected(checked.error());
+    CHIRON_TRY(check(settings));
     DeviceDescriptor descriptor = describe(settings);
     auto kinematics = EndoscopePoseKinematics::create(descriptor);
-    if (!kinematics)
-        return tl::unexpected(kinematics.error());
+    CHIRON_TRY(kinematics);
     return std::unique_ptr<EndoscopePointerDevice>(
         new EndoscopePointerDevice(settings, std::move(descriptor), *kinematics));
 }

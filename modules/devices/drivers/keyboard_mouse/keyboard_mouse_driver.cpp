@@ -25,8 +25,7 @@ template <class Device, class Settings> core::Result<DriverTool> makePointer(Set
         settings.home_m[i] /= scale;
     }
     auto device = Device::create(settings);
-    if (!device)
-        return tl::unexpected(device.error());
+    CHIRON_TRY(device);
     DriverTool tool;
     tool.input = &(*device)->mailbox();
     tool.device = std::move(*device);
@@ -84,8 +83,7 @@ core::Result<std::vector<DriverTool>> openPointers(DriverRequest request) {
     std::vector<DriverTool> made;
     for (const ToolRequest& asked : request.tools) {
         auto tool = makeTool(request, asked);
-        if (!tool)
-            return tl::unexpected(tool.error());
+        CHIRON_TRY(tool);
         made.push_back(std::move(*tool));
     }
     return made;

@@ -42,12 +42,10 @@ DeviceDescriptor describe(const KeyboardMouseSettings& s) {
 } // namespace
 
 core::Result<std::unique_ptr<KeyboardMouseDevice>> KeyboardMouseDevice::create(const KeyboardMouseSettings& settings) {
-    if (auto checked = check(settings); !checked)
-        return tl::unexpected(checked.error());
+    CHIRON_TRY(check(settings));
     DeviceDescriptor descriptor = describe(settings);
     auto kinematics = CartesianKinematics::create(descriptor);
-    if (!kinematics)
-        return tl::unexpected(kinematics.error());
+    CHIRON_TRY(kinematics);
     return std::unique_ptr<KeyboardMouseDevice>(new KeyboardMouseDevice(settings, std::move(descriptor), *kinematics));
 }
 

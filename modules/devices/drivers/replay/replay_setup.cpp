@@ -113,12 +113,10 @@ core::Result<std::unique_ptr<ReplayDevice>> ReplayDevice::create(const std::vect
     if (trace.empty())
         return core::fail(core::ErrorCode::badInput, "the trace has no rows");
     for (std::size_t row = 0; row < trace.size(); ++row)
-        if (auto checked = checkRow(trace, row); !checked)
-            return tl::unexpected(checked.error());
+        CHIRON_TRY(checkRow(trace, row));
     DeviceDescriptor descriptor = describe(trace.front().q_WT.has_value());
     auto kinematics = CartesianKinematics::create(descriptor);
-    if (!kinematics)
-        return tl::unexpected(kinematics.error());
+    CHIRON_TRY(kinematics);
     return std::unique_ptr<ReplayDevice>(new ReplayDevice(std::move(descriptor), *kinematics, resample(trace)));
 }
 

@@ -31,8 +31,7 @@ template <class Device> Tools makeDevices(const typename Device::Configuration& 
         configuration.hand = request.hand;
         configuration.mapping = request.tools[i].mapping;
         auto device = Device::create(configuration, std::move(request.tools[i].strategy));
-        if (!device)
-            return tl::unexpected(device.error());
+        CHIRON_TRY(device);
         made.push_back({std::move(*device)});
     }
     return made;
@@ -65,8 +64,7 @@ Tools makeFingers(DriverRequest& request) {
         if (finger > 0) {
             auto device = SimulatedSecondFinger::create(*hand, {finger * request.fingerSpacing_m, 0.0, 0.0}, seed,
                                                         std::move(request.tools[i].strategy));
-            if (!device)
-                return tl::unexpected(device.error());
+            CHIRON_TRY(device);
             made.push_back({std::move(*device), {}, i - static_cast<std::size_t>(finger)});
             continue;
         }
@@ -75,8 +73,7 @@ Tools makeFingers(DriverRequest& request) {
         configuration.hand = request.hand;
         configuration.mapping = request.tools[i].mapping;
         auto device = SimulatedFingertipDevice::create(configuration, std::move(request.tools[i].strategy));
-        if (!device)
-            return tl::unexpected(device.error());
+        CHIRON_TRY(device);
         hand = device->get();
         made.push_back({std::move(*device)});
     }

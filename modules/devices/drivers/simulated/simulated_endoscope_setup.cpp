@@ -44,8 +44,7 @@ DeviceDescriptor describe(const SimulatedEndoscopeDevice::Configuration& configu
 
 core::Result<FiveBarSphericalKinematics> FiveBarSphericalKinematics::create(const DeviceDescriptor& descriptor) {
     const auto resolution = axisResolutions<kAxes>(descriptor, kId, "theta1, theta2, pitch, yaw, roll");
-    if (!resolution)
-        return tl::unexpected(resolution.error());
+    CHIRON_TRY(resolution);
     const auto& p = descriptor.kinematicsParameters;
     const bool finite = std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
     if (p.size() != 6 || !finite || !(p[0] > 0.0 && p[1] > 0.0 && p[2] >= 0.0))
@@ -61,8 +60,7 @@ SimulatedEndoscopeDevice::create(const Configuration& configuration,
         return core::fail(core::ErrorCode::badInput, "simulated endoscope: a hand strategy is expected");
     const auto& plant = configuration.plant;
     const auto theta = mechanisms::FiveBarKinematics(plant.geometry).inverse(configuration.start_D);
-    if (!theta)
-        return tl::unexpected(theta.error());
+    CHIRON_TRY(theta);
     FiveBarVector start;
     start << (*theta)[0], (*theta)[1], configuration.startAngles.pitch - plant.mountingPitch_rad,
         configuration.startAngles.yaw, configuration.startAngles.roll;

@@ -73,8 +73,7 @@ bool allFinite(const std::vector<double>& values) {
 core::Result<FingertipArmKinematics> FingertipArmKinematics::create(const DeviceDescriptor& descriptor) {
     const auto resolution =
         resolutionsIn(descriptor, "yaw, shoulder, elbow, wrist_x, wrist_y, wrist_z, platform_pitch, platform_roll", AxisUnit::radian);
-    if (!resolution)
-        return tl::unexpected(resolution.error());
+    CHIRON_TRY(resolution);
     const auto& p = descriptor.kinematicsParameters;
     if (p.size() != 8 || !allFinite(p) || !(p[6] > 0.0 && p[7] > 0.0))
         return kinematicsMisfit(kId, "parameters: {x, y, z of the pad from the wrist's middle; x, y, z of the shoulder; upper arm, forearm above 0; m} expected");
@@ -83,8 +82,7 @@ core::Result<FingertipArmKinematics> FingertipArmKinematics::create(const Device
 
 core::Result<FingertipSlidingKinematics> FingertipSlidingKinematics::create(const DeviceDescriptor& descriptor) {
     const auto resolution = resolutionsIn(descriptor, "x, y, z, wrist_x, wrist_y, wrist_z, platform_pitch, platform_roll", AxisUnit::metre);
-    if (!resolution)
-        return tl::unexpected(resolution.error());
+    CHIRON_TRY(resolution);
     const auto& pad = descriptor.kinematicsParameters;
     if (pad.size() != 3 || !allFinite(pad))
         return kinematicsMisfit(kId, "parameters: {x, y, z of the pad from the arm's end, m} expected");
@@ -124,12 +122,10 @@ core::Result<std::unique_ptr<SimulatedFingertipDevice>>
 SimulatedFingertipDevice::create(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy) {
     if (!strategy)
         return core::fail(core::ErrorCode::badInput, "simulated fingertip: a hand strategy is expected");
-    if (auto sound = checked(configuration); !sound)
-        return tl::unexpected(sound.error());
+    CHIRON_TRY(checked(configuration));
     auto platform = mechanisms::worn(configuration.platform, configuration.seed); // the finger is put on the
                                                                                   // platform
-    if (!platform)
-        return tl::unexpected(platform.error());
+    CHIRON_TRY(platform);
     Configuration worn = configuration;
     worn.platform = *platform;
     return std::unique_ptr<SimulatedFingertipDevice>(new SimulatedFingertipDevice(worn, std::move(strategy)));
@@ -156,8 +152,7 @@ SimulatedSecondFinger::create(const SimulatedFingertipDevice& first, const core:
     SimulatedFingertipDevice::Configuration configuration = first.m_configuration;
     configuration.seed = seed;
     auto platform = mechanisms::worn(configuration.platform, seed); // with this finger's own sensors
-    if (!platform)
-        return tl::unexpected(platform.error());
+    CHIRON_TRY(platform);
     configuration.platform = *platform;
     return std::unique_ptr<SimulatedSecondFinger>(new SimulatedSecondFinger(first, configuration, pad_T, std::move(strategy)));
 }

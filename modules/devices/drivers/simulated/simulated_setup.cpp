@@ -15,8 +15,7 @@ namespace chiron::devices {
 
 core::Result<GimbalHprdKinematics> GimbalHprdKinematics::create(const DeviceDescriptor& descriptor) {
     const auto resolution = axisResolutions<4>(descriptor, kId, "h, p, r, d");
-    if (!resolution)
-        return tl::unexpected(resolution.error());
+    CHIRON_TRY(resolution);
     const auto& parameters = descriptor.kinematicsParameters;
     if (parameters.size() != 2 || !std::isfinite(parameters[0]) ||
         (parameters[1] != 0.0 && parameters[1] != 1.0))
@@ -69,8 +68,7 @@ core::Result<DeviceDescriptor> describeIdentified(const SimulatedDevice::Configu
                                                          std::to_string(configuration.frictionCompensation) + "; expected a share of 0 to 1");
     mechanisms::GimbalPlant plant(configuration.plant);
     const auto found = mechanisms::identifyFriction(plant, {});
-    if (!found)
-        return tl::unexpected(found.error());
+    CHIRON_TRY(found);
     for (std::size_t axis = 0; axis < d.axes.size(); ++axis)
         if (const auto& friction = (*found)[axis]) {
             d.axes[axis].coulombFriction = std::max(0.0, friction->coulomb);
@@ -89,8 +87,7 @@ SimulatedDevice::create(const Configuration& configuration,
         return core::fail(core::ErrorCode::badInput, "simulated device: a hand strategy is expected");
     const mechanisms::GimbalKinematics gimbal(configuration.plant.pivotHeight_m);
     const auto start = gimbal.inverse(configuration.start_D);
-    if (!start)
-        return tl::unexpected(start.error());
+    CHIRON_TRY(start);
     const std::array<double, 4> q{start->h, start->p, start->r, start->d};
     for (std::size_t axis = 0; axis < 4; ++axis) {
         if (q[axis] < configuration.plant.minimum[axis] || q[axis] > configuration.plant.maximum[axis])
@@ -104,8 +101,7 @@ SimulatedDevice::create(const Configuration& configuration,
         return core::fail(core::ErrorCode::badInput, "simulated device: a jaw that opens by more than 0 and at most half a turn, "
                                                      "in at least one step, with a lag and a speed above 0, is expected");
     auto descriptor = describeIdentified(configuration);
-    if (!descriptor)
-        return tl::unexpected(descriptor.error());
+    CHIRON_TRY(descriptor);
     return std::unique_ptr<SimulatedDevice>(new SimulatedDevice(configuration, std::move(*descriptor), *start, std::move(strategy)));
 }
 

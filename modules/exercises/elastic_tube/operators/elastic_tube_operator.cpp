@@ -130,8 +130,7 @@ core::Result<ElasticTubeOperatorSettings> elasticTubeOperatorSettings(std::strin
 
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>
 makeElasticTubeOperator(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing, std::uint64_t seed) {
-    if (auto checked = check(settings); !checked)
-        return tl::unexpected(checked.error());
+    CHIRON_TRY(check(settings));
     const std::size_t hands = briefing.places.size() - (briefing.retracts && !briefing.places.empty() ? 1 : 0);
     if (hands < 1 || hands > 2)
         return core::fail(core::ErrorCode::badInput, "operator: " + std::to_string(briefing.places.size()) +

@@ -153,8 +153,7 @@ core::Result<ObjectHandlingOperatorSettings> objectHandlingOperatorSettings(std:
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>
 makeObjectHandlingOperator(const ObjectHandlingOperatorSettings& settings, const ObjectHandlingBriefing& briefing,
                            std::uint64_t seed) {
-    if (auto checked = check(settings, briefing); !checked)
-        return tl::unexpected(checked.error());
+    CHIRON_TRY(check(settings, briefing));
     return makeHands(std::make_unique<HandlingTrainee>(settings, briefing, seed), settings.perception, settings.reach,
                      {briefing.place}, seed);
 }

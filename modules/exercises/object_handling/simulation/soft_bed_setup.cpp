@@ -42,8 +42,7 @@ std::uint64_t SoftBed::period_ticks(const ObjectHandlingParameters& parameters) 
 
 core::Result<std::unique_ptr<SoftBed>> SoftBed::make(const ObjectHandlingParameters& parameters) {
     auto mesh = makeMesh(parameters.bedMesh);
-    if (!mesh)
-        return tl::unexpected(mesh.error());
+    CHIRON_TRY(mesh);
     std::vector<bool> anchored;
     std::uint32_t highest = 0;
     const double middle = 0.5 * (mesh->lowest().z() + mesh->highest().z());
@@ -57,8 +56,7 @@ core::Result<std::unique_ptr<SoftBed>> SoftBed::make(const ObjectHandlingParamet
     bed->m_floor_m = mesh->lowest().z() - bed->m_lift_m;
     bed->m_reach_m = std::min({mesh->highest().x(), mesh->highest().y(), -mesh->lowest().x(), -mesh->lowest().y()});
     auto organ = DeformableOrgan::create(*mesh, anchored, highest, settingsOf(parameters));
-    if (!organ)
-        return tl::unexpected(organ.error());
+    CHIRON_TRY(organ);
     bed->m_organ = std::move(*organ);
     return bed;
 }

@@ -126,10 +126,8 @@ core::Result<PalpationOperatorSettings> palpationOperatorSettings(std::string_vi
 
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>
 makePalpationOperator(const PalpationOperatorSettings& settings, const PalpationBriefing& briefing, std::uint64_t seed) {
-    if (auto checked = check(settings); !checked)
-        return tl::unexpected(checked.error());
-    if (auto checked = check(briefing); !checked)
-        return tl::unexpected(checked.error());
+    CHIRON_TRY(check(settings));
+    CHIRON_TRY(check(briefing));
     const auto mind = std::make_shared<PalpationTrainee>(settings, briefing, seed);
     std::vector<std::unique_ptr<mechanisms::HandStrategy>> fingers;
     const auto tools = static_cast<std::size_t>(briefing.hands * briefing.fingers);

@@ -141,15 +141,13 @@ core::Result<SphereApexOperatorSettings> sphereApexOperatorSettings(std::string_
 core::Result<std::unique_ptr<mechanisms::HandStrategy>> makeSphereApexOperator(std::string_view name,
                                                                                std::uint64_t seed) {
     const auto settings = sphereApexOperatorSettings(name);
-    if (!settings)
-        return tl::unexpected(settings.error());
+    CHIRON_TRY(settings);
     return makeSphereApexOperator(*settings, seed);
 }
 
 core::Result<std::unique_ptr<mechanisms::HandStrategy>>
 makeSphereApexOperator(const SphereApexOperatorSettings& settings, std::uint64_t seed) {
-    if (auto checked = check(settings); !checked)
-        return tl::unexpected(checked.error());
+    CHIRON_TRY(check(settings));
     return std::make_unique<ScriptedTrainee>(settings, seed, makeTechnique(settings, seed));
 }
 

@@ -77,14 +77,12 @@ core::Result<std::unique_ptr<TouchedDome>> TouchedDome::make(const SphereApexPar
                                                              const std::vector<SphereApexTrial>& trials) {
     const MeshSource source = apexDomeSource(parameters);
     auto mesh = makeMesh(source);
-    if (!mesh)
-        return tl::unexpected(mesh.error());
+    CHIRON_TRY(mesh);
     std::unique_ptr<TouchedDome> dome(new TouchedDome);
     dome->m_mesh = std::move(*mesh);
     if (parameters.surface == ApexSurface::organ) {
         auto organ = makeOrgan(dome->m_mesh, parameters);
-        if (!organ)
-            return tl::unexpected(organ.error());
+        CHIRON_TRY(organ);
         dome->m_organ = std::move(*organ);
     }
     // The rim's vertices lean outwards, so only the plane is left from two edges before the rim.

@@ -136,15 +136,13 @@ core::Result<UrethraInsertionOperatorSettings> urethraInsertionOperatorSettings(
 
 core::Result<std::unique_ptr<mechanisms::HandStrategy>> makeUrethraInsertionOperator(std::string_view name, std::uint64_t seed) {
     const auto settings = urethraInsertionOperatorSettings(name);
-    if (!settings)
-        return tl::unexpected(settings.error());
+    CHIRON_TRY(settings);
     return makeUrethraInsertionOperator(*settings, seed);
 }
 
 core::Result<std::unique_ptr<mechanisms::HandStrategy>>
 makeUrethraInsertionOperator(const UrethraInsertionOperatorSettings& settings, std::uint64_t seed) {
-    if (auto checked = check(settings); !checked)
-        return tl::unexpected(checked.error());
+    CHIRON_TRY(check(settings));
     return std::make_unique<ScriptedEndoscopist>(settings, seed);
 }
 

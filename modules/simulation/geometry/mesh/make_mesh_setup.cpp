@@ -71,8 +71,7 @@ core::Result<MeshShape> makeMeshShape(const MeshSource& source) {
         return storedShape(source);
     case MeshSource::Shape::dome:
     case MeshSource::Shape::ellipsoid:
-        if (auto ok = checkGenerator(source); !ok)
-            return tl::unexpected(ok.error());
+        CHIRON_TRY(checkGenerator(source));
         return source.shape == MeshSource::Shape::dome ? domeShape(source) : ellipsoidShape(source);
     case MeshSource::Shape::none:
         break;
@@ -82,8 +81,7 @@ core::Result<MeshShape> makeMeshShape(const MeshSource& source) {
 
 core::Result<TriangleMesh> makeMesh(const MeshSource& source) {
     const core::Result<MeshShape> shape = makeMeshShape(source);
-    if (!shape)
-        return tl::unexpected(shape.error());
+    CHIRON_TRY(shape);
     return TriangleMesh::create(shape->vertices, shape->triangles);
 }
 

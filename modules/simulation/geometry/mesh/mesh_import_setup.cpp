@@ -110,11 +110,9 @@ MeshImport importMesh(MeshShape shape) {
 
 core::Result<MeshSource> storedMesh(const MeshShape& shape, std::string id) {
     const auto rounded = inMicrometres(shape);
-    if (!rounded)
-        return tl::unexpected(rounded.error());
+    CHIRON_TRY(rounded);
     const auto whole = makeMeshShape(*rounded);
-    if (!whole)
-        return tl::unexpected(whole.error());
+    CHIRON_TRY(whole);
     const MeshImport again = importMesh(*whole);
     for (const MeshFinding& finding : again.report.findings)
         if (!finding.repaired)

@@ -105,11 +105,9 @@ core::Result<TriangleMesh> TriangleMesh::create(std::span<const core::Vec3> vert
     if (triangles.empty() || triangles.size() > kMostTriangles)
         return core::fail(core::ErrorCode::badInput, std::to_string(triangles.size()) + " triangles, expected 4 to " +
                                                          std::to_string(kMostTriangles));
-    if (auto checked = checkNumbers(vertices, triangles); !checked)
-        return tl::unexpected(checked.error());
+    CHIRON_TRY(checkNumbers(vertices, triangles));
     std::vector<SurfaceTriangle> unsorted(triangles.size());
-    if (auto joined = join(triangles, unsorted); !joined) // errors name the caller's numbers
-        return tl::unexpected(joined.error());
+    CHIRON_TRY(join(triangles, unsorted)); // errors name the caller's numbers
     std::vector<std::array<core::Vec3, 3>> places;
     places.reserve(triangles.size());
     for (const Corners& t : triangles)

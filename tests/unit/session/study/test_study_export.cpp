@@ -51,12 +51,10 @@ struct Site {
             database::StudyRepository studies(context.connection(), actor);
             auto number = studies.createStudy(design.id, "Two", catalogue::studyJson(design).toStdString());
             if (number)
-                if (auto frozen = studies.freezeStudy(*number); !frozen)
-                    return tl::unexpected(frozen.error());
+                CHIRON_TRY(studies.freezeStudy(*number));
             for (const char* code : {"S_01", "S01"})
                 if (number)
-                    if (auto who = studies.enrolParticipant(*number, "", 0, "weber:0.12", code); !who)
-                        return tl::unexpected(who.error());
+                    CHIRON_TRY(studies.enrolParticipant(*number, "", 0, "weber:0.12", code));
             return number;
         });
         if (!made)
