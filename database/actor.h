@@ -12,11 +12,11 @@ using PersonId = std::int64_t;
 using SessionId = std::int64_t;
 
 enum class ActorKind : std::uint8_t {
-    anonymous,   ///< without a login: may log in, and read simulated sessions
-    simulated,   ///< the built-in account of scripted operators
+    anonymous, ///< without a login: may log in, and read simulated sessions
+    simulated, ///< the built-in account of scripted operators
     /// The program itself: recovers sessions that a crash left open, and does nothing else.
     maintenance,
-    person,      ///< a person who logged in
+    person, ///< a person who logged in
 };
 
 /// On whose behalf something is done. A person's actor can only come from a login. Its rights are looked up

@@ -16,8 +16,7 @@ namespace {
 
 std::string uniqueName() {
     // Qt's registry of connections is global, so the names must differ.
-    static std::atomic<unsigned long long> counter{
-        0};
+    static std::atomic<unsigned long long> counter{0};
     return "chiron-" + std::to_string(++counter);
 }
 

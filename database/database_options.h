@@ -17,8 +17,7 @@ struct DatabaseOptions {
     bool demonstration = false; ///< used only by create: marks the database and everything in it
     PasswordCost passwordCost = PasswordCost::production();
     /// Shared, because the throttles of every connection read it; null: SystemBootClock.
-    std::shared_ptr<const IBootClock>
-        clock;
+    std::shared_ptr<const IBootClock> clock;
 };
 
 /// Returns the site folder that belongs to a database file.

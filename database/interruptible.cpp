@@ -5,7 +5,8 @@
 
 namespace chiron::database {
 
-Interruptible::Interruptible(Connection& connection, const std::atomic<bool>* cancel) : m_connection(connection) {
+Interruptible::Interruptible(Connection& connection, const std::atomic<bool>* cancel)
+    : m_connection(connection) {
     constexpr int kAskEvery_instructions = 1000;
     if (cancel != nullptr) {
         sqlite3_progress_handler(

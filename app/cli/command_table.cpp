@@ -42,7 +42,9 @@ std::vector<CommandSpec> makeTable() {
 QString known(const std::vector<CommandSpec>& table, const QString& group) {
     QStringList names;
     for (const CommandSpec& command : table) {
-        const QString name = group.isEmpty() ? command.group : command.group == group ? command.verb : QString();
+        const QString name = group.isEmpty()          ? command.group
+                             : command.group == group ? command.verb
+                                                      : QString();
         if (!name.isEmpty() && !names.contains(name))
             names << name;
     }
@@ -50,7 +52,9 @@ QString known(const std::vector<CommandSpec>& table, const QString& group) {
 }
 
 bool takesTwo(const std::vector<CommandSpec>& table, const QString& group, const QString& word) {
-    return std::any_of(table.begin(), table.end(), [&](const CommandSpec& each) { return each.group == group && each.verb.startsWith(word + u' '); });
+    return std::any_of(table.begin(), table.end(), [&](const CommandSpec& each) {
+        return each.group == group && each.verb.startsWith(word + u' ');
+    });
 }
 
 } // namespace
@@ -63,7 +67,8 @@ const std::vector<CommandSpec>& commandTable() {
 core::Result<FoundCommand> findCommand(const QStringList& words) {
     const auto& table = commandTable();
     if (words.isEmpty())
-        return wrongUse(QStringLiteral("no command given; expected one of %1; see chiron-cli --help").arg(known(table, {})));
+        return wrongUse(QStringLiteral("no command given; expected one of %1; see chiron-cli --help")
+                            .arg(known(table, {})));
     bool groupExists = false;
     for (const CommandSpec& command : table) {
         if (command.group != words[0])
@@ -78,11 +83,14 @@ core::Result<FoundCommand> findCommand(const QStringList& words) {
     if (!groupExists)
         return wrongUse(QStringLiteral("command %1: unknown; expected one of %2; see chiron-cli --help")
                             .arg(quoted(words[0]), known(table, {})));
-    return wrongUse(QStringLiteral("%1: %2; expected one of %3; see chiron-cli %1 --help")
-                        .arg(words[0],
-                             words.size() > 1 ? QStringLiteral("%1 is not one of its commands").arg(quoted(words.mid(1, takesTwo(table, words[0], words[1]) ? 2 : 1).join(u' ')))
-                                              : QStringLiteral("needs a second word"),
-                             known(table, words[0])));
+    return wrongUse(
+        QStringLiteral("%1: %2; expected one of %3; see chiron-cli %1 --help")
+            .arg(words[0],
+                 words.size() > 1
+                     ? QStringLiteral("%1 is not one of its commands")
+                           .arg(quoted(words.mid(1, takesTwo(table, words[0], words[1]) ? 2 : 1).join(u' ')))
+                     : QStringLiteral("needs a second word"),
+                 known(table, words[0])));
 }
 
 } // namespace chiron::cli

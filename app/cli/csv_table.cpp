@@ -16,7 +16,9 @@ namespace {
 /// `next` to the line after them. Returns nothing if a quote is not closed. Quotes in a note (#) have no
 /// meaning.
 std::optional<QString> record(const QStringList& lines, qsizetype& next) {
-    const auto line = [&](qsizetype at) { return lines[at].endsWith(u'\r') ? lines[at].chopped(1) : lines[at]; };
+    const auto line = [&](qsizetype at) {
+        return lines[at].endsWith(u'\r') ? lines[at].chopped(1) : lines[at];
+    };
     QString whole = line(next++);
     qsizetype quotes = whole.count(u'"');
     while (quotes % 2 != 0 && !whole.startsWith(u'#')) {
@@ -50,7 +52,8 @@ QStringList split(const QString& line, QChar separator) {
 }
 
 bool saysNothing(const QStringList& cells) {
-    return cells[0].startsWith(u'#') || std::all_of(cells.begin(), cells.end(), [](const QString& cell) { return cell.isEmpty(); });
+    return cells[0].startsWith(u'#') ||
+           std::all_of(cells.begin(), cells.end(), [](const QString& cell) { return cell.isEmpty(); });
 }
 
 QChar separatorOf(const QString& heading) {
@@ -67,14 +70,19 @@ tl::unexpected<core::Error> at(const QString& path, int line, const QString& wha
 core::Result<void> add(CsvTable& table, const QStringList& cells, int line) {
     if (!table.header.isEmpty()) {
         if (cells.size() != table.header.size())
-            return at(table.name, line, QStringLiteral("%1 cells; expected %2 as in the heading").arg(cells.size()).arg(table.header.size()));
+            return at(table.name, line,
+                      QStringLiteral("%1 cells; expected %2 as in the heading")
+                          .arg(cells.size())
+                          .arg(table.header.size()));
         table.rows.push_back(cells);
         table.lines.push_back(line);
         return {};
     }
     for (const QString& heading : cells)
         if (heading.isEmpty() || cells.count(heading) > 1)
-            return at(table.name, line, QStringLiteral("heading %1: expected names that are not empty and each given once").arg(quoted(heading)));
+            return at(table.name, line,
+                      QStringLiteral("heading %1: expected names that are not empty and each given once")
+                          .arg(quoted(heading)));
     table.header = cells;
     table.headerLine = line;
     return {};
@@ -83,7 +91,9 @@ core::Result<void> add(CsvTable& table, const QStringList& cells, int line) {
 } // namespace
 
 tl::unexpected<core::Error> CsvTable::fault(std::size_t row, int column, const QString& expected) const {
-    return at(name, lines[row], QStringLiteral("column %1: %2: expected %3").arg(header[column], quoted(rows[row][column]), expected));
+    return at(name, lines[row],
+              QStringLiteral("column %1: %2: expected %3")
+                  .arg(header[column], quoted(rows[row][column]), expected));
 }
 
 core::Result<double> CsvTable::number(std::size_t row, int column) const {
@@ -91,8 +101,10 @@ core::Result<double> CsvTable::number(std::size_t row, int column) const {
     const QString lower = text.toLower();
     if (lower.isEmpty() || lower == u"na" || lower == u"n/a" || lower == u"nan")
         return std::numeric_limits<double>::quiet_NaN();
-    if (lower == u"inf" || lower == u"+inf" || lower == u"-inf" || lower == u"infinity" || lower == u"+infinity" || lower == u"-infinity")
-        return lower.startsWith(u'-') ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+    if (lower == u"inf" || lower == u"+inf" || lower == u"-inf" || lower == u"infinity" ||
+        lower == u"+infinity" || lower == u"-infinity")
+        return lower.startsWith(u'-') ? -std::numeric_limits<double>::infinity()
+                                      : std::numeric_limits<double>::infinity();
     bool ok = false;
     const double value = text.toDouble(&ok);
     if (!ok)
@@ -119,7 +131,8 @@ core::Result<CsvTable> parseCsvTable(QString text, const QString& path) {
         const int number = static_cast<int>(next) + 1;
         const auto line = record(lines, next);
         if (!line)
-            return at(path, number, QStringLiteral("a quote is not closed; expected \" before the file's end"));
+            return at(path, number,
+                      QStringLiteral("a quote is not closed; expected \" before the file's end"));
         if (table.header.isEmpty())
             separator = separatorOf(*line);
         const QStringList cells = split(*line, separator);
@@ -130,7 +143,8 @@ core::Result<CsvTable> parseCsvTable(QString text, const QString& path) {
     if (table.header.isEmpty())
         return at(path, 1, QStringLiteral("empty; expected a heading and rows"));
     if (table.rows.empty())
-        return at(path, static_cast<int>(lines.size()), QStringLiteral("no rows under the heading; expected at least one"));
+        return at(path, static_cast<int>(lines.size()),
+                  QStringLiteral("no rows under the heading; expected at least one"));
     return table;
 }
 

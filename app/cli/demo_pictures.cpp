@@ -15,21 +15,24 @@ namespace chiron::cli {
 
 namespace {
 
-const session::DemoResult* expertOf(const std::vector<session::DemoResult>& results, const std::string& exercise, int level) {
+const session::DemoResult* expertOf(const std::vector<session::DemoResult>& results,
+                                    const std::string& exercise, int level) {
     const auto found = std::find_if(results.begin(), results.end(), [&](const session::DemoResult& r) {
         return r.asked.exercise == exercise && r.asked.operatorName == "expert" && r.asked.level == level;
     });
     return found != results.end() ? &*found : nullptr;
 }
 
-void addValues(std::span<const scoring::MetricValue> metrics, const std::string& id, std::vector<double>& values) {
+void addValues(std::span<const scoring::MetricValue> metrics, const std::string& id,
+               std::vector<double>& values) {
     for (const scoring::MetricValue& metric : metrics)
         if (metric.id == id && metric.value)
             values.push_back(*metric.value);
 }
 
 /// The points of the plot are the trials of one level, or the levels.
-report::ComparisonData operatorsOf(const std::vector<session::DemoResult>& results, const std::string& exercise, const session::OperatorComparison& shown) {
+report::ComparisonData operatorsOf(const std::vector<session::DemoResult>& results,
+                                   const std::string& exercise, const session::OperatorComparison& shown) {
     report::ComparisonData data;
     data.title = QString::fromStdString(shown.title);
     data.metricName = QString::fromStdString(shown.metricName);
@@ -38,10 +41,12 @@ report::ComparisonData operatorsOf(const std::vector<session::DemoResult>& resul
     data.reference = shown.reference;
     data.referenceLabel = QString::fromStdString(shown.referenceLabel);
     for (const session::DemoResult& result : results) {
-        if (result.asked.exercise != exercise || result.person != "simulated" || (shown.level > 0 && result.asked.level != shown.level))
+        if (result.asked.exercise != exercise || result.person != "simulated" ||
+            (shown.level > 0 && result.asked.level != shown.level))
             continue;
         const QString name = QString::fromStdString(result.asked.operatorName);
-        auto group = std::find_if(data.groups.begin(), data.groups.end(), [&](const auto& g) { return g.name == name; });
+        auto group = std::find_if(data.groups.begin(), data.groups.end(),
+                                  [&](const auto& g) { return g.name == name; });
         if (group == data.groups.end())
             group = data.groups.insert(data.groups.end(), {name, {}});
         if (shown.level == 0)
@@ -63,8 +68,9 @@ core::Result<void> addComparison(DemoPictures& drawn, const QString& file, const
 }
 
 /// Draws the report of the session, and its plots if `plots` is true.
-core::Result<void> addReport(DemoPictures& drawn, database::Database& database, const session::DemoResult& shown,
-                             const QString& folder, const report::PlotTheme& theme, bool plots) {
+core::Result<void> addReport(DemoPictures& drawn, database::Database& database,
+                             const session::DemoResult& shown, const QString& folder,
+                             const report::PlotTheme& theme, bool plots) {
     auto connection = database.openReader();
     CHIRON_TRY(connection);
     const database::Actor actor = database::Actor::simulated();
@@ -84,9 +90,11 @@ core::Result<void> addReport(DemoPictures& drawn, database::Database& database, 
 }
 
 /// Draws the study's report as the demonstration's researcher, who owns the study.
-core::Result<void> addStudyReport(DemoPictures& drawn, database::Database& database, const session::DemoStudy& study, const QString& folder,
+core::Result<void> addStudyReport(DemoPictures& drawn, database::Database& database,
+                                  const session::DemoStudy& study, const QString& folder,
                                   const report::PlotTheme& theme) {
-    const auto author = database::AccountService(database).login(session::kDemoResearcher, session::kDemoPassword);
+    const auto author =
+        database::AccountService(database).login(session::kDemoResearcher, session::kDemoPassword);
     CHIRON_TRY(author);
     auto connection = database.openReader();
     CHIRON_TRY(connection);
@@ -108,13 +116,16 @@ std::vector<std::string> exercisesOf(const std::vector<session::DemoResult>& res
     return exercises;
 }
 
-core::Result<DemoPictures> drawDemo(database::Database& database, const session::DemoSite& made, const QString& folder) {
+core::Result<DemoPictures> drawDemo(database::Database& database, const session::DemoSite& made,
+                                    const QString& folder) {
     const std::vector<session::DemoResult>& results = made.sessions;
     DemoPictures drawn;
     const report::PlotTheme theme = report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom));
     if (!QDir().mkpath(folder))
         return core::fail(core::ErrorCode::storage, folder.toStdString() + ": the folder cannot be made");
-    const auto file = [&](const std::string& name) { return QDir(folder).filePath(QString::fromStdString(name)); };
+    const auto file = [&](const std::string& name) {
+        return QDir(folder).filePath(QString::fromStdString(name));
+    };
     struct Shown {
         std::string exercise;
         session::Demonstration how;
@@ -127,7 +138,8 @@ core::Result<DemoPictures> drawDemo(database::Database& database, const session:
     }
     for (const auto& [exercise, how] : exercises)
         if (how.comparison)
-            CHIRON_TRY(addComparison(drawn, file(how.comparison->file), operatorsOf(results, exercise, *how.comparison), theme));
+            CHIRON_TRY(addComparison(drawn, file(how.comparison->file),
+                                     operatorsOf(results, exercise, *how.comparison), theme));
     for (const auto& [exercise, how] : exercises)
         if (const auto* expert = how.report ? expertOf(results, exercise, how.report->level) : nullptr)
             CHIRON_TRY(addReport(drawn, database, *expert, folder, theme, how.report->plots));

@@ -21,6 +21,7 @@ std::vector<std::string> exercisesOf(const std::vector<session::DemoResult>& res
 
 /// Draws the pictures that each exercise offers for the demonstration (session::Demonstration), and the
 /// report of the study, into `folder`. Needs a QApplication.
-core::Result<DemoPictures> drawDemo(database::Database& database, const session::DemoSite& made, const QString& folder);
+core::Result<DemoPictures> drawDemo(database::Database& database, const session::DemoSite& made,
+                                    const QString& folder);
 
 } // namespace chiron::cli

@@ -22,7 +22,7 @@ struct FingertipCheck {
     mechanisms::FingertipVerification verification;
     std::vector<mechanisms::FingertipOnFinger> fingers; ///< the same checks on seven other fingers
     mechanisms::FingertipFriction friction;
-    double damping_Ns_per_m = 0.0;  ///< b + B in the formula of the stiffness cap
+    double damping_Ns_per_m = 0.0; ///< b + B in the formula of the stiffness cap
     double stiffnessCap_N_per_m = 0.0;
     std::vector<mechanisms::FingertipDegradation> degradation; ///< empty unless asked for
     mechanisms::FingertipArmVerification arm;

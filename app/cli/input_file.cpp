@@ -10,7 +10,9 @@
 
 namespace chiron::cli {
 
-core::Result<QByteArray> readInputFile(const QString& path, qint64 largestBytes) { return catalogue::readWholeFile(path, largestBytes); }
+core::Result<QByteArray> readInputFile(const QString& path, qint64 largestBytes) {
+    return catalogue::readWholeFile(path, largestBytes);
+}
 
 core::Result<QByteArray> readStandardInput(qint64 largestBytes) {
     QFile input;
@@ -25,7 +27,8 @@ core::Result<QByteArray> readStandardInput(qint64 largestBytes) {
         bytes += part;
     }
     if (input.error() != QFileDevice::NoError)
-        return badInput(QStringLiteral("stdin: broke off after %1 bytes: %2").arg(bytes.size()).arg(input.errorString()));
+        return badInput(
+            QStringLiteral("stdin: broke off after %1 bytes: %2").arg(bytes.size()).arg(input.errorString()));
     if (bytes.size() > largestBytes)
         return badInput(QStringLiteral("stdin: more than %1 bytes; expected at most that").arg(largestBytes));
     return bytes;

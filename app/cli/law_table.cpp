@@ -147,7 +147,8 @@ core::Result<std::vector<double>> readLawParameters(const core::LawDescription& 
                                 .arg(parameter->maximum)
                                 .arg(text(parameter->unit)));
         if (parameter->whole && value != std::floor(value))
-            return badInput(QStringLiteral("%1: $.%2: %3: expected a whole number").arg(path, it.key(), QString::number(value)));
+            return badInput(QStringLiteral("%1: $.%2: %3: expected a whole number")
+                                .arg(path, it.key(), QString::number(value)));
     }
     std::vector<double> values;
     for (const core::LawParameter& parameter : law.parameters)
@@ -169,7 +170,10 @@ core::Result<LawTable> readLawTable(const core::LawDescription& law, const QByte
     const auto order = readHeader(law, lines[0].split(','), name);
     CHIRON_TRY(order);
     if (!csv.endsWith('\n'))
-        return badInput(QStringLiteral("%1:%2: the last line has no line feed: expected one after every row, or the table was cut off").arg(name).arg(lines.size()));
+        return badInput(QStringLiteral("%1:%2: the last line has no line feed: expected one after every row, "
+                                       "or the table was cut off")
+                            .arg(name)
+                            .arg(lines.size()));
     LawTable table;
     for (qsizetype i = 1; i < lines.size(); ++i) {
         auto row = readRow(lines[i].split(','), *order, name, i + 1);
@@ -179,19 +183,25 @@ core::Result<LawTable> readLawTable(const core::LawDescription& law, const QByte
     return table;
 }
 
-core::Result<std::vector<std::vector<double>>> evaluateLaw(const core::LawDescription& law, const std::vector<double>& parameters,
+core::Result<std::vector<std::vector<double>>> evaluateLaw(const core::LawDescription& law,
+                                                           const std::vector<double>& parameters,
                                                            const LawTable& table, const QString& name) {
     std::vector<std::vector<double>> results;
     results.reserve(table.rows.size());
     for (const std::vector<double>& row : table.rows) {
-        const auto refuse = [&](const QString& why) { return badInput(QStringLiteral("%1:%2: %3").arg(name).arg(results.size() + 2).arg(why)); };
-        if (const std::string problem = law.problem ? law.problem(parameters, row) : std::string(); !problem.empty())
+        const auto refuse = [&](const QString& why) {
+            return badInput(QStringLiteral("%1:%2: %3").arg(name).arg(results.size() + 2).arg(why));
+        };
+        if (const std::string problem = law.problem ? law.problem(parameters, row) : std::string();
+            !problem.empty())
             return refuse(QString::fromStdString(problem));
         std::vector<double> values(law.outputs.size(), 0.0);
         law.evaluate(parameters, row, values);
         for (std::size_t i = 0; i < values.size(); ++i)
             if (!std::isfinite(values[i]))
-                return refuse(QStringLiteral("%1 is no finite number: expected inputs of a size that the law can answer").arg(text(law.outputs[i].name)));
+                return refuse(QStringLiteral(
+                                  "%1 is no finite number: expected inputs of a size that the law can answer")
+                                  .arg(text(law.outputs[i].name)));
         results.push_back(std::move(values));
     }
     return results;

@@ -34,7 +34,8 @@ core::Result<LawTable> readLawTable(const core::LawDescription& law, const QByte
 /// The outputs of the law, one row per input row.
 /// Errors: badInput with name and line of the first row for which the law does not hold or returns a number
 ///   that is not finite.
-core::Result<std::vector<std::vector<double>>> evaluateLaw(const core::LawDescription& law, const std::vector<double>& parameters,
+core::Result<std::vector<std::vector<double>>> evaluateLaw(const core::LawDescription& law,
+                                                           const std::vector<double>& parameters,
                                                            const LawTable& table, const QString& name);
 
 } // namespace chiron::cli

@@ -40,7 +40,10 @@ int printHelp(const QString& text, bool json) {
 /// Prints the version of the program and its build id, which identifies the compiler and the models id.
 int printVersion(bool json) {
     const QString build = QString::fromStdString(core::buildId()), version = build.section(u' ', 0, 0);
-    return print(json ? QJsonDocument(QJsonObject{{QStringLiteral("program"), QJsonObject{{QStringLiteral("version"), version}, {QStringLiteral("build"), build}}}}).toJson()
+    return print(json ? QJsonDocument(QJsonObject{{QStringLiteral("program"),
+                                                   QJsonObject{{QStringLiteral("version"), version},
+                                                               {QStringLiteral("build"), build}}}})
+                            .toJson()
                       : QStringLiteral("chiron-cli %1 (%2)\n").arg(version, build).toUtf8(),
                  0);
 }
@@ -110,7 +113,8 @@ int runProgram(const QStringList& given) {
     if (first == QLatin1String("--help") || first == QLatin1String("-h") || first == QLatin1String("help") ||
         (first == QLatin1String("--json") && arguments.value(1) == QLatin1String("--help")))
         return printHelp(overallHelp(), json);
-    if (first == QLatin1String("--version") || first == QLatin1String("version") || (first == QLatin1String("--json") && arguments.value(1) == QLatin1String("--version")))
+    if (first == QLatin1String("--version") || first == QLatin1String("version") ||
+        (first == QLatin1String("--json") && arguments.value(1) == QLatin1String("--version")))
         return printVersion(json);
     if (isGroup(first) &&
         (arguments.value(1) == QLatin1String("--help") || arguments.value(1) == QLatin1String("-h")))

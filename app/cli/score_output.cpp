@@ -27,10 +27,10 @@ QJsonArray trialsJson(const scoring::ScoreCard& card, const std::vector<TrialEnd
             trial[QStringLiteral("marked")] = ending.marked;
             trial[QStringLiteral("timed_out")] = ending.timedOut;
             trial[QStringLiteral("failed")] = ending.failed;
-            trial[QStringLiteral("flag")] = ending.marked   ? QJsonValue()
+            trial[QStringLiteral("flag")] = ending.marked       ? QJsonValue()
                                             : ending.unfinished ? QJsonValue(QStringLiteral("unfinished"))
-                                            : ending.failed ? QJsonValue(QStringLiteral("failed"))
-                                                            : QJsonValue(QStringLiteral("no_mark"));
+                                            : ending.failed     ? QJsonValue(QStringLiteral("failed"))
+                                                                : QJsonValue(QStringLiteral("no_mark"));
         }
         trials.append(trial);
     }
@@ -82,7 +82,8 @@ QString scoreText(const ScoreView& view) {
     return QStringLiteral("session %1: %2, %3, %4\n\n")
                .arg(view.sessionId)
                .arg(view.state, view.card.passed ? QStringLiteral("passed") : QStringLiteral("not passed"))
-               .arg(view.card.trials.size() == 1 ? QStringLiteral("1 trial") : QStringLiteral("%1 trials").arg(view.card.trials.size())) +
+               .arg(view.card.trials.size() == 1 ? QStringLiteral("1 trial")
+                                                 : QStringLiteral("%1 trials").arg(view.card.trials.size())) +
            metricsText(view.card.metrics) + flaggedText(view.trials);
 }
 

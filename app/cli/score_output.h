@@ -16,7 +16,7 @@ struct TrialEnding {
     bool marked = false; ///< true also if the trial's procedure was completed; if false, the last position is
                          ///< scored and the trial is flagged
     bool timedOut = false;
-    bool failed = false; ///< the trial could not be continued (the object tore)
+    bool failed = false;     ///< the trial could not be continued (the object tore)
     bool unfinished = false; ///< the trial had no end and is not part of any score
 };
 

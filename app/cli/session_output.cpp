@@ -3,8 +3,8 @@
 
 #include "catalogue/catalogue.h"
 #include "database/repositories/score_repository.h"
-#include "devices/kinematics_catalogue.h"
 #include "database/repositories/session_reader.h"
+#include "devices/kinematics_catalogue.h"
 #include "report/report_text.h"
 #include "session/person_json.h"
 #include "session/session_setup.h"
@@ -18,9 +18,13 @@ namespace chiron::cli {
 
 namespace {
 
-QString text(const std::string& words) { return QString::fromStdString(words); }
+QString text(const std::string& words) {
+    return QString::fromStdString(words);
+}
 
-QJsonObject parsed(const std::string& json) { return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object(); }
+QJsonObject parsed(const std::string& json) {
+    return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
+}
 
 /// The devices of the session, one entry per tool: driver, model, and how a gimbal's force was converted to
 /// torques.
@@ -31,11 +35,16 @@ QJsonArray devicesJson(const database::SessionRecord& record) {
         return list; // the set-up has another version; everything else is still shown
     for (std::size_t tool = 0; tool < setup->devices.size(); ++tool) {
         const devices::DeviceDescriptor& device = setup->devices[tool];
-        QJsonObject entry{{"driver", text(device.driver)}, {"model", text(device.model)}, {"kinematics", text(device.kinematics)}};
-        if (const devices::KinematicsEntry* kinematics = devices::findKinematics(device.kinematics); kinematics && kinematics->mapOf)
-            entry.insert("force_map", kinematics->mapOf(device) == mechanisms::PolarMap::exact ? "exact" : "as-published");
+        QJsonObject entry{{"driver", text(device.driver)},
+                          {"model", text(device.model)},
+                          {"kinematics", text(device.kinematics)}};
+        if (const devices::KinematicsEntry* kinematics = devices::findKinematics(device.kinematics);
+            kinematics && kinematics->mapOf)
+            entry.insert("force_map",
+                         kinematics->mapOf(device) == mechanisms::PolarMap::exact ? "exact" : "as-published");
         if (const devices::WorkspaceMapping& mapping = setup->mappings[tool]; mapping.turned())
-            entry.insert("base_turn", QJsonArray{mapping.q_WD[0], mapping.q_WD[1], mapping.q_WD[2], mapping.q_WD[3]}); // w, x, y, z
+            entry.insert("base_turn", QJsonArray{mapping.q_WD[0], mapping.q_WD[1], mapping.q_WD[2],
+                                                 mapping.q_WD[3]}); // w, x, y, z
         list.append(entry);
     }
     return list;
@@ -44,7 +53,9 @@ QJsonArray devicesJson(const database::SessionRecord& record) {
 /// The quantity to which the tissue gave way.
 QJsonObject causeJson(const simulation::YieldLaw& law, const database::EventRecord& event) {
     const session::YieldCause cause = session::yieldCauseOf(law, event.detailJson);
-    return {{"quantity", cause.byTorque ? "torque" : "force"}, {"value", cause.value}, {"unit", cause.byTorque ? "mN·m" : "N"}};
+    return {{"quantity", cause.byTorque ? "torque" : "force"},
+            {"value", cause.value},
+            {"unit", cause.byTorque ? "mN·m" : "N"}};
 }
 
 } // namespace
@@ -72,8 +83,8 @@ core::Result<ScoreView> viewOf(database::Connection& connection, const database:
     const bool leavesOut = setup && setup->scoring == session::ScoringRule::finishedTrials;
     for (const database::TrialRecord& trial : *trials) {
         const std::string_view ended = database::token(trial.state);
-        view.trials.push_back({QString::fromUtf8(ended.data(), qsizetype(ended.size())), trial.marked, trial.timedOut,
-                               parsed(trial.sceneJson)["failed"].toBool(),
+        view.trials.push_back({QString::fromUtf8(ended.data(), qsizetype(ended.size())), trial.marked,
+                               trial.timedOut, parsed(trial.sceneJson)["failed"].toBool(),
                                leavesOut && trial.state != database::SessionState::completed});
     }
     return view;
@@ -81,23 +92,24 @@ core::Result<ScoreView> viewOf(database::Connection& connection, const database:
 
 QJsonObject summaryJson(const database::SessionSummary& summary) {
     const std::string_view state = database::token(summary.state);
-    return {{"session_id", static_cast<double>(summary.id)},
-            {"person", text(summary.personName)},
-            {"exercise", text(summary.exercise)},
-            {"level", summary.level},
-            {"attempt", summary.attempt > 0 ? QJsonValue(summary.attempt) : QJsonValue()},
-            {"operator", text(summary.operatorName)},
-            {"state", QString::fromUtf8(state.data(), qsizetype(state.size()))},
-            {"passed", summary.passed ? QJsonValue(*summary.passed) : QJsonValue()},
-            {"started_utc", text(summary.startedUtc)},
-            {"utc_offset_min", summary.utcOffset_min},
-            {"device_class", summary.felt ? "felt" : "shown"},
-            {"familiarisation", summary.familiarisation},
-            {"demonstration", summary.demonstration},
-            {"archived", summary.archived},
-            {"sealed", summary.sealed},
-            {"frames", summary.sealed ? QJsonValue() : QJsonValue(static_cast<double>(summary.frames))},
-            {"bytes", summary.sealed ? QJsonValue() : QJsonValue(static_cast<double>(summary.recordingBytes))}};
+    return {
+        {"session_id", static_cast<double>(summary.id)},
+        {"person", text(summary.personName)},
+        {"exercise", text(summary.exercise)},
+        {"level", summary.level},
+        {"attempt", summary.attempt > 0 ? QJsonValue(summary.attempt) : QJsonValue()},
+        {"operator", text(summary.operatorName)},
+        {"state", QString::fromUtf8(state.data(), qsizetype(state.size()))},
+        {"passed", summary.passed ? QJsonValue(*summary.passed) : QJsonValue()},
+        {"started_utc", text(summary.startedUtc)},
+        {"utc_offset_min", summary.utcOffset_min},
+        {"device_class", summary.felt ? "felt" : "shown"},
+        {"familiarisation", summary.familiarisation},
+        {"demonstration", summary.demonstration},
+        {"archived", summary.archived},
+        {"sealed", summary.sealed},
+        {"frames", summary.sealed ? QJsonValue() : QJsonValue(static_cast<double>(summary.frames))},
+        {"bytes", summary.sealed ? QJsonValue() : QJsonValue(static_cast<double>(summary.recordingBytes))}};
 }
 
 QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& record) {
@@ -121,7 +133,8 @@ QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& re
     return json;
 }
 
-core::Result<QJsonArray> eventsJson(database::Connection& connection, const database::Actor& actor, const database::SessionRecord& record) {
+core::Result<QJsonArray> eventsJson(database::Connection& connection, const database::Actor& actor,
+                                    const database::SessionRecord& record) {
     auto events = database::SessionReader(connection, actor).events(record.summary.id);
     CHIRON_TRY(events);
     const auto setup = session::setupFromStored(record.setup);
@@ -144,7 +157,9 @@ QJsonArray yieldsOf(const QJsonArray& events) {
     QJsonArray yields;
     for (const QJsonValue event : events)
         if (event["kind"].toString() == QLatin1String("tissue_yielded")) {
-            QJsonObject json{{"trial", event["detail"]["trial"].toInt() + 1}, {"tool", event["tool"]}, {"time_s", event["time_s"]}};
+            QJsonObject json{{"trial", event["detail"]["trial"].toInt() + 1},
+                             {"tool", event["tool"]},
+                             {"time_s", event["time_s"]}};
             if (!event["gave_way_to"].isUndefined())
                 json.insert("gave_way_to", event["gave_way_to"]);
             yields.append(json);
@@ -156,9 +171,15 @@ QString yieldsText(const QJsonArray& yields) {
     QString lines;
     for (const QJsonValue yield : yields) {
         const QJsonValue cause = yield["gave_way_to"];
-        lines += QStringLiteral("tissue gave way: trial %1, tool %2, at %3 s").arg(yield["trial"].toInt()).arg(yield["tool"].toInt() + 1).arg(yield["time_s"].toDouble(), 0, 'f', 3);
+        lines += QStringLiteral("tissue gave way: trial %1, tool %2, at %3 s")
+                     .arg(yield["trial"].toInt())
+                     .arg(yield["tool"].toInt() + 1)
+                     .arg(yield["time_s"].toDouble(), 0, 'f', 3);
         if (!cause.isUndefined())
-            lines += QStringLiteral(", %1 %2 %3").arg(cause["quantity"].toString(), report::formatNumber(cause["value"].toDouble(), QLocale::c()), cause["unit"].toString());
+            lines += QStringLiteral(", %1 %2 %3")
+                         .arg(cause["quantity"].toString(),
+                              report::formatNumber(cause["value"].toDouble(), QLocale::c()),
+                              cause["unit"].toString());
         lines += QLatin1Char('\n');
     }
     return lines.isEmpty() ? lines : QLatin1Char('\n') + lines;
@@ -168,7 +189,8 @@ QString decisionsText(const std::vector<database::SessionDecision>& decisions) {
     QString lines;
     for (const database::SessionDecision& decision : decisions)
         lines += QStringLiteral("%1 on %2 by person %3: %4\n")
-                     .arg(decision.voiding ? QStringLiteral("voided") : QStringLiteral("counted again"), text(decision.utc))
+                     .arg(decision.voiding ? QStringLiteral("voided") : QStringLiteral("counted again"),
+                          text(decision.utc))
                      .arg(decision.person)
                      .arg(decision.reason.empty() ? QStringLiteral("(erased)") : text(decision.reason));
     return lines.isEmpty() ? lines : QLatin1Char('\n') + lines;

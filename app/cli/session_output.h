@@ -20,7 +20,8 @@ QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& re
 /// The events of a session: [{tick, time_s, tool, kind, detail}]. Events of tissue that gave way also have
 /// `gave_way_to` {quantity, value, unit}, the force or the torque that made it give way.
 /// Errors: those of the reader.
-core::Result<QJsonArray> eventsJson(database::Connection& connection, const database::Actor& actor, const database::SessionRecord& record);
+core::Result<QJsonArray> eventsJson(database::Connection& connection, const database::Actor& actor,
+                                    const database::SessionRecord& record);
 
 /// The events of tissue that gave way: [{trial, tool, time_s, gave_way_to}]. Trials count from 1, tools from
 /// 0.

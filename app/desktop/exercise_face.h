@@ -45,21 +45,26 @@ public:
 
     /// The picture of a level in the selection screens; null if the exercise offers none of its levels for
     /// training.
-    virtual std::unique_ptr<LevelPicture> picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const = 0;
+    virtual std::unique_ptr<LevelPicture> picture(const catalogue::ExerciseLevel& level,
+                                                  const PictureFrame& frame) const = 0;
     /// Facts about a level to read before starting it, one per line; empty if the level's objective says
     /// everything.
     virtual QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const = 0;
 
     /// The depth of field of the instrument's camera; empty if the instrument has none.
-    virtual std::optional<DepthOfField> depthOfField(const catalogue::ExerciseLevel&) const { return std::nullopt; }
+    virtual std::optional<DepthOfField> depthOfField(const catalogue::ExerciseLevel&) const {
+        return std::nullopt;
+    }
     /// The part of the training screen that is specific to this exercise; never null. `level` outlives it.
-    virtual std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const = 0;
+    virtual std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level,
+                                               LiveSurroundings around) const = 0;
     /// Judges a trial at its end if its answer is more than one mark; null if it is one mark.
     virtual std::unique_ptr<FoundAnswer> foundAnswer() const { return nullptr; }
 
     /// The feedback on a mark, on a level that gives feedback; `truth` belongs to the mark's trial. The
     /// default text says only that the mark was taken.
-    virtual QString markWords(const session::TrialObject& /*truth*/, const session::LiveSample& /*at*/, const QLocale&) const {
+    virtual QString markWords(const session::TrialObject& /*truth*/, const session::LiveSample& /*at*/,
+                              const QLocale&) const {
         return AnswerTexts::tr("Marked");
     }
 
@@ -69,11 +74,13 @@ public:
     virtual QString debriefEmpty() const = 0;
     /// Reads the exercise's part of a debrief from a session of `level`, which is a level of this exercise.
     /// Thread: any.
-    virtual DebriefReading readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const = 0;
+    virtual DebriefReading readDebrief(const catalogue::ExerciseLevel& level,
+                                       const scoring::SessionTrace& trace) const = 0;
 
     /// Adds to a playback what is specific to this exercise; never null.
     /// Thread: any.
-    virtual std::unique_ptr<PlaybackLayer> playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace& trace) const = 0;
+    virtual std::unique_ptr<PlaybackLayer> playbackLayer(const session::SessionSetup& setup,
+                                                         const scoring::SessionTrace& trace) const = 0;
 
     /// The part of a person's results that is specific to this exercise; null if there is none. The caller's
     /// layout owns it.

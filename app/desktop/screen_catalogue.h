@@ -15,8 +15,8 @@ class Screen;
 /// One entry per screen: its title, the roles that find it in the navigation, and its constructor.
 struct ScreenEntry {
     const char* id;
-    const char* title; ///< source text in context "Screens"; translated when shown
-    const char* icon;  ///< Breeze name
+    const char* title;                 ///< source text in context "Screens"; translated when shown
+    const char* icon;                  ///< Breeze name
     std::vector<database::Role> roles; ///< roles whose navigation shows it; empty: none
     bool framed = true;                ///< false: it fills the whole window (login, first start)
     Screen* (*make)(AppContext& context, const Place& place);

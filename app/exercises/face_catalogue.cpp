@@ -20,15 +20,16 @@ core::Result<const ExerciseFace*> exerciseFace(std::string_view id) {
     static const ObjectHandlingFace objectHandling;
     static const PalpationFace palpation;
     static const ComparisonFace comparison; // used by studies only
-    static const auto faces =
-        std::to_array<const ExerciseFace*>({&sphereApex, &urethraInsertion, &elasticTube, &objectHandling, &palpation, &comparison});
+    static const auto faces = std::to_array<const ExerciseFace*>(
+        {&sphereApex, &urethraInsertion, &elasticTube, &objectHandling, &palpation, &comparison});
     std::string known;
     for (const ExerciseFace* face : faces) {
         if (face->id() == id)
             return face;
         known += (known.empty() ? "" : ", ") + std::string(face->id());
     }
-    return core::fail(core::ErrorCode::notFound, "exercise \"" + std::string(id) + "\": expected one of " + known);
+    return core::fail(core::ErrorCode::notFound,
+                      "exercise \"" + std::string(id) + "\": expected one of " + known);
 }
 
 } // namespace chiron::desktop

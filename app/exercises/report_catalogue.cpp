@@ -19,7 +19,8 @@ namespace chiron::session_report {
 
 namespace {
 
-using MakeSection = std::shared_ptr<const report::ReportSection> (*)(const scoring::SessionTrace&, const catalogue::ExerciseLevel&);
+using MakeSection = std::shared_ptr<const report::ReportSection> (*)(const scoring::SessionTrace&,
+                                                                     const catalogue::ExerciseLevel&);
 using NameTool = QString (*)(const catalogue::ExerciseLevel&, int tool, int tools);
 
 struct ReportLine {
@@ -29,7 +30,9 @@ struct ReportLine {
     NameTool tool;
 };
 
-QString instrumentOf(const catalogue::ExerciseLevel&, int tool, int tools) { return instrumentName(tool, tools); }
+QString instrumentOf(const catalogue::ExerciseLevel&, int tool, int tools) {
+    return instrumentName(tool, tools);
+}
 
 constexpr std::array kReportCatalogue{
     ReportLine{"sphere_apex", &apexSectionOf, &apexEnds, &instrumentOf},
@@ -42,13 +45,16 @@ constexpr std::array kReportCatalogue{
 };
 
 const ReportLine* lineOf(std::string_view exercise) {
-    const auto* found = std::find_if(kReportCatalogue.begin(), kReportCatalogue.end(), [exercise](const ReportLine& line) { return exercise == line.exercise; });
+    const auto* found =
+        std::find_if(kReportCatalogue.begin(), kReportCatalogue.end(),
+                     [exercise](const ReportLine& line) { return exercise == line.exercise; });
     return found == kReportCatalogue.end() ? nullptr : found;
 }
 
 } // namespace
 
-std::shared_ptr<const report::ReportSection> exerciseSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
+std::shared_ptr<const report::ReportSection> exerciseSectionOf(const scoring::SessionTrace& trace,
+                                                               const catalogue::ExerciseLevel& level) {
     const ReportLine* line = lineOf(level.exercise);
     return line && line->section ? line->section(trace, level) : nullptr;
 }

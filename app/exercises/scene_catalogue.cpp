@@ -4,10 +4,10 @@
 #include "app/exercises/elastic_tube/scene/tube_content.h"
 #include "app/exercises/object_handling/scene/handling_content.h"
 #include "app/exercises/palpation/scene/palpation_content.h"
-#include "desktop/scene3d/plugin/scene_content.h"
-#include "desktop/scene3d/plugin/scene_stage.h"
 #include "app/exercises/sphere_apex/scene/apex_content.h"
 #include "app/exercises/urethra_insertion/scene/endoscope_stage.h"
+#include "desktop/scene3d/plugin/scene_content.h"
+#include "desktop/scene3d/plugin/scene_stage.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <array>
@@ -42,16 +42,12 @@ template <class Parameters> bool fits(const SceneSetup& setup) {
 }
 
 constexpr std::array kCatalogue{
-    Line{"sphere_apex", &stage<SceneStage>, &content<ApexContent>,
-         &fits<simulation::SphereApexParameters>},
-    Line{"elastic_tube", &stage<SceneStage>, &content<TubeContent>,
-         &fits<simulation::ElasticTubeParameters>},
+    Line{"sphere_apex", &stage<SceneStage>, &content<ApexContent>, &fits<simulation::SphereApexParameters>},
+    Line{"elastic_tube", &stage<SceneStage>, &content<TubeContent>, &fits<simulation::ElasticTubeParameters>},
     Line{"object_handling", &stage<SceneStage>, &content<HandlingContent>,
          &fits<simulation::ObjectHandlingParameters>},
-    Line{"palpation", &stage<SceneStage>, &content<PalpationContent>,
-         &fits<simulation::PalpationParameters>},
-    Line{"urethra_insertion", &stage<EndoscopeStage>, nullptr,
-         &fits<simulation::UrethraInsertionParameters>},
+    Line{"palpation", &stage<SceneStage>, &content<PalpationContent>, &fits<simulation::PalpationParameters>},
+    Line{"urethra_insertion", &stage<EndoscopeStage>, nullptr, &fits<simulation::UrethraInsertionParameters>},
 };
 
 const Line* find(const SceneSetup& setup) {

@@ -19,8 +19,8 @@ std::span<const ExerciseKind* const> exerciseKinds() {
     static const ObjectHandlingKind objectHandling;
     static const PalpationKind palpation;
     static const ComparisonKind comparison; // used by studies only
-    static const auto kinds =
-        std::to_array<const ExerciseKind*>({&sphereApex, &urethraInsertion, &elasticTube, &objectHandling, &palpation, &comparison});
+    static const auto kinds = std::to_array<const ExerciseKind*>(
+        {&sphereApex, &urethraInsertion, &elasticTube, &objectHandling, &palpation, &comparison});
     return kinds;
 }
 

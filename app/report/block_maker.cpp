@@ -15,7 +15,8 @@ constexpr double kBody = 12.5;
 constexpr double kPlotGap = 8.0;
 } // namespace
 
-void BlockMaker::add(double height, double gap, std::function<void(QCPPainter&, const QRectF&)> paint, bool keep, int header) {
+void BlockMaker::add(double height, double gap, std::function<void(QCPPainter&, const QRectF&)> paint,
+                     bool keep, int header) {
     m_blocks.push_back({height, gap, keep, header, std::move(paint)});
 }
 
@@ -41,7 +42,9 @@ void BlockMaker::addNotice(const QString& words) {
 }
 
 void BlockMaker::addText(const QString& words, const QFont& font, const QColor& ink, double gap) {
-    add(textHeight(words, font, m_width), gap, [=](QCPPainter& p, const QRectF& box) { drawText(p, box, words, {font, ink}); });
+    add(textHeight(words, font, m_width), gap, [=](QCPPainter& p, const QRectF& box) {
+        drawText(p, box, words, {font, ink});
+    });
 }
 
 void BlockMaker::addPairs(const std::vector<std::pair<QString, QString>>& pairs, int columns) {
@@ -78,7 +81,8 @@ void BlockMaker::addPlotRow(std::vector<std::unique_ptr<PlotView>> row, double h
         const auto count = static_cast<double>(views.size());
         const double width = (box.width() - kPlotGap * (count - 1.0)) / count;
         for (std::size_t i = 0; i < views.size(); ++i)
-            views[i]->paintTo(p, QRectF(box.left() + static_cast<double>(i) * (width + kPlotGap), box.top(), width, box.height()));
+            views[i]->paintTo(p, QRectF(box.left() + static_cast<double>(i) * (width + kPlotGap), box.top(),
+                                        width, box.height()));
     });
 }
 

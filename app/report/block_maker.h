@@ -24,7 +24,8 @@ public:
     const std::vector<Block>& blocks() const { return m_blocks; }
     const PlotTheme& theme() const { return m_theme; }
 
-    void add(double height, double gap, std::function<void(QCPPainter&, const QRectF&)> paint, bool keep = false, int header = -1);
+    void add(double height, double gap, std::function<void(QCPPainter&, const QRectF&)> paint,
+             bool keep = false, int header = -1);
     void addHeading(const QString& text);
     /// Text in a frame, for facts that the reader must know before anything else.
     void addNotice(const QString& text);

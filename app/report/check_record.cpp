@@ -32,7 +32,8 @@ constexpr double kWidth = kPageWidth - 2 * kSide;
 /// pages.
 class Pages {
 public:
-    Pages(QPagedPaintDevice& device, QCPPainter& painter, const CheckRecord& record, const PlotTheme& theme, int count)
+    Pages(QPagedPaintDevice& device, QCPPainter& painter, const CheckRecord& record, const PlotTheme& theme,
+          int count)
         : m_device(device), m_painter(painter), m_record(record), m_theme(theme), m_count(count) {
         begin();
     }
@@ -54,7 +55,9 @@ public:
         m_y += height;
     }
     void text(const QString& words, const QFont& font, const QColor& ink, double after) {
-        put(textHeight(words, font, kWidth), [&](const QRectF& box) { drawText(m_painter, box, words, {font, ink}); });
+        put(textHeight(words, font, kWidth), [&](const QRectF& box) {
+            drawText(m_painter, box, words, {font, ink});
+        });
         m_y += after;
     }
     bool whole() const { return m_whole; }
@@ -69,9 +72,12 @@ private:
         const double pixel = m_device.logicalDpiX() / 96.0;
         m_painter.resetTransform();
         m_painter.scale(pixel, pixel);
-        const QString number = QCoreApplication::translate("CheckRecord", "Page %1 of %2").arg(m_page).arg(m_count);
-        const QString foot = m_record.foot.isEmpty() ? number : m_record.foot + QStringLiteral("  ·  ") + number;
-        drawText(m_painter, QRectF(kSide, kPageHeight - kFoot, kWidth, kFoot), foot, {m_theme.font(9), m_theme.muted});
+        const QString number =
+            QCoreApplication::translate("CheckRecord", "Page %1 of %2").arg(m_page).arg(m_count);
+        const QString foot =
+            m_record.foot.isEmpty() ? number : m_record.foot + QStringLiteral("  ·  ") + number;
+        drawText(m_painter, QRectF(kSide, kPageHeight - kFoot, kWidth, kFoot), foot,
+                 {m_theme.font(9), m_theme.muted});
     }
 
     QPagedPaintDevice& m_device;
@@ -88,10 +94,13 @@ private:
 void putHead(Pages& pages, QCPPainter& painter, const CheckRecord& record, const PlotTheme& theme) {
     const QFont font = theme.font(10);
     for (const auto& [name, value] : record.head) {
-        const double height = std::max(textHeight(name, font, kNameWidth - 8), textHeight(value, font, kWidth - kNameWidth));
+        const double height =
+            std::max(textHeight(name, font, kNameWidth - 8), textHeight(value, font, kWidth - kNameWidth));
         pages.put(height + 2, [&](const QRectF& box) {
-            drawText(painter, QRectF(box.left(), box.top(), kNameWidth - 8, height), name, {font, theme.muted});
-            drawText(painter, QRectF(box.left() + kNameWidth, box.top(), kWidth - kNameWidth, height), value, {font, theme.ink});
+            drawText(painter, QRectF(box.left(), box.top(), kNameWidth - 8, height), name,
+                     {font, theme.muted});
+            drawText(painter, QRectF(box.left() + kNameWidth, box.top(), kWidth - kNameWidth, height), value,
+                     {font, theme.ink});
         });
     }
     if (!record.head.empty())
@@ -111,7 +120,10 @@ void putTable(Pages& pages, QCPPainter& painter, const CheckTable& table, const 
             height = std::max(height, textHeight(cell, font, width - 8));
         pages.put(height + 6, [&](const QRectF& box) {
             for (qsizetype i = 0; i < cells.size(); ++i)
-                drawText(painter, QRectF(box.left() + static_cast<double>(i) * width, box.top() + 2, width - 8, height), cells[i], {font, theme.ink});
+                drawText(
+                    painter,
+                    QRectF(box.left() + static_cast<double>(i) * width, box.top() + 2, width - 8, height),
+                    cells[i], {font, theme.ink});
             painter.setPen(QPen(theme.rule, 0.8));
             painter.drawLine(box.bottomLeft(), box.bottomRight());
         });

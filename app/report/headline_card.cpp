@@ -76,7 +76,8 @@ void paintHeadlineCard(QCPPainter& p, const QRectF& box, const MetricRow& row, c
         // Long words get a smaller font before they are elided: a pass mark without its number says nothing.
         QFont fitting = font;
         constexpr double kSmallest_px = 8.0;
-        while (QFontMetricsF(fitting).horizontalAdvance(words) > inner.width() && fitting.pixelSize() > kSmallest_px)
+        while (QFontMetricsF(fitting).horizontalAdvance(words) > inner.width() &&
+               fitting.pixelSize() > kSmallest_px)
             fitting.setPixelSize(fitting.pixelSize() - 1);
         p.setFont(fitting);
         p.setPen(ink);

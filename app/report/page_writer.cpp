@@ -31,13 +31,15 @@ void paintHeader(QCPPainter& p, const PageFrame& frame, const PlotTheme& theme) 
     p.setPen(theme.accent);
     p.setFont(theme.font(16, true));
     p.drawText(box, Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("Chiron"));
-    const double besideName = QFontMetricsF(theme.font(16, true)).horizontalAdvance(QStringLiteral("Chiron")) + 14;
+    const double besideName =
+        QFontMetricsF(theme.font(16, true)).horizontalAdvance(QStringLiteral("Chiron")) + 14;
     p.setPen(theme.muted);
     p.setFont(theme.font(12));
     if (!frame.site.isEmpty()) {
         const QFontMetricsF metrics(theme.font(12));
         const double room = kPageBodyWidth - besideName - metrics.horizontalAdvance(frame.heading) - 14;
-        p.drawText(box.adjusted(besideName, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(frame.site, Qt::ElideRight, room));
+        p.drawText(box.adjusted(besideName, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                   metrics.elidedText(frame.site, Qt::ElideRight, room));
     }
     p.drawText(box, Qt::AlignRight | Qt::AlignVCenter, frame.heading);
     p.setPen(QPen(theme.accent, 1.6));
@@ -72,7 +74,8 @@ void configure(QPdfWriter& writer, const PageFrame& frame) {
 
 } // namespace
 
-bool paintPages(QPagedPaintDevice& device, const PageFrame& frame, const std::vector<Block>& blocks, const PlotTheme& theme) {
+bool paintPages(QPagedPaintDevice& device, const PageFrame& frame, const std::vector<Block>& blocks,
+                const PlotTheme& theme) {
     const auto pages = paginate(blocks, kBodyHeight);
     const double pixel = device.logicalDpiX() / kPixelsPerInch;
     QCPPainter painter;
@@ -96,7 +99,8 @@ bool paintPages(QPagedPaintDevice& device, const PageFrame& frame, const std::ve
     return painter.end();
 }
 
-core::Result<void> writePages(const QString& path, const PageFrame& frame, const std::vector<Block>& blocks, const PlotTheme& theme) {
+core::Result<void> writePages(const QString& path, const PageFrame& frame, const std::vector<Block>& blocks,
+                              const PlotTheme& theme) {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return tl::unexpected(storageError(path, file.errorString()));

@@ -19,7 +19,7 @@ struct PageFrame {
     QString proof;   ///< second line of the footer: digests
     QString title;   ///< title of the PDF, with digests
     QString creator;
-    QString site{};  ///< top left, beside the program's name; may be empty
+    QString site{}; ///< top left, beside the program's name; may be empty
 };
 
 /// The side margin and the width of the body of an A4 page in logical pixels of 1/96 inch.
@@ -30,11 +30,13 @@ inline constexpr double kPageBodyWidth = 210.0 / 25.4 * 96.0 - 2 * kPageSide;
 /// a QApplication. Replaces `path` only once the whole file is written.
 /// Thread: GUI.
 /// Errors: storage naming the path.
-core::Result<void> writePages(const QString& path, const PageFrame& frame, const std::vector<Block>& blocks, const PlotTheme& theme);
+core::Result<void> writePages(const QString& path, const PageFrame& frame, const std::vector<Block>& blocks,
+                              const PlotTheme& theme);
 
 /// Paints the same pages on the caller's device, at its resolution. Returns false if the device cannot be
 /// painted on or refuses a new page.
 /// Thread: GUI.
-bool paintPages(QPagedPaintDevice& device, const PageFrame& frame, const std::vector<Block>& blocks, const PlotTheme& theme);
+bool paintPages(QPagedPaintDevice& device, const PageFrame& frame, const std::vector<Block>& blocks,
+                const PlotTheme& theme);
 
 } // namespace chiron::report

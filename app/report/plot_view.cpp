@@ -152,11 +152,10 @@ void PlotView::addEstimates(const QString& name, const std::vector<PlotPoint>& e
     QCPGraph* graph = m_impl->addGraph(name);
     graph->setLineStyle(QCPGraph::lsNone);
     graph->setPen(QPen(ink, 1.4));
-    graph->setScatterStyle(
-        QCPScatterStyle(trust == Trust::sound      ? QCPScatterStyle::ssDiamond
-                        : trust == Trust::doubtful ? QCPScatterStyle::ssTriangle
-                                                   : QCPScatterStyle::ssCross,
-                        QPen(ink, 1.2), QBrush(m_impl->theme.paper), 11));
+    graph->setScatterStyle(QCPScatterStyle(trust == Trust::sound      ? QCPScatterStyle::ssDiamond
+                                           : trust == Trust::doubtful ? QCPScatterStyle::ssTriangle
+                                                                      : QCPScatterStyle::ssCross,
+                                           QPen(ink, 1.2), QBrush(m_impl->theme.paper), 11));
     auto* bars = new QCPErrorBars(m_impl->plot->xAxis, m_impl->plot->yAxis);
     bars->removeFromLegend();
     bars->setDataPlottable(graph);
@@ -256,8 +255,7 @@ void PlotView::addEvents(const std::vector<TimedEvent>& events) {
         text->setFont(m_impl->theme.font(10));
         text->setColor(m_impl->theme.muted);
         // Above the axes, so that no data are covered.
-        text->setPositionAlignment(Qt::AlignLeft |
-                                   Qt::AlignBottom);
+        text->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
         text->setClipToAxisRect(false);
         text->setPadding(QMargins(1, 0, 3, 1));
         text->position->setTypeY(QCPItemPosition::ptAxisRectRatio);

@@ -57,7 +57,9 @@ void PlotView::showCursor(double x) {
     m_impl->cursor->layer()->replot();
 }
 
-double PlotView::cursorX() const { return m_impl->cursorX; }
+double PlotView::cursorX() const {
+    return m_impl->cursorX;
+}
 
 void PlotView::Impl::seekTo(double pixel) {
     const QCPRange range = plot->xAxis->range();
@@ -86,10 +88,16 @@ void PlotView::setXWindow(double low, double high) {
     m_impl->plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-double PlotView::xLow() const { return m_impl->plot->xAxis->range().lower; }
+double PlotView::xLow() const {
+    return m_impl->plot->xAxis->range().lower;
+}
 
-double PlotView::xHigh() const { return m_impl->plot->xAxis->range().upper; }
+double PlotView::xHigh() const {
+    return m_impl->plot->xAxis->range().upper;
+}
 
-double PlotView::pixelOf(double x) const { return m_impl->plot->xAxis->coordToPixel(x); }
+double PlotView::pixelOf(double x) const {
+    return m_impl->plot->xAxis->coordToPixel(x);
+}
 
 } // namespace chiron::report

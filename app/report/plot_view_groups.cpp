@@ -10,15 +10,18 @@
 namespace chiron::report {
 
 void PlotView::addGroupMarkers(const QString& name, const std::vector<PlotPoint>& points, int group) {
-    constexpr std::array kShapes{QCPScatterStyle::ssCircle, QCPScatterStyle::ssSquare, QCPScatterStyle::ssTriangle, QCPScatterStyle::ssDiamond,
+    constexpr std::array kShapes{QCPScatterStyle::ssCircle, QCPScatterStyle::ssSquare,
+                                 QCPScatterStyle::ssTriangle, QCPScatterStyle::ssDiamond,
                                  QCPScatterStyle::ssTriangleInverted};
-    constexpr std::array kStyles{PlotStyle::solidA, PlotStyle::dashedB, PlotStyle::dottedC, PlotStyle::dashDotD};
+    constexpr std::array kStyles{PlotStyle::solidA, PlotStyle::dashedB, PlotStyle::dottedC,
+                                 PlotStyle::dashDotD};
     const auto index = static_cast<std::size_t>(std::max(0, group));
     const QColor ink = m_impl->color(kStyles[index % kStyles.size()]);
     QCPGraph* graph = m_impl->addGraph(name);
     graph->setLineStyle(QCPGraph::lsNone);
     graph->setPen(QPen(ink, 1.4));
-    graph->setScatterStyle(QCPScatterStyle(kShapes[index % kShapes.size()], QPen(ink, 1.4), QBrush(index % 2 == 0 ? ink : m_impl->theme.paper), 8));
+    graph->setScatterStyle(QCPScatterStyle(kShapes[index % kShapes.size()], QPen(ink, 1.4),
+                                           QBrush(index % 2 == 0 ? ink : m_impl->theme.paper), 8));
     for (const PlotPoint& point : points) {
         graph->addData(point.x, point.y);
         m_impl->takeX(point.x);

@@ -53,7 +53,9 @@ void styleAxis(QCPAxis* axis, const PlotTheme& theme) {
 class QuietPlot final : public QCustomPlot {
 public:
     // QCustomPlot would otherwise keep the events that it ignores.
-    explicit QuietPlot(QWidget* parent) : QCustomPlot(parent) { setAttribute(Qt::WA_NoMousePropagation, false); }
+    explicit QuietPlot(QWidget* parent) : QCustomPlot(parent) {
+        setAttribute(Qt::WA_NoMousePropagation, false);
+    }
 
 protected:
     void wheelEvent(QWheelEvent* event) override { event->ignore(); }
@@ -158,10 +160,10 @@ void PlotView::Impl::prepare(QSize size) {
     }
     const int axisWidth = plot->axisRect()->width();
     // Plots of small height have fewer ticks, so that their numbers do not overlap.
-    plot->yAxis->ticker()->setTickCount(std::clamp(static_cast<int>(plot->axisRect()->height() / (24.0 * theme.scale)), 2, 5));
+    plot->yAxis->ticker()->setTickCount(
+        std::clamp(static_cast<int>(plot->axisRect()->height() / (24.0 * theme.scale)), 2, 5));
     // Two samples per logical pixel, because pictures are written at twice the size.
-    fillLines(2 *
-              std::max(axisWidth, 50));
+    fillLines(2 * std::max(axisWidth, 50));
     placeEventLabels(axisWidth);
     plot->setViewport(before);
 }
@@ -191,7 +193,8 @@ void PlotView::Impl::fillLines(int columns) {
         const auto from = ordered ? std::lower_bound(begin, end, shown.lower) : begin;
         const auto first = static_cast<std::size_t>((from == begin ? from : from - 1) - begin);
         const auto last = static_cast<std::size_t>((after == end ? after : after + 1) - begin);
-        Polyline reduced = decimate(std::span(line.x).subspan(first, last - first), std::span(line.y).subspan(first, last - first), columns);
+        Polyline reduced = decimate(std::span(line.x).subspan(first, last - first),
+                                    std::span(line.y).subspan(first, last - first), columns);
         if (line.above)
             reduced = partAbove(reduced, line.limit);
         line.graph->setData(QVector<double>(reduced.x.begin(), reduced.x.end()),

@@ -57,7 +57,7 @@ struct PlotView::Impl {
     void seekTo(double pixel);
 
     PlotTheme theme;
-    QCustomPlot* plot = nullptr; ///< child of the view
+    QCustomPlot* plot = nullptr;   ///< child of the view
     QCPItemLine* cursor = nullptr; ///< on its own layer; created when the cursor is first shown
     double cursorX = std::numeric_limits<double>::quiet_NaN();
     std::function<void(double)> seek;

@@ -125,7 +125,9 @@ void ReportBlocks::addFacts() {
               {Words::tr("Duration"), formatDuration(m_data.duration_s, locale)},
               {Words::tr("State"), stateWords(m_data.state)},
               {Words::tr("Device"), m_data.device},
-              {Words::tr("Force"), !m_data.felt ? Words::tr("shown, not felt") : m_data.simulated ? Words::tr("rendered to a scripted hand") : Words::tr("felt")},
+              {Words::tr("Force"), !m_data.felt       ? Words::tr("shown, not felt")
+                                   : m_data.simulated ? Words::tr("rendered to a scripted hand")
+                                                      : Words::tr("felt")},
               {Words::tr("Session"), m_data.integrity.sessionId}},
              3);
 }
@@ -149,9 +151,10 @@ void ReportBlocks::addMetrics() {
     addHeading(Words::tr("All metrics"));
     if (m_data.state != QLatin1String("completed") && m_data.state != QLatin1String("voided")) {
         const bool any = !m_data.metrics.empty();
-        addText(any ? Words::tr("The session was not completed: these values are not compared with pass marks.")
-                    : Words::tr("No trial was completed: there is no score."),
-                m_theme.font(12), m_theme.muted, 4);
+        addText(
+            any ? Words::tr("The session was not completed: these values are not compared with pass marks.")
+                : Words::tr("No trial was completed: there is no score."),
+            m_theme.font(12), m_theme.muted, 4);
         if (!any)
             return;
     }
@@ -165,8 +168,7 @@ void ReportBlocks::addMetrics() {
         const QString result = !row.passed   ? QString()
                                : *row.passed ? Words::tr("✓ met")
                                              : Words::tr("✗ not met");
-        rows.push_back(
-            {name, value, formatGate(row, m_theme.locale), besides(row, m_theme.locale), result});
+        rows.push_back({name, value, formatGate(row, m_theme.locale), besides(row, m_theme.locale), result});
     }
     if (rows.empty())
         rows.push_back({Words::tr("No metrics were computed"), {}, {}, {}, {}});
@@ -195,9 +197,11 @@ void ReportBlocks::addCriticalErrors() {
         const CriticalError& error = errors[i];
         const auto tool = static_cast<std::size_t>(std::max(error.tool, 0));
         std::vector<QString> row{m_theme.locale.toString(static_cast<qulonglong>(i + 1)),
-                                 formatValue(error.begin_s, QStringLiteral("s"), m_theme.locale), m_theme.locale.toString(error.trial + 1)};
+                                 formatValue(error.begin_s, QStringLiteral("s"), m_theme.locale),
+                                 m_theme.locale.toString(error.trial + 1)};
         if (several)
-            row.push_back(tool < m_data.series.tools.size() ? m_data.series.tools[tool].name : QStringLiteral("–"));
+            row.push_back(tool < m_data.series.tools.size() ? m_data.series.tools[tool].name
+                                                            : QStringLiteral("–"));
         row.push_back(error.words);
         rows.push_back(std::move(row));
     }
@@ -236,16 +240,17 @@ void ReportBlocks::addIntegrity() {
               {Words::tr("Lost samples"), locale.toString(static_cast<qulonglong>(facts.dropped))},
               {Words::tr("Stored bytes"), locale.toString(static_cast<qulonglong>(facts.bytes))},
               {Words::tr("Ticks, late, left out"),
-               QStringLiteral("%1, %2, %3").arg(locale.toString(static_cast<qulonglong>(loop.ticks)), locale.toString(static_cast<qulonglong>(loop.late)),
-                                                locale.toString(static_cast<qulonglong>(loop.skipped)))},
+               QStringLiteral("%1, %2, %3")
+                   .arg(locale.toString(static_cast<qulonglong>(loop.ticks)),
+                        locale.toString(static_cast<qulonglong>(loop.late)),
+                        locale.toString(static_cast<qulonglong>(loop.skipped)))},
               {Words::tr("Lateness: median, 99 %"),
                loop.realtime ? QStringLiteral("%1, %2").arg(micro(loop.p50_us), micro(loop.p99_us))
                              : Words::tr("ran as fast as the computer could")},
               {Words::tr("Maximum lateness"), loop.realtime ? micro(loop.max_us) : QStringLiteral("–")}},
              3);
-    std::vector<std::pair<QString, QString>> digests{
-        {Words::tr("Build"), facts.buildId},
-        {Words::tr("Content (SHA-256)"), facts.contentSha256}};
+    std::vector<std::pair<QString, QString>> digests{{Words::tr("Build"), facts.buildId},
+                                                     {Words::tr("Content (SHA-256)"), facts.contentSha256}};
     if (!facts.taskSha256.isEmpty())
         digests.emplace_back(Words::tr("Content without texts (SHA-256)"), facts.taskSha256);
     digests.emplace_back(Words::tr("Recording (BLAKE2b)"), facts.recordingDigest);

@@ -72,7 +72,7 @@ struct SampleSeries {
     std::vector<ToolSamples> tools;
     std::vector<double> offset_mm;     ///< of tool 0 from a canal's centre-line; empty if there is none
     std::vector<double> alignment_deg; ///< between that instrument and the canal; empty if there is none
-    std::vector<TimeSpan> paused; ///< hatched; excluded from every metric
+    std::vector<TimeSpan> paused;      ///< hatched; excluded from every metric
     std::vector<TimedEvent> events;
     std::vector<CriticalError> criticalErrors; ///< ordered by time
 };
@@ -82,8 +82,8 @@ struct LoopFacts {
     std::uint64_t ticks = 0;
     std::uint64_t late = 0;
     std::uint64_t skipped = 0; ///< ticks left out because the loop was late
-    bool realtime = true; ///< false: ticks ran back to back, lateness has no meaning
-    double p50_us = 0.0; ///< of the lateness
+    bool realtime = true;      ///< false: ticks ran back to back, lateness has no meaning
+    double p50_us = 0.0;       ///< of the lateness
     double p99_us = 0.0;
     double max_us = 0.0;
 };
@@ -95,7 +95,7 @@ struct IntegrityFacts {
     std::uint64_t dropped = 0;
     std::uint64_t bytes = 0;
     QString buildId;
-    QString contentSha256;   ///< of the resolved content, hex
+    QString contentSha256; ///< of the resolved content, hex
     /// Digest of the resolved content without its texts, hex; equal for sessions that felt the same and were
     /// assessed in the same way. May be empty.
     QString taskSha256;
@@ -105,11 +105,12 @@ struct IntegrityFacts {
 
 /// The force of the tissue and the force given to the hand, over the running time of the session's trials.
 struct ForceFacts {
-    double tissue_N = 0.0; ///< largest over all tools: the assessed force
-    double felt_N = 0.0;   ///< largest commanded force
-    double limited_s = 0.0; ///< how long any tool was given less than the tissue's force
+    double tissue_N = 0.0;                ///< largest over all tools: the assessed force
+    double felt_N = 0.0;                  ///< largest commanded force
+    double limited_s = 0.0;               ///< how long any tool was given less than the tissue's force
     std::optional<double> firstLimited_s; ///< when this first began, on the recording's clock
-    double beyondChecked = 0.0; ///< share of the samples outside the poses and depths for which the law was checked, 0..1
+    double beyondChecked =
+        0.0; ///< share of the samples outside the poses and depths for which the law was checked, 0..1
 };
 
 /// If a larger share of a score's samples lies outside the checked range, the report states it
@@ -135,8 +136,8 @@ struct ReportData {
     QString state;              ///< completed, stopped, interrupted, incomplete, faulted, voided
     std::optional<bool> passed; ///< absent if no metric has a pass mark, or the session did not reach its end
     int trialsDone = 0;         ///< trials that came to an end
-    std::vector<MetricRow> metrics; ///< for a session that did not reach its end, no metric is judged
-                                    ///< (`passed`, `headline`)
+    std::vector<MetricRow> metrics;  ///< for a session that did not reach its end, no metric is judged
+                                     ///< (`passed`, `headline`)
     std::optional<ForceFacts> force; ///< absent if nothing was recorded
     /// Sections specific to the exercise, in reading order; none is null.
     std::vector<std::shared_ptr<const ReportSection>> sections;

@@ -26,7 +26,8 @@ public:
     virtual void addTo(BlockMaker& blocks) const = 0;
     /// Writes its pictures, if any, into `folder` and adds their paths to `written`.
     /// Errors: storage.
-    virtual core::Result<void> savePictures(const QDir& /*folder*/, const PlotTheme&, std::vector<QString>& /*written*/) const {
+    virtual core::Result<void> savePictures(const QDir& /*folder*/, const PlotTheme&,
+                                            std::vector<QString>& /*written*/) const {
         return {};
     }
 };

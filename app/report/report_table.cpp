@@ -39,7 +39,7 @@ void paintRow(QCPPainter& p, const QRectF& box, const TableRow& row) {
 } // namespace
 
 void BlockMaker::addTable(const std::vector<QString>& head, const std::vector<std::vector<QString>>& rows,
-                            const std::vector<double>& shares, const std::vector<bool>& rightAligned) {
+                          const std::vector<double>& shares, const std::vector<bool>& rightAligned) {
     std::vector<double> widths;
     for (const double share : shares)
         widths.push_back(share * m_width);

@@ -13,7 +13,9 @@ const QString kDash = QStringLiteral("–");
 const QString kNoBreak = QStringLiteral("\u00a0");
 
 /// Counts are whole numbers and need no unit: the name of the row states what is counted.
-bool isCount(const QString& unit) { return unit == QLatin1String("count"); }
+bool isCount(const QString& unit) {
+    return unit == QLatin1String("count");
+}
 
 QString withUnit(const QString& number, const QString& unit) {
     return unit.isEmpty() || isCount(unit) ? number : number + kNoBreak + unit;
@@ -52,8 +54,10 @@ QString formatGate(const MetricRow& row, const QLocale& locale) {
         return QStringLiteral("0"); // a count cannot be below zero
     // The limit is shown as the same number everywhere.
     if (row.gateMaximum && row.limit && *row.limit > 0.0)
-        return QStringLiteral("%1 + %2").arg(withUnit(QStringLiteral("≤ ") + formatNumber(*row.limit, row.unit, locale), row.unit),
-                                             withUnit(locale.toString(qRound(100.0 * (*row.gateMaximum / *row.limit - 1.0))), QStringLiteral("%")));
+        return QStringLiteral("%1 + %2").arg(
+            withUnit(QStringLiteral("≤ ") + formatNumber(*row.limit, row.unit, locale), row.unit),
+            withUnit(locale.toString(qRound(100.0 * (*row.gateMaximum / *row.limit - 1.0))),
+                     QStringLiteral("%")));
     if (row.gateMaximum)
         return withUnit(QStringLiteral("≤ ") + formatNumber(*row.gateMaximum, row.unit, locale), row.unit);
     if (row.gateMinimum)
@@ -114,8 +118,10 @@ QString stateWords(const QString& token) {
 std::vector<MetricRow> headlineRows(const std::vector<MetricRow>& metrics) {
     constexpr std::size_t kMost = 3;
     std::vector<MetricRow> chosen;
-    std::copy_if(metrics.begin(), metrics.end(), std::back_inserter(chosen), [](const MetricRow& row) { return row.headline; });
-    std::stable_partition(chosen.begin(), chosen.end(), [](const MetricRow& row) { return row.passed == std::optional<bool>(false); });
+    std::copy_if(metrics.begin(), metrics.end(), std::back_inserter(chosen),
+                 [](const MetricRow& row) { return row.headline; });
+    std::stable_partition(chosen.begin(), chosen.end(),
+                          [](const MetricRow& row) { return row.passed == std::optional<bool>(false); });
     if (chosen.size() > kMost)
         chosen.resize(kMost);
     return chosen;
@@ -131,18 +137,22 @@ QString feltWords(const ForceFacts& force, bool felt, const QLocale& locale) {
     if (force.tissue_N < kContact_N)
         return Words::tr("Nothing was touched.");
     if (!felt)
-        return Words::tr("The tissue force reached %1. None of it was felt: the force was only shown.").arg(newtons(force.tissue_N));
+        return Words::tr("The tissue force reached %1. None of it was felt: the force was only shown.")
+            .arg(newtons(force.tissue_N));
     if (!force.firstLimited_s)
         return Words::tr("The tissue force reached %1, and all of it was felt.").arg(newtons(force.tissue_N));
-    return Words::tr("The tissue force reached %1, but at most %2 of it was felt: the force was limited for %3, first after %4.")
-        .arg(newtons(force.tissue_N), newtons(force.felt_N), formatValue(force.limited_s, QStringLiteral("s"), locale),
+    return Words::tr("The tissue force reached %1, but at most %2 of it was felt: the force was limited for "
+                     "%3, first after %4.")
+        .arg(newtons(force.tissue_N), newtons(force.felt_N),
+             formatValue(force.limited_s, QStringLiteral("s"), locale),
              formatDuration(*force.firstLimited_s, locale));
 }
 
 QString beyondCheckedWords(const ForceFacts& force, const QLocale& locale) {
     if (!(force.beyondChecked > kBeyondCheckedSaid))
         return {};
-    return Words::tr("%1 of the samples lie deeper or farther out than the range in which the force law was checked. Their force is "
+    return Words::tr("%1 of the samples lie deeper or farther out than the range in which the force law was "
+                     "checked. Their force is "
                      "bounded and counts, but it is less certain than the rest.")
         .arg(formatValue(100.0 * force.beyondChecked, QStringLiteral("%"), locale));
 }

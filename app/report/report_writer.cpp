@@ -29,8 +29,9 @@ PageFrame frameOf(const ReportData& data, const PlotTheme& theme) {
     frame.heading = Words::tr("Session report");
     frame.site = data.site;
     frame.who = joined({facts.sessionId, formatMoment(data.startedUtc, data.offsetMinutes, theme.locale)});
-    frame.proof = joined({data.demonstration ? Words::tr("Demonstration") : QString(), facts.buildId,
-                          facts.recordingDigest.isEmpty() ? Words::tr("no recording digest") : facts.recordingDigest});
+    frame.proof =
+        joined({data.demonstration ? Words::tr("Demonstration") : QString(), facts.buildId,
+                facts.recordingDigest.isEmpty() ? Words::tr("no recording digest") : facts.recordingDigest});
     frame.title = QStringLiteral("Chiron session report: %1, %2, session %3, recording %4")
                       .arg(data.person, data.exerciseTitle, facts.sessionId, facts.recordingDigest);
     frame.creator = QStringLiteral("Chiron %1").arg(facts.buildId).trimmed();
@@ -38,7 +39,8 @@ PageFrame frameOf(const ReportData& data, const PlotTheme& theme) {
 }
 
 core::Result<void> save(PlotView& plot, const QString& path, QSize size, const PlotTheme& theme) {
-    return writePng(path, renderPanels({{&plot, QRectF(QPointF(0, 0), QSizeF(size))}}, size, kPictureScale, theme));
+    return writePng(path,
+                    renderPanels({{&plot, QRectF(QPointF(0, 0), QSizeF(size))}}, size, kPictureScale, theme));
 }
 
 } // namespace
@@ -61,12 +63,14 @@ core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const
     const QSize wide(900, 360);
     std::vector<QString> written;
     // Stacks the plots in a column, if several tools need several plots.
-    const auto writeColumn = [&](const char* name, std::vector<std::unique_ptr<PlotView>> plots) -> core::Result<void> {
+    const auto writeColumn = [&](const char* name,
+                                 std::vector<std::unique_ptr<PlotView>> plots) -> core::Result<void> {
         std::erase(plots, nullptr);
         const QSize size(wide.width(), wide.height() * static_cast<int>(plots.size()));
         std::vector<Panel> panels;
         for (std::size_t i = 0; i < plots.size(); ++i)
-            panels.push_back({plots[i].get(), QRectF(0, static_cast<double>(i) * wide.height(), wide.width(), wide.height())});
+            panels.push_back({plots[i].get(), QRectF(0, static_cast<double>(i) * wide.height(), wide.width(),
+                                                     wide.height())});
         const QString path = directory.filePath(QLatin1String(name));
         auto result = writePng(path, renderPanels(panels, size, kPictureScale, theme));
         if (result)

@@ -38,7 +38,8 @@ void finish(PlotView& view, const SampleSeries& series, bool empty) {
 /// The line style of a tool in every plot of several tools.
 PlotStyle styleOf(std::size_t tool) {
     // The dash-dotted style is reserved for a second session.
-    constexpr std::array kStyles{PlotStyle::solidA, PlotStyle::dashedB, PlotStyle::dottedC, PlotStyle::longDashE};
+    constexpr std::array kStyles{PlotStyle::solidA, PlotStyle::dashedB, PlotStyle::dottedC,
+                                 PlotStyle::longDashE};
     return kStyles[std::min(tool, kStyles.size() - 1)];
 }
 
@@ -55,15 +56,19 @@ void addTools(PlotView& view, const SampleSeries& series, Quantity quantity, con
         view.addLine(alone, series.t_s, {}, styleOf(0));
     for (std::size_t tool = 0; tool < series.tools.size(); ++tool)
         if (const std::vector<double>& values = series.tools[tool].*quantity; !values.empty())
-            view.addLine(series.tools.size() > 1 ? series.tools[tool].name : alone, series.t_s, values, styleOf(tool));
+            view.addLine(series.tools.size() > 1 ? series.tools[tool].name : alone, series.t_s, values,
+                         styleOf(tool));
 }
 
-std::size_t toolOf(const CriticalError& error) { return static_cast<std::size_t>(std::max(error.tool, 0)); }
+std::size_t toolOf(const CriticalError& error) {
+    return static_cast<std::size_t>(std::max(error.tool, 0));
+}
 
 /// The sample with the largest force on the error's tool during the error; empty if the tool has no samples.
 std::optional<std::size_t> worstOf(const SampleSeries& series, const CriticalError& error) {
     const std::size_t tool = toolOf(error);
-    if (series.t_s.empty() || tool >= series.tools.size() || series.tools[tool].tissue_N.size() != series.t_s.size())
+    if (series.t_s.empty() || tool >= series.tools.size() ||
+        series.tools[tool].tissue_N.size() != series.t_s.size())
         return std::nullopt;
     const auto first = std::lower_bound(series.t_s.begin(), series.t_s.end(), error.begin_s);
     const auto end = std::upper_bound(first, series.t_s.end(), error.end_s);
@@ -96,11 +101,14 @@ void addCriticalErrors(PlotView& view, const SampleSeries& series, Quantity quan
 }
 
 void addLimitLine(PlotView& view, double limit_N, const PlotTheme& theme) {
-    view.addLimit(Words::tr("limit %1").arg(formatValue(limit_N, QStringLiteral("N"), theme.locale)), limit_N);
+    view.addLimit(Words::tr("limit %1").arg(formatValue(limit_N, QStringLiteral("N"), theme.locale)),
+                  limit_N);
 }
 
-std::unique_ptr<PlotView> toolsForcePlot(const QString& title, const SampleSeries& series, Quantity quantity, double limit_N, const PlotTheme& theme) {
-    const bool any = std::any_of(series.tools.begin(), series.tools.end(), [&](const ToolSamples& tool) { return !(tool.*quantity).empty(); });
+std::unique_ptr<PlotView> toolsForcePlot(const QString& title, const SampleSeries& series, Quantity quantity,
+                                         double limit_N, const PlotTheme& theme) {
+    const bool any = std::any_of(series.tools.begin(), series.tools.end(),
+                                 [&](const ToolSamples& tool) { return !(tool.*quantity).empty(); });
     if (series.tools.size() < 2 || !any)
         return nullptr;
     auto view = timePlot(title, {Words::tr("Force (N)"), 0.0, {}}, series, theme);
@@ -134,9 +142,10 @@ std::vector<std::unique_ptr<PlotView>> positionPlots(const SampleSeries& series,
     std::vector<std::unique_ptr<PlotView>> plots;
     const bool empty = series.t_s.empty() || firstOf(series, &ToolSamples::x_mm).empty();
     if (series.tools.size() > 1) {
-        for (const auto& [title, quantity] : {std::pair{Words::tr("Position of the tool tips, x"), &ToolSamples::x_mm},
-                                              std::pair{Words::tr("Position of the tool tips, y"), &ToolSamples::y_mm},
-                                              std::pair{Words::tr("Position of the tool tips, z"), &ToolSamples::z_mm}}) {
+        for (const auto& [title, quantity] :
+             {std::pair{Words::tr("Position of the tool tips, x"), &ToolSamples::x_mm},
+              std::pair{Words::tr("Position of the tool tips, y"), &ToolSamples::y_mm},
+              std::pair{Words::tr("Position of the tool tips, z"), &ToolSamples::z_mm}}) {
             plots.push_back(timePlot(title, {Words::tr("Position (mm)"), {}, {}}, series, theme));
             addTools(*plots.back(), series, quantity, {});
             addCriticalErrors(*plots.back(), series, quantity);
@@ -144,7 +153,8 @@ std::vector<std::unique_ptr<PlotView>> positionPlots(const SampleSeries& series,
         }
         return plots;
     }
-    plots.push_back(timePlot(Words::tr("Position of the tool tip"), {Words::tr("Position (mm)"), {}, {}}, series, theme));
+    plots.push_back(
+        timePlot(Words::tr("Position of the tool tip"), {Words::tr("Position (mm)"), {}, {}}, series, theme));
     PlotView& view = *plots.back();
     view.addLine(QStringLiteral("x"), series.t_s, firstOf(series, &ToolSamples::x_mm), PlotStyle::solidA);
     view.addLine(QStringLiteral("y"), series.t_s, firstOf(series, &ToolSamples::y_mm), PlotStyle::dashedB);
@@ -157,7 +167,8 @@ std::vector<std::unique_ptr<PlotView>> positionPlots(const SampleSeries& series,
 
 std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme) {
     const bool several = series.tools.size() > 1;
-    auto view = timePlot(several ? Words::tr("Force of the tissue on each tool (assessed)") : Words::tr("Force on the tool"),
+    auto view = timePlot(several ? Words::tr("Force of the tissue on each tool (assessed)")
+                                 : Words::tr("Force on the tool"),
                          {Words::tr("Force (N)"), 0.0, {}}, series, theme);
     QString over = Words::tr("over the limit");
     for (const ToolSamples& tool : series.tools)
@@ -165,9 +176,11 @@ std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, 
             over.clear(); // only once in the legend
     // The assessed force is drawn last, on top.
     if (!several && !firstOf(series, &ToolSamples::measured_N).empty())
-        view->addLine(Words::tr("measured"), series.t_s, firstOf(series, &ToolSamples::measured_N), PlotStyle::dottedC);
+        view->addLine(Words::tr("measured"), series.t_s, firstOf(series, &ToolSamples::measured_N),
+                      PlotStyle::dottedC);
     if (!several && !firstOf(series, &ToolSamples::commanded_N).empty())
-        view->addLine(Words::tr("felt (commanded)"), series.t_s, firstOf(series, &ToolSamples::commanded_N), PlotStyle::dashedB);
+        view->addLine(Words::tr("felt (commanded)"), series.t_s, firstOf(series, &ToolSamples::commanded_N),
+                      PlotStyle::dashedB);
     addTools(*view, series, &ToolSamples::tissue_N, Words::tr("tissue (assessed)"));
     addLimitLine(*view, limit_N, theme);
     addCriticalErrors(*view, series, &ToolSamples::tissue_N);
@@ -176,15 +189,19 @@ std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, 
 }
 
 std::unique_ptr<PlotView> feltForcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme) {
-    return toolsForcePlot(Words::tr("Force felt (commanded) on each tool"), series, &ToolSamples::commanded_N, limit_N, theme);
+    return toolsForcePlot(Words::tr("Force felt (commanded) on each tool"), series, &ToolSamples::commanded_N,
+                          limit_N, theme);
 }
 
-std::unique_ptr<PlotView> measuredForcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme) {
-    return toolsForcePlot(Words::tr("Force measured on each tool"), series, &ToolSamples::measured_N, limit_N, theme);
+std::unique_ptr<PlotView> measuredForcePlot(const SampleSeries& series, double limit_N,
+                                            const PlotTheme& theme) {
+    return toolsForcePlot(Words::tr("Force measured on each tool"), series, &ToolSamples::measured_N, limit_N,
+                          theme);
 }
 
 std::unique_ptr<PlotView> speedPlot(const SampleSeries& series, const PlotTheme& theme) {
-    auto view = timePlot(series.tools.size() > 1 ? Words::tr("Speed of the tool tips") : Words::tr("Speed of the tool tip"),
+    auto view = timePlot(series.tools.size() > 1 ? Words::tr("Speed of the tool tips")
+                                                 : Words::tr("Speed of the tool tip"),
                          {Words::tr("Speed (mm/s)"), 0.0, {}}, series, theme);
     addTools(*view, series, &ToolSamples::speed_mm_per_s, Words::tr("speed"));
     addCriticalErrors(*view, series, &ToolSamples::speed_mm_per_s);
@@ -193,14 +210,16 @@ std::unique_ptr<PlotView> speedPlot(const SampleSeries& series, const PlotTheme&
 }
 
 std::unique_ptr<PlotView> offsetPlot(const SampleSeries& series, const PlotTheme& theme) {
-    auto view = timePlot(Words::tr("Distance from the middle of the canal"), {Words::tr("Off-centre (mm)"), 0.0, {}}, series, theme);
+    auto view = timePlot(Words::tr("Distance from the middle of the canal"),
+                         {Words::tr("Off-centre (mm)"), 0.0, {}}, series, theme);
     view->addLine(Words::tr("off-centre"), series.t_s, series.offset_mm, PlotStyle::solidA);
     finish(*view, series, series.t_s.empty() || series.offset_mm.empty());
     return view;
 }
 
 std::unique_ptr<PlotView> alignmentPlot(const SampleSeries& series, const PlotTheme& theme) {
-    auto view = timePlot(Words::tr("Angle between endoscope and canal"), {Words::tr("Alignment (°)"), 0.0, {}}, series, theme);
+    auto view = timePlot(Words::tr("Angle between endoscope and canal"),
+                         {Words::tr("Alignment (°)"), 0.0, {}}, series, theme);
     view->addLine(Words::tr("alignment"), series.t_s, series.alignment_deg, PlotStyle::solidA);
     finish(*view, series, series.t_s.empty() || series.alignment_deg.empty());
     return view;
@@ -233,7 +252,8 @@ std::unique_ptr<PlotView> comparisonPlot(const ComparisonData& data, const PlotT
     }
     if (negative)
         view->setYAxis({data.metricName + unit, {}, {}});
-    view->addMarkers(data.pointLabel.isEmpty() ? Words::tr("session") : data.pointLabel, points, PlotStyle::solidA);
+    view->addMarkers(data.pointLabel.isEmpty() ? Words::tr("session") : data.pointLabel, points,
+                     PlotStyle::solidA);
     if (!means.empty())
         view->addMeans(Words::tr("mean ± SD"), means, spreads);
     if (data.reference)

@@ -23,7 +23,8 @@ std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, 
 std::unique_ptr<PlotView> feltForcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme);
 /// The force that the device measured for each of several tools; null with a single tool or if nothing was
 /// measured.
-std::unique_ptr<PlotView> measuredForcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme);
+std::unique_ptr<PlotView> measuredForcePlot(const SampleSeries& series, double limit_N,
+                                            const PlotTheme& theme);
 std::unique_ptr<PlotView> speedPlot(const SampleSeries& series, const PlotTheme& theme);
 /// An endoscope in its canal over time: the distance from the centre-line, and the angle to it.
 std::unique_ptr<PlotView> offsetPlot(const SampleSeries& series, const PlotTheme& theme);

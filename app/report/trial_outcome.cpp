@@ -7,10 +7,14 @@ namespace chiron::report {
 
 QString trialOutcomeWords(TrialOutcome outcome, bool tears) {
     switch (outcome) {
-    case TrialOutcome::done: return Words::tr("✓ done");
-    case TrialOutcome::timedOut: return Words::tr("✗ time was up");
-    case TrialOutcome::failed: return tears ? Words::tr("✗ torn") : Words::tr("✗ no longer possible");
-    case TrialOutcome::unfinished: break;
+    case TrialOutcome::done:
+        return Words::tr("✓ done");
+    case TrialOutcome::timedOut:
+        return Words::tr("✗ time was up");
+    case TrialOutcome::failed:
+        return tears ? Words::tr("✗ torn") : Words::tr("✗ no longer possible");
+    case TrialOutcome::unfinished:
+        break;
     }
     return Words::tr("not finished");
 }

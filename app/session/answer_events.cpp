@@ -43,7 +43,8 @@ std::vector<database::EventRecord> AnswerEvents::take() {
 }
 
 std::vector<database::EventRecord> answerEvents(const ExerciseKind& kind, std::span<const FrameTime> frames,
-                                                const scoring::SessionTrace& trace, std::span<const database::TrialRecord> trials) {
+                                                const scoring::SessionTrace& trace,
+                                                std::span<const database::TrialRecord> trials) {
     AnswerEvents events;
     for (std::size_t i = 0; i < std::min(trace.trials.size(), trials.size()); ++i)
         kind.addAnswerEvents(trace.trials[i], trials[i], events);

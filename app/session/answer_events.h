@@ -30,7 +30,7 @@ public:
     void addFrom(double t_s, const char* kind, std::string detailJson);
 
     bool empty() const noexcept { return m_wanted.empty(); }
-    void place(const FrameTime& frame); ///< call it for each frame, in order
+    void place(const FrameTime& frame);        ///< call it for each frame, in order
     std::vector<database::EventRecord> take(); ///< the events whose frame was found
 
 private:
@@ -47,6 +47,7 @@ private:
 
 /// The outcomes of a session's answers as events (ExerciseKind::addAnswerEvents). Pure function.
 std::vector<database::EventRecord> answerEvents(const ExerciseKind& kind, std::span<const FrameTime> frames,
-                                                const scoring::SessionTrace& trace, std::span<const database::TrialRecord> trials);
+                                                const scoring::SessionTrace& trace,
+                                                std::span<const database::TrialRecord> trials);
 
 } // namespace chiron::session

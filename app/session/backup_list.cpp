@@ -30,8 +30,10 @@ std::vector<BackupEntry> listBackups(const std::string& folder) {
     std::vector<BackupEntry> backups;
     const QDir directory(QString::fromStdString(folder));
     for (const QFileInfo& entry : directory.entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-        const auto text = catalogue::readWholeFile(entry.filePath() + QStringLiteral("/manifest.json"), database::kLargestManifest_bytes);
-        const bool halfWay = entry.fileName().endsWith(QLatin1String(".partial")) || entry.fileName().endsWith(QLatin1String(".removing"));
+        const auto text = catalogue::readWholeFile(entry.filePath() + QStringLiteral("/manifest.json"),
+                                                   database::kLargestManifest_bytes);
+        const bool halfWay = entry.fileName().endsWith(QLatin1String(".partial")) ||
+                             entry.fileName().endsWith(QLatin1String(".removing"));
         if (halfWay || !text)
             continue;
         const QJsonObject manifest = QJsonDocument::fromJson(*text).object();
@@ -43,22 +45,26 @@ std::vector<BackupEntry> listBackups(const std::string& folder) {
                            static_cast<std::uint64_t>(copy.size()),
                            manifest.value(QLatin1String("automatic_number")).toInteger() > 0});
     }
-    std::sort(backups.begin(), backups.end(), [](const auto& a, const auto& b) { return a.createdUtc > b.createdUtc; });
+    std::sort(backups.begin(), backups.end(),
+              [](const auto& a, const auto& b) { return a.createdUtc > b.createdUtc; });
     return backups;
 }
 
 database::VerifyReport verifyBackup(const std::string& folder, const std::string& databaseFile,
-                                    const database::DatabaseOptions& options, const database::VerifyWatch& watch) {
+                                    const database::DatabaseOptions& options,
+                                    const database::VerifyWatch& watch) {
     const auto key = database::SiteKey::load(database::siteFolderFor(databaseFile, options));
     if (!key)
         return broken(folder, key.error());
     const auto manifest = database::readManifest(folder, **key);
     if (!manifest)
         return broken(folder, manifest.error());
-    return database::verifySnapshot(folder + "/" + database::kSnapshotFile, key->get(), manifest->head, checkScores, watch);
+    return database::verifySnapshot(folder + "/" + database::kSnapshotFile, key->get(), manifest->head,
+                                    checkScores, watch);
 }
 
-core::Result<void> looksWhole(const std::string& folder, const std::string& databaseFile, const database::DatabaseOptions& options) {
+core::Result<void> looksWhole(const std::string& folder, const std::string& databaseFile,
+                              const database::DatabaseOptions& options) {
     const auto key = database::SiteKey::load(database::siteFolderFor(databaseFile, options));
     const auto manifest = key ? database::readManifest(folder, **key) : tl::unexpected(key.error());
     CHIRON_TRY(manifest);
@@ -67,7 +73,10 @@ core::Result<void> looksWhole(const std::string& folder, const std::string& data
 }
 
 std::string defaultBackupFolder(const std::string& databaseFile) {
-    return QFileInfo(QString::fromStdString(databaseFile)).absoluteDir().filePath(QStringLiteral("backups")).toStdString();
+    return QFileInfo(QString::fromStdString(databaseFile))
+        .absoluteDir()
+        .filePath(QStringLiteral("backups"))
+        .toStdString();
 }
 
 } // namespace chiron::session

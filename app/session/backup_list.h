@@ -28,11 +28,13 @@ std::vector<BackupEntry> listBackups(const std::string& folder);
 /// checks in a database, including scores. `databaseFile` names the site whose key signed the backup. Blocks
 /// for a long time; call it on a worker.
 database::VerifyReport verifyBackup(const std::string& folder, const std::string& databaseFile,
-                                    const database::DatabaseOptions& options, const database::VerifyWatch& watch = {});
+                                    const database::DatabaseOptions& options,
+                                    const database::VerifyWatch& watch = {});
 
 /// The short check of a backup: it is signed with this site's key, the digest of every file matches, and the
 /// copy can be opened. Blocks; reads the files once.
-core::Result<void> looksWhole(const std::string& folder, const std::string& databaseFile, const database::DatabaseOptions& options);
+core::Result<void> looksWhole(const std::string& folder, const std::string& databaseFile,
+                              const database::DatabaseOptions& options);
 
 /// "<databaseFile's folder>/backups": the folder for backups unless the user chooses another one.
 std::string defaultBackupFolder(const std::string& databaseFile);

@@ -14,10 +14,12 @@ bool isBackupDue(const database::BackupStanding& standing, const QDateTime& now)
     return !good.isValid() || good.toTimeZone(now.timeZone()).date() != now.date();
 }
 
-DailyWork backUpIfDue(database::Database& database, const std::string& stationFolder, const std::atomic<bool>* cancel) {
+DailyWork backUpIfDue(database::Database& database, const std::string& stationFolder,
+                      const std::atomic<bool>* cancel) {
     const database::Actor program = database::Actor::maintenance();
     const auto reader = database.openReader();
-    const auto standing = reader ? database::Upkeep::backupStanding(**reader, program) : tl::unexpected(reader.error());
+    const auto standing =
+        reader ? database::Upkeep::backupStanding(**reader, program) : tl::unexpected(reader.error());
     if (!standing)
         return {true, tl::unexpected(standing.error())};
     if (!isBackupDue(*standing, QDateTime::currentDateTime()))
@@ -32,7 +34,8 @@ std::chrono::milliseconds waitAfterFailures(int failures) noexcept {
     return failures <= 0 ? 0min : 15min * (1 << std::min(failures - 1, kMostDoublings));
 }
 
-std::string folderOfPlan(const database::BackupPlan& plan, const std::string& stationFolder, const std::string& databaseFile) {
+std::string folderOfPlan(const database::BackupPlan& plan, const std::string& stationFolder,
+                         const std::string& databaseFile) {
     if (!plan.folder.empty())
         return plan.folder;
     return stationFolder.empty() ? defaultBackupFolder(databaseFile) : stationFolder;

@@ -23,7 +23,8 @@ struct DailyWork {
 
 /// Makes the day's backup if it is due, on behalf of the program itself. If the plan cannot be read, the
 /// backup counts as due. Blocks for a long time; call it on a worker.
-DailyWork backUpIfDue(database::Database& database, const std::string& stationFolder, const std::atomic<bool>* cancel);
+DailyWork backUpIfDue(database::Database& database, const std::string& stationFolder,
+                      const std::atomic<bool>* cancel);
 
 /// The waiting time after a number of consecutive failures: a quarter of an hour, doubled for each failure up
 /// to four hours. Pure function.
@@ -31,6 +32,7 @@ std::chrono::milliseconds waitAfterFailures(int failures) noexcept;
 
 /// The folder of the plan's backups: the plan's own, else the station's, else one beside the database.
 /// Absolute path.
-std::string folderOfPlan(const database::BackupPlan& plan, const std::string& stationFolder, const std::string& databaseFile);
+std::string folderOfPlan(const database::BackupPlan& plan, const std::string& stationFolder,
+                         const std::string& databaseFile);
 
 } // namespace chiron::session

@@ -26,24 +26,25 @@ struct Channel {
 
 /// The channels as defined by BIDS 1.9 (motion, BEP029): LATENCY since the first sample, POS, ORNT; all
 /// others are MISC.
-constexpr std::array<Channel, 18> kChannels{{{"latency", "n/a", "LATENCY", "s", "since the first sample"},
-                                             {"tip_x", "x", "POS", "m", "tool tip"},
-                                             {"tip_y", "y", "POS", "m", "tool tip"},
-                                             {"tip_z", "z", "POS", "m", "tool tip"},
-                                             {"tip_quat_w", "quat_w", "ORNT", "n/a", "orientation of the tool"},
-                                             {"tip_quat_x", "quat_x", "ORNT", "n/a", "orientation of the tool"},
-                                             {"tip_quat_y", "quat_y", "ORNT", "n/a", "orientation of the tool"},
-                                             {"tip_quat_z", "quat_z", "ORNT", "n/a", "orientation of the tool"},
-                                             {"tissue_force_x", "x", "MISC", "N", "force that the scene answered"},
-                                             {"tissue_force_y", "y", "MISC", "N", "force that the scene answered"},
-                                             {"tissue_force_z", "z", "MISC", "N", "force that the scene answered"},
-                                             {"commanded_force_x", "x", "MISC", "N", "force asked of the device"},
-                                             {"commanded_force_y", "y", "MISC", "N", "force asked of the device"},
-                                             {"commanded_force_z", "z", "MISC", "N", "force asked of the device"},
-                                             {"measured_force_x", "x", "MISC", "N", "force measured by the device"},
-                                             {"measured_force_y", "y", "MISC", "N", "force measured by the device"},
-                                             {"measured_force_z", "z", "MISC", "N", "force measured by the device"},
-                                             {"buttons", "n/a", "MISC", "n/a", "buttons held, bit 0 the mark"}}};
+constexpr std::array<Channel, 18> kChannels{
+    {{"latency", "n/a", "LATENCY", "s", "since the first sample"},
+     {"tip_x", "x", "POS", "m", "tool tip"},
+     {"tip_y", "y", "POS", "m", "tool tip"},
+     {"tip_z", "z", "POS", "m", "tool tip"},
+     {"tip_quat_w", "quat_w", "ORNT", "n/a", "orientation of the tool"},
+     {"tip_quat_x", "quat_x", "ORNT", "n/a", "orientation of the tool"},
+     {"tip_quat_y", "quat_y", "ORNT", "n/a", "orientation of the tool"},
+     {"tip_quat_z", "quat_z", "ORNT", "n/a", "orientation of the tool"},
+     {"tissue_force_x", "x", "MISC", "N", "force that the scene answered"},
+     {"tissue_force_y", "y", "MISC", "N", "force that the scene answered"},
+     {"tissue_force_z", "z", "MISC", "N", "force that the scene answered"},
+     {"commanded_force_x", "x", "MISC", "N", "force asked of the device"},
+     {"commanded_force_y", "y", "MISC", "N", "force asked of the device"},
+     {"commanded_force_z", "z", "MISC", "N", "force asked of the device"},
+     {"measured_force_x", "x", "MISC", "N", "force measured by the device"},
+     {"measured_force_y", "y", "MISC", "N", "force measured by the device"},
+     {"measured_force_z", "z", "MISC", "N", "force measured by the device"},
+     {"buttons", "n/a", "MISC", "n/a", "buttons held, bit 0 the mark"}}};
 
 int count(const char* type) {
     int number = 0;
@@ -53,17 +54,35 @@ int count(const char* type) {
 }
 
 QByteArray channelsTsv() {
-    ExportTable table{"channels", {}, {{"name", "", ""}, {"component", "", ""}, {"type", "", ""}, {"tracked_point", "", ""}, {"units", "", ""}, {"reference_frame", "", ""}, {"description", "", ""}}, {}};
+    ExportTable table{"channels",
+                      {},
+                      {{"name", "", ""},
+                       {"component", "", ""},
+                       {"type", "", ""},
+                       {"tracked_point", "", ""},
+                       {"units", "", ""},
+                       {"reference_frame", "", ""},
+                       {"description", "", ""}},
+                      {}};
     for (const Channel& c : kChannels) {
         const bool placed = QLatin1String(c.component) != QLatin1String("n/a");
-        table.rows.push_back({c.name, c.component, c.type, "tooltip", c.unit, placed ? "workspace" : "n/a", c.description});
+        table.rows.push_back(
+            {c.name, c.component, c.type, "tooltip", c.unit, placed ? "workspace" : "n/a", c.description});
     }
     return tsvOf(table);
 }
 
 QByteArray channelsJson() {
-    const QJsonObject frame{{"SpatialAxes", "RAS"}, {"RotationRule", "right-hand"}, {"Description", "of the exercise (W): x to the participant's right, y away, z up; origin in the middle of the workspace"}};
-    return QJsonDocument(QJsonObject{{"reference_frame", QJsonObject{{"Description", "frame that positions, orientations and forces are given in"}, {"Levels", QJsonObject{{"workspace", frame}}}}}}).toJson();
+    const QJsonObject frame{{"SpatialAxes", "RAS"},
+                            {"RotationRule", "right-hand"},
+                            {"Description", "of the exercise (W): x to the participant's right, y away, z "
+                                            "up; origin in the middle of the workspace"}};
+    return QJsonDocument(
+               QJsonObject{
+                   {"reference_frame",
+                    QJsonObject{{"Description", "frame that positions, orientations and forces are given in"},
+                                {"Levels", QJsonObject{{"workspace", frame}}}}}})
+        .toJson();
 }
 
 struct Written {
@@ -71,7 +90,7 @@ struct Written {
     std::uint64_t firstTick = 0;
     double duration_s = 0.0;
     std::int64_t first_ns = 0;
-    std::vector<double> onset_s;    ///< one per event
+    std::vector<double> onset_s; ///< one per event
     std::vector<double> end_s;
 };
 
@@ -123,61 +142,84 @@ core::Result<Written> writeSamples(QFile& file, SessionView& session, const std:
             }
         }
         if (file.write(text) != text.size())
-            return core::fail(core::ErrorCode::storage, (file.fileName() + ": cannot be written: " + file.errorString()).toStdString());
+            return core::fail(core::ErrorCode::storage,
+                              (file.fileName() + ": cannot be written: " + file.errorString()).toStdString());
         return {};
     });
     CHIRON_TRY(done);
     if (!file.flush())
-        return core::fail(core::ErrorCode::storage, (file.fileName() + ": cannot be written: " + file.errorString()).toStdString());
+        return core::fail(core::ErrorCode::storage,
+                          (file.fileName() + ": cannot be written: " + file.errorString()).toStdString());
     return written;
 }
 
 QByteArray sidecar(const SessionView& session, const BidsRecording& recording, const Written& written) {
-    const double frequency = written.duration_s > 0.0 ? static_cast<double>(written.samples - 1) / written.duration_s : 1.0 / kTick_s;
-    QJsonObject json{{"TaskName", recording.task},
-                     {"TaskDescription", recording.taskDescription},
-                     {"SamplingFrequency", 1.0 / kTick_s},
-                     {"SamplingFrequencyEffective", frequency},
-                     {"TrackingSystemName", "haptic"},
-                     {"ManufacturersModelName", session.setup().devices.front().model.empty() ? kNotAvailable : QString::fromStdString(session.setup().devices.front().model)},
-                     {"SoftwareVersions", QString::fromStdString(session.record().setup.buildId)},
-                     {"MissingValues", "n/a"},
-                     {"TrackedPointsCount", 1},
-                     {"MotionChannelCount", static_cast<int>(kChannels.size())},
-                     {"POSChannelCount", count("POS")},
-                     {"ORNTChannelCount", count("ORNT")},
-                     {"MISCChannelCount", count("MISC")},
-                     {"LATENCYChannelCount", count("LATENCY")},
-                     {"RecordingDuration", written.duration_s}};
+    const double frequency = written.duration_s > 0.0
+                                 ? static_cast<double>(written.samples - 1) / written.duration_s
+                                 : 1.0 / kTick_s;
+    QJsonObject json{
+        {"TaskName", recording.task},
+        {"TaskDescription", recording.taskDescription},
+        {"SamplingFrequency", 1.0 / kTick_s},
+        {"SamplingFrequencyEffective", frequency},
+        {"TrackingSystemName", "haptic"},
+        {"ManufacturersModelName", session.setup().devices.front().model.empty()
+                                       ? kNotAvailable
+                                       : QString::fromStdString(session.setup().devices.front().model)},
+        {"SoftwareVersions", QString::fromStdString(session.record().setup.buildId)},
+        {"MissingValues", "n/a"},
+        {"TrackedPointsCount", 1},
+        {"MotionChannelCount", static_cast<int>(kChannels.size())},
+        {"POSChannelCount", count("POS")},
+        {"ORNTChannelCount", count("ORNT")},
+        {"MISCChannelCount", count("MISC")},
+        {"LATENCYChannelCount", count("LATENCY")},
+        {"RecordingDuration", written.duration_s}};
     // The schema of this file does not allow additional keys.
     if (!recording.protocolSha256.isEmpty())
-        json.insert("TaskDescription", QStringLiteral("%1 (protocol SHA-256 %2)").arg(recording.taskDescription, recording.protocolSha256));
+        json.insert("TaskDescription", QStringLiteral("%1 (protocol SHA-256 %2)")
+                                           .arg(recording.taskDescription, recording.protocolSha256));
     return QJsonDocument(json).toJson();
 }
 
 QByteArray eventsTsv(const std::vector<BidsEvent>& events, const Written& written) {
-    ExportTable table{"events", {}, {{"onset", "s", ""}, {"duration", "s", ""}, {"trial_type", "", ""}, {"ordinal", "1", ""}}, {}};
+    ExportTable table{
+        "events",
+        {},
+        {{"onset", "s", ""}, {"duration", "s", ""}, {"trial_type", "", ""}, {"ordinal", "1", ""}},
+        {}};
     for (std::size_t i = 0; i < events.size(); ++i)
         if (written.onset_s[i] >= 0.0)
-            table.rows.push_back({exportNumber(written.onset_s[i]), exportNumber(std::max(0.0, written.end_s[i] - written.onset_s[i])), events[i].type, events[i].value});
+            table.rows.push_back({exportNumber(written.onset_s[i]),
+                                  exportNumber(std::max(0.0, written.end_s[i] - written.onset_s[i])),
+                                  events[i].type, events[i].value});
     return tsvOf(table);
 }
 
 QByteArray eventsJson() {
-    const QJsonObject levels{{"trial", "scored presentation"}, {"practice", "practice, never scored"}, {"spoiled", "presentation that does not count"}};
-    return QJsonDocument(QJsonObject{{"onset", QJsonObject{{"Description", "begin, since the first sample of the motion file"}, {"Units", "s"}}},
-                                     {"duration", QJsonObject{{"Description", "until the answer"}, {"Units", "s"}}},
-                                     {"trial_type", QJsonObject{{"Description", "what was presented"}, {"Levels", levels}}},
-                                     {"ordinal", QJsonObject{{"Description", "presentation within the run, as in the beh file"}}}})
+    const QJsonObject levels{{"trial", "scored presentation"},
+                             {"practice", "practice, never scored"},
+                             {"spoiled", "presentation that does not count"}};
+    return QJsonDocument(
+               QJsonObject{
+                   {"onset", QJsonObject{{"Description", "begin, since the first sample of the motion file"},
+                                         {"Units", "s"}}},
+                   {"duration", QJsonObject{{"Description", "until the answer"}, {"Units", "s"}}},
+                   {"trial_type", QJsonObject{{"Description", "what was presented"}, {"Levels", levels}}},
+                   {"ordinal",
+                    QJsonObject{{"Description", "presentation within the run, as in the beh file"}}}})
         .toJson();
 }
 
 } // namespace
 
-QString BidsRecording::stem() const { return QStringLiteral("sub-%1_task-%2").arg(subject, task); }
+QString BidsRecording::stem() const {
+    return QStringLiteral("sub-%1_task-%2").arg(subject, task);
+}
 
 QString BidsRecording::tail() const {
-    return (acquisition.isEmpty() ? QString() : QStringLiteral("_acq-") + acquisition) + QStringLiteral("_run-%1").arg(run);
+    return (acquisition.isEmpty() ? QString() : QStringLiteral("_acq-") + acquisition) +
+           QStringLiteral("_run-%1").arg(run);
 }
 
 QString bidsLabel(const QString& words) {
@@ -194,7 +236,8 @@ QString bidsLabel(const QString& words) {
 
 std::map<QString, QString> bidsLabels(QStringList words) {
     std::sort(words.begin(), words.end());
-    std::stable_partition(words.begin(), words.end(), [](const QString& word) { return bidsLabel(word) == word; });
+    std::stable_partition(words.begin(), words.end(),
+                          [](const QString& word) { return bidsLabel(word) == word; });
     std::map<QString, QString> labels;
     std::set<QString> taken;
     for (const QString& word : words) {
@@ -209,18 +252,24 @@ std::map<QString, QString> bidsLabels(QStringList words) {
     return labels;
 }
 
-core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording, const std::vector<BidsEvent>& events) {
+core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording,
+                                   const std::vector<BidsEvent>& events) {
     const QString base = QStringLiteral("sub-%1/motion/%2").arg(recording.subject, recording.stem());
     const QString tracked = base + QStringLiteral("_tracksys-haptic") + recording.tail();
     const auto path = folder.place(tracked + "_motion.tsv");
     CHIRON_TRY(path);
     QFile file(*path);
     if (!file.open(QIODevice::WriteOnly))
-        return core::fail(core::ErrorCode::storage, (*path + ": cannot be written: " + file.errorString()).toStdString());
+        return core::fail(core::ErrorCode::storage,
+                          (*path + ": cannot be written: " + file.errorString()).toStdString());
     const auto written = writeSamples(file, session, events);
     CHIRON_TRY(written);
-    for (const auto& [name, bytes] : {std::pair{tracked + "_motion.json", sidecar(session, recording, *written)}, {tracked + "_channels.tsv", channelsTsv()},
-                                      {tracked + "_channels.json", channelsJson()}, {tracked + "_events.tsv", eventsTsv(events, *written)}, {tracked + "_events.json", eventsJson()}})
+    for (const auto& [name, bytes] :
+         {std::pair{tracked + "_motion.json", sidecar(session, recording, *written)},
+          {tracked + "_channels.tsv", channelsTsv()},
+          {tracked + "_channels.json", channelsJson()},
+          {tracked + "_events.tsv", eventsTsv(events, *written)},
+          {tracked + "_events.json", eventsJson()}})
         if (auto done = folder.write(name, bytes); !done)
             return done;
     return {};

@@ -16,8 +16,8 @@ namespace chiron::session {
 /// The names of the files of one recording and their descriptions. Labels consist of letters and digits only,
 /// as BIDS requires.
 struct BidsRecording {
-    QString subject; ///< "K7M4QX"
-    QString task;    ///< "stiffness"
+    QString subject;     ///< "K7M4QX"
+    QString task;        ///< "stiffness"
     QString acquisition; ///< distinguishes several recordings of one run; empty: there is only one
     int run = 1;
     QString taskDescription;
@@ -47,7 +47,8 @@ std::map<QString, QString> bidsLabels(QStringList words);
 /// the workspace's frame, time since the first tick, and tissue, commanded and measured force as MISC
 /// channels.
 /// Errors: those of the reader, storage.
-core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording, const std::vector<BidsEvent>& events);
+core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording,
+                                   const std::vector<BidsEvent>& events);
 
 /// Writes `folder` as a BIDS dataset of this session only, with its trials as events.
 /// Errors: badInput if the folder exists; storage; those of the reader.

@@ -51,8 +51,9 @@ void runProbe(ProbeTask& task, bool realtime) {
     haptic.join();
 }
 
-core::Result<void> shake(devices::IDevice& device, const devices::WorkspaceMapping& mapping, const haptics::DelayProbeSettings& settings,
-                         const std::atomic<bool>* cancel, haptics::DelayRecord& record) {
+core::Result<void> shake(devices::IDevice& device, const devices::WorkspaceMapping& mapping,
+                         const haptics::DelayProbeSettings& settings, const std::atomic<bool>* cancel,
+                         haptics::DelayRecord& record) {
     haptics::LiveInputs inputs;
     haptics::SafetySupervisor supervisor;
     haptics::SceneExchange scenes;
@@ -73,10 +74,13 @@ core::Result<void> shake(devices::IDevice& device, const devices::WorkspaceMappi
 
 } // namespace
 
-core::Result<haptics::DelayEstimate> measureDelay(devices::IDevice& device, const devices::WorkspaceMapping& mapping,
-                                                  const haptics::DelayProbeSettings& settings, const std::atomic<bool>* cancel) {
+core::Result<haptics::DelayEstimate> measureDelay(devices::IDevice& device,
+                                                  const devices::WorkspaceMapping& mapping,
+                                                  const haptics::DelayProbeSettings& settings,
+                                                  const std::atomic<bool>* cancel) {
     if (!device.descriptor().rendersForce)
-        return core::fail(core::ErrorCode::wrongUse, "delay: " + device.descriptor().model + " renders no force, so it has none to measure");
+        return core::fail(core::ErrorCode::wrongUse, "delay: " + device.descriptor().model +
+                                                         " renders no force, so it has none to measure");
     CHIRON_TRY(device.open());
     haptics::DelayRecord record;
     const auto shaken = shake(device, mapping, settings, cancel, record);
@@ -85,7 +89,9 @@ core::Result<haptics::DelayEstimate> measureDelay(devices::IDevice& device, cons
     if (cancel != nullptr && cancel->load())
         return core::fail(core::ErrorCode::cancelled, "delay: stopped");
     if (record.forces < record.force_N.size())
-        return core::fail(core::ErrorCode::doesNotHold, "delay: force did not come to full strength, or stopped half-way: hold the device still, and try again");
+        return core::fail(core::ErrorCode::doesNotHold,
+                          "delay: force did not come to full strength, or stopped half-way: hold the device "
+                          "still, and try again");
     return haptics::estimateDelay(record);
 }
 

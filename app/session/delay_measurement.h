@@ -14,7 +14,8 @@ namespace chiron::session {
 /// separate thread. Records nothing. Blocks for about 14 s of device time; call it on a worker.
 /// Errors: wrongUse for a device without force; those of open(); doesNotHold if the delay could not be
 ///   determined or the device stopped half-way; cancelled by `cancel`.
-core::Result<haptics::DelayEstimate> measureDelay(devices::IDevice& device, const devices::WorkspaceMapping& mapping,
+core::Result<haptics::DelayEstimate> measureDelay(devices::IDevice& device,
+                                                  const devices::WorkspaceMapping& mapping,
                                                   const haptics::DelayProbeSettings& settings = {},
                                                   const std::atomic<bool>* cancel = nullptr);
 

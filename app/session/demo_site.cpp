@@ -28,8 +28,16 @@ constexpr const char* kAdministrator = "amalia";
 const DemoPerson kPeople[] = {
     {"theo", "Theo Trainer", database::Role::trainer, ""},
     {kDemoResearcher, "Rhea Researcher", database::Role::researcher, ""},
-    {"nikos", "Nikos Newcomer", database::Role::trainee, "novice", {"novice", "novice", "novice", "intermediate"}},
-    {"ines", "Ines Improving", database::Role::trainee, "intermediate", {"novice", "novice", "intermediate", "intermediate", "expert"}},
+    {"nikos",
+     "Nikos Newcomer",
+     database::Role::trainee,
+     "novice",
+     {"novice", "novice", "novice", "intermediate"}},
+    {"ines",
+     "Ines Improving",
+     database::Role::trainee,
+     "intermediate",
+     {"novice", "novice", "intermediate", "intermediate", "expert"}},
     {"eva", "Eva Expert", database::Role::trainee, "expert"},
 };
 
@@ -76,19 +84,23 @@ std::string wordsFor(const Planned& plan) {
     if (plan.displayName.empty())
         return what + plan.session.operatorName;
     return what + plan.displayName +
-           (plan.attempts > 1 ? ", attempt " + std::to_string(plan.attempt) + " of " + std::to_string(plan.attempts) : std::string());
+           (plan.attempts > 1
+                ? ", attempt " + std::to_string(plan.attempt) + " of " + std::to_string(plan.attempts)
+                : std::string());
 }
 
-core::Result<std::vector<Planned>> makePeople(database::Database& database, const catalogue::Catalogue& catalogue,
-                                              std::uint64_t seed) {
+core::Result<std::vector<Planned>> makePeople(database::Database& database,
+                                              const catalogue::Catalogue& catalogue, std::uint64_t seed) {
     database::AccountService accounts(database);
-    auto administrator = accounts.createFirstAdministrator(kAdministrator, kDemoPassword, "Amalia Administrator");
+    auto administrator =
+        accounts.createFirstAdministrator(kAdministrator, kDemoPassword, "Amalia Administrator");
     CHIRON_TRY(administrator);
     auto admin = accounts.login(kAdministrator, kDemoPassword);
     CHIRON_TRY(admin);
     std::vector<Planned> planned;
     for (const DemoPerson& person : kPeople) {
-        auto id = accounts.createPerson(*admin, {person.name, person.displayName, {person.role}, kDemoPassword, false});
+        auto id = accounts.createPerson(
+            *admin, {person.name, person.displayName, {person.role}, kDemoPassword, false});
         CHIRON_TRY(id);
         if (*person.operatorName == '\0')
             continue;
@@ -98,8 +110,12 @@ core::Result<std::vector<Planned>> makePeople(database::Database& database, cons
             for (const catalogue::ExerciseLevel& level : exercise.levels) {
                 const std::vector<std::string> hands = handsAt(person, exercise.id, level.number);
                 for (std::size_t i = 0; i < hands.size(); ++i)
-                    planned.push_back({person.name, *actor, {exercise.id, level.number, hands[i], seed + planned.size() + 100}, person.displayName,
-                                       static_cast<int>(i) + 1, static_cast<int>(hands.size())});
+                    planned.push_back({person.name,
+                                       *actor,
+                                       {exercise.id, level.number, hands[i], seed + planned.size() + 100},
+                                       person.displayName,
+                                       static_cast<int>(i) + 1,
+                                       static_cast<int>(hands.size())});
             }
     }
     return planned;
@@ -114,13 +130,15 @@ core::Result<std::vector<Planned>> planOperators(const catalogue::Catalogue& cat
             if (!(*kind)->demoPart(level.number).ofOperators)
                 continue;
             for (const std::string& name : (*kind)->operatorNames())
-                planned.push_back({"simulated", database::Actor::simulated(), {exercise.id, level.number, name, seed}});
+                planned.push_back(
+                    {"simulated", database::Actor::simulated(), {exercise.id, level.number, name, seed}});
         }
     }
     return planned;
 }
 
-core::Result<void> checkAgain(database::Database& database, const database::Actor& actor, DemoResult& result) {
+core::Result<void> checkAgain(database::Database& database, const database::Actor& actor,
+                              DemoResult& result) {
     auto connection = database.openReader();
     CHIRON_TRY(connection);
     auto stored = SessionView::open(**connection, actor, result.result.session);
@@ -139,7 +157,8 @@ core::Result<void> checkAgain(database::Database& database, const database::Acto
 } // namespace
 
 core::Result<DemoSite> makeDemoSite(database::Database& database, const catalogue::Catalogue& catalogue,
-                                    std::uint64_t seed, const std::function<void(const DemoProgress&)>& progress,
+                                    std::uint64_t seed,
+                                    const std::function<void(const DemoProgress&)>& progress,
                                     const std::atomic<bool>* cancel) {
     auto planned = planOperators(catalogue, seed);
     CHIRON_TRY(planned);
@@ -151,8 +170,10 @@ core::Result<DemoSite> makeDemoSite(database::Database& database, const catalogu
     const int steps = static_cast<int>(planned->size()) + demoStudyParticipants();
     for (const Planned& plan : *planned) {
         if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
-            return core::fail(core::ErrorCode::cancelled, "the demonstration was stopped before it was complete");
-        progress({++step, steps, wordsFor(plan), plan.session.exercise, plan.session.level, plan.displayName, plan.attempt, plan.attempts});
+            return core::fail(core::ErrorCode::cancelled,
+                              "the demonstration was stopped before it was complete");
+        progress({++step, steps, wordsFor(plan), plan.session.exercise, plan.session.level, plan.displayName,
+                  plan.attempt, plan.attempts});
         auto result = runScripted(database, plan.actor, catalogue, plan.session, cancel);
         CHIRON_TRY(result);
         DemoResult line{plan.person, plan.session, std::move(*result), false, false};
@@ -161,19 +182,25 @@ core::Result<DemoSite> makeDemoSite(database::Database& database, const catalogu
     }
     const auto researcher = database::AccountService(database).login(kDemoResearcher, kDemoPassword);
     CHIRON_TRY(researcher);
-    auto study = makeDemoStudy(database, *researcher, seed, [&](const std::string& doing) { progress({++step, steps, doing}); }, cancel);
+    auto study = makeDemoStudy(
+        database, *researcher, seed,
+        [&](const std::string& doing) {
+            progress({++step, steps, doing});
+        },
+        cancel);
     CHIRON_TRY(study);
     made.study = std::move(*study);
     return made;
 }
 
-core::Result<std::unique_ptr<database::Database>> createDemoSite(const std::string& file, const database::DatabaseOptions& options,
-                                                                 const catalogue::Catalogue& catalogue, std::uint64_t seed,
-                                                                 const std::function<void(const DemoProgress&)>& progress,
-                                                                 const std::atomic<bool>* cancel) {
+core::Result<std::unique_ptr<database::Database>>
+createDemoSite(const std::string& file, const database::DatabaseOptions& options,
+               const catalogue::Catalogue& catalogue, std::uint64_t seed,
+               const std::function<void(const DemoProgress&)>& progress, const std::atomic<bool>* cancel) {
     const QString name = QString::fromStdString(file);
     if (QFileInfo::exists(name))
-        return core::fail(core::ErrorCode::badInput, file + ": exists already; a demonstration is made in a new file");
+        return core::fail(core::ErrorCode::badInput,
+                          file + ": exists already; a demonstration is made in a new file");
     database::DatabaseOptions marked = options;
     marked.demonstration = true;
     const std::string folder = database::siteFolderFor(file, marked);

@@ -24,8 +24,8 @@ struct DemoResult {
 struct DemoProgress {
     int step = 1; ///< from 1
     int of = 1;
-    std::string doing; ///< description of the step: the level of an exercise and who does it, or a
-                       ///< participant of the study
+    std::string doing;      ///< description of the step: the level of an exercise and who does it, or a
+                            ///< participant of the study
     std::string exercise{}; ///< the exercise of the step; empty: a participant of the study
     int level = 0;
     std::string person{}; ///< full name; empty: a scripted operator under the simulated account
@@ -52,15 +52,17 @@ inline constexpr const char* kDemoResearcher = "rhea"; ///< author of the studie
 /// caller must then discard the database.
 /// Errors: wrongUse if there are people; cancelled; that of the first failing session.
 core::Result<DemoSite> makeDemoSite(database::Database& database, const catalogue::Catalogue& catalogue,
-                                    std::uint64_t seed, const std::function<void(const DemoProgress&)>& progress,
+                                    std::uint64_t seed,
+                                    const std::function<void(const DemoProgress&)>& progress,
                                     const std::atomic<bool>* cancel = nullptr);
 
 /// Runs makeDemoSite in a new file that is opened for writing and marked *demonstration*. Removes the file
 /// again on failure or cancellation.
 /// Errors: badInput if the file exists (it is left unchanged); storage; those of makeDemoSite.
-core::Result<std::unique_ptr<database::Database>> createDemoSite(const std::string& file, const database::DatabaseOptions& options,
-                                                                 const catalogue::Catalogue& catalogue, std::uint64_t seed,
-                                                                 const std::function<void(const DemoProgress&)>& progress,
-                                                                 const std::atomic<bool>* cancel = nullptr);
+core::Result<std::unique_ptr<database::Database>>
+createDemoSite(const std::string& file, const database::DatabaseOptions& options,
+               const catalogue::Catalogue& catalogue, std::uint64_t seed,
+               const std::function<void(const DemoProgress&)>& progress,
+               const std::atomic<bool>* cancel = nullptr);
 
 } // namespace chiron::session

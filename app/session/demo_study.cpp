@@ -25,20 +25,23 @@ struct DemoParticipant {
 };
 
 constexpr DemoParticipant kParticipants[] = {
-    {"SIM-1", "weber:0.08,lapse:0.02", false}, {"SIM-2", "weber:0.1,lapse:0.02", false},  {"SIM-3", "weber:0.12,lapse:0.02", false},
-    {"SIM-4", "weber:0.14,lapse:0.02", false}, {"SIM-5", "weber:0.17,lapse:0.02", false}, {"SIM-6", "weber:0.2,lapse:0.02", false},
+    {"SIM-1", "weber:0.08,lapse:0.02", false}, {"SIM-2", "weber:0.1,lapse:0.02", false},
+    {"SIM-3", "weber:0.12,lapse:0.02", false}, {"SIM-4", "weber:0.14,lapse:0.02", false},
+    {"SIM-5", "weber:0.17,lapse:0.02", false}, {"SIM-6", "weber:0.2,lapse:0.02", false},
     {"SIM-7", "weber:0.12,lapse:0.02", true},
 };
 
 /// Adds a study of the content, frozen if requested.
-core::Result<database::StudyNumber> addStudy(database::Database& database, const database::Actor& author, const catalogue::StudyCatalogue& content,
-                                             const char* id, bool freeze) {
+core::Result<database::StudyNumber> addStudy(database::Database& database, const database::Actor& author,
+                                             const catalogue::StudyCatalogue& content, const char* id,
+                                             bool freeze) {
     const psychophysics::StudyDesign* design = content.find(id);
     if (design == nullptr)
         return core::fail(core::ErrorCode::notFound, std::string("content: no study \"") + id + "\"");
     return database.write([&](database::WriteContext& context) -> core::Result<database::StudyNumber> {
         database::StudyRepository studies(context.connection(), author);
-        auto made = studies.createStudy(design->id, design->title.at("en"), catalogue::studyJson(*design).toStdString());
+        auto made = studies.createStudy(design->id, design->title.at("en"),
+                                        catalogue::studyJson(*design).toStdString());
         if (!made || !freeze)
             return made;
         CHIRON_TRY(studies.freezeStudy(*made));
@@ -47,8 +50,9 @@ core::Result<database::StudyNumber> addStudy(database::Database& database, const
 }
 
 /// Enrols a participant who then does the study. Returns the session in which it was recorded, or 0.
-core::Result<database::SessionId> runParticipant(database::Database& database, const database::Actor& author, database::StudyNumber study,
-                                                 const DemoParticipant& who, std::uint64_t seed, const std::atomic<bool>* cancel) {
+core::Result<database::SessionId> runParticipant(database::Database& database, const database::Actor& author,
+                                                 database::StudyNumber study, const DemoParticipant& who,
+                                                 std::uint64_t seed, const std::atomic<bool>* cancel) {
     const auto observer = psychophysics::parseObserver(who.observer);
     CHIRON_TRY(observer);
     const auto enrolled = database.write([&](database::WriteContext& context) {
@@ -68,11 +72,13 @@ core::Result<database::SessionId> runParticipant(database::Database& database, c
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
         return core::fail(core::ErrorCode::cancelled, "the demonstration was stopped before it was complete");
     if (!report->completed)
-        return core::fail(core::ErrorCode::wrongUse, std::string("study ") + kStudy + ", participant " + who.code + ": did not complete");
+        return core::fail(core::ErrorCode::wrongUse, std::string("study ") + kStudy + ", participant " +
+                                                         who.code + ": did not complete");
     return report->runs.front().session;
 }
 
-core::Result<bool> replaysAlike(database::Database& database, const database::Actor& author, database::SessionId session) {
+core::Result<bool> replaysAlike(database::Database& database, const database::Actor& author,
+                                database::SessionId session) {
     auto connection = database.openReader();
     CHIRON_TRY(connection);
     auto stored = SessionView::open(**connection, author, session);
@@ -82,7 +88,8 @@ core::Result<bool> replaysAlike(database::Database& database, const database::Ac
 }
 
 /// Analyses the study as for everybody who opens it.
-core::Result<void> analyse(database::Database& database, const database::Actor& author, std::uint64_t seed, DemoStudy& made) {
+core::Result<void> analyse(database::Database& database, const database::Actor& author, std::uint64_t seed,
+                           DemoStudy& made) {
     auto connection = database.openReader();
     CHIRON_TRY(connection);
     database::StudyReader reader(**connection, author);
@@ -93,9 +100,11 @@ core::Result<void> analyse(database::Database& database, const database::Actor& 
     made.condition = condition.condition;
     made.group = std::move(condition.group);
     for (AnalysedRun& run : condition.runs) {
-        const bool same = run.replayed.sameProcedures && run.replayed.same + run.replayed.ties == run.replayed.trials;
+        const bool same =
+            run.replayed.sameProcedures && run.replayed.same + run.replayed.ties == run.replayed.trials;
         const database::SessionId session = run.trials.front().session;
-        made.runs.push_back({run.participant.code, run.participant.observer, session, std::move(run.estimate), same});
+        made.runs.push_back(
+            {run.participant.code, run.participant.observer, session, std::move(run.estimate), same});
         if (session == 0)
             continue;
         const auto alike = replaysAlike(database, author, session);
@@ -107,9 +116,12 @@ core::Result<void> analyse(database::Database& database, const database::Actor& 
 
 } // namespace
 
-int demoStudyParticipants() { return static_cast<int>(std::size(kParticipants)); }
+int demoStudyParticipants() {
+    return static_cast<int>(std::size(kParticipants));
+}
 
-core::Result<DemoStudy> makeDemoStudy(database::Database& database, const database::Actor& author, std::uint64_t seed,
+core::Result<DemoStudy> makeDemoStudy(database::Database& database, const database::Actor& author,
+                                      std::uint64_t seed,
                                       const std::function<void(const std::string& doing)>& progress,
                                       const std::atomic<bool>* cancel) {
     const auto content = catalogue::StudyCatalogue::load();
@@ -123,8 +135,10 @@ core::Result<DemoStudy> makeDemoStudy(database::Database& database, const databa
     made.draft = *draft;
     for (const DemoParticipant& who : kParticipants) {
         if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
-            return core::fail(core::ErrorCode::cancelled, "the demonstration was stopped before it was complete");
-        progress(std::string("study ") + kStudy + ", " + who.code + (who.rendered ? "" : ", without rendering"));
+            return core::fail(core::ErrorCode::cancelled,
+                              "the demonstration was stopped before it was complete");
+        progress(std::string("study ") + kStudy + ", " + who.code +
+                 (who.rendered ? "" : ", without rendering"));
         CHIRON_TRY(runParticipant(database, author, *study, who, seed, cancel));
     }
     CHIRON_TRY(analyse(database, author, seed, made));

@@ -15,8 +15,8 @@ namespace chiron::session {
 
 /// The results of one simulated participant of the demonstration's study.
 struct DemoStudyRun {
-    std::string participant; ///< code
-    std::string observer;    ///< parameters of the simulated observer
+    std::string participant;         ///< code
+    std::string observer;            ///< parameters of the simulated observer
     database::SessionId session = 0; ///< its recording; 0: not rendered, the observer received the values
                                      ///< directly
     psychophysics::RunEstimate estimate;
@@ -44,7 +44,8 @@ int demoStudyParticipants();
 /// description of each participant before that participant begins, on the calling thread. Deterministic for a
 /// given seed.
 /// Errors: cancelled; those of the content; those of the repository; a run that is not complete.
-core::Result<DemoStudy> makeDemoStudy(database::Database& database, const database::Actor& author, std::uint64_t seed,
+core::Result<DemoStudy> makeDemoStudy(database::Database& database, const database::Actor& author,
+                                      std::uint64_t seed,
                                       const std::function<void(const std::string& doing)>& progress,
                                       const std::atomic<bool>* cancel = nullptr);
 

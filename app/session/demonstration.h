@@ -9,11 +9,11 @@ namespace chiron::session {
 
 /// Who does a level in the demonstration site (demo_site.h).
 struct DemoPart {
-    bool learned = false;      ///< trainees repeat it with increasing skill: short sessions that show a
-                               ///< learning curve
-    bool ofWhoCan = false;     ///< done by the trainee who has mastered the exercise
-    bool ofWhoLearns = false;  ///< ... and by the trainees who learn it
-    bool ofOperators = true;   ///< every scripted operator does it
+    bool learned = false;     ///< trainees repeat it with increasing skill: short sessions that show a
+                              ///< learning curve
+    bool ofWhoCan = false;    ///< done by the trainee who has mastered the exercise
+    bool ofWhoLearns = false; ///< ... and by the trainees who learn it
+    bool ofOperators = true;  ///< every scripted operator does it
 };
 
 /// A column of the table of the demonstration's sessions. Texts are English, UTF-8.
@@ -25,7 +25,7 @@ struct DemoColumn {
 
 /// A picture that compares the scripted operators.
 struct OperatorComparison {
-    std::string file{};       ///< file name: "operators.png"
+    std::string file{}; ///< file name: "operators.png"
     std::string title{};
     std::string metric{};     ///< id
     std::string metricName{}; ///< axis label

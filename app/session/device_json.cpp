@@ -46,19 +46,19 @@ QJsonObject toJson(const devices::DeviceDescriptor& d) {
     for (const double p : d.kinematicsParameters)
         parameters.append(p);
     QJsonObject json{{"driver", QString::fromStdString(d.driver)},
-            {"model", QString::fromStdString(d.model)},
-            {"kinematics", QString::fromStdString(d.kinematics)},
-            {"kinematics_parameters", parameters},
-            {"axes", axes},
-            {"jaw_resolution_rad", d.jawResolution_rad},
-            {"renders_force", d.rendersForce},
-            {"measures_force", d.measuresForce},
-            {"in_process", d.inProcess},
-            {"period_us", static_cast<double>(d.period_us)},
-            {"maximum_force_N", d.maximumForce_N},
-            {"maximum_torque_Nm", d.maximumTorque_Nm},
-            {"maximum_damping_Ns_per_m", d.maximumDamping_Ns_per_m},
-            {"friction_compensation", d.frictionCompensation}};
+                     {"model", QString::fromStdString(d.model)},
+                     {"kinematics", QString::fromStdString(d.kinematics)},
+                     {"kinematics_parameters", parameters},
+                     {"axes", axes},
+                     {"jaw_resolution_rad", d.jawResolution_rad},
+                     {"renders_force", d.rendersForce},
+                     {"measures_force", d.measuresForce},
+                     {"in_process", d.inProcess},
+                     {"period_us", static_cast<double>(d.period_us)},
+                     {"maximum_force_N", d.maximumForce_N},
+                     {"maximum_torque_Nm", d.maximumTorque_Nm},
+                     {"maximum_damping_Ns_per_m", d.maximumDamping_Ns_per_m},
+                     {"friction_compensation", d.frictionCompensation}};
     // Without a serial number, the text is the same as before the field existed.
     if (!d.serialNumber.empty())
         json.insert("serial_number", QString::fromStdString(d.serialNumber));
@@ -111,14 +111,18 @@ core::Result<devices::WorkspaceMapping> mappingFromJson(const QJsonObject& json)
     m.scale = in.number("scale");
     m.leftHanded = in.boolean("left_handed");
     const bool turned = json.contains(QLatin1String("base_turn"));
-    const std::vector<double> turn = turned ? in.numbers("base_turn") : std::vector<double>{1.0, 0.0, 0.0, 0.0};
+    const std::vector<double> turn =
+        turned ? in.numbers("base_turn") : std::vector<double>{1.0, 0.0, 0.0, 0.0};
     if (!in.ok())
         return tl::unexpected(in.error());
-    if (turn.size() != 4 || !(std::abs(std::hypot(turn[0], turn[1], std::hypot(turn[2], turn[3])) - 1.0) < 1e-6))
-        return core::fail(core::ErrorCode::badInput, "mapping.base_turn: expected the four parts w, x, y, z of a unit quaternion");
+    if (turn.size() != 4 ||
+        !(std::abs(std::hypot(turn[0], turn[1], std::hypot(turn[2], turn[3])) - 1.0) < 1e-6))
+        return core::fail(core::ErrorCode::badInput,
+                          "mapping.base_turn: expected the four parts w, x, y, z of a unit quaternion");
     std::copy(turn.begin(), turn.end(), m.q_WD.begin());
     if (origin.size() != 3 || !(m.scale > 0.0))
-        return core::fail(core::ErrorCode::badInput, "mapping: expected three origin coordinates and a positive scale");
+        return core::fail(core::ErrorCode::badInput,
+                          "mapping: expected three origin coordinates and a positive scale");
     std::copy(origin.begin(), origin.end(), m.origin_m.begin());
     return m;
 }

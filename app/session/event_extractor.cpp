@@ -16,18 +16,29 @@ using core::CommandKind;
 
 const char* wordFor(CommandKind kind) {
     switch (kind) {
-    case CommandKind::start: return "start";
-    case CommandKind::pause: return "pause";
-    case CommandKind::resume: return "resume";
-    case CommandKind::confirmHold: return "confirm_hold";
-    case CommandKind::stopForce: return "stop_force";
-    case CommandKind::rearm: return "rearm";
-    case CommandKind::mark: return "mark_command";
-    case CommandKind::end: return "end";
-    case CommandKind::present: return "presented";
-    case CommandKind::answer: return "answered";
+    case CommandKind::start:
+        return "start";
+    case CommandKind::pause:
+        return "pause";
+    case CommandKind::resume:
+        return "resume";
+    case CommandKind::confirmHold:
+        return "confirm_hold";
+    case CommandKind::stopForce:
+        return "stop_force";
+    case CommandKind::rearm:
+        return "rearm";
+    case CommandKind::mark:
+        return "mark_command";
+    case CommandKind::end:
+        return "end";
+    case CommandKind::present:
+        return "presented";
+    case CommandKind::answer:
+        return "answered";
     case CommandKind::report: // reports are contained in the recorded quantities
-    case CommandKind::none: break;
+    case CommandKind::none:
+        break;
     }
     return nullptr;
 }
@@ -56,7 +67,9 @@ const char* endWordOf(std::uint32_t events, bool byTrace) {
 
 } // namespace
 
-std::span<const MarkedGuard> markedGuards() noexcept { return kMarkedGuards; }
+std::span<const MarkedGuard> markedGuards() noexcept {
+    return kMarkedGuards;
+}
 
 void EventExtractor::add(std::span<const core::HapticFrame> frames) {
     for (const core::HapticFrame& frame : frames)
@@ -143,9 +156,10 @@ void EventExtractor::addYields(const core::HapticFrame& frame, double t_s) {
         if (core::contactOfStatus(frame.tool[tool].status) & core::contact_bits::kYielded) {
             note(frame, t_s, "tissue_yielded", i);
             const long long torque_mNm = std::llround(1e3 * std::max(m_torque_Nm[tool], torque_Nm));
-            m_events.back().detailJson = "{\"trial\":" + std::to_string(frame.header.trial) +
-                                         ",\"force_mN\":" + std::to_string(std::llround(1e3 * std::max(m_force_N[tool], force_N))) +
-                                         (torque_mNm > 0 ? ",\"torque_mN_m\":" + std::to_string(torque_mNm) : std::string()) + "}";
+            m_events.back().detailJson =
+                "{\"trial\":" + std::to_string(frame.header.trial) +
+                ",\"force_mN\":" + std::to_string(std::llround(1e3 * std::max(m_force_N[tool], force_N))) +
+                (torque_mNm > 0 ? ",\"torque_mN_m\":" + std::to_string(torque_mNm) : std::string()) + "}";
         }
         m_force_N[tool] = force_N;
         m_torque_Nm[tool] = torque_Nm;

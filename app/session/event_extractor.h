@@ -60,8 +60,8 @@ private:
     std::uint32_t m_guards = 0;
     std::array<bool, core::kMaxTools> m_over{};
     std::array<double, core::kMaxTools> m_torque_Nm{}; ///< likewise, the torque
-    std::array<double, core::kMaxTools> m_force_N{}; ///< tissue force of the previous tick, which tells how
-                                                     ///< hard the tool pushed when tissue gave way
+    std::array<double, core::kMaxTools> m_force_N{};   ///< tissue force of the previous tick, which tells how
+                                                       ///< hard the tool pushed when tissue gave way
     bool m_finished = false;
     bool m_faulted = false;
     bool m_endCommand = false;

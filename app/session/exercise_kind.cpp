@@ -5,7 +5,9 @@
 
 namespace chiron::session {
 
-std::vector<MomentRule> ExerciseKind::momentRules() const { return {}; }
+std::vector<MomentRule> ExerciseKind::momentRules() const {
+    return {};
+}
 
 core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
     std::string known;
@@ -14,7 +16,8 @@ core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
             return kind;
         known += (known.empty() ? "" : ", ") + std::string(kind->id());
     }
-    return core::fail(core::ErrorCode::notFound, "exercise \"" + std::string(id) + "\": expected one of " + known);
+    return core::fail(core::ErrorCode::notFound,
+                      "exercise \"" + std::string(id) + "\": expected one of " + known);
 }
 
 std::string idsOfKinds(bool (*holds)(const ExerciseKind&)) {
@@ -25,7 +28,8 @@ std::string idsOfKinds(bool (*holds)(const ExerciseKind&)) {
     return ids;
 }
 
-std::vector<devices::WorkspaceMapping> usualPlaces(const ExerciseKind& kind, const catalogue::ExerciseLevel& level) {
+std::vector<devices::WorkspaceMapping> usualPlaces(const ExerciseKind& kind,
+                                                   const catalogue::ExerciseLevel& level) {
     std::vector<devices::WorkspaceMapping> places;
     for (int tool = 0; tool < kind.toolCount(level); ++tool)
         places.push_back(kind.toolPlace(level, tool));

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catalogue/exercise.h"
-#include "core/result.h"
 #include "core/quantity.h"
+#include "core/result.h"
 #include "devices/api/device_descriptor.h"
 #include "devices/driver.h"
 #include "mechanisms/hand_parameters.h"
@@ -36,7 +36,7 @@ struct Condition;
 namespace chiron::scoring {
 struct TraceColumns;
 struct TraceRow;
-}
+} // namespace chiron::scoring
 
 namespace chiron::session {
 
@@ -54,7 +54,8 @@ struct ScriptedTrainee {
 };
 
 /// A trainee with one hand.
-inline ScriptedTrainee oneHanded(std::unique_ptr<mechanisms::HandStrategy> strategy, const mechanisms::HandParameters& hand) {
+inline ScriptedTrainee oneHanded(std::unique_ptr<mechanisms::HandStrategy> strategy,
+                                 const mechanisms::HandParameters& hand) {
     ScriptedTrainee trainee;
     trainee.strategies.push_back(std::move(strategy));
     trainee.hand = hand;
@@ -85,8 +86,8 @@ public:
     virtual ~ExerciseKind() = default;
 
     virtual std::string_view id() const noexcept = 0;
-    /// The simulated mechanism that a scripted operator holds: kinematics id "gimbal_hprd" (P2), "five_bar_spherical" (P1) or
-    /// "fingertip_arm" (P3).
+    /// The simulated mechanism that a scripted operator holds: kinematics id "gimbal_hprd" (P2),
+    /// "five_bar_spherical" (P1) or "fingertip_arm" (P3).
     virtual std::string_view mechanism() const noexcept { return kUsualMechanism; }
     /// All mechanisms on which the exercise can be done; the usual one (mechanism()) comes first.
     virtual std::vector<std::string_view> mechanisms() const { return {mechanism()}; }
@@ -110,10 +111,15 @@ public:
     virtual devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel&, int) const { return {}; }
     /// The height above W's origin at which a pointer's tool starts over this point of W, metres, if the
     /// exercise needs no search on the way down; empty: the driver's own starting height.
-    virtual std::optional<double> pointerStart_m(const catalogue::ExerciseLevel&, double /*x_m*/, double /*y_m*/) const { return {}; }
+    virtual std::optional<double> pointerStart_m(const catalogue::ExerciseLevel&, double /*x_m*/,
+                                                 double /*y_m*/) const {
+        return {};
+    }
     /// The scene's values in `SceneOutput::quantities`, in this order; they are recorded with the session. At
     /// most core::kMaxQuantities.
-    virtual std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel&) const { return {}; }
+    virtual std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel&) const {
+        return {};
+    }
     /// True if the energy balance is recorded (TickHeader::energySupplied_J, energyStored_J) and plotted in
     /// playback.
     virtual bool recordsEnergy(const catalogue::ExerciseLevel&) const { return false; }
@@ -130,18 +136,20 @@ public:
     virtual simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel&) const { return {}; }
     /// Makes a scripted operator.
     /// Errors: notFound naming the operators that exist.
-    virtual core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
-                                                       std::uint64_t seed) const = 0;
+    virtual core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level,
+                                                       const std::string& name, std::uint64_t seed) const = 0;
     /// The same on a given mechanism of mechanisms(), for exercises in which this makes a difference.
-    virtual core::Result<ScriptedTrainee> makeOperatorOn(std::string_view, const catalogue::ExerciseLevel& level,
+    virtual core::Result<ScriptedTrainee> makeOperatorOn(std::string_view,
+                                                         const catalogue::ExerciseLevel& level,
                                                          const std::string& name, std::uint64_t seed) const {
         return makeOperator(level, name, seed);
     }
     /// The same with device bases at other positions than those of toolPlace(), one per tool; only if
     /// operatorsKnowTheirPlace().
-    virtual core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping>, std::string_view mechanism,
-                                                         const catalogue::ExerciseLevel& level, const std::string& name,
-                                                         std::uint64_t seed) const {
+    virtual core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping>,
+                                                         std::string_view mechanism,
+                                                         const catalogue::ExerciseLevel& level,
+                                                         const std::string& name, std::uint64_t seed) const {
         return makeOperatorOn(mechanism, level, name, seed);
     }
     /// True if its scripted hands convert targets from W to D, so that a device's base can be mounted
@@ -152,7 +160,10 @@ public:
     virtual double forceLimit_N(const catalogue::ExerciseLevel& level) const = 0;
     /// Limits of a level in addition to that of the force on the tissue: the metric, and the value that it
     /// should not exceed, N.
-    virtual std::vector<std::pair<std::string_view, double>> otherLimits_N(const catalogue::ExerciseLevel&) const { return {}; }
+    virtual std::vector<std::pair<std::string_view, double>>
+    otherLimits_N(const catalogue::ExerciseLevel&) const {
+        return {};
+    }
     /// The exercise's torque cap for the supervisor; the site's default (models.md §5) if the exercise
     /// commands no torque.
     virtual double torqueLimit_Nm(const catalogue::ExerciseLevel&) const { return 0.150; }
@@ -170,9 +181,13 @@ public:
     /// count. Uses the same judgement as the scores. Marks stay in the order of time. `trace` is null unless
     /// marksFromTrace().
     /// Errors: a trace that cannot be scored.
-    virtual core::Result<void> addMarks(const SessionSetup&, const scoring::SessionTrace* /*trace*/, PlaybackTrack&) const { return {}; }
+    virtual core::Result<void> addMarks(const SessionSetup&, const scoring::SessionTrace* /*trace*/,
+                                        PlaybackTrack&) const {
+        return {};
+    }
     /// Adds the outcome of a trial's answer as events of its session. Uses the same judgement as the scores.
-    virtual void addAnswerEvents(const scoring::TrialTrace&, const database::TrialRecord&, AnswerEvents&) const {}
+    virtual void addAnswerEvents(const scoring::TrialTrace&, const database::TrialRecord&,
+                                 AnswerEvents&) const {}
     /// Adds truth to the stored data of a trial, in addition to TrialTrace::truth.
     virtual void storeTruth(const scoring::TrialTrace&, QJsonObject& /*truth*/) const {}
     /// The columns that an exported trace has for this exercise, in addition to the quantities and
@@ -196,7 +211,8 @@ public:
 };
 
 /// The default positions of the bases of a level's tools.
-std::vector<devices::WorkspaceMapping> usualPlaces(const ExerciseKind& kind, const catalogue::ExerciseLevel& level);
+std::vector<devices::WorkspaceMapping> usualPlaces(const ExerciseKind& kind,
+                                                   const catalogue::ExerciseLevel& level);
 
 /// All exercises that can be run, including those used only by studies.
 std::span<const ExerciseKind* const> exerciseKinds();

@@ -22,7 +22,9 @@ constexpr double kSettling = 0.4; ///< fraction of a half that is left out at it
 constexpr double kBraking = 0.1;  ///< fraction that is left out at its end
 
 /// Half the length of a stroke: the distance covered in one second, limited to 4 to 45 mm.
-double halfOf(double speed_m_per_s) { return std::clamp(speed_m_per_s, 0.004, 0.045); }
+double halfOf(double speed_m_per_s) {
+    return std::clamp(speed_m_per_s, 0.004, 0.045);
+}
 
 struct Stroke {
     Vec3 direction = Vec3::UnitX();
@@ -87,7 +89,8 @@ public:
 private:
     /// Moves out by one half, back by two, and out by one half. Forces are averaged over the middle part of
     /// each movement.
-    void stroke(const Stroke& s, Noted& noted, double t, const mechanisms::HandPerception& seen, mechanisms::HandIntention& wanted) noexcept {
+    void stroke(const Stroke& s, Noted& noted, double t, const mechanisms::HandPerception& seen,
+                mechanisms::HandIntention& wanted) noexcept {
         const double half = s.half_s(), in = t - s.begin_s;
         const double turned = half + kTurn_s, back = turned + 2.0 * half + kTurn_s;
         double x = 0.0, v = 0.0; // position in halves; velocity in halves per second
@@ -120,7 +123,8 @@ private:
 /// A scene with nothing to touch.
 class FreeAir final : public simulation::IScene {
 public:
-    void respond(const realtime::HapticTick&, const simulation::SceneInput& in, simulation::SceneOutput& out) noexcept override {
+    void respond(const realtime::HapticTick&, const simulation::SceneInput& in,
+                 simulation::SceneOutput& out) noexcept override {
         out = simulation::SceneOutput{};
         out.tissue.count = in.tools.count;
         out.phase = core::TrialPhase::running;
@@ -172,7 +176,8 @@ core::Result<FrictionFelt> feelFriction(const mechanisms::GimbalPlantParameters&
     felt.compensation = compensation;
     for (std::size_t i = 0; i < before->strokes.size(); ++i) {
         const Stroke& stroke = before->strokes[i];
-        felt.rows.push_back({stroke.direction.x() > 0.5 ? "sideways" : "along", stroke.speed_m_per_s, before->noted[i].felt_N(), after->noted[i].felt_N()});
+        felt.rows.push_back({stroke.direction.x() > 0.5 ? "sideways" : "along", stroke.speed_m_per_s,
+                             before->noted[i].felt_N(), after->noted[i].felt_N()});
     }
     felt.heldBefore_N = before->change_N;
     felt.heldAfter_N = after->change_N;

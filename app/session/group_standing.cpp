@@ -8,7 +8,8 @@ namespace chiron::session {
 
 namespace {
 
-std::vector<ExerciseStanding> byExercise(const catalogue::Catalogue& catalogue, const std::vector<LevelStanding>& standings) {
+std::vector<ExerciseStanding> byExercise(const catalogue::Catalogue& catalogue,
+                                         const std::vector<LevelStanding>& standings) {
     std::vector<ExerciseStanding> exercises;
     for (const catalogue::Exercise& exercise : catalogue.exercises()) {
         ExerciseStanding standing;
@@ -26,7 +27,8 @@ std::vector<ExerciseStanding> byExercise(const catalogue::Catalogue& catalogue, 
     return exercises;
 }
 
-PersonStanding standingOf(const catalogue::Catalogue& catalogue, const database::Person& person, const std::vector<database::SessionSummary>& own) {
+PersonStanding standingOf(const catalogue::Catalogue& catalogue, const database::Person& person,
+                          const std::vector<database::SessionSummary>& own) {
     PersonStanding standing;
     standing.person = person.id;
     standing.name = person.displayName.empty() ? person.name : person.displayName;
@@ -43,7 +45,8 @@ PersonStanding standingOf(const catalogue::Catalogue& catalogue, const database:
 
 } // namespace
 
-std::vector<PersonStanding> groupStandings(const catalogue::Catalogue& catalogue, std::span<const database::Person> people,
+std::vector<PersonStanding> groupStandings(const catalogue::Catalogue& catalogue,
+                                           std::span<const database::Person> people,
                                            std::span<const database::SessionSummary> sessions) {
     std::map<database::PersonId, std::vector<database::SessionSummary>> byPerson;
     for (const database::SessionSummary& session : sessions)
@@ -54,7 +57,9 @@ std::vector<PersonStanding> groupStandings(const catalogue::Catalogue& catalogue
         const auto own = byPerson.find(person.id);
         if (!person.enabled || (!person.roles.contains(database::Role::trainee) && own == byPerson.end()))
             continue;
-        group.push_back(standingOf(catalogue, person, own == byPerson.end() ? std::vector<database::SessionSummary>() : own->second));
+        group.push_back(
+            standingOf(catalogue, person,
+                       own == byPerson.end() ? std::vector<database::SessionSummary>() : own->second));
     }
     return group;
 }

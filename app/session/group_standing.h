@@ -14,9 +14,9 @@ namespace chiron::session {
 /// The standing of one person in one exercise.
 struct ExerciseStanding {
     std::string exercise;
-    std::vector<LevelStanding> levels;  ///< in the order of the content
-    std::optional<LevelStanding> open;  ///< the lowest level that is not passed; empty: all are passed
-    int attempts = 0;                   ///< over all levels
+    std::vector<LevelStanding> levels; ///< in the order of the content
+    std::optional<LevelStanding> open; ///< the lowest level that is not passed; empty: all are passed
+    int attempts = 0;                  ///< over all levels
 };
 
 /// The standing of one person of a group.
@@ -34,7 +34,8 @@ struct PersonStanding {
 
 /// The standings of all trainees with enabled accounts, and of all others who have trained, in the order of
 /// `people`. Sessions recorded for a study are not training and are ignored. Pure function.
-std::vector<PersonStanding> groupStandings(const catalogue::Catalogue& catalogue, std::span<const database::Person> people,
+std::vector<PersonStanding> groupStandings(const catalogue::Catalogue& catalogue,
+                                           std::span<const database::Person> people,
                                            std::span<const database::SessionSummary> sessions);
 
 } // namespace chiron::session

@@ -32,7 +32,8 @@ std::vector<database::Finding> checkScores(database::Connection& connection, dat
     return {};
 }
 
-database::VerifyReport verifyEverything(const std::string& databaseFile, const database::DatabaseOptions& options,
+database::VerifyReport verifyEverything(const std::string& databaseFile,
+                                        const database::DatabaseOptions& options,
                                         const database::VerifyWatch& watch) {
     return database::verifyDatabase(databaseFile, options, checkScores, watch);
 }

@@ -12,14 +12,16 @@
 
 namespace chiron::session {
 
-/// Reads members of one stored JSON object and remembers the first that is missing or of the wrong type, so that a
-/// damaged row gives one clear Error instead of silent zeros.
+/// Reads members of one stored JSON object and remembers the first that is missing or of the wrong type, so
+/// that a damaged row gives one clear Error instead of silent zeros.
 class JsonReader {
 public:
     JsonReader(const QJsonObject& object, QString place) : m_object(object), m_place(std::move(place)) {}
 
     /// Reads a number; returns `otherwise` if an earlier version did not write the key.
-    double number(const char* key, double otherwise) { return m_object.contains(QLatin1String(key)) ? number(key) : otherwise; }
+    double number(const char* key, double otherwise) {
+        return m_object.contains(QLatin1String(key)) ? number(key) : otherwise;
+    }
     double number(const char* key) { return value(key, QJsonValue::Double, "a number").toDouble(); }
     bool boolean(const char* key) { return value(key, QJsonValue::Bool, "true or false").toBool(); }
     QString string(const char* key) { return value(key, QJsonValue::String, "a text").toString(); }

@@ -11,7 +11,9 @@ const std::vector<std::string>& cueWordsOf(const catalogue::ExerciseLevel& level
 
 LevelCues cuesOf(const catalogue::ExerciseLevel& level, bool felt) {
     const std::vector<std::string>& words = cueWordsOf(level, felt);
-    const auto has = [&words](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
+    const auto has = [&words](const char* word) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
     return {.object = has("object"),
             .tool = has("tool"),
             .arrow = has("arrow"),

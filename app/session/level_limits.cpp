@@ -11,7 +11,8 @@ namespace chiron::session {
 namespace {
 
 std::optional<double> largestPassed(const catalogue::ExerciseLevel& level, std::string_view metric) {
-    const auto gate = std::find_if(level.gates.begin(), level.gates.end(), [metric](const scoring::Gate& each) { return each.metric == metric; });
+    const auto gate = std::find_if(level.gates.begin(), level.gates.end(),
+                                   [metric](const scoring::Gate& each) { return each.metric == metric; });
     return gate == level.gates.end() ? std::nullopt : gate->maximum;
 }
 

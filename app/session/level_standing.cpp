@@ -12,7 +12,8 @@ bool countsAsAttempt(const database::SessionSummary& session) noexcept {
     return ended && !session.familiarisation && (session.operatorName.empty() || session.demonstration);
 }
 
-std::vector<LevelStanding> levelStandings(const catalogue::Catalogue& catalogue, std::span<const database::SessionSummary> own) {
+std::vector<LevelStanding> levelStandings(const catalogue::Catalogue& catalogue,
+                                          std::span<const database::SessionSummary> own) {
     std::vector<LevelStanding> standings;
     for (const catalogue::Exercise& exercise : catalogue.exercises()) {
         for (const catalogue::ExerciseLevel& level : exercise.levels) {
@@ -20,11 +21,13 @@ std::vector<LevelStanding> levelStandings(const catalogue::Catalogue& catalogue,
             standing.exercise = exercise.id;
             standing.level = level.number;
             for (const database::SessionSummary& session : own) {
-                if (session.exercise != exercise.id || session.level != level.number || !countsAsAttempt(session))
+                if (session.exercise != exercise.id || session.level != level.number ||
+                    !countsAsAttempt(session))
                     continue;
                 ++standing.attempts;
                 standing.latest = std::max(standing.latest.value_or(0), session.id);
-                const bool passed = session.state == SessionState::completed && session.passed.value_or(false);
+                const bool passed =
+                    session.state == SessionState::completed && session.passed.value_or(false);
                 standing.passedFelt = standing.passedFelt || (passed && session.felt);
                 standing.passedShown = standing.passedShown || (passed && !session.felt);
             }
@@ -36,11 +39,15 @@ std::vector<LevelStanding> levelStandings(const catalogue::Catalogue& catalogue,
 
 std::optional<LevelStanding> nextStep(std::span<const LevelStanding> standings) {
     const auto open = [](const LevelStanding& standing) { return standing.standing() != Standing::passed; };
-    const auto newest = std::max_element(standings.begin(), standings.end(),
-                                         [](const auto& a, const auto& b) { return a.latest.value_or(0) < b.latest.value_or(0); });
+    const auto newest =
+        std::max_element(standings.begin(), standings.end(), [](const auto& a, const auto& b) {
+            return a.latest.value_or(0) < b.latest.value_or(0);
+        });
     if (newest != standings.end() && newest->latest) { // the exercise of the latest attempt comes first
-        const auto here = std::find_if(standings.begin(), standings.end(),
-                                       [&](const LevelStanding& standing) { return standing.exercise == newest->exercise && open(standing); });
+        const auto here =
+            std::find_if(standings.begin(), standings.end(), [&](const LevelStanding& standing) {
+                return standing.exercise == newest->exercise && open(standing);
+            });
         if (here != standings.end())
             return *here;
     }

@@ -36,7 +36,8 @@ bool countsAsAttempt(const database::SessionSummary& session) noexcept;
 
 /// The standings at all levels, in the order of the content; `own` holds the sessions of one person in any
 /// order. Pure function.
-std::vector<LevelStanding> levelStandings(const catalogue::Catalogue& catalogue, std::span<const database::SessionSummary> own);
+std::vector<LevelStanding> levelStandings(const catalogue::Catalogue& catalogue,
+                                          std::span<const database::SessionSummary> own);
 
 /// The next step: the lowest level that is not passed in the exercise of the latest attempt, else in all
 /// exercises in order; empty if every level is passed. Pure function.

@@ -11,8 +11,7 @@ namespace {
 
 constexpr std::uint64_t kStatisticsEvery_ticks = 256; // same interval as in the loop's own tap
 
-template <class A>
-double norm3(const A& v, std::size_t at = 0) noexcept {
+template <class A> double norm3(const A& v, std::size_t at = 0) noexcept {
     return std::sqrt(v[at] * v[at] + v[at + 1] * v[at + 1] + v[at + 2] * v[at + 2]);
 }
 
@@ -38,7 +37,8 @@ LiveSample liveSampleOf(const haptics::DisplayState& shown, std::int64_t start_n
     sample.speed_m_per_s = static_cast<float>(norm3(tool.v_WT_m_per_s));
     sample.depth_m = tissue_N > 0.0 ? static_cast<float>(norm3(into)) : 0.0f;
     for (std::size_t i = 0; i < sample.press.size() && static_cast<int>(i) < shown.tools; ++i)
-        sample.press[i] = {static_cast<float>(shown.tool[i].p_WProxy_m[0]), static_cast<float>(shown.tool[i].p_WProxy_m[1]),
+        sample.press[i] = {static_cast<float>(shown.tool[i].p_WProxy_m[0]),
+                           static_cast<float>(shown.tool[i].p_WProxy_m[1]),
                            static_cast<float>(shown.tool[i].displayPose[0])};
     sample.guards = shown.guards;
     sample.events = shown.events;

@@ -35,12 +35,14 @@ public:
     /// all of them.
     std::uint64_t droppedSamples() const noexcept { return m_dropped.load(std::memory_order_relaxed); }
 
-    void publish(const haptics::DisplayState& shown) noexcept;            ///< after each tick
+    void publish(const haptics::DisplayState& shown) noexcept; ///< after each tick
     /// After each tick; passed on four times per second.
     void publish(const haptics::LoopStatistics& statistics) noexcept;
 
     /// Call it on the session's thread once the session is stored; session() is 0 until then.
-    void setSession(database::SessionId session) noexcept { m_session.store(session, std::memory_order_release); }
+    void setSession(database::SessionId session) noexcept {
+        m_session.store(session, std::memory_order_release);
+    }
     database::SessionId session() const noexcept { return m_session.load(std::memory_order_acquire); }
 
 private:

@@ -27,11 +27,9 @@ core::Result<recording::DatabaseId> ringIdOf(const database::Database& database)
     return id;
 }
 
-core::Result<std::unique_ptr<LiveRecording>> LiveRecording::start(database::Database& database,
-                                                                  const database::Actor& actor,
-                                                                  database::SessionId session,
-                                                                  const SessionSetup& setup,
-                                                                  const std::filesystem::path& ringFolder, bool realtime) {
+core::Result<std::unique_ptr<LiveRecording>>
+LiveRecording::start(database::Database& database, const database::Actor& actor, database::SessionId session,
+                     const SessionSetup& setup, const std::filesystem::path& ringFolder, bool realtime) {
     auto positions = ToolPositions::create(setup);
     CHIRON_TRY(positions);
     auto table = channelTableFor(setup);
@@ -63,7 +61,9 @@ core::Result<std::unique_ptr<LiveRecording>> LiveRecording::start(database::Data
     return live;
 }
 
-LiveRecording::~LiveRecording() { stopDraining(); }
+LiveRecording::~LiveRecording() {
+    stopDraining();
+}
 
 void LiveRecording::stopDraining() {
     if (!m_draining)

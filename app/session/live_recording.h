@@ -28,11 +28,9 @@ class LiveRecording final : public database::IDrainable {
 public:
     /// Reserves the ring and opens the sink for the running session.
     /// Errors: storage, with nothing left behind.
-    static core::Result<std::unique_ptr<LiveRecording>> start(database::Database& database,
-                                                              const database::Actor& actor,
-                                                              database::SessionId session, const SessionSetup& setup,
-                                                              const std::filesystem::path& ringFolder,
-                                                              bool realtime);
+    static core::Result<std::unique_ptr<LiveRecording>>
+    start(database::Database& database, const database::Actor& actor, database::SessionId session,
+          const SessionSetup& setup, const std::filesystem::path& ringFolder, bool realtime);
     LiveRecording(const LiveRecording&) = delete;
     LiveRecording& operator=(const LiveRecording&) = delete;
     ~LiveRecording() override; ///< stops draining; the ring file stays for recovery unless finish() succeeded

@@ -29,7 +29,8 @@ public:
     /// Begins at once; sets `request.realtime`, `live` and `cancel`. `onFinished` may be empty. The database
     /// must outlive this object. Later failures are in result().
     /// Errors: wrongUse (no device, or a database opened read-only).
-    static core::Result<std::unique_ptr<LiveTraining>> start(database::Database& database, const database::Actor& actor,
+    static core::Result<std::unique_ptr<LiveTraining>> start(database::Database& database,
+                                                             const database::Actor& actor,
                                                              TrainingRequest request,
                                                              std::function<void()> onFinished = {});
     LiveTraining(const LiveTraining&) = delete;
@@ -37,7 +38,9 @@ public:
     ~LiveTraining();
 
     /// Hands a command to the loop; returns false if 64 commands are already waiting.
-    bool post(core::CommandKind kind, std::uint16_t argument = 0) noexcept { return m_link.inputs().post({kind, argument}); }
+    bool post(core::CommandKind kind, std::uint16_t argument = 0) noexcept {
+        return m_link.inputs().post({kind, argument});
+    }
     void beat() noexcept; ///< heartbeat of the window
     /// Requests the end; the session becomes *stopped*. Returns at once.
     void requestStop() noexcept { m_cancel.store(true, std::memory_order_relaxed); }
@@ -64,7 +67,9 @@ public:
         const std::vector<devices::PointerMailbox*> all = pointers();
         return all.size() == 1 ? all.front() : nullptr;
     }
-    devices::EndoscopeMailbox* endoscope() const noexcept { return m_request.station.endoscope(); } ///< the same for an endoscope
+    devices::EndoscopeMailbox* endoscope() const noexcept {
+        return m_request.station.endoscope();
+    }                                             ///< the same for an endoscope
     bool felt() const noexcept { return m_felt; } ///< true if any device of the station renders force
 
 private:

@@ -13,7 +13,8 @@ std::optional<LatenessBins> binsFrom(const QJsonObject& json) {
     const QJsonArray edges = json.value(QLatin1String("lateness_edges_us")).toArray();
     const QJsonArray counts = json.value(QLatin1String("lateness_counts")).toArray();
     LatenessBins bins;
-    if (edges.size() != static_cast<qsizetype>(bins.kEdges_us.size()) || counts.size() != static_cast<qsizetype>(bins.counts.size()))
+    if (edges.size() != static_cast<qsizetype>(bins.kEdges_us.size()) ||
+        counts.size() != static_cast<qsizetype>(bins.counts.size()))
         return std::nullopt;
     for (qsizetype i = 0; i < edges.size(); ++i) {
         if (edges.at(i).toInteger() != bins.kEdges_us[static_cast<std::size_t>(i)])

@@ -14,7 +14,8 @@ core::Error storageError(const QString& path, const QString& why) {
 }
 
 tl::unexpected<core::Error> alreadyThere(const QString& folder) {
-    return core::fail(core::ErrorCode::badInput, folder.toStdString() + ": exists already; expected a folder that is not there yet");
+    return core::fail(core::ErrorCode::badInput,
+                      folder.toStdString() + ": exists already; expected a folder that is not there yet");
 }
 
 QFileInfo cleaned(const std::filesystem::path& folder) {
@@ -37,7 +38,8 @@ core::Result<NewFolder> NewFolder::begin(const std::filesystem::path& folder) {
     CHIRON_TRY(isFree(folder));
     if (!QDir().mkpath(info.path()))
         return tl::unexpected(storageError(info.path(), QStringLiteral("the folder cannot be made")));
-    made.m_partial = std::make_unique<QTemporaryDir>(info.path() + u'/' + info.fileName() + QStringLiteral(".partial-XXXXXX"));
+    made.m_partial = std::make_unique<QTemporaryDir>(info.path() + u'/' + info.fileName() +
+                                                     QStringLiteral(".partial-XXXXXX"));
     if (!made.m_partial->isValid())
         return tl::unexpected(storageError(made.m_folder, made.m_partial->errorString()));
     return made;

@@ -130,22 +130,26 @@ QJsonObject studyTrialJson(const database::StudyTrial& trial) {
 QJsonObject participationJson(const database::PersonParticipation& held) {
     QJsonArray runs;
     for (const database::StudyRun& run : held.runs)
-        runs.append(QJsonObject{{QStringLiteral("run"), static_cast<qint64>(run.id)},
-                                {QStringLiteral("condition"), text(run.condition.empty() ? run.sealedCode : run.condition)},
-                                {QStringLiteral("started_utc"), text(run.startedUtc)},
-                                {QStringLiteral("ended_utc"), text(run.endedUtc)}});
+        runs.append(QJsonObject{
+            {QStringLiteral("run"), static_cast<qint64>(run.id)},
+            {QStringLiteral("condition"), text(run.condition.empty() ? run.sealedCode : run.condition)},
+            {QStringLiteral("started_utc"), text(run.startedUtc)},
+            {QStringLiteral("ended_utc"), text(run.endedUtc)}});
     QJsonArray trials;
     for (const database::StudyTrial& trial : held.trials)
         trials.append(studyTrialJson(trial));
     QJsonArray answers;
     for (const database::QuestionnaireAnswer& answer : held.answers)
-        answers.append(QJsonObject{{QStringLiteral("questionnaire"), text(answer.questionnaire)},
-                                   {QStringLiteral("item"), text(answer.item)},
-                                   {QStringLiteral("number"), answer.number ? QJsonValue(*answer.number) : QJsonValue()},
-                                   {QStringLiteral("text"), text(answer.text)},
-                                   {QStringLiteral("utc"), text(answer.utc)},
-                                   {QStringLiteral("run"), answer.run != 0 ? QJsonValue(static_cast<qint64>(answer.run)) : QJsonValue()},
-                                   {QStringLiteral("language"), answer.language.empty() ? QJsonValue() : QJsonValue(text(answer.language))}});
+        answers.append(
+            QJsonObject{{QStringLiteral("questionnaire"), text(answer.questionnaire)},
+                        {QStringLiteral("item"), text(answer.item)},
+                        {QStringLiteral("number"), answer.number ? QJsonValue(*answer.number) : QJsonValue()},
+                        {QStringLiteral("text"), text(answer.text)},
+                        {QStringLiteral("utc"), text(answer.utc)},
+                        {QStringLiteral("run"),
+                         answer.run != 0 ? QJsonValue(static_cast<qint64>(answer.run)) : QJsonValue()},
+                        {QStringLiteral("language"),
+                         answer.language.empty() ? QJsonValue() : QJsonValue(text(answer.language))}});
     return {{QStringLiteral("study"), text(held.studyKey)},
             {QStringLiteral("title"), text(held.studyTitle)},
             {QStringLiteral("code"), text(held.participant.code)},
@@ -164,7 +168,8 @@ QJsonObject participationJson(const database::PersonParticipation& held) {
 QJsonArray decisionsJson(const std::vector<database::SessionDecision>& decisions) {
     QJsonArray array;
     for (const database::SessionDecision& decision : decisions)
-        array.append(QJsonObject{{QStringLiteral("decision"), decision.voiding ? QStringLiteral("void") : QStringLiteral("reinstate")},
+        array.append(QJsonObject{{QStringLiteral("decision"),
+                                  decision.voiding ? QStringLiteral("void") : QStringLiteral("reinstate")},
                                  {QStringLiteral("person"), static_cast<qint64>(decision.person)},
                                  {QStringLiteral("utc"), text(decision.utc)},
                                  {QStringLiteral("reason"), text(decision.reason)}});

@@ -40,7 +40,8 @@ std::optional<GhostTool> ghostAt(const PlaybackTrack& track, const PlaybackTrack
 GhostSeries ghostSeries(const PlaybackTrack& track, const PlaybackTrack& ghost) {
     constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
     GhostSeries series;
-    const auto push = [&](double t_s, double tissue_N, double speed_m_per_s, double offset_m, double alignment_rad) {
+    const auto push = [&](double t_s, double tissue_N, double speed_m_per_s, double offset_m,
+                          double alignment_rad) {
         series.t_s.push_back(t_s);
         series.tissue_N.push_back(tissue_N);
         series.speed_m_per_s.push_back(speed_m_per_s);
@@ -64,7 +65,8 @@ GhostSeries ghostSeries(const PlaybackTrack& track, const PlaybackTrack& ghost) 
             if (own_s > its->end_s || t_s > until_s)
                 break;
             push(t_s, ghost.tool(i, 0).tissue_N.norm(), ghost.tool(i, 0).speed_m_per_s,
-                 ghost.canal.empty() ? kGap : ghost.canal.offset_m[i], ghost.canal.empty() ? kGap : ghost.canal.alignment_rad[i]);
+                 ghost.canal.empty() ? kGap : ghost.canal.offset_m[i],
+                 ghost.canal.empty() ? kGap : ghost.canal.alignment_rad[i]);
             last_s = t_s;
         }
         push(last_s, kGap, kGap, kGap, kGap);

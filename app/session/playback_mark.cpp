@@ -31,14 +31,17 @@ double torqueOf(const core::ToolFrame& tool) {
 } // namespace
 
 bool isPenalty(PlaybackMarkKind kind) noexcept {
-    return kind == PlaybackMarkKind::overLimit || kind == PlaybackMarkKind::timedOut || kind == PlaybackMarkKind::fault ||
-           kind == PlaybackMarkKind::trauma || kind == PlaybackMarkKind::reversal || kind == PlaybackMarkKind::offCentre ||
-           kind == PlaybackMarkKind::overTorque || kind == PlaybackMarkKind::slipped || kind == PlaybackMarkKind::damaged ||
-           kind == PlaybackMarkKind::yielded || kind == PlaybackMarkKind::failed || kind == PlaybackMarkKind::missed ||
+    return kind == PlaybackMarkKind::overLimit || kind == PlaybackMarkKind::timedOut ||
+           kind == PlaybackMarkKind::fault || kind == PlaybackMarkKind::trauma ||
+           kind == PlaybackMarkKind::reversal || kind == PlaybackMarkKind::offCentre ||
+           kind == PlaybackMarkKind::overTorque || kind == PlaybackMarkKind::slipped ||
+           kind == PlaybackMarkKind::damaged || kind == PlaybackMarkKind::yielded ||
+           kind == PlaybackMarkKind::failed || kind == PlaybackMarkKind::missed ||
            kind == PlaybackMarkKind::falseAlarm || kind == PlaybackMarkKind::lumpMissed;
 }
 
-PlaybackMark& MarkExtractor::note(const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind, int tool) {
+PlaybackMark& MarkExtractor::note(const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind,
+                                  int tool) {
     PlaybackMark mark;
     mark.t_s = mark.end_s = t_s;
     mark.tick = frame.header.index;
@@ -49,8 +52,8 @@ PlaybackMark& MarkExtractor::note(const core::HapticFrame& frame, double t_s, Pl
     return m_marks.back();
 }
 
-void MarkExtractor::follow(Span& span, bool on, const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind,
-                           int tool, double bridge_s) {
+void MarkExtractor::follow(Span& span, bool on, const core::HapticFrame& frame, double t_s,
+                           PlaybackMarkKind kind, int tool, double bridge_s) {
     if (on && !span.open) {
         const bool goesOn = span.mark && m_marks[*span.mark].trial == frame.header.trial &&
                             t_s - m_marks[*span.mark].end_s <= bridge_s;
@@ -134,7 +137,8 @@ void MarkExtractor::addGuards(const core::HapticFrame& frame, double t_s) {
     const std::uint32_t begun = frame.header.guards & ~m_guards;
     for (const MarkedGuard& guard : markedGuards()) {
         if (begun & guard.bit)
-            note(frame, t_s, guard.latched ? PlaybackMarkKind::fault : PlaybackMarkKind::guard).detail = guard.word;
+            note(frame, t_s, guard.latched ? PlaybackMarkKind::fault : PlaybackMarkKind::guard).detail =
+                guard.word;
     }
     m_guards = frame.header.guards;
     if (frame.header.force == core::ForceState::stopped && m_force != core::ForceState::stopped) {

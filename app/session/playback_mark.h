@@ -15,17 +15,17 @@ namespace chiron::session {
 /// The type of event that a mark on the timeline represents.
 enum class PlaybackMarkKind : std::uint8_t {
     trialStarted,
-    marked,      ///< the person's answer
-    timedOut,    ///< penalty: the limit was reached without an answer
-    traceEnded,  ///< a replayed trace ended without a mark
-    contact,     ///< tool and object touched, from t_s to end_s
-    overLimit,   ///< penalty: tissue force over the level's limit, from t_s to end_s; value: largest force, N
-    paused,      ///< from t_s to end_s
+    marked,     ///< the person's answer
+    timedOut,   ///< penalty: the limit was reached without an answer
+    traceEnded, ///< a replayed trace ended without a mark
+    contact,    ///< tool and object touched, from t_s to end_s
+    overLimit,  ///< penalty: tissue force over the level's limit, from t_s to end_s; value: largest force, N
+    paused,     ///< from t_s to end_s
     forceStopped,
     rearmed,
-    guard, ///< the supervisor intervened; `detail` has the reason
-    fault, ///< latched; `detail` has the reason
-    ended, ///< the person ended the session
+    guard,        ///< the supervisor intervened; `detail` has the reason
+    fault,        ///< latched; `detail` has the reason
+    ended,        ///< the person ended the session
     completed,    ///< the procedure was completed
     stageChanged, ///< of the procedure; `detail` names the new stage
     landmarkSeen, ///< value: number of landmarks seen so far
@@ -39,20 +39,20 @@ enum class PlaybackMarkKind : std::uint8_t {
     offCentre,
     /// Penalty: torque over the level's gate, from t_s to end_s; value: the largest torque, N·m.
     overTorque,
-    grasped,      ///< an instrument gripped an object
-    released,     ///< an instrument let go intentionally
-    slipped,      ///< penalty: a held object slipped out or was dropped
-    damaged,      ///< penalty: over-stretched or over-squeezed
-    found,        ///< palpation: a finding was reported; value: its number, from 1
-    takenBack,    ///< palpation: a finding was taken back; value: its number, from 1
+    grasped,   ///< an instrument gripped an object
+    released,  ///< an instrument let go intentionally
+    slipped,   ///< penalty: a held object slipped out or was dropped
+    damaged,   ///< penalty: over-stretched or over-squeezed
+    found,     ///< palpation: a finding was reported; value: its number, from 1
+    takenBack, ///< palpation: a finding was taken back; value: its number, from 1
     /// Penalty: tissue gave way; value: the force at which it did, N, or with detail kByTorque the torque,
     /// N·m.
     yielded,
-    failed,       ///< penalty: the trial could not be continued (torn)
+    failed, ///< penalty: the trial could not be continued (torn)
     /// The commanded force was less than the tissue's, from t_s to end_s; value: the largest tissue force, N.
     limited,
-    missed,       ///< penalty: the answer missed the target
-    falseAlarm,   ///< penalty; palpation: a finding without a lump; value: its number, from 1
+    missed,     ///< penalty: the answer missed the target
+    falseAlarm, ///< penalty; palpation: a finding without a lump; value: its number, from 1
     /// Penalty; palpation: at the trial's end, a lump that no finding was close enough to.
     lumpMissed,
 };
@@ -65,14 +65,14 @@ inline constexpr const char* kByTorque = "torque";
 
 /// An event at a moment or over a span of time. The screen supplies the words for it.
 struct PlaybackMark {
-    double t_s = 0.0;                ///< device time since the first frame
-    double end_s = 0.0;              ///< equal to t_s for a moment
+    double t_s = 0.0;   ///< device time since the first frame
+    double end_s = 0.0; ///< equal to t_s for a moment
     std::uint64_t tick = 0;
     PlaybackMarkKind kind = PlaybackMarkKind::marked;
-    int trial = 0;                   ///< from 0
+    int trial = 0; ///< from 0
     int tool = 0;
-    bool critical = false;           ///< counted by the session's metric critical_errors
-    std::optional<double> value;     ///< overLimit: largest tissue force, N; for others see PlaybackMarkKind
+    bool critical = false;       ///< counted by the session's metric critical_errors
+    std::optional<double> value; ///< overLimit: largest tissue force, N; for others see PlaybackMarkKind
     /// guard, fault: stored token of the event ("watchdog", "over_velocity", ...); stageChanged: the stage's
     /// token ("inspection"), empty if unknown; timedOut: kProcedure if the trial did not ask for a mark.
     std::string detail;
@@ -105,8 +105,8 @@ private:
         bool open = false;
     };
     PlaybackMark& note(const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind, int tool = 0);
-    void follow(Span& span, bool on, const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind, int tool = 0,
-                double bridge_s = -1.0);
+    void follow(Span& span, bool on, const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind,
+                int tool = 0, double bridge_s = -1.0);
     void addCommands(const core::HapticFrame& frame, double t_s);
     void addTrialEvents(const core::HapticFrame& frame, double t_s);
     void addGrasps(const core::HapticFrame& frame, double t_s);
@@ -126,7 +126,7 @@ private:
     std::optional<std::size_t> m_stop; ///< the mark of the current stop
     std::uint32_t m_guards = 0;
     core::ForceState m_force = core::ForceState::off;
-    std::array<double, core::kMaxTools> m_before_N{}; ///< tissue force of the previous tick
+    std::array<double, core::kMaxTools> m_before_N{};  ///< tissue force of the previous tick
     std::array<double, core::kMaxTools> m_before_Nm{}; ///< likewise, the torque
     Span m_paused;
     std::array<Span, core::kMaxTools> m_over{};

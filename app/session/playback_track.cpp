@@ -19,8 +19,9 @@ PlaybackTool between(const PlaybackTool& a, const PlaybackTool& b, double part) 
 } // namespace
 
 std::size_t PlaybackTrack::indexAt(double t_s) const noexcept {
-    const auto after = std::upper_bound(moments.begin(), moments.end(), t_s,
-                                        [](double t, const PlaybackMoment& moment) { return t < moment.t_s; });
+    const auto after =
+        std::upper_bound(moments.begin(), moments.end(), t_s,
+                         [](double t, const PlaybackMoment& moment) { return t < moment.t_s; });
     return after == moments.begin() ? 0 : static_cast<std::size_t>(after - moments.begin()) - 1;
 }
 
@@ -63,12 +64,15 @@ const PlaybackTrial* PlaybackTrack::trial(int index) const noexcept {
 double PlaybackTrack::timeOfTick(std::uint64_t tick) const noexcept {
     if (empty())
         return 0.0;
-    const auto found = std::lower_bound(moments.begin(), moments.end(), tick,
-                                        [](const PlaybackMoment& moment, std::uint64_t t) { return moment.tick < t; });
+    const auto found =
+        std::lower_bound(moments.begin(), moments.end(), tick,
+                         [](const PlaybackMoment& moment, std::uint64_t t) { return moment.tick < t; });
     return found == moments.end() ? moments.back().t_s : found->t_s;
 }
 
-std::uint64_t PlaybackTrack::tickAt(double t_s) const noexcept { return empty() ? 0 : moments[indexAt(t_s)].tick; }
+std::uint64_t PlaybackTrack::tickAt(double t_s) const noexcept {
+    return empty() ? 0 : moments[indexAt(t_s)].tick;
+}
 
 bool PlaybackTrack::pausedAt(double t_s) const noexcept {
     return std::any_of(paused.begin(), paused.end(),
@@ -76,7 +80,8 @@ bool PlaybackTrack::pausedAt(double t_s) const noexcept {
 }
 
 const PlaybackQuantity* PlaybackTrack::quantity(std::string_view id) const noexcept {
-    const auto found = std::find_if(quantities.begin(), quantities.end(), [id](const auto& each) { return each.id == id; });
+    const auto found =
+        std::find_if(quantities.begin(), quantities.end(), [id](const auto& each) { return each.id == id; });
     return found == quantities.end() ? nullptr : &*found;
 }
 

@@ -92,7 +92,7 @@ protected:
 /// "energy_stored_J" if the energy balance was recorded), at each moment of the track.
 struct PlaybackQuantity {
     std::string id;
-    std::string unit; ///< SI
+    std::string unit;           ///< SI
     std::vector<double> values; ///< one per moment: the value of its last tick
 };
 
@@ -106,7 +106,7 @@ struct PlaybackView {
     PlaybackMoment moment;
     std::vector<PlaybackTool> tools;
     std::optional<TrialObject> object; ///< of the trial at that time
-    std::vector<double> quantities; ///< in the order of PlaybackTrack::quantities, from the earlier sample
+    std::vector<double> quantities;    ///< in the order of PlaybackTrack::quantities, from the earlier sample
 };
 
 /// A stored session prepared for playback. It is built once on a worker (SessionView::track); afterwards it
@@ -127,11 +127,11 @@ public:
     std::vector<PlaybackMoment> moments;
     std::vector<PlaybackTool> tools; ///< toolCount entries for each moment, one moment after the other
     std::vector<PlaybackTrial> trials;
-    std::vector<PlaybackSpan> paused; ///< excluded from every metric
-    std::vector<PlaybackMark> marks;  ///< by time
-    std::vector<PlaybackPeak> peaks;  ///< of the metrics for which the exercise provides them
+    std::vector<PlaybackSpan> paused;         ///< excluded from every metric
+    std::vector<PlaybackMark> marks;          ///< by time
+    std::vector<PlaybackPeak> peaks;          ///< of the metrics for which the exercise provides them
     std::vector<PlaybackQuantity> quantities; ///< those that were recorded
-    double duration_s = 0.0;          ///< device time of the last frame
+    double duration_s = 0.0;                  ///< device time of the last frame
     PlaybackCanal canal;
     /// Null if the exercise has no data of its own, or the recording does not contain them.
     std::shared_ptr<const PlaybackOfExercise> own;

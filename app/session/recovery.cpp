@@ -2,8 +2,8 @@
 #include "session/recovery.h"
 
 #include "database/repositories/session_reader.h"
-#include "database/repositories/study_blinding.h"
 #include "database/repositories/session_repository.h"
+#include "database/repositories/study_blinding.h"
 #include "recording/recorder.h"
 #include "recording/ring_recovery.h"
 #include "session/channels.h"
@@ -38,7 +38,8 @@ core::Result<std::optional<recording::RecoveredRing>> ringOf(const std::vector<s
     return std::optional<recording::RecoveredRing>();
 }
 
-core::Result<std::uint64_t> storeRingFrames(database::Database& database, const database::SessionRecord& record,
+core::Result<std::uint64_t> storeRingFrames(database::Database& database,
+                                            const database::SessionRecord& record,
                                             const recording::RecoveredRing& ring) {
     auto setup = setupFromStored(record.setup);
     CHIRON_TRY(setup);
@@ -48,9 +49,11 @@ core::Result<std::uint64_t> storeRingFrames(database::Database& database, const 
         return tl::unexpected(positions ? table.error() : positions.error());
     return database.write([&](database::WriteContext& context) -> core::Result<std::uint64_t> {
         const database::Actor maintenance = database::Actor::maintenance();
-        auto sink = database::SessionRepository(context.connection(), maintenance).openSink(record.summary.id);
+        auto sink =
+            database::SessionRepository(context.connection(), maintenance).openSink(record.summary.id);
         CHIRON_TRY(sink);
-        auto stored = database::SessionReader(context.connection(), maintenance).openChunks(record.summary.id);
+        auto stored =
+            database::SessionReader(context.connection(), maintenance).openChunks(record.summary.id);
         CHIRON_TRY(stored);
         recording::Recorder recorder(std::move(*table), **positions, **sink,
                                      {.forceLimit_N = record.setup.forceLimit_N});
@@ -93,7 +96,8 @@ core::Result<RecoveredSession> recoverOne(database::Database& database, const da
 /// The possible locations of a session's ring: the current program's folder, and the one that the session's
 /// own program used.
 std::vector<std::filesystem::path> ringsFor(const database::SessionRecord& record,
-                                            const std::filesystem::path& ringFolder, const recording::DatabaseId& id) {
+                                            const std::filesystem::path& ringFolder,
+                                            const recording::DatabaseId& id) {
     auto rings = recording::listRings(ringFolder, id);
     const std::filesystem::path own = record.setup.ringFile;
     if (!own.empty() && own != ringFolder) {
@@ -136,15 +140,19 @@ core::Result<std::vector<RecoveredSession>> recoverSessions(database::Database& 
             all.push_back({record.summary.id, 0, 0, recovered.error().message});
             continue;
         }
-        auto summary = database::SessionReader(**connection, database::Actor::maintenance()).session(record.summary.id);
-        recovered->sealed = database::isSealedSitting(**connection, database::Actor::anonymous(), record.summary.id).value_or(true);
+        auto summary =
+            database::SessionReader(**connection, database::Actor::maintenance()).session(record.summary.id);
+        recovered->sealed =
+            database::isSealedSitting(**connection, database::Actor::anonymous(), record.summary.id)
+                .value_or(true);
         if (recovered->sealed)
             recovered->framesFromRing = 0;
         else if (summary)
             recovered->frames = summary->summary.frames;
         all.push_back(*recovered);
     }
-    removeRingsOfEndedSessions(database::SessionReader(**connection, database::Actor::maintenance()), ringFolder, *id);
+    removeRingsOfEndedSessions(database::SessionReader(**connection, database::Actor::maintenance()),
+                               ringFolder, *id);
     return all;
 }
 

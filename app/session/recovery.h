@@ -13,7 +13,7 @@ namespace chiron::session {
 
 struct RecoveredSession {
     database::SessionId session = 0;
-    std::uint64_t frames = 0;       ///< total number now stored; 0 for a sealed study session
+    std::uint64_t frames = 0;         ///< total number now stored; 0 for a sealed study session
     std::uint64_t framesFromRing = 0; ///< of these, frames recovered from the crash ring
     /// What could not be recovered, and why; empty if everything was. A session that remains *running* is
     /// tried again at the next start.

@@ -41,12 +41,15 @@ double forceDifference(const core::Array6& stored, const core::Array6& again) {
     return std::hypot(stored[0] - rounded[0], stored[1] - rounded[1], stored[2] - rounded[2]);
 }
 
-double largestDifference(std::span<const core::HapticFrame> stored, std::span<const core::HapticFrame> again) {
+double largestDifference(std::span<const core::HapticFrame> stored,
+                         std::span<const core::HapticFrame> again) {
     double largest = 0.0;
     for (std::size_t i = 0; i < std::min(stored.size(), again.size()); ++i) {
         for (std::size_t tool = 0; tool < stored[i].tools; ++tool) {
-            largest = std::max(largest, forceDifference(stored[i].tool[tool].tissue, again[i].tool[tool].tissue));
-            largest = std::max(largest, forceDifference(stored[i].tool[tool].commanded, again[i].tool[tool].commanded));
+            largest =
+                std::max(largest, forceDifference(stored[i].tool[tool].tissue, again[i].tool[tool].tissue));
+            largest = std::max(
+                largest, forceDifference(stored[i].tool[tool].commanded, again[i].tool[tool].commanded));
         }
     }
     return largest;
@@ -70,7 +73,8 @@ public:
         }
         auto scene = (*kind)->makeScene(setup);
         m_scenes.offer(scene);
-        auto loop = haptics::HapticLoop::create({tools, m_inputs, m_supervisor, setup.safety, m_scenes, m_sink});
+        auto loop =
+            haptics::HapticLoop::create({tools, m_inputs, m_supervisor, setup.safety, m_scenes, m_sink});
         CHIRON_TRY(loop);
         m_loop = std::move(*loop);
         return {};

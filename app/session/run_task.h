@@ -42,14 +42,15 @@ struct RunLimits {
     const devices::IDevice* device = nullptr;
     const std::atomic<bool>* cancel = nullptr;
     LiveLink* live = nullptr; ///< an observing window, which receives every tick
-    bool endIsMark = true; ///< ExerciseKind::traceEndIsMark()
+    bool endIsMark = true;    ///< ExerciseKind::traceEndIsMark()
 };
 
 /// Adapts the loop to a runner and ends it by a command, so that the end is recorded like everything else. A
 /// TickTask.
 class RunTask {
 public:
-    RunTask(haptics::HapticLoop& loop, haptics::LiveInputs& inputs, const TeeSink& sink, RunLimits limits) noexcept
+    RunTask(haptics::HapticLoop& loop, haptics::LiveInputs& inputs, const TeeSink& sink,
+            RunLimits limits) noexcept
         : m_loop(loop), m_inputs(inputs), m_sink(sink), m_limits(limits) {}
 
     bool tick(const realtime::HapticTick& now) noexcept {
@@ -58,7 +59,8 @@ public:
             m_limits.live->publish(m_loop.shown());
         if (!m_ending && wantsEnd(now)) {
             m_ending = true;
-            if (m_limits.endIsMark && m_limits.device && m_limits.device->finished() && m_sink.phase() == core::TrialPhase::running)
+            if (m_limits.endIsMark && m_limits.device && m_limits.device->finished() &&
+                m_sink.phase() == core::TrialPhase::running)
                 // A trace without a mark: its last position is the answer.
                 m_inputs.postOwn({core::CommandKind::mark, kMarkOfTraceEnd});
             else

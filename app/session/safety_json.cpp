@@ -13,8 +13,7 @@ namespace {
 
 /// Lists every field once, for both directions. A new field of SafetySettings must be added here (a test
 /// counts them).
-template <class Settings, class Field>
-void eachField(Settings& settings, Field&& field) {
+template <class Settings, class Field> void eachField(Settings& settings, Field&& field) {
     field("siteForce_N", settings.siteForce_N);
     field("siteTorque_Nm", settings.siteTorque_Nm);
     field("exerciseForce_N", settings.exerciseForce_N);

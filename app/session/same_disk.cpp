@@ -21,7 +21,8 @@ QString present(const std::string& place) {
 /// "/dev/nvme0n1p2" -> "nvme0n1"; a device that is not a partition of a disk is returned as it is.
 std::string diskOf(const QByteArray& device) {
     std::error_code error;
-    const auto name = std::filesystem::path(std::filesystem::canonical(device.toStdString(), error)).filename();
+    const auto name =
+        std::filesystem::path(std::filesystem::canonical(device.toStdString(), error)).filename();
     const auto block = std::filesystem::canonical(std::filesystem::path("/sys/class/block") / name, error);
     if (error || !std::filesystem::exists(block / "partition", error))
         return device.toStdString();
@@ -34,7 +35,8 @@ bool onOneDisk(const std::string& a, const std::string& b) {
     const QStorageInfo first(present(a)), second(present(b));
     if (first.rootPath() == second.rootPath())
         return true;
-    return first.device().startsWith("/dev/") && second.device().startsWith("/dev/") && diskOf(first.device()) == diskOf(second.device());
+    return first.device().startsWith("/dev/") && second.device().startsWith("/dev/") &&
+           diskOf(first.device()) == diskOf(second.device());
 }
 
 } // namespace chiron::session

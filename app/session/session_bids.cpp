@@ -15,13 +15,19 @@ core::Result<void> exportSessionBids(SessionView& session, const std::filesystem
     const auto& record = session.record();
     const QString subject = QStringLiteral("session%1").arg(record.summary.id);
     const QString exercise = QString::fromStdString(session.setup().level.exercise);
-    const QJsonObject description{{"Name", exercise}, {"BIDSVersion", "1.9.0"}, {"DatasetType", "raw"}, {"Authors", QJsonArray{"n/a"}},
+    const QJsonObject description{{"Name", exercise},
+                                  {"BIDSVersion", "1.9.0"},
+                                  {"DatasetType", "raw"},
+                                  {"Authors", QJsonArray{"n/a"}},
                                   {"GeneratedBy", QJsonArray{QJsonObject{{"Name", "Chiron"}}}}};
     const BidsRecording recording{subject, bidsLabel(exercise), {}, 1, exercise, {}};
     std::map<int, BidsEvent> trials;
     auto read = session.eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
         for (const core::HapticFrame& frame : frames) {
-            auto& event = trials.try_emplace(frame.header.trial, BidsEvent{frame.header.index, 0, "trial", QString::number(frame.header.trial)}).first->second;
+            auto& event = trials
+                              .try_emplace(frame.header.trial, BidsEvent{frame.header.index, 0, "trial",
+                                                                         QString::number(frame.header.trial)})
+                              .first->second;
             event.lastTick = frame.header.index;
         }
         return {};
@@ -31,10 +37,15 @@ core::Result<void> exportSessionBids(SessionView& session, const std::filesystem
     std::vector<BidsEvent> events;
     for (const auto& trial : trials)
         events.push_back(trial.second);
-    const ExportTable participants{"participants", {}, {{"participant_id", "", "the session's number"}}, {{QStringLiteral("sub-") + subject}}};
+    const ExportTable participants{"participants",
+                                   {},
+                                   {{"participant_id", "", "the session's number"}},
+                                   {{QStringLiteral("sub-") + subject}}};
     if (auto written = made->write("dataset_description.json", QJsonDocument(description).toJson()); !written)
         return written;
-    if (auto written = made->write("README", "One recorded session: motion of the tool with forces, its trials as events. Who did it is not part of it.\n"); !written)
+    if (auto written = made->write("README", "One recorded session: motion of the tool with forces, its "
+                                             "trials as events. Who did it is not part of it.\n");
+        !written)
         return written;
     if (auto written = made->write("participants.tsv", tsvOf(participants)); !written)
         return written;

@@ -26,18 +26,21 @@ core::Error cannotWrite(const QString& path, const QString& why) {
 }
 
 core::Vec3 forceOf(const core::Array6& wrench) {
-    return {scoring::onMillinewtons(wrench[0]), scoring::onMillinewtons(wrench[1]), scoring::onMillinewtons(wrench[2])};
+    return {scoring::onMillinewtons(wrench[0]), scoring::onMillinewtons(wrench[1]),
+            scoring::onMillinewtons(wrench[2])};
 }
 
 core::Vec3 torqueOf(const core::Array6& wrench) {
-    return {scoring::onTorqueGrid(wrench[3]), scoring::onTorqueGrid(wrench[4]), scoring::onTorqueGrid(wrench[5])};
+    return {scoring::onTorqueGrid(wrench[3]), scoring::onTorqueGrid(wrench[4]),
+            scoring::onTorqueGrid(wrench[5])};
 }
 
 /// Converts frames to rows: the session's own trials (trace()) give the outcomes, the frames give the
 /// samples.
 class RowMaker {
 public:
-    RowMaker(SessionView& session, const ExerciseKind& kind, const std::vector<scoring::TrialTrace>& trials, const scoring::TraceColumns& columns)
+    RowMaker(SessionView& session, const ExerciseKind& kind, const std::vector<scoring::TrialTrace>& trials,
+             const scoring::TraceColumns& columns)
         : m_session(session), m_kind(kind), m_columns(columns), m_quantities(session.reader().table()) {
         for (const scoring::TrialTrace& trial : trials)
             m_trials[trial.trial] = &trial;
@@ -50,7 +53,8 @@ public:
     /// once.
     bool takes(const core::HapticFrame& frame, int tool) {
         const core::ToolFrame& t = frame.tool[static_cast<std::size_t>(tool)];
-        const bool isNew = !isRefused(t) && m_clocks[static_cast<std::size_t>(tool)].advances(t.deviceTime_us);
+        const bool isNew =
+            !isRefused(t) && m_clocks[static_cast<std::size_t>(tool)].advances(t.deviceTime_us);
         return isNew && m_time.started();
     }
 
@@ -112,10 +116,12 @@ private:
     DeviceTime m_time;
 };
 
-scoring::TraceColumns columnsOf(SessionView& session, const ExerciseKind& kind, const std::vector<scoring::TrialTrace>& trials) {
+scoring::TraceColumns columnsOf(SessionView& session, const ExerciseKind& kind,
+                                const std::vector<scoring::TrialTrace>& trials) {
     scoring::TraceColumns columns;
     columns.orientation = columns.buttons = columns.tool = columns.tissue = columns.commanded = true;
-    columns.trial = columns.phase = columns.paused = columns.mark = columns.forceLimit = columns.contact = true;
+    columns.trial = columns.phase = columns.paused = columns.mark = columns.forceLimit = columns.contact =
+        true;
     for (const auto& device : session.setup().devices) {
         columns.jaw = columns.jaw || device.jawResolution_rad > 0.0;
         columns.measured = columns.measured || device.measuresForce;
@@ -128,7 +134,8 @@ scoring::TraceColumns columnsOf(SessionView& session, const ExerciseKind& kind, 
     columns.failed = quantities.size() > 0;
     columns.completed = columns.failed;
     kind.addColumns(trials, columns);
-    columns.unfinished = std::any_of(trials.begin(), trials.end(), [](const auto& trial) { return trial.unfinished; });
+    columns.unfinished =
+        std::any_of(trials.begin(), trials.end(), [](const auto& trial) { return trial.unfinished; });
     columns.planned = true;
     return columns;
 }

@@ -77,8 +77,8 @@ core::Result<Conclusion> conclude(SessionView& stored, const RunEnding& ending) 
     return Conclusion{state, *kind, std::move(seen), std::move(*trace), std::move(card), std::move(answers)};
 }
 
-core::Result<void> storeEnd(database::WriteContext& context, const database::Actor& actor, database::SessionId id,
-                            const Conclusion& conclusion, const RunEnding& ending) {
+core::Result<void> storeEnd(database::WriteContext& context, const database::Actor& actor,
+                            database::SessionId id, const Conclusion& conclusion, const RunEnding& ending) {
     const EventExtractor& seen = conclusion.seen;
     database::SessionRepository sessions(context.connection(), actor);
     for (std::size_t i = 0; i < seen.trials().size(); ++i) {
@@ -90,7 +90,8 @@ core::Result<void> storeEnd(database::WriteContext& context, const database::Act
     }
     std::vector<database::EventRecord> events = seen.events();
     events.insert(events.end(), conclusion.answers.begin(), conclusion.answers.end());
-    std::stable_sort(events.begin(), events.end(), [](const auto& a, const auto& b) { return a.tick < b.tick; });
+    std::stable_sort(events.begin(), events.end(),
+                     [](const auto& a, const auto& b) { return a.tick < b.tick; });
     if (auto done = sessions.storeEvents(id, events); !done)
         return done;
     database::SessionEnd end;
@@ -119,7 +120,8 @@ core::Result<scoring::ScoreCard> concludeSession(database::Database& database, c
     auto done = database.write([&](database::WriteContext& context) -> core::Result<void> {
         if (auto ended = storeEnd(context, actor, session, *conclusion, ending); !ended || !conclusion->card)
             return ended;
-        auto kept = database::ScoreRepository(context.connection(), actor).storeScores(session, *conclusion->card);
+        auto kept =
+            database::ScoreRepository(context.connection(), actor).storeScores(session, *conclusion->card);
         return kept ? core::Result<void>() : tl::unexpected(kept.error());
     });
     CHIRON_TRY(done);

@@ -13,9 +13,9 @@ namespace chiron::session {
 
 /// Facts about the end of a run that the recording does not contain.
 struct RunEnding {
-    std::uint64_t dropped = 0;    ///< frames lost to a full ring
-    bool interrupted = false;     ///< the program died; detected by recovery
-    bool stopped = false;         ///< stopped from outside (signal, window closed)
+    std::uint64_t dropped = 0; ///< frames lost to a full ring
+    bool interrupted = false;  ///< the program died; detected by recovery
+    bool stopped = false;      ///< stopped from outside (signal, window closed)
     std::string loopJson = "{}";
 };
 

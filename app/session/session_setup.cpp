@@ -24,14 +24,13 @@ core::Result<QJsonObject> parse(const std::string& text, const char* column) {
     QJsonParseError error{};
     const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text), &error);
     if (!document.isObject())
-        return core::fail(core::ErrorCode::badInput,
-                          std::string("session column ") + column + ": expected a JSON object (" +
-                              error.errorString().toStdString() + ")");
+        return core::fail(core::ErrorCode::badInput, std::string("session column ") + column +
+                                                         ": expected a JSON object (" +
+                                                         error.errorString().toStdString() + ")");
     return document.object();
 }
 
-template <class T>
-std::string toolsJson(const std::vector<T>& items) {
+template <class T> std::string toolsJson(const std::vector<T>& items) {
     QJsonArray tools;
     for (const T& item : items)
         tools.append(toJson(item));
@@ -58,10 +57,11 @@ std::string versionsJson(const catalogue::ExerciseLevel& level, ScoringRule scor
     QJsonObject metrics;
     for (const auto& metric : level.metrics)
         metrics.insert(QString::fromStdString(metric.id), metric.version);
-    return compact({{"exercise", level.exerciseVersion},
-                    {"metrics", metrics},
-                    {"scoring", static_cast<int>(scoring)},
-                    {"random", QString::fromUtf8(core::Random::kName.data(), qsizetype(core::Random::kName.size()))}});
+    return compact(
+        {{"exercise", level.exerciseVersion},
+         {"metrics", metrics},
+         {"scoring", static_cast<int>(scoring)},
+         {"random", QString::fromUtf8(core::Random::kName.data(), qsizetype(core::Random::kName.size()))}});
 }
 
 core::Result<ScoringRule> scoringFromJson(const std::string& text) {
@@ -71,8 +71,11 @@ core::Result<ScoringRule> scoringFromJson(const std::string& text) {
     if (rule.isUndefined())
         return ScoringRule::begunTrials;
     const int number = rule.toInt(0);
-    if (number != static_cast<int>(ScoringRule::begunTrials) && number != static_cast<int>(ScoringRule::finishedTrials))
-        return core::fail(core::ErrorCode::badInput, "session column versions.scoring: expected 1 or 2; a newer version of this program may know it");
+    if (number != static_cast<int>(ScoringRule::begunTrials) &&
+        number != static_cast<int>(ScoringRule::finishedTrials))
+        return core::fail(
+            core::ErrorCode::badInput,
+            "session column versions.scoring: expected 1 or 2; a newer version of this program may know it");
     return static_cast<ScoringRule>(number);
 }
 

@@ -13,8 +13,8 @@
 namespace chiron::session {
 
 core::Result<std::unique_ptr<SessionView>> SessionView::open(database::Connection& connection,
-                                                                 const database::Actor& actor,
-                                                                 database::SessionId session) {
+                                                             const database::Actor& actor,
+                                                             database::SessionId session) {
     std::unique_ptr<SessionView> stored(new SessionView);
     database::SessionReader sessions(connection, actor);
     auto record = sessions.session(session);
@@ -22,7 +22,8 @@ core::Result<std::unique_ptr<SessionView>> SessionView::open(database::Connectio
     stored->m_record = std::move(*record);
     auto setup = setupFromStored(stored->m_record.setup);
     if (!setup)
-        return core::fail(setup.error().code, "session " + std::to_string(session) + ": " + setup.error().message);
+        return core::fail(setup.error().code,
+                          "session " + std::to_string(session) + ": " + setup.error().message);
     stored->m_setup = std::move(*setup);
     auto positions = ToolPositions::create(stored->m_setup);
     CHIRON_TRY(positions);
@@ -47,9 +48,13 @@ core::Result<void> SessionView::eachChunk(const FrameVisitor& visit) {
     return {};
 }
 
-core::Result<void> SessionView::decode(const ReadProgress& progress) { return derive(true, true, progress, {}); }
+core::Result<void> SessionView::decode(const ReadProgress& progress) {
+    return derive(true, true, progress, {});
+}
 
-core::Result<std::shared_ptr<const scoring::SessionTrace>> SessionView::trace() { return trace(FrameVisitor{}); }
+core::Result<std::shared_ptr<const scoring::SessionTrace>> SessionView::trace() {
+    return trace(FrameVisitor{});
+}
 
 core::Result<std::shared_ptr<const scoring::SessionTrace>> SessionView::trace(const FrameVisitor& also) {
     CHIRON_TRY(derive(true, false, {}, also));
@@ -61,7 +66,8 @@ core::Result<std::shared_ptr<const PlaybackTrack>> SessionView::track(const Read
     return m_track;
 }
 
-core::Result<void> SessionView::derive(bool trace, bool track, const ReadProgress& progress, const FrameVisitor& also) {
+core::Result<void> SessionView::derive(bool trace, bool track, const ReadProgress& progress,
+                                       const FrameVisitor& also) {
     const auto kind = exerciseKind(m_setup.level.exercise);
     CHIRON_TRY(kind);
     track = track && !m_track;
@@ -70,7 +76,8 @@ core::Result<void> SessionView::derive(bool trace, bool track, const ReadProgres
         return {};
     std::optional<TraceAssembler> assembler;
     if (trace)
-        assembler.emplace(*m_positions, m_positions->tools(), m_positions.get(), RecordedQuantities(m_reader->table()));
+        assembler.emplace(*m_positions, m_positions->tools(), m_positions.get(),
+                          RecordedQuantities(m_reader->table()));
     std::unique_ptr<TrialSurfaces> surfaces;
     std::optional<TrackBuilder> builder;
     if (track) {
@@ -113,7 +120,9 @@ void SessionView::keep(TraceAssembler& assembler, const ExerciseKind& kind) {
     m_trace = std::make_shared<const scoring::SessionTrace>(std::move(trace));
 }
 
-core::Result<scoring::ScoreCard> SessionView::computeScores() { return computeScores(0); }
+core::Result<scoring::ScoreCard> SessionView::computeScores() {
+    return computeScores(0);
+}
 
 core::Result<scoring::ScoreCard> SessionView::computeScores(int metricVersion) {
     const auto session = trace();
@@ -124,10 +133,12 @@ core::Result<scoring::ScoreCard> SessionView::computeScores(int metricVersion) {
 }
 
 core::Result<scoring::ScoreCard> SessionView::scoresOf(const scoring::SessionTrace& trace, bool completed,
-                                                         int metricVersion) const {
+                                                       int metricVersion) const {
     std::vector<scoring::MetricRequest> requests;
     const auto& metrics = m_setup.level.metrics;
-    const bool known = std::any_of(metrics.begin(), metrics.end(), [&](const auto& metric) { return scoring::findMetric(metric.id, metricVersion); });
+    const bool known = std::any_of(metrics.begin(), metrics.end(), [&](const auto& metric) {
+        return scoring::findMetric(metric.id, metricVersion);
+    });
     for (const catalogue::MetricChoice& metric : metrics) {
         int version = metricVersion > 0 ? metricVersion : metric.version;
         while (known && metricVersion > 0 && version > 1 && !scoring::findMetric(metric.id, version))
@@ -144,9 +155,9 @@ bool sameMetrics(const std::vector<scoring::MetricValue>& a, const std::vector<s
     if (a.size() != b.size())
         return false;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        const bool sameValue =
-            a[i].value.has_value() == b[i].value.has_value() &&
-            (!a[i].value || std::bit_cast<std::uint64_t>(*a[i].value + 0.0) == std::bit_cast<std::uint64_t>(*b[i].value + 0.0));
+        const bool sameValue = a[i].value.has_value() == b[i].value.has_value() &&
+                               (!a[i].value || std::bit_cast<std::uint64_t>(*a[i].value + 0.0) ==
+                                                   std::bit_cast<std::uint64_t>(*b[i].value + 0.0));
         if (!sameValue || a[i].id != b[i].id || a[i].version != b[i].version || a[i].unit != b[i].unit ||
             a[i].passed != b[i].passed)
             return false;

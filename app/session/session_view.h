@@ -34,8 +34,8 @@ public:
     /// Opens a session.
     /// Errors: notFound, notAllowed, badInput (damaged rows), doesNotHold (damaged chunks are named when they
     ///   are read).
-    static core::Result<std::unique_ptr<SessionView>> open(database::Connection& connection, const database::Actor& actor,
-                                                           database::SessionId session);
+    static core::Result<std::unique_ptr<SessionView>>
+    open(database::Connection& connection, const database::Actor& actor, database::SessionId session);
     SessionView(const SessionView&) = delete;
     SessionView& operator=(const SessionView&) = delete;
 

@@ -28,40 +28,48 @@ core::Result<std::unique_ptr<database::Database>> createOrOpen(const std::string
     return database::Database::create(file, options);
 }
 
-core::Result<const catalogue::ExerciseLevel*> levelOf(const catalogue::Catalogue& catalogue, const ScriptedSession& session) {
+core::Result<const catalogue::ExerciseLevel*> levelOf(const catalogue::Catalogue& catalogue,
+                                                      const ScriptedSession& session) {
     if (const catalogue::ExerciseLevel* level = catalogue.find(session.exercise, session.level))
         return level;
-    return core::fail(core::ErrorCode::notFound, "exercise \"" + session.exercise + "\": no level " +
-                                                     std::to_string(session.level));
+    return core::fail(core::ErrorCode::notFound,
+                      "exercise \"" + session.exercise + "\": no level " + std::to_string(session.level));
 }
 
 core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                  const ScriptedSession& session) {
     const std::vector<std::string> names = kind.operatorNames();
     if (std::find(names.begin(), names.end(), session.operatorName) != names.end()) {
-        const std::string_view mechanism = session.mechanism.empty() ? kind.mechanism() : std::string_view(session.mechanism);
+        const std::string_view mechanism =
+            session.mechanism.empty() ? kind.mechanism() : std::string_view(session.mechanism);
         const devices::KinematicsEntry* kinematics = devices::findKinematics(mechanism);
         if (session.map != mechanisms::PolarMap::exact && !(kinematics && kinematics->mapOf))
-            return core::fail(core::ErrorCode::wrongUse, "force map as-published: exercise " + session.exercise +
-                                                             " is not done on the gimbal whose map it is; expected exact");
-        return scriptedStation(kind, level, session.operatorName, session.seed, session.map, mechanism, session.mounting);
+            return core::fail(core::ErrorCode::wrongUse,
+                              "force map as-published: exercise " + session.exercise +
+                                  " is not done on the gimbal whose map it is; expected exact");
+        return scriptedStation(kind, level, session.operatorName, session.seed, session.map, mechanism,
+                               session.mounting);
     }
     std::error_code ignored;
     if (!std::filesystem::exists(session.operatorName, ignored)) {
         std::string known;
         for (const std::string& name : names)
             known += name + ", ";
-        return core::fail(core::ErrorCode::notFound, "operator \"" + session.operatorName + "\": expected one of " +
-                                                         known + "or the path of a trace file");
+        return core::fail(core::ErrorCode::notFound, "operator \"" + session.operatorName +
+                                                         "\": expected one of " + known +
+                                                         "or the path of a trace file");
     }
     auto rows = scoring::readTraceCsvFile(session.operatorName);
     CHIRON_TRY(rows);
     if (!session.mechanism.empty())
-        return core::fail(core::ErrorCode::wrongUse, "mechanism " + session.mechanism + ": a trace is held by none; expected an operator");
+        return core::fail(core::ErrorCode::wrongUse, "mechanism " + session.mechanism +
+                                                         ": a trace is held by none; expected an operator");
     if (session.map != mechanisms::PolarMap::exact)
-        return core::fail(core::ErrorCode::wrongUse, "force map as-published: a trace feels nothing; expected exact");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "force map as-published: a trace feels nothing; expected exact");
     if (session.mounting.turned() || session.mounting.turnGiven)
-        return core::fail(core::ErrorCode::wrongUse, "base turn: a trace is held by no device; expected an operator");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "base turn: a trace is held by no device; expected an operator");
     return traceStation(*rows, kind.pointerTool(), kind.toolCount(level));
 }
 
@@ -85,8 +93,8 @@ core::Result<void> checkOperator(const catalogue::Catalogue& catalogue, const Sc
 }
 
 core::Result<TrainingResult> runScripted(database::Database& database, const database::Actor& actor,
-                                         const catalogue::Catalogue& catalogue, const ScriptedSession& session,
-                                         const std::atomic<bool>* cancel) {
+                                         const catalogue::Catalogue& catalogue,
+                                         const ScriptedSession& session, const std::atomic<bool>* cancel) {
     auto kind = exerciseKind(session.exercise);
     CHIRON_TRY(kind);
     const auto level = levelOf(catalogue, session);

@@ -33,7 +33,7 @@ struct ScriptedSession {
     bool realtime = false;
     bool familiarisation = false;
     mechanisms::PolarMap map = mechanisms::PolarMap::exact; ///< map of the simulated gimbal
-    std::string mechanism{}; ///< kinematics id of the simulated mechanism; "": the exercise's usual one
+    std::string mechanism{};    ///< kinematics id of the simulated mechanism; "": the exercise's usual one
     WorkspaceChoice mounting{}; ///< mounting of the bases of the simulated mechanisms
 };
 
@@ -44,7 +44,8 @@ core::Result<void> checkOperator(const catalogue::Catalogue& catalogue, const Sc
 /// Runs the session as `actor`.
 /// Errors: notFound (exercise, level, operator); badInput (trace); those of runTraining.
 core::Result<TrainingResult> runScripted(database::Database& database, const database::Actor& actor,
-                                         const catalogue::Catalogue& catalogue, const ScriptedSession& session,
+                                         const catalogue::Catalogue& catalogue,
+                                         const ScriptedSession& session,
                                          const std::atomic<bool>* cancel = nullptr);
 
 } // namespace chiron::session

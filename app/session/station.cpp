@@ -20,7 +20,8 @@ core::Result<Station> stationOf(const devices::Driver& driver, devices::DriverRe
     auto made = driver.open(std::move(request));
     CHIRON_TRY(made);
     if (made->size() != station.tools.size())
-        return core::fail(core::ErrorCode::device, "device " + std::string(driver.id) + ": " + std::to_string(made->size()) + " tools for " +
+        return core::fail(core::ErrorCode::device, "device " + std::string(driver.id) + ": " +
+                                                       std::to_string(made->size()) + " tools for " +
                                                        std::to_string(station.tools.size()));
     for (std::size_t i = 0; i < made->size(); ++i) {
         station.tools[i].device = std::move((*made)[i].device);
@@ -32,11 +33,14 @@ core::Result<Station> stationOf(const devices::Driver& driver, devices::DriverRe
 }
 
 tl::unexpected<core::Error> differingHands(const ExerciseKind& kind, std::size_t hands, std::size_t tools) {
-    return core::fail(core::ErrorCode::wrongUse, "exercise " + std::string(kind.id()) + ": " + std::to_string(hands) + " hands for " +
+    return core::fail(core::ErrorCode::wrongUse, "exercise " + std::string(kind.id()) + ": " +
+                                                     std::to_string(hands) + " hands for " +
                                                      std::to_string(tools) + " instruments");
 }
 
-bool knowsItsPlace(const ExerciseKind& kind) { return kind.operatorsKnowTheirPlace(); }
+bool knowsItsPlace(const ExerciseKind& kind) {
+    return kind.operatorsKnowTheirPlace();
+}
 
 WorkspaceChoice mountingOf(const catalogue::ExerciseLevel& level, int tool, const WorkspaceChoice& chosen) {
     const auto index = static_cast<std::size_t>(tool);
@@ -51,18 +55,23 @@ WorkspaceChoice ofPointer(WorkspaceChoice choice) {
 
 /// The positions of a level's devices: those of the exercise, each with the chosen mounting, or else the
 /// level's, relative to that position.
-core::Result<std::vector<devices::WorkspaceMapping>> placesOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
-                                                              std::size_t hands, const WorkspaceChoice& chosen) {
+core::Result<std::vector<devices::WorkspaceMapping>> placesOf(const ExerciseKind& kind,
+                                                              const catalogue::ExerciseLevel& level,
+                                                              std::size_t hands,
+                                                              const WorkspaceChoice& chosen) {
     const int tools = kind.toolCount(level);
     if (tools < 1 || tools > core::kMaxTools || hands != static_cast<std::size_t>(tools))
         return differingHands(kind, hands, static_cast<std::size_t>(std::max(tools, 0)));
     CHIRON_TRY(mappingOf(chosen));
     const WorkspaceChoice unchanged;
-    const bool any = chosen.turned() || chosen.leftHanded || chosen.scale != unchanged.scale || chosen.origin_m != unchanged.origin_m;
+    const bool any = chosen.turned() || chosen.leftHanded || chosen.scale != unchanged.scale ||
+                     chosen.origin_m != unchanged.origin_m;
     if (any && !kind.operatorsKnowTheirPlace())
-        return core::fail(core::ErrorCode::wrongUse, "exercise " + std::string(kind.id()) +
-                                                         ": its scripted hands hold a device that stands as it is built; it can be "
-                                                         "mounted otherwise for " + idsOfKinds(knowsItsPlace));
+        return core::fail(core::ErrorCode::wrongUse,
+                          "exercise " + std::string(kind.id()) +
+                              ": its scripted hands hold a device that stands as it is built; it can be "
+                              "mounted otherwise for " +
+                              idsOfKinds(knowsItsPlace));
     std::vector<devices::WorkspaceMapping> places;
     for (int tool = 0; tool < tools; ++tool) {
         const auto mounted = mappingOf(mountingOf(level, tool, chosen));
@@ -111,7 +120,8 @@ void playTogether(std::vector<std::vector<devices::TracePoint>>& tools) {
     }
 }
 
-std::optional<double> startOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level, const devices::WorkspaceMapping& mapping) {
+std::optional<double> startOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+                              const devices::WorkspaceMapping& mapping) {
     // A pointer starts in the middle of its box.
     return kind.pointerStart_m(level, mapping.origin_m[0], mapping.origin_m[1]);
 }
@@ -120,8 +130,8 @@ std::optional<double> startOf(const ExerciseKind& kind, const catalogue::Exercis
 core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice) {
     using W = WorkspaceChoice;
     if (!(choice.scale >= W::kSmallestScale && choice.scale <= W::kLargestScale))
-        return core::fail(core::ErrorCode::badInput, "workspace: a scale of " + std::to_string(choice.scale) +
-                                                         "; expected 0.25 to 4");
+        return core::fail(core::ErrorCode::badInput,
+                          "workspace: a scale of " + std::to_string(choice.scale) + "; expected 0.25 to 4");
     for (const double shift_m : choice.origin_m) {
         if (!(std::abs(shift_m) <= W::kLargestShift_m))
             return core::fail(core::ErrorCode::badInput, "workspace: a shift of " + std::to_string(shift_m) +
@@ -129,7 +139,8 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
     }
     for (const double turn_rad : choice.turn_rad) {
         if (!(std::abs(turn_rad) <= W::kLargestTurn_rad + 1e-12))
-            return core::fail(core::ErrorCode::badInput, "workspace: a turn of the base of " + std::to_string(turn_rad) +
+            return core::fail(core::ErrorCode::badInput, "workspace: a turn of the base of " +
+                                                             std::to_string(turn_rad) +
                                                              " rad; expected at most 45 degrees either way");
     }
     devices::WorkspaceMapping mapping{choice.origin_m, choice.scale, choice.leftHanded, {1.0, 0.0, 0.0, 0.0}};
@@ -154,13 +165,15 @@ devices::DriverRequest requestOf(const WorkspaceChoice& choice, PointerTool tool
 
 /// A pointer has no mounting: each tool is at the exercise's position, with the workspace that the person
 /// chose.
-core::Result<std::vector<devices::WorkspaceMapping>> pointerPlaces(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+core::Result<std::vector<devices::WorkspaceMapping>> pointerPlaces(const ExerciseKind& kind,
+                                                                   const catalogue::ExerciseLevel& level,
                                                                    const WorkspaceChoice& choice) {
     const auto chosen = mappingOf(choice);
     CHIRON_TRY(chosen);
     const int tools = kind.toolCount(level);
     if (tools < 1 || tools > core::kMaxTools)
-        return differingHands(kind, static_cast<std::size_t>(std::max(tools, 0)), static_cast<std::size_t>(std::max(tools, 0)));
+        return differingHands(kind, static_cast<std::size_t>(std::max(tools, 0)),
+                              static_cast<std::size_t>(std::max(tools, 0)));
     std::vector<devices::WorkspaceMapping> places;
     for (int tool = 0; tool < tools; ++tool) {
         devices::WorkspaceMapping mapping = *chosen;
@@ -180,7 +193,8 @@ std::vector<devices::WorkspaceMapping> Station::mappings() const {
 }
 
 bool Station::felt() const noexcept {
-    return std::any_of(tools.begin(), tools.end(), [](const StationTool& tool) { return tool.device->descriptor().rendersForce; });
+    return std::any_of(tools.begin(), tools.end(),
+                       [](const StationTool& tool) { return tool.device->descriptor().rendersForce; });
 }
 
 std::vector<devices::PointerMailbox*> Station::pointers() const {
@@ -212,8 +226,8 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, const E
     return personStation(devices::usualDriver(devices::MovedBy::person), given, kind, level);
 }
 
-core::Result<Station> personStation(const devices::Driver& driver, const WorkspaceChoice& given, const ExerciseKind& kind,
-                                    const catalogue::ExerciseLevel& level) {
+core::Result<Station> personStation(const devices::Driver& driver, const WorkspaceChoice& given,
+                                    const ExerciseKind& kind, const catalogue::ExerciseLevel& level) {
     const WorkspaceChoice choice = ofPointer(given);
     const PointerTool tool = kind.pointerTool();
     const bool fingers = tool == PointerTool::point && kind.toolCount(level) > 1;
@@ -231,7 +245,8 @@ core::Result<Station> personStation(const devices::Driver& driver, const Workspa
     request.widestJaw_rad = tool == PointerTool::point ? kind.fingerJaw_rad(level) : 0.0;
     request.endoscopeStart_W = kind.endoscopeStart_W();
     for (const devices::WorkspaceMapping& place : places)
-        request.tools.push_back({place, tool == PointerTool::point ? startOf(kind, level, place) : std::nullopt, nullptr, {}});
+        request.tools.push_back(
+            {place, tool == PointerTool::point ? startOf(kind, level, place) : std::nullopt, nullptr, {}});
     return stationOf(driver, std::move(request));
 }
 
@@ -246,20 +261,22 @@ core::Result<Station> simulatedStation(std::string_view mechanism, SimulatedHand
     return stationOf(devices::usualDriver(devices::MovedBy::scriptedOperator), std::move(request));
 }
 
-core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level, const std::string& operatorName,
-                                      std::uint64_t seed, mechanisms::PolarMap map, std::string_view mechanism,
+core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+                                      const std::string& operatorName, std::uint64_t seed,
+                                      mechanisms::PolarMap map, std::string_view mechanism,
                                       const WorkspaceChoice& mounting) {
     const std::vector<std::string_view> known = kind.mechanisms();
     const std::string_view chosen = mechanism.empty() ? kind.mechanism() : mechanism;
     if (std::find(known.begin(), known.end(), chosen) == known.end())
-        return core::fail(core::ErrorCode::wrongUse, "mechanism \"" + std::string(chosen) + "\": exercise " + std::string(kind.id()) +
-                                                         " is not done on it");
+        return core::fail(core::ErrorCode::wrongUse, "mechanism \"" + std::string(chosen) + "\": exercise " +
+                                                         std::string(kind.id()) + " is not done on it");
     // Hand and decision model have separate random streams, so that the same person trembles alike in another
     // field.
     const auto hands = static_cast<std::size_t>(std::max(kind.toolCount(level), 0));
     auto places = placesOf(kind, level, hands, mounting);
     CHIRON_TRY(places);
-    auto trainee = kind.makeOperatorAt(*places, chosen, level, operatorName, core::Random::mix(seed, "operator"));
+    auto trainee =
+        kind.makeOperatorAt(*places, chosen, level, operatorName, core::Random::mix(seed, "operator"));
     CHIRON_TRY(trainee);
     if (trainee->strategies.size() != hands)
         return differingHands(kind, trainee->strategies.size(), hands);
@@ -273,8 +290,9 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
     request.frictionCompensation = haptics::FrictionCompensation::kMost;
     const devices::Driver& driver = devices::usualDriver(devices::MovedBy::scriptedOperator);
     if (!devices::kinematicsOf(driver, chosen))
-        return core::fail(core::ErrorCode::wrongUse,
-                          "exercise " + std::string(kind.id()) + ": no simulated mechanism \"" + std::string(chosen) + "\"");
+        return core::fail(core::ErrorCode::wrongUse, "exercise " + std::string(kind.id()) +
+                                                         ": no simulated mechanism \"" + std::string(chosen) +
+                                                         "\"");
     const FingersOfHand fingers = kind.fingers(level);
     request.fingersPerHand = std::max(fingers.perHand, 1);
     request.fingerSpacing_m = fingers.spacing_m;
@@ -287,13 +305,16 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
 }
 
 core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool, int tools) {
-    const auto refuse = [&rows](const std::string& why) { return core::fail(core::ErrorCode::badInput, rows.source + ": " + why); };
+    const auto refuse = [&rows](const std::string& why) {
+        return core::fail(core::ErrorCode::badInput, rows.source + ": " + why);
+    };
     if (tool == PointerTool::endoscope && !rows.columns.orientation)
         return refuse("no orientation; an endoscope needs the columns qw, qx, qy and qz");
     if (tool == PointerTool::grasper && !rows.columns.jaw)
         return refuse("no jaw; a grasper needs the column jaw_deg");
     if (tools < 1 || tools > core::kMaxTools)
-        return core::fail(core::ErrorCode::wrongUse, "trace: " + std::to_string(tools) + " instruments, expected 1 to 4");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "trace: " + std::to_string(tools) + " instruments, expected 1 to 4");
     std::vector<std::vector<devices::TracePoint>> points(static_cast<std::size_t>(tools));
     for (const scoring::TraceRow& row : rows.rows)
         if (row.tool < tools) // rows of further tools than the level has are ignored

@@ -41,8 +41,8 @@ struct Station {
     devices::EndoscopeMailbox* endoscope() const noexcept;
 };
 
-/// A scripted hand that holds a simulated mechanism outside of an exercise: while the mechanism is measured, and
-/// in a study without people.
+/// A scripted hand that holds a simulated mechanism outside of an exercise: while the mechanism is measured,
+/// and in a study without people.
 struct SimulatedHand {
     std::unique_ptr<mechanisms::HandStrategy> strategy; ///< starts at devices::kHeldFrom_D
     mechanisms::HandParameters hand;
@@ -79,8 +79,8 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const 
                                            const catalogue::ExerciseLevel& level);
 
 /// The same with any driver whose devices a person moves (MovedBy::person).
-core::Result<Station> personStation(const devices::Driver& driver, const WorkspaceChoice& choice, const ExerciseKind& kind,
-                                    const catalogue::ExerciseLevel& level);
+core::Result<Station> personStation(const devices::Driver& driver, const WorkspaceChoice& choice,
+                                    const ExerciseKind& kind, const catalogue::ExerciseLevel& level);
 
 /// A simulated mechanism of the exercise, one for each instrument of the level, with a scripted operator on
 /// it. `mechanism`: its kinematics id; "": the usual one. `map`: how a force is converted to motor torques on
@@ -91,8 +91,8 @@ core::Result<Station> personStation(const devices::Driver& driver, const Workspa
 ///   mappingOf().
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                       const std::string& operatorName, std::uint64_t seed,
-                                      mechanisms::PolarMap map = mechanisms::PolarMap::exact, std::string_view mechanism = {},
-                                      const WorkspaceChoice& mounting = {});
+                                      mechanisms::PolarMap map = mechanisms::PolarMap::exact,
+                                      std::string_view mechanism = {}, const WorkspaceChoice& mounting = {});
 
 /// A recorded trace as input devices (class "shown": nobody feels anything), one for each of the `tools` that
 /// the level needs; rows of other tools are ignored. All devices begin with the file's earliest row and end
@@ -100,6 +100,7 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
 /// row after it. `tool`: the exercise's pointerTool(); an endoscope needs the columns of orientation,
 /// graspers that of the jaw.
 /// Errors: badInput naming file and row, columns or the missing tool.
-core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool = PointerTool::point, int tools = 1);
+core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool = PointerTool::point,
+                                   int tools = 1);
 
 } // namespace chiron::session

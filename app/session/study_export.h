@@ -21,12 +21,14 @@ namespace chiron::session {
 /// design.json (the frozen design, byte for byte the text of the SHA-256), dataset_description.json
 /// (Psych-DS). The folder appears either complete or not at all.
 /// Errors: badInput if `folder` exists already; wrongUse for a draft; notFound; notAllowed; storage.
-core::Result<void> exportStudyCsv(database::StudyReader& reader, database::StudyNumber study, const std::filesystem::path& folder);
+core::Result<void> exportStudyCsv(database::StudyReader& reader, database::StudyNumber study,
+                                  const std::filesystem::path& folder);
 
 /// Writes `folder` as a BIDS dataset: sub-CODE/beh with one `_beh.tsv` per run and, if there are recordings
 /// that `actor` may read, sub-CODE/motion with the tool's motion, forces as MISC channels, and events.
 /// Errors: those of exportStudyCsv().
-core::Result<void> exportStudyBids(database::StudyReader& reader, database::Connection& connection, const database::Actor& actor,
-                                   database::StudyNumber study, const std::filesystem::path& folder);
+core::Result<void> exportStudyBids(database::StudyReader& reader, database::Connection& connection,
+                                   const database::Actor& actor, database::StudyNumber study,
+                                   const std::filesystem::path& folder);
 
 } // namespace chiron::session

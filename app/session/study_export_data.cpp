@@ -22,20 +22,26 @@ void sortByCodes(StudyExportData& data) {
     std::map<database::ParticipantNumber, std::string> codes;
     for (const ExportedParticipant& each : data.participants)
         codes[each.participant.id] = each.participant.code;
-    const auto key = [&](const database::QuestionnaireAnswer& answer) { return std::pair(codes[answer.participant], labelOf(answer)); };
-    std::stable_sort(data.answers.begin(), data.answers.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    const auto key = [&](const database::QuestionnaireAnswer& answer) {
+        return std::pair(codes[answer.participant], labelOf(answer));
+    };
+    std::stable_sort(data.answers.begin(), data.answers.end(),
+                     [&](const auto& a, const auto& b) { return key(a) < key(b); });
     for (ExportedParticipant& each : data.participants)
-        std::stable_sort(each.runs.begin(), each.runs.end(), [](const auto& a, const auto& b) { return a.label < b.label; });
+        std::stable_sort(each.runs.begin(), each.runs.end(),
+                         [](const auto& a, const auto& b) { return a.label < b.label; });
 }
 
-core::Result<void> addRuns(database::StudyReader& reader, const StudyExportData& data, ExportedParticipant& participant) {
+core::Result<void> addRuns(database::StudyReader& reader, const StudyExportData& data,
+                           ExportedParticipant& participant) {
     auto runs = reader.runs(participant.participant.id);
     CHIRON_TRY(runs);
     std::map<std::string, int> counts;
     for (database::StudyRun& run : *runs) {
         const psychophysics::Condition* condition = analysedBy(*data.design, data.blinding, run.condition);
         if (!condition && !data.blinded)
-            return core::fail(core::ErrorCode::badInput, "run " + std::to_string(run.id) + ": its condition is not in the frozen design");
+            return core::fail(core::ErrorCode::badInput, "run " + std::to_string(run.id) +
+                                                             ": its condition is not in the frozen design");
         auto trials = reader.studyTrials(run.id);
         CHIRON_TRY(trials);
         ExportedRun exported;
@@ -60,7 +66,8 @@ std::vector<psychophysics::ScoredTrial> scoredTrialsOf(const std::vector<StudyTr
     for (const StudyTrial& trial : trials) {
         if (trial.practice || trial.undone || !trial.spoiled.empty() || (trial.answer < 0 && !trial.value))
             continue;
-        scored.push_back({trial.procedure, trial.arrangement, trial.answer, trial.outcome, trial.difference, trial.value});
+        scored.push_back(
+            {trial.procedure, trial.arrangement, trial.answer, trial.outcome, trial.difference, trial.value});
     }
     return scored;
 }
@@ -71,8 +78,10 @@ core::Result<StudyExportData> gatherStudy(database::StudyReader& reader, databas
     CHIRON_TRY(record);
     data.record = std::move(*record);
     if (data.record.summary.state == database::StudyState::draft || data.record.summary.sha256.empty())
-        return core::fail(core::ErrorCode::wrongUse, "study \"" + data.record.summary.key + "\": a draft has no data; expected a frozen study");
-    auto design = catalogue::readStudy(QByteArray::fromStdString(data.record.designJson), data.record.summary.key);
+        return core::fail(core::ErrorCode::wrongUse, "study \"" + data.record.summary.key +
+                                                         "\": a draft has no data; expected a frozen study");
+    auto design =
+        catalogue::readStudy(QByteArray::fromStdString(data.record.designJson), data.record.summary.key);
     CHIRON_TRY(design);
     data.design = std::make_unique<psychophysics::StudyDesign>(std::move(*design));
     data.blinding = data.record.blinding;
@@ -84,7 +93,9 @@ core::Result<StudyExportData> gatherStudy(database::StudyReader& reader, databas
     auto answers = reader.questionnaireAnswers(study);
     auto quality = reader.trialQuality(study);
     if (!participants || !answers || !quality)
-        return tl::unexpected(!participants ? participants.error() : !answers ? answers.error() : quality.error());
+        return tl::unexpected(!participants ? participants.error()
+                              : !answers    ? answers.error()
+                                            : quality.error());
     data.answers = std::move(*answers);
     data.quality = std::move(*quality);
     for (database::Participant& participant : *participants) {

@@ -19,9 +19,9 @@ struct ExportedRun {
     /// Never null. While blinded it is any condition of the design, so that only values shared by all
     /// conditions are used.
     const psychophysics::Condition* condition = nullptr;
-    QString label;                                       ///< condition's id, or its sealed code while blinded
-    int index = 1;                                       ///< number among this participant's runs of this
-                                                         ///< condition, from 1
+    QString label; ///< condition's id, or its sealed code while blinded
+    int index = 1; ///< number among this participant's runs of this
+                   ///< condition, from 1
     std::vector<database::StudyTrial> trials;
     psychophysics::RunEstimate estimate;
 };

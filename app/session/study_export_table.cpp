@@ -40,22 +40,31 @@ QByteArray joined(const ExportTable& table, QChar separator, QString (*written)(
 
 QString readingWords(const QString& table) {
     const QJsonObject lines = readingJson();
-    return QStringLiteral("In R: %1\nIn Python: %2\n").arg(lines["R"].toString(), lines["pandas"].toString()).replace(QStringLiteral("FILE"), table + QStringLiteral(".csv"));
+    return QStringLiteral("In R: %1\nIn Python: %2\n")
+        .arg(lines["R"].toString(), lines["pandas"].toString())
+        .replace(QStringLiteral("FILE"), table + QStringLiteral(".csv"));
 }
 
 QJsonObject readingJson() {
-    return {{"R", R"(read.csv("FILE", na.strings = "n/a"))"}, {"pandas", R"(pandas.read_csv("FILE", na_values=["n/a"], keep_default_na=False))"}};
+    return {{"R", R"(read.csv("FILE", na.strings = "n/a"))"},
+            {"pandas", R"(pandas.read_csv("FILE", na_values=["n/a"], keep_default_na=False))"}};
 }
 
 QString exportNumber(double value) {
     return std::isfinite(value) ? QString::number(value, 'g', QLocale::FloatingPointShortest) : kNotAvailable;
 }
 
-QString exportFlag(bool value) { return value ? QStringLiteral("1") : QStringLiteral("0"); }
+QString exportFlag(bool value) {
+    return value ? QStringLiteral("1") : QStringLiteral("0");
+}
 
-QByteArray csvOf(const ExportTable& table) { return joined(table, u',', quotedCell); }
+QByteArray csvOf(const ExportTable& table) {
+    return joined(table, u',', quotedCell);
+}
 
-QByteArray tsvOf(const ExportTable& table) { return joined(table, u'\t', plainCell); }
+QByteArray tsvOf(const ExportTable& table) {
+    return joined(table, u'\t', plainCell);
+}
 
 QJsonObject sidecarOf(const ExportTable& table) {
     QJsonObject json;
@@ -74,21 +83,27 @@ QJsonObject sidecarOf(const ExportTable& table) {
 }
 
 ExportTable dictionaryOf(const std::vector<ExportTable>& tables) {
-    ExportTable dictionary{QStringLiteral("data_dictionary"), QStringLiteral("every column of every table"),
-                           {{"table", "", "name of the file without its ending"}, {"column", "", "name of the column"}, {"unit", "", "SI unit; 1 for shares and counts"},
-                            {"levels", "", "the values that words and flags take"}, {"description", "", "what it says"}},
+    ExportTable dictionary{QStringLiteral("data_dictionary"),
+                           QStringLiteral("every column of every table"),
+                           {{"table", "", "name of the file without its ending"},
+                            {"column", "", "name of the column"},
+                            {"unit", "", "SI unit; 1 for shares and counts"},
+                            {"levels", "", "the values that words and flags take"},
+                            {"description", "", "what it says"}},
                            {}};
     const QJsonObject reading = readingJson();
     for (const QString& program : reading.keys())
-        dictionary.rows.push_back({QStringLiteral("*"), QStringLiteral("*"), kNotAvailable, QStringLiteral("n/a=no value"),
-                                   QStringLiteral("every file is read in %1 with: %2").arg(program, reading[program].toString())});
+        dictionary.rows.push_back(
+            {QStringLiteral("*"), QStringLiteral("*"), kNotAvailable, QStringLiteral("n/a=no value"),
+             QStringLiteral("every file is read in %1 with: %2").arg(program, reading[program].toString())});
     for (const ExportTable& table : tables) {
         for (const ExportColumn& column : table.columns) {
             QStringList levels;
             for (const auto& [value, meaning] : column.levels)
                 levels << value + u'=' + meaning;
-            dictionary.rows.push_back({table.name, column.name, column.unit.isEmpty() ? kNotAvailable : column.unit,
-                                       levels.isEmpty() ? kNotAvailable : levels.join(QStringLiteral("; ")), column.description});
+            dictionary.rows.push_back(
+                {table.name, column.name, column.unit.isEmpty() ? kNotAvailable : column.unit,
+                 levels.isEmpty() ? kNotAvailable : levels.join(QStringLiteral("; ")), column.description});
         }
     }
     return dictionary;

@@ -30,6 +30,7 @@ std::vector<ExportColumn> deviceColumns();
 /// The columns of a trial without those that identify the participant, and its cells, for a file that holds
 /// only one run.
 std::vector<ExportColumn> trialColumns();
-QStringList trialCells(const StudyExportData& data, const ExportedRun& run, const database::StudyTrial& trial);
+QStringList trialCells(const StudyExportData& data, const ExportedRun& run,
+                       const database::StudyTrial& trial);
 
 } // namespace chiron::session

@@ -16,7 +16,8 @@ core::Result<std::unique_ptr<ToolPositions>> ToolPositions::create(const Session
         const bool turns = std::any_of(axes.begin(), axes.end(), [](const devices::AxisDescriptor& axis) {
             return axis.unit == devices::AxisUnit::radian;
         });
-        positions->m_tools.push_back({std::move(*kinematics), devices::WorkspaceMap(setup.mappings[i]), turns});
+        positions->m_tools.push_back(
+            {std::move(*kinematics), devices::WorkspaceMap(setup.mappings[i]), turns});
     }
     return positions;
 }

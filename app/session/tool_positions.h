@@ -18,8 +18,12 @@ namespace chiron::session {
 class ToolPositions final : public recording::IPositionOf, public IOrientationOf {
 public:
     static core::Result<std::unique_ptr<ToolPositions>> create(const SessionSetup& setup);
-    core::Vec3 p_WT_m(int tool, const core::ToolFrame& frame) const noexcept override { return pose(tool, frame).p_WT; }
-    core::Quat q_WT(int tool, const core::ToolFrame& frame) const noexcept override { return pose(tool, frame).q_WT; }
+    core::Vec3 p_WT_m(int tool, const core::ToolFrame& frame) const noexcept override {
+        return pose(tool, frame).p_WT;
+    }
+    core::Quat q_WT(int tool, const core::ToolFrame& frame) const noexcept override {
+        return pose(tool, frame).q_WT;
+    }
     /// True if the device has a rotary axis.
     bool turns(int tool) const noexcept override { return m_tools[static_cast<std::size_t>(tool)].turns; }
     /// Pose and jaw in W; velocities are zero.

@@ -14,7 +14,8 @@ namespace chiron::session {
 namespace {
 
 core::Vec3 forceOf(const core::Array6& wrench) {
-    return {scoring::onMillinewtons(wrench[0]), scoring::onMillinewtons(wrench[1]), scoring::onMillinewtons(wrench[2])};
+    return {scoring::onMillinewtons(wrench[0]), scoring::onMillinewtons(wrench[1]),
+            scoring::onMillinewtons(wrench[2])};
 }
 
 core::Vec3 onNanometres(const core::Vec3& p) {
@@ -22,7 +23,8 @@ core::Vec3 onNanometres(const core::Vec3& p) {
 }
 
 core::Vec3 torqueOf(const core::Array6& wrench) {
-    return {scoring::onTorqueGrid(wrench[3]), scoring::onTorqueGrid(wrench[4]), scoring::onTorqueGrid(wrench[5])};
+    return {scoring::onTorqueGrid(wrench[3]), scoring::onTorqueGrid(wrench[4]),
+            scoring::onTorqueGrid(wrench[5])};
 }
 
 } // namespace

@@ -43,9 +43,10 @@ private:
 class TraceAssembler {
 public:
     /// `orientations` may be null: then no tool turns. `quantities`: those of the recording.
-    TraceAssembler(const recording::IPositionOf& positions, int tools, const IOrientationOf* orientations = nullptr,
-                   RecordedQuantities quantities = {})
-        : m_positions(positions), m_orientations(orientations), m_tools(tools), m_quantities(std::move(quantities)) {}
+    TraceAssembler(const recording::IPositionOf& positions, int tools,
+                   const IOrientationOf* orientations = nullptr, RecordedQuantities quantities = {})
+        : m_positions(positions), m_orientations(orientations), m_tools(tools),
+          m_quantities(std::move(quantities)) {}
 
     void add(std::span<const core::HapticFrame> frames);
     std::vector<scoring::TrialTrace> takeTrials() { return std::move(m_trials); }
@@ -66,7 +67,8 @@ private:
     bool m_inTrial = false;
     DeviceTime m_time;
     std::array<SampleClock, core::kMaxTools> m_clocks{};
-    std::array<std::uint32_t, core::kMaxTools> m_ticksBefore{}; ///< running ticks of the trial before its first sample
+    std::array<std::uint32_t, core::kMaxTools>
+        m_ticksBefore{};          ///< running ticks of the trial before its first sample
     core::ToolFrame m_lastGood{}; ///< of tool 0: the position of a mark
     std::vector<scoring::TrialTrace> m_trials;
 };

@@ -6,9 +6,8 @@
 namespace chiron::session {
 
 /// The last frame of a trial has one of these events, unless the trial was stopped.
-inline constexpr std::uint32_t kTrialEnds =
-    core::event_bits::kMarked | core::event_bits::kCompleted | core::event_bits::kTimedOut |
-    core::event_bits::kFailed;
+inline constexpr std::uint32_t kTrialEnds = core::event_bits::kMarked | core::event_bits::kCompleted |
+                                            core::event_bits::kTimedOut | core::event_bits::kFailed;
 
 /// Argument of a mark command that no person gave: a trace ended without a mark, so its last position is the
 /// answer.

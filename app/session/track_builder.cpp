@@ -18,21 +18,32 @@ namespace {
 
 constexpr double kContact_N = 0.02;
 
-double normOf(const core::Array6& wrench) { return std::hypot(wrench[0], wrench[1], wrench[2]); }
+double normOf(const core::Array6& wrench) {
+    return std::hypot(wrench[0], wrench[1], wrench[2]);
+}
 
 /// The stored token of a step, as in PlaybackMark::detail; empty if it is not a step to be done.
 std::string_view tokenOf(core::LaparoscopyStep step) {
     switch (step) {
-    case core::LaparoscopyStep::grasp: return "grasp";
-    case core::LaparoscopyStep::stretch: return "stretch";
-    case core::LaparoscopyStep::hold: return "hold";
-    case core::LaparoscopyStep::handOver: return "hand_over";
-    case core::LaparoscopyStep::lift: return "lift";
-    case core::LaparoscopyStep::carry: return "carry";
-    case core::LaparoscopyStep::place: return "place";
-    case core::LaparoscopyStep::retract: return "retract";
+    case core::LaparoscopyStep::grasp:
+        return "grasp";
+    case core::LaparoscopyStep::stretch:
+        return "stretch";
+    case core::LaparoscopyStep::hold:
+        return "hold";
+    case core::LaparoscopyStep::handOver:
+        return "hand_over";
+    case core::LaparoscopyStep::lift:
+        return "lift";
+    case core::LaparoscopyStep::carry:
+        return "carry";
+    case core::LaparoscopyStep::place:
+        return "place";
+    case core::LaparoscopyStep::retract:
+        return "retract";
     case core::LaparoscopyStep::none:
-    case core::LaparoscopyStep::done: break;
+    case core::LaparoscopyStep::done:
+        break;
     }
     return {};
 }
@@ -45,9 +56,11 @@ void nameSteps(PlaybackTrack& track) {
     for (PlaybackMark& mark : track.marks) {
         if (mark.kind != PlaybackMarkKind::stageChanged)
             continue;
-        const auto at = std::find_if(track.moments.begin(), track.moments.end(), [&](const PlaybackMoment& moment) { return moment.tick >= mark.tick; });
+        const auto at = std::find_if(track.moments.begin(), track.moments.end(),
+                                     [&](const PlaybackMoment& moment) { return moment.tick >= mark.tick; });
         if (at != track.moments.end())
-            mark.detail = tokenOf(static_cast<core::LaparoscopyStep>(std::lround(step->values[static_cast<std::size_t>(at - track.moments.begin())])));
+            mark.detail = tokenOf(static_cast<core::LaparoscopyStep>(
+                std::lround(step->values[static_cast<std::size_t>(at - track.moments.begin())])));
     }
 }
 
@@ -61,7 +74,8 @@ TrackBuilder::TrackBuilder(SessionView& session, const TrialSurfaces& surfaces)
     m_track.exercise = session.setup().level.exercise;
     m_track.level = session.setup().level.number;
     m_track.felt = session.record().setup.felt;
-    m_track.forceLimit_N = std::min(session.record().setup.forceLimit_N, levelLimits(session.setup().level).force_N);
+    m_track.forceLimit_N =
+        std::min(session.record().setup.forceLimit_N, levelLimits(session.setup().level).force_N);
     m_track.toolCount = m_positions.tools();
     m_open.resize(static_cast<std::size_t>(m_track.toolCount));
     for (const RecordedQuantities::Quantity& quantity : m_quantities.list())
@@ -127,7 +141,8 @@ void TrackBuilder::closeSample() {
     if (!m_track.moments.empty() && m_now_s <= m_track.moments.back().t_s)
         return;
     const core::TickHeader& header = m_last.header;
-    m_track.moments.push_back({m_now_s, header.index, header.trial, header.phase, header.force, header.paused != 0});
+    m_track.moments.push_back(
+        {m_now_s, header.index, header.trial, header.phase, header.force, header.paused != 0});
     for (std::size_t i = 0; i < m_quantities.size(); ++i)
         m_track.quantities[i].values.push_back(m_quantities.value(i, m_last));
     const bool present = header.phase == core::TrialPhase::ready || header.phase == core::TrialPhase::running;
@@ -181,7 +196,8 @@ void TrackBuilder::addSpeeds() {
         const double dt_s = m_track.moments[b].t_s - m_track.moments[a].t_s;
         for (int k = 0; k < m_track.toolCount; ++k) {
             const double d_m = (m_track.tool(b, k).p_WT - m_track.tool(a, k).p_WT).norm();
-            auto& tool = m_track.tools[i * static_cast<std::size_t>(m_track.toolCount) + static_cast<std::size_t>(k)];
+            auto& tool =
+                m_track.tools[i * static_cast<std::size_t>(m_track.toolCount) + static_cast<std::size_t>(k)];
             tool.speed_m_per_s = dt_s > 0.0 ? d_m / dt_s : 0.0;
         }
     }

@@ -127,8 +127,9 @@ tl::unexpected<core::Error> abandon(database::Database& database, const database
 }
 
 /// Creates the loop and its parts for the duration of one run.
-core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& request, const SessionSetup& setup,
-                                 const ExerciseKind& kind, LiveRecording& recording) {
+core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& request,
+                                 const SessionSetup& setup, const ExerciseKind& kind,
+                                 LiveRecording& recording) {
     std::vector<devices::IDevice*> devices;
     std::vector<haptics::LoopTool> tools;
     for (const StationTool& tool : request.station.tools) {
@@ -153,9 +154,12 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
         inputs.beat(request.realtime ? core::monotonicNow_ns() : 0);
     if (request.director)
         request.director->connect(inputs);
-    const std::uint64_t tickLimit = request.live || request.director ? kNoTickLimit : kind.tickLimit(setup.level);
-    RunTask task(**loop, inputs, sink, {tickLimit, devices.front(), request.cancel, request.live, kind.traceEndIsMark()});
-    LoopReport report = request.realtime ? runRealtime(task, **loop, slowModel) : runAsFast(task, database.writer());
+    const std::uint64_t tickLimit =
+        request.live || request.director ? kNoTickLimit : kind.tickLimit(setup.level);
+    RunTask task(**loop, inputs, sink,
+                 {tickLimit, devices.front(), request.cancel, request.live, kind.traceEndIsMark()});
+    LoopReport report =
+        request.realtime ? runRealtime(task, **loop, slowModel) : runAsFast(task, database.writer());
     report.passivity_J = (*loop)->passivityKept_J();
     return report;
 }
@@ -194,7 +198,8 @@ core::Result<TrainingResult> runTrainingOn(database::Database& database, const d
         request.live->setSession(*session);
     if (request.onSession)
         request.onSession(*session);
-    auto recording = LiveRecording::start(database, actor, *session, setup, request.ringFolder, request.realtime);
+    auto recording =
+        LiveRecording::start(database, actor, *session, setup, request.ringFolder, request.realtime);
     if (!recording)
         return abandon(database, actor, *session, recording.error());
     auto loop = runLoop(database, request, setup, **kind, **recording);

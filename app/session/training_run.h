@@ -27,9 +27,9 @@ struct TrainingRequest {
     Station station;
     bool realtime = false; ///< false: faster than real time, with the same result
     bool familiarisation = false;
-    std::int64_t studyRun = 0;                ///< run of a study for which it is recorded; 0: none
-    std::filesystem::path ringFolder;         ///< folder of the crash ring; recording::defaultRingFolder()
-    core::IFrameSink* witness = nullptr;      ///< also gets every frame, on the haptic thread
+    std::int64_t studyRun = 0;                 ///< run of a study for which it is recorded; 0: none
+    std::filesystem::path ringFolder;          ///< folder of the crash ring; recording::defaultRingFolder()
+    core::IFrameSink* witness = nullptr;       ///< also gets every frame, on the haptic thread
     const std::atomic<bool>* cancel = nullptr; ///< set from outside: the session then ends as *stopped*
     /// Gives the commands of a run faster than real time and ends it (there is then no tick limit). Must
     /// outlive the run.

@@ -23,7 +23,7 @@ struct TrialObject {
     core::Vec3 p_WObject = core::Vec3::Zero(); ///< m; sphere_apex: centre of the ball, in the plane
     double radius_m = 0.0;
     std::optional<core::Vec2> dimpleCentre_m; ///< x, y in W, if the level has a decoy
-    double turn_rad = 0.0; ///< rotation of a meshed dome about the vertical
+    double turn_rad = 0.0;                    ///< rotation of a meshed dome about the vertical
     std::vector<TrialLump> lumps{}; ///< palpation: the true lumps (before a research control moved them)
 };
 

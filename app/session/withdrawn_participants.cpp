@@ -21,7 +21,9 @@ core::Result<std::vector<WithdrawnParticipant>> withdrawnParticipants(database::
             if (each.state == database::ParticipantState::withdrawn && !each.erased && !each.simulated)
                 withdrawn.push_back({each, study.title});
     }
-    std::stable_partition(withdrawn.begin(), withdrawn.end(), [](const WithdrawnParticipant& each) { return each.participant.recordingsToErase; });
+    std::stable_partition(withdrawn.begin(), withdrawn.end(), [](const WithdrawnParticipant& each) {
+        return each.participant.recordingsToErase;
+    });
     return withdrawn;
 }
 

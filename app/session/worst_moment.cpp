@@ -48,9 +48,9 @@ WorstMoment endOf(const PlaybackTrial& trial, double value) {
 }
 
 std::optional<WorstMoment> farthestAnswer(const PlaybackTrack& track) {
-    const auto found =
-        std::max_element(track.trials.begin(), track.trials.end(),
-                         [](const PlaybackTrial& a, const PlaybackTrial& b) { return missOf(a) < missOf(b); });
+    const auto found = std::max_element(
+        track.trials.begin(), track.trials.end(),
+        [](const PlaybackTrial& a, const PlaybackTrial& b) { return missOf(a) < missOf(b); });
     if (found == track.trials.end() || !found->object || found->object->radius_m <= 0.0)
         return std::nullopt;
     WorstMoment worst = endOf(*found, 100.0 * missOf(*found) / found->object->radius_m);
@@ -58,9 +58,10 @@ std::optional<WorstMoment> farthestAnswer(const PlaybackTrack& track) {
     return worst;
 }
 
-const scoring::MetricValue* metricIn(const std::vector<scoring::MetricValue>& metrics, const std::string& id) {
-    const auto found =
-        std::find_if(metrics.begin(), metrics.end(), [&id](const scoring::MetricValue& m) { return m.id == id; });
+const scoring::MetricValue* metricIn(const std::vector<scoring::MetricValue>& metrics,
+                                     const std::string& id) {
+    const auto found = std::find_if(metrics.begin(), metrics.end(),
+                                    [&id](const scoring::MetricValue& m) { return m.id == id; });
     return found == metrics.end() ? nullptr : &*found;
 }
 
@@ -84,10 +85,12 @@ std::optional<WorstMoment> worstTrial(const PlaybackTrack& track, const scoring:
 
 /// The mark of this type and detail with the largest value.
 std::optional<WorstMoment> largestMark(const PlaybackTrack& track, PlaybackMarkKind kind, double factor,
-                                       std::string_view unit, bool onlyCritical = false, const char* detail = "") {
+                                       std::string_view unit, bool onlyCritical = false,
+                                       const char* detail = "") {
     const PlaybackMark* found = nullptr;
     for (const PlaybackMark& mark : track.marks)
-        if (mark.kind == kind && mark.value && mark.detail == detail && (mark.critical || !onlyCritical) && (found == nullptr || *mark.value > *found->value))
+        if (mark.kind == kind && mark.value && mark.detail == detail && (mark.critical || !onlyCritical) &&
+            (found == nullptr || *mark.value > *found->value))
             found = &mark;
     if (found == nullptr)
         return std::nullopt;
@@ -100,7 +103,8 @@ std::optional<WorstMoment> largestMark(const PlaybackTrack& track, PlaybackMarkK
 }
 
 /// The first event of the types that the metric counts; the value is the session's count.
-std::optional<WorstMoment> firstOf(const PlaybackTrack& track, const std::vector<PlaybackMarkKind>& kinds, const scoring::MetricValue& metric) {
+std::optional<WorstMoment> firstOf(const PlaybackTrack& track, const std::vector<PlaybackMarkKind>& kinds,
+                                   const scoring::MetricValue& metric) {
     for (const PlaybackMarkKind kind : kinds)
         for (const PlaybackMark& mark : track.marks)
             if (mark.kind == kind && metric.value) {
@@ -115,12 +119,15 @@ std::optional<WorstMoment> firstOf(const PlaybackTrack& track, const std::vector
 }
 
 /// The moment at which one of the scene's quantities was largest within a trial.
-std::optional<WorstMoment> largestQuantity(const PlaybackTrack& track, std::string_view id, std::string_view unit) {
+std::optional<WorstMoment> largestQuantity(const PlaybackTrack& track, std::string_view id,
+                                           std::string_view unit) {
     const PlaybackQuantity* quantity = track.quantity(id);
     std::optional<WorstMoment> worst;
-    for (std::size_t i = 0; quantity != nullptr && i < std::min(quantity->values.size(), track.moments.size()); ++i) {
+    for (std::size_t i = 0;
+         quantity != nullptr && i < std::min(quantity->values.size(), track.moments.size()); ++i) {
         const PlaybackMoment& moment = track.moments[i];
-        if (moment.paused || moment.phase != core::TrialPhase::running || (worst && quantity->values[i] <= worst->value))
+        if (moment.paused || moment.phase != core::TrialPhase::running ||
+            (worst && quantity->values[i] <= worst->value))
             continue;
         worst.emplace();
         worst->t_s = moment.t_s;
@@ -135,7 +142,8 @@ std::optional<WorstMoment> largestQuantity(const PlaybackTrack& track, std::stri
 std::optional<WorstMoment> largestPeak(const PlaybackTrack& track, const std::string& metric) {
     const PlaybackPeak* found = nullptr;
     for (const PlaybackPeak& peak : track.peaks)
-        if (std::find(peak.metrics.begin(), peak.metrics.end(), metric) != peak.metrics.end() && (found == nullptr || peak.value > found->value))
+        if (std::find(peak.metrics.begin(), peak.metrics.end(), metric) != peak.metrics.end() &&
+            (found == nullptr || peak.value > found->value))
             found = &peak;
     if (found == nullptr)
         return std::nullopt;
@@ -147,13 +155,18 @@ std::optional<WorstMoment> largestPeak(const PlaybackTrack& track, const std::st
     return worst;
 }
 
-std::optional<WorstMoment> byRule(const PlaybackTrack& track, const MomentRule& rule, const scoring::MetricValue& metric) {
+std::optional<WorstMoment> byRule(const PlaybackTrack& track, const MomentRule& rule,
+                                  const scoring::MetricValue& metric) {
     switch (rule.by) {
     case MomentRule::By::largestMark:
-        return rule.marks.empty() ? std::nullopt : largestMark(track, rule.marks.front(), rule.factor, rule.unit);
-    case MomentRule::By::firstMark: return firstOf(track, rule.marks, metric);
-    case MomentRule::By::largestQuantity: return largestQuantity(track, rule.quantity, rule.unit);
-    case MomentRule::By::farthestAnswer: return farthestAnswer(track);
+        return rule.marks.empty() ? std::nullopt
+                                  : largestMark(track, rule.marks.front(), rule.factor, rule.unit);
+    case MomentRule::By::firstMark:
+        return firstOf(track, rule.marks, metric);
+    case MomentRule::By::largestQuantity:
+        return largestQuantity(track, rule.quantity, rule.unit);
+    case MomentRule::By::farthestAnswer:
+        return farthestAnswer(track);
     }
     return std::nullopt;
 }
@@ -183,8 +196,8 @@ std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::Me
 
 /// The moment for a failed gate on a metric that is spread over a trial: the trial that tore, or the end of
 /// the worst trial.
-std::optional<WorstMoment> spread(const PlaybackTrack& track, const scoring::ScoreCard& card, const scoring::Gate& gate,
-                                  const scoring::MetricValue& metric) {
+std::optional<WorstMoment> spread(const PlaybackTrack& track, const scoring::ScoreCard& card,
+                                  const scoring::Gate& gate, const scoring::MetricValue& metric) {
     if (gate.metric == "procedure_completed")
         if (auto torn = firstOf(track, {PlaybackMarkKind::failed}, metric))
             return torn;
@@ -195,13 +208,16 @@ std::optional<WorstMoment> spread(const PlaybackTrack& track, const scoring::Sco
 
 namespace {
 
-std::optional<WorstMoment> worstOf(const PlaybackTrack& track, const scoring::ScoreCard& card, std::span<const scoring::Gate> gates) {
+std::optional<WorstMoment> worstOf(const PlaybackTrack& track, const scoring::ScoreCard& card,
+                                   std::span<const scoring::Gate> gates) {
     std::vector<const scoring::Gate*> missed;
     for (const scoring::Gate& gate : gates)
-        if (const scoring::MetricValue* metric = metricIn(card.metrics, gate.metric); metric && metric->passed == std::optional<bool>(false))
+        if (const scoring::MetricValue* metric = metricIn(card.metrics, gate.metric);
+            metric && metric->passed == std::optional<bool>(false))
             missed.push_back(&gate);
     // Broken tissue is worse than any other failure.
-    std::stable_partition(missed.begin(), missed.end(), [](const scoring::Gate* gate) { return gate->metric == "critical_errors"; });
+    std::stable_partition(missed.begin(), missed.end(),
+                          [](const scoring::Gate* gate) { return gate->metric == "critical_errors"; });
     const auto ledBy = [](WorstMoment worst, const scoring::Gate& gate) {
         worst.reason = gate.metric;
         worst.gateFailed = true;

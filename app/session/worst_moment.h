@@ -15,9 +15,9 @@ struct WorstMoment {
     double t_s = 0.0;         ///< on the track's time
     double intoTrial_s = 0.0; ///< since the trial began; the recording begins earlier
     int trial = 0;
-    double value = 0.0;     ///< in `unit`
-    std::string unit;       ///< of the metric, "N" for a force
-    std::string reason;     ///< id of the failed metric, or "force_max" if none failed
+    double value = 0.0;      ///< in `unit`
+    std::string unit;        ///< of the metric, "N" for a force
+    std::string reason;      ///< id of the failed metric, or "force_max" if none failed
     bool gateFailed = false; ///< derived from a failed gate
 };
 

@@ -29,7 +29,8 @@ std::unique_ptr<PlotView> empty(std::unique_ptr<PlotView> plot) {
 
 } // namespace
 
-std::unique_ptr<PlotView> apexMarksPlot(const ApexSummary& summary, const std::vector<QString>& names, const report::PlotTheme& theme) {
+std::unique_ptr<PlotView> apexMarksPlot(const ApexSummary& summary, const std::vector<QString>& names,
+                                        const report::PlotTheme& theme) {
     auto plot = std::make_unique<PlotView>(theme);
     plot->setTitle(Words::tr("Marks around the true apex"));
     plot->setXAxis({Words::tr("Error in x (% of radius)"), {}, {}});
@@ -43,15 +44,18 @@ std::unique_ptr<PlotView> apexMarksPlot(const ApexSummary& summary, const std::v
         people[point.participant].push_back({point.xPercent, point.yPercent});
     int group = 0;
     for (const auto& [participant, points] : people)
-        plot->addGroupMarkers(people.size() <= kNamed ? nameOf(names, participant) : QString(), points, group++);
+        plot->addGroupMarkers(people.size() <= kNamed ? nameOf(names, participant) : QString(), points,
+                              group++);
     const auto& [x, y] = summary.axes;
     plot->addArrow(Words::tr("bias"), {0.0, 0.0}, {x.biasPercent, y.biasPercent});
     if (std::isfinite(x.sdPercent) && std::isfinite(y.sdPercent))
-        plot->addEllipse(Words::tr("± 1 SD per axis"), {x.biasPercent, y.biasPercent}, x.sdPercent, y.sdPercent);
+        plot->addEllipse(Words::tr("± 1 SD per axis"), {x.biasPercent, y.biasPercent}, x.sdPercent,
+                         y.sdPercent);
     return plot;
 }
 
-std::unique_ptr<PlotView> apexErrorPlot(const ApexSummary& summary, const std::vector<QString>& names, const report::PlotTheme& theme) {
+std::unique_ptr<PlotView> apexErrorPlot(const ApexSummary& summary, const std::vector<QString>& names,
+                                        const report::PlotTheme& theme) {
     auto plot = std::make_unique<PlotView>(theme);
     plot->setTitle(Words::tr("Error in locating spheres"));
     plot->setYAxis({Words::tr("Absolute error (% of radius)"), 0.0, {}});
@@ -70,7 +74,9 @@ std::unique_ptr<PlotView> apexErrorPlot(const ApexSummary& summary, const std::v
         plot->addReference(Words::tr("group"), summary.meanAbsolutePercent);
     const std::array across{-0.6, static_cast<double>(people.size()) - 0.4};
     const std::array published{psychophysics::kP2MeanPercent, psychophysics::kP2MeanPercent};
-    plot->addLine(Words::tr("published: %1 %").arg(theme.locale.toString(psychophysics::kP2MeanPercent, 'f', 1)), across, published, report::PlotStyle::dottedC);
+    plot->addLine(
+        Words::tr("published: %1 %").arg(theme.locale.toString(psychophysics::kP2MeanPercent, 'f', 1)),
+        across, published, report::PlotStyle::dottedC);
     plot->setXCategories(people);
     return plot;
 }

@@ -16,11 +16,13 @@ namespace chiron::session_report {
 
 /// The marks in the plane around the true apex: a ring of radius R, a separate symbol for each person (named
 /// for up to eight), the bias as an arrow, and the standard deviation per axis as an ellipse around it.
-std::unique_ptr<report::PlotView> apexMarksPlot(const psychophysics::ApexSummary& summary, const std::vector<QString>& names,
+std::unique_ptr<report::PlotView> apexMarksPlot(const psychophysics::ApexSummary& summary,
+                                                const std::vector<QString>& names,
                                                 const report::PlotTheme& theme);
 /// Each person's mean absolute error over both axes with its standard deviation, the group's, and the
 /// published one.
-std::unique_ptr<report::PlotView> apexErrorPlot(const psychophysics::ApexSummary& summary, const std::vector<QString>& names,
+std::unique_ptr<report::PlotView> apexErrorPlot(const psychophysics::ApexSummary& summary,
+                                                const std::vector<QString>& names,
                                                 const report::PlotTheme& theme);
 
 } // namespace chiron::session_report

@@ -11,6 +11,7 @@ namespace chiron::session_report {
 
 /// The section of a session's report that is specific to the level's exercise; null if there is none. A new
 /// exercise adds a line in app/exercises/report_catalogue.cpp. Pure function.
-std::shared_ptr<const report::ReportSection> exerciseSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
+std::shared_ptr<const report::ReportSection> exerciseSectionOf(const scoring::SessionTrace& trace,
+                                                               const catalogue::ExerciseLevel& level);
 
 } // namespace chiron::session_report

@@ -31,33 +31,42 @@ QString whetherThereIsOne(const GroupRoll& roll, const QLocale& locale) {
     if (used == 0)
         return Words::tr("There is no group value yet: nobody has given a usable one.");
     return used == expected ? Words::tr("The group value includes everybody who takes part.")
-                            : Words::tr("The group value includes %1 of %2 participants.").arg(locale.toString(used), locale.toString(expected));
+                            : Words::tr("The group value includes %1 of %2 participants.")
+                                  .arg(locale.toString(used), locale.toString(expected));
 }
 
 /// The reason why participants are not included, and the action to take. "%1": their codes.
 QString reason(Presence presence, bool closed) {
     switch (presence) {
     case Presence::notBegun:
-        return closed ? Words::tr("%1: this condition was not begun, and no run can be begun any more because the study is closed.")
+        return closed ? Words::tr("%1: this condition was not begun, and no run can be begun any more "
+                                  "because the study is closed.")
                       : Words::tr("%1: this condition has not been begun. Begin it under Run.");
     case Presence::noAnswers:
         return Words::tr("%1: no answer counts yet. Resume the run under Run.");
     case Presence::unfinished:
-        return closed ? Words::tr("%1: the run was not finished and its answers give no value; it cannot be resumed because the study is closed.")
-                      : Words::tr("%1: the run is not finished and its answers give no value yet. Resume it under Run if the participant goes on.");
+        return closed ? Words::tr("%1: the run was not finished and its answers give no value; it cannot be "
+                                  "resumed because the study is closed.")
+                      : Words::tr("%1: the run is not finished and its answers give no value yet. Resume it "
+                                  "under Run if the participant goes on.");
     case Presence::allRight:
-        return Words::tr("%1: every answer was right, so the threshold lies below the smallest difference presented. To measure it, copy the study "
+        return Words::tr("%1: every answer was right, so the threshold lies below the smallest difference "
+                         "presented. To measure it, copy the study "
                          "and plan smaller differences.");
     case Presence::guessing:
-        return Words::tr("%1: the answers do not bound the threshold from above, so it may lie above the largest difference presented. Check that "
-                         "the task was understood; to measure the threshold, copy the study and plan more trials or larger differences.");
+        return Words::tr("%1: the answers do not bound the threshold from above, so it may lie above the "
+                         "largest difference presented. Check that "
+                         "the task was understood; to measure the threshold, copy the study and plan more "
+                         "trials or larger differences.");
     case Presence::unbounded:
-        return Words::tr("%1: the answers do not bound the threshold, so the value beside the run comes from prior assumptions. To measure it, copy "
+        return Words::tr("%1: the answers do not bound the threshold, so the value beside the run comes from "
+                         "prior assumptions. To measure it, copy "
                          "the study and plan more trials or smaller differences.");
     case Presence::noValue:
         return Words::tr("%1: the answers give no value. The warnings of the run say why.");
     case Presence::shown:
-        return Words::tr("%1: objects were shown, not felt. Such runs are left out unless they are included on purpose.");
+        return Words::tr(
+            "%1: objects were shown, not felt. Such runs are left out unless they are included on purpose.");
     case Presence::simulated:
         return Words::tr("%1: simulated, and therefore left out of a group of people.");
     case Presence::withdrawn:
@@ -86,18 +95,22 @@ QString notCompared(const GroupRoll& first, const GroupRoll& second, const QStri
             both.push_back(code);
     if (both.empty())
         // For stated numbers (magnitude estimation) there is no Weber fraction.
-        return Words::tr("“%1” and “%2” are not compared: their values cannot be set against each other.").arg(a, b);
-    return Words::tr("“%1” and “%2” are not compared yet: only %3 has a value in both, and at least two participants are needed; nor are there two groups, since nobody has a "
+        return Words::tr("“%1” and “%2” are not compared: their values cannot be set against each other.")
+            .arg(a, b);
+    return Words::tr("“%1” and “%2” are not compared yet: only %3 has a value in both, and at least two "
+                     "participants are needed; nor are there two groups, since nobody has a "
                      "value in “%4” alone.")
         .arg(a, b, joined(both), onlyIn(first, second).empty() ? a : b);
 }
 
 /// If one of two groups is a single person, there is a ratio but no measure of its uncertainty.
-QString withoutInterval(const session::ComparedConditions& compared, const QString& a, const QString& b, const QLocale& locale) {
+QString withoutInterval(const session::ComparedConditions& compared, const QString& a, const QString& b,
+                        const QLocale& locale) {
     const psychophysics::ConditionComparison& weber = compared.weber;
     if (std::isfinite(weber.pValue) || weber.paired)
         return {};
-    return Words::tr("“%1” and “%2” have a ratio, but no interval and no p: each of the two groups needs at least two people, and these have %3 and %4.")
+    return Words::tr("“%1” and “%2” have a ratio, but no interval and no p: each of the two groups needs at "
+                     "least two people, and these have %3 and %4.")
         .arg(a, b, locale.toString(weber.first), locale.toString(weber.second));
 }
 
@@ -133,11 +146,14 @@ QString whyNot(Presence presence) {
 }
 
 /// True if the participant is left out of the whole study; the group sentences already state this.
-bool isOut(Presence presence) { return presence == Presence::withdrawn || presence == Presence::simulated; }
+bool isOut(Presence presence) {
+    return presence == Presence::withdrawn || presence == Presence::simulated;
+}
 
 /// The participants who are missing from the comparison of two conditions, and why. `groups`: the comparison
 /// is between different people, and somebody who did both is in neither group.
-QStringList missing(const GroupRoll& first, const GroupRoll& second, const QString& a, const QString& b, bool groups) {
+QStringList missing(const GroupRoll& first, const GroupRoll& second, const QString& a, const QString& b,
+                    bool groups) {
     QStringList said;
     std::vector<std::string> codes;
     for (const GroupRoll* roll : {&first, &second})
@@ -151,9 +167,12 @@ QStringList missing(const GroupRoll& first, const GroupRoll& second, const QStri
         if ((groups ? inGroup : inPair) || isOut(inFirst) || isOut(inSecond))
             continue;
         if (inPair)
-            said << Words::tr("%1 is not in this comparison: it is of two groups, and %1 has a value in both “%2” and “%3”.").arg(QString::fromStdString(code), a, b);
+            said << Words::tr("%1 is not in this comparison: it is of two groups, and %1 has a value in both "
+                              "“%2” and “%3”.")
+                        .arg(QString::fromStdString(code), a, b);
         else
-            said << Words::tr("%1 is not in this comparison (“%2”: %3; “%4”: %5).").arg(QString::fromStdString(code), a, whyNot(inFirst), b, whyNot(inSecond));
+            said << Words::tr("%1 is not in this comparison (“%2”: %3; “%4”: %5).")
+                        .arg(QString::fromStdString(code), a, whyNot(inFirst), b, whyNot(inSecond));
     }
     return said;
 }
@@ -176,8 +195,10 @@ QStringList outOfAll(const std::vector<GroupRoll>& rolls) {
 } // namespace
 
 QString groupRule() {
-    return Words::tr("Which runs count: every run whose answers bound its value from below and from above, whatever else it is warned of and whether or not it is finished. Left out, "
-                     "from groups and comparisons alike, are runs whose answers do not bound the value or give none, runs with objects shown and not felt (unless you include them), "
+    return Words::tr("Which runs count: every run whose answers bound its value from below and from above, "
+                     "whatever else it is warned of and whether or not it is finished. Left out, "
+                     "from groups and comparisons alike, are runs whose answers do not bound the value or "
+                     "give none, runs with objects shown and not felt (unless you include them), "
                      "participants who have withdrawn, and simulated participants where there are people.");
 }
 
@@ -185,19 +206,26 @@ QStringList groupSentences(const GroupRoll& roll, const QLocale& locale) {
     QStringList said{whetherThereIsOne(roll, locale)};
     if (!roll.codesOf(Presence::sealed).empty())
         return said;
-    for (const Presence presence : {Presence::notBegun, Presence::noAnswers, Presence::unfinished, Presence::allRight, Presence::guessing, Presence::unbounded, Presence::noValue,
-                                    Presence::shown, Presence::simulated, Presence::withdrawn})
+    for (const Presence presence :
+         {Presence::notBegun, Presence::noAnswers, Presence::unfinished, Presence::allRight,
+          Presence::guessing, Presence::unbounded, Presence::noValue, Presence::shown, Presence::simulated,
+          Presence::withdrawn})
         if (const std::vector<std::string> codes = roll.codesOf(presence); !codes.empty())
             said << reason(presence, roll.closed).arg(joined(codes));
     const bool simulatedAlone = roll.enrolled == 0 && !roll.people.empty();
     if (!roll.closed && !simulatedAlone && roll.enrolled < roll.planned)
-        said << Words::tr("So far %1 of %2 planned participants are enrolled. Enrol the others on the study's page.").arg(locale.toString(roll.enrolled), locale.toString(roll.planned));
+        said
+            << Words::tr(
+                   "So far %1 of %2 planned participants are enrolled. Enrol the others on the study's page.")
+                   .arg(locale.toString(roll.enrolled), locale.toString(roll.planned));
     std::vector<std::string> open;
     for (const session::RolledPerson& person : roll.people)
         if (person.open && person.presence == Presence::used)
             open.push_back(person.code);
     if (!open.empty())
-        said << Words::tr("%1: in the group value with a run that is not finished, so the value may still change. Resume the run under Run.").arg(joined(open));
+        said << Words::tr("%1: in the group value with a run that is not finished, so the value may still "
+                          "change. Resume the run under Run.")
+                    .arg(joined(open));
     return said;
 }
 
@@ -228,19 +256,25 @@ QString markedValue(const QString& value, const psychophysics::RunEstimate& esti
     return estimate.warnings.empty() || !std::isfinite(estimate.weber) ? value : QStringLiteral("! ") + value;
 }
 
-QString markMeaning() { return Words::tr("“!” before a value: the run has warnings. Read them before you use the value."); }
+QString markMeaning() {
+    return Words::tr("“!” before a value: the run has warnings. Read them before you use the value.");
+}
 
-QStringList comparisonSentences(const std::vector<GroupRoll>& rolls, const std::vector<session::ComparedConditions>& compared,
+QStringList comparisonSentences(const std::vector<GroupRoll>& rolls,
+                                const std::vector<session::ComparedConditions>& compared,
                                 const std::function<QString(std::size_t)>& name, const QLocale& locale) {
     QStringList said;
     for (std::size_t i = 0; i < rolls.size(); ++i)
         for (std::size_t j = i + 1; j < rolls.size(); ++j) {
-            const auto found = std::find_if(compared.begin(), compared.end(), [&](const auto& each) { return each.first == i && each.second == j; });
+            const auto found = std::find_if(compared.begin(), compared.end(), [&](const auto& each) {
+                return each.first == i && each.second == j;
+            });
             if (found == compared.end())
                 said << notCompared(rolls[i], rolls[j], name(i), name(j));
             else if (const QString why = withoutInterval(*found, name(i), name(j), locale); !why.isEmpty())
                 said << why;
-            said << missing(rolls[i], rolls[j], name(i), name(j), found != compared.end() && !found->weber.paired);
+            said << missing(rolls[i], rolls[j], name(i), name(j),
+                            found != compared.end() && !found->weber.paired);
         }
     return said + outOfAll(rolls);
 }

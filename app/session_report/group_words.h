@@ -38,7 +38,8 @@ QString markMeaning();
 /// without an interval, the reason; for each pair, the participants who are not included and why; and the
 /// participants left out of the whole study. Empty if everybody is included everywhere. `rolls`: those of all
 /// conditions; `name`: the name of a condition.
-QStringList comparisonSentences(const std::vector<session::GroupRoll>& rolls, const std::vector<session::ComparedConditions>& compared,
+QStringList comparisonSentences(const std::vector<session::GroupRoll>& rolls,
+                                const std::vector<session::ComparedConditions>& compared,
                                 const std::function<QString(std::size_t)>& name, const QLocale& locale);
 
 } // namespace chiron::session_report

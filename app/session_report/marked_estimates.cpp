@@ -18,12 +18,14 @@ void MarkedEstimates::add(double at, const psychophysics::RunEstimate& estimate,
 }
 
 bool MarkedEstimates::empty() const {
-    return std::all_of(m_series.begin(), m_series.end(), [](const Series& each) { return each.points.empty(); });
+    return std::all_of(m_series.begin(), m_series.end(),
+                       [](const Series& each) { return each.points.empty(); });
 }
 
 void MarkedEstimates::draw(report::PlotView& plot) const {
     using Trust = report::PlotView::Trust;
-    const std::array names{Words::tr("estimate with its 95 % interval"), Words::tr("! with warnings"), Words::tr("! not in the group value")};
+    const std::array names{Words::tr("estimate with its 95 % interval"), Words::tr("! with warnings"),
+                           Words::tr("! not in the group value")};
     const std::array trusts{Trust::sound, Trust::doubtful, Trust::leftOut};
     for (std::size_t i = 0; i < m_series.size(); ++i)
         if (!m_series[i].points.empty())

@@ -22,12 +22,17 @@ QString inLanguage(const QString& text, const char* source) {
     return text == QString::fromUtf8(source) ? QCoreApplication::translate("Metrics", source) : QString();
 }
 
-QString translated(std::string_view marked) { return QCoreApplication::translate("Metrics", std::string(marked).c_str()); }
+QString translated(std::string_view marked) {
+    return QCoreApplication::translate("Metrics", std::string(marked).c_str());
+}
 
-const scoring::MetricDefinition* newest(const QString& id) { return scoring::findMetric(id.toStdString()); }
+const scoring::MetricDefinition* newest(const QString& id) {
+    return scoring::findMetric(id.toStdString());
+}
 
 std::optional<double> valueIn(const scoring::ScoreCard& card, std::string_view id) {
-    const auto found = std::find_if(card.metrics.begin(), card.metrics.end(), [id](const auto& metric) { return metric.id == id; });
+    const auto found = std::find_if(card.metrics.begin(), card.metrics.end(),
+                                    [id](const auto& metric) { return metric.id == id; });
     return found == card.metrics.end() ? std::nullopt : found->value;
 }
 
@@ -37,14 +42,16 @@ QString metricTitle(const QString& id, int trials) {
     const scoring::MetricDefinition* metric = newest(id);
     if (!metric)
         return QString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
-    return translated(trials == 1 && !metric->titleOfOneTrial.empty() ? metric->titleOfOneTrial : metric->title);
+    return translated(trials == 1 && !metric->titleOfOneTrial.empty() ? metric->titleOfOneTrial
+                                                                      : metric->title);
 }
 
 QString metricMeaning(const QString& id, int trials) {
     const scoring::MetricDefinition* metric = newest(id);
     if (!metric)
         return {};
-    return translated(trials == 1 && !metric->meaningOfOneTrial.empty() ? metric->meaningOfOneTrial : metric->meaning);
+    return translated(trials == 1 && !metric->meaningOfOneTrial.empty() ? metric->meaningOfOneTrial
+                                                                        : metric->meaning);
 }
 
 QString momentTitle(const QString& id) {

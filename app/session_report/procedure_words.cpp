@@ -9,13 +9,15 @@
 namespace chiron::session_report {
 
 QString procedureText(std::string_view marked) {
-    return marked.empty() ? QString() : QCoreApplication::translate("Procedures", std::string(marked).c_str());
+    return marked.empty() ? QString()
+                          : QCoreApplication::translate("Procedures", std::string(marked).c_str());
 }
 
 QString procedureTitle(std::string_view id) {
     if (const psychophysics::ProcedureKind* kind = psychophysics::findProcedureKind(id))
         return procedureText(kind->words().title);
-    return QString::fromStdString(std::string(id.substr(0, id.find('@')))).replace(QLatin1Char('_'), QLatin1Char(' '));
+    return QString::fromStdString(std::string(id.substr(0, id.find('@'))))
+        .replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
 QString procedureMeaning(std::string_view id) {

@@ -15,7 +15,9 @@ constexpr double kPercent = 100.0;
 constexpr double kPairCriterion = 0.75; ///< proportion correct of two objects that defines Weber fraction and
                                         ///< JND
 
-double percentOf(double difference) { return kPercent * (std::pow(10.0, difference) - 1.0); }
+double percentOf(double difference) {
+    return kPercent * (std::pow(10.0, difference) - 1.0);
+}
 
 std::vector<double> percentOf(const std::vector<double>& differences) {
     std::vector<double> percents;
@@ -58,10 +60,12 @@ void drawRunCurve(report::PlotView& plot, const psychophysics::RunEstimate& esti
         plot.addLine({}, x, estimate.curveHigh, PlotStyle::dashDotD);
     }
     if (!x.empty())
-        plot.addLine(ranks ? Words::tr("fit: whole order right") : Words::tr("fit"), x, estimate.curveProportion, PlotStyle::solidA);
+        plot.addLine(ranks ? Words::tr("fit: whole order right") : Words::tr("fit"), x,
+                     estimate.curveProportion, PlotStyle::solidA);
     const bool pairs = ranks && !x.empty() && estimate.sigma_log10 > 0.0;
     if (pairs)
-        plot.addLine(Words::tr("same observer: pair in right order"), x, rightOfTwo(estimate.curveDifference, estimate.sigma_log10), PlotStyle::dottedC);
+        plot.addLine(Words::tr("same observer: pair in right order"), x,
+                     rightOfTwo(estimate.curveDifference, estimate.sigma_log10), PlotStyle::dottedC);
     drawAnswers(plot, estimate);
     if (pairs)
         plot.addReference(Words::tr("criterion for a pair"), kPairCriterion);

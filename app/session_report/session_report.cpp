@@ -25,10 +25,12 @@ namespace {
 
 /// True if a session in this state is judged; one that did not reach its end has values but no verdict.
 bool isJudged(const database::SessionRecord& record) {
-    return record.summary.state == database::SessionState::completed || record.stateBeforeVoid == database::SessionState::completed;
+    return record.summary.state == database::SessionState::completed ||
+           record.stateBeforeVoid == database::SessionState::completed;
 }
 
-std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::ExerciseLevel& level, bool felt, bool judged, int trials) {
+std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::ExerciseLevel& level,
+                              bool felt, bool judged, int trials) {
     std::vector<MetricRow> rows;
     for (const scoring::MetricValue& metric : card.metrics) {
         MetricRow row;
@@ -84,7 +86,8 @@ void addFacts(ReportData& data, const database::SessionRecord& record, const ses
     data.exerciseTitle = QString::fromStdString(level.exercise).replace(QLatin1Char('_'), QLatin1Char(' '));
     data.levelTitle = QString::fromStdString(catalogue::textIn(level.title, language));
     data.level = level.number;
-    data.startedUtc = QDateTime::fromString(QString::fromStdString(record.summary.startedUtc), Qt::ISODateWithMs);
+    data.startedUtc =
+        QDateTime::fromString(QString::fromStdString(record.summary.startedUtc), Qt::ISODateWithMs);
     data.offsetMinutes = record.summary.utcOffset_min;
     data.device = QString::fromStdString(setup.devices.front().model);
     data.felt = record.setup.felt;
@@ -106,7 +109,8 @@ core::Result<QString> recordingDigestOf(session::SessionView& session) {
     for (std::size_t i = 0; i < session.reader().chunkCount(); ++i) {
         auto digest = session.reader().forceHash(i);
         CHIRON_TRY(digest);
-        hash.addData(QByteArrayView(reinterpret_cast<const char*>(digest->data()), qsizetype(digest->size())));
+        hash.addData(
+            QByteArrayView(reinterpret_cast<const char*>(digest->data()), qsizetype(digest->size())));
     }
     return QString::fromLatin1(hash.result().toHex());
 }
@@ -114,14 +118,16 @@ core::Result<QString> recordingDigestOf(session::SessionView& session) {
 } // namespace
 
 int trialsDoneOf(const std::vector<database::TrialRecord>& trials) {
-    return static_cast<int>(std::count_if(trials.begin(), trials.end(), [](const database::TrialRecord& trial) {
-        return trial.state == database::SessionState::completed;
-    }));
+    return static_cast<int>(
+        std::count_if(trials.begin(), trials.end(), [](const database::TrialRecord& trial) {
+            return trial.state == database::SessionState::completed;
+        }));
 }
 
 report::ForceFacts feltFactsOf(const scoring::SessionTrace& trace) {
     const scoring::ForceFacts facts = scoring::forceFactsOf(trace);
-    return {facts.tissue_N, facts.commanded_N, facts.limited_s, facts.firstLimited_s, facts.beyondCheckedShare()};
+    return {facts.tissue_N, facts.commanded_N, facts.limited_s, facts.firstLimited_s,
+            facts.beyondCheckedShare()};
 }
 
 /// P2, "Preliminary Validation": 14.2 % mean, SD 11.3, five subjects with ten hemispheres each.
@@ -134,9 +140,9 @@ void addPublishedBand(MetricRow& row, int version) {
     row.bandSource = QStringLiteral("published, 5 subjects × 10");
 }
 
-core::Result<ReportData> reportHeadOf(const database::SessionRecord& record, const session::SessionSetup& setup,
-                                      database::Connection& connection, const database::Actor& actor,
-                                      const std::string& language) {
+core::Result<ReportData> reportHeadOf(const database::SessionRecord& record,
+                                      const session::SessionSetup& setup, database::Connection& connection,
+                                      const database::Actor& actor, const std::string& language) {
     ReportData data;
     addFacts(data, record, setup, language);
     const auto site = database::SiteRepository(connection, actor).siteName();
@@ -177,7 +183,8 @@ core::Result<ReportData> reportDataOf(session::SessionView& session, database::C
     data.force = feltFactsOf(trace);
     // Curves and critical errors are the same as in playback.
     const session::PlaybackTrack& track = **session.track();
-    data.series = seriesOf(track, session.setup().level, QLocale(QString::fromUtf8(core::languageOf(language).locale.data())));
+    data.series = seriesOf(track, session.setup().level,
+                           QLocale(QString::fromUtf8(core::languageOf(language).locale.data())));
     data.duration_s = track.duration_s;
     auto digest = recordingDigestOf(session);
     CHIRON_TRY(digest);

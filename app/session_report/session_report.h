@@ -11,12 +11,13 @@ namespace chiron::session_report {
 /// samples. `language` selects the content's texts. Reads through the session's connection, on its thread.
 /// Errors: those of the reader.
 core::Result<report::ReportData> reportDataOf(session::SessionView& session, database::Connection& connection,
-                                      const database::Actor& actor, const std::string& language);
+                                              const database::Actor& actor, const std::string& language);
 
 /// The same without data from the recording (samples, answers, duration), for a debrief that must not wait
 /// and for a session whose recording was erased.
 /// Errors: those of reading the scores.
-core::Result<report::ReportData> reportHeadOf(const database::SessionRecord& record, const session::SessionSetup& setup,
+core::Result<report::ReportData> reportHeadOf(const database::SessionRecord& record,
+                                              const session::SessionSetup& setup,
                                               database::Connection& connection, const database::Actor& actor,
                                               const std::string& language);
 

@@ -13,7 +13,8 @@ namespace chiron::session_report {
 /// separate thresholds (session::testsThresholds), which is omitted if it would be empty.
 std::vector<QString> comparisonHeadings(bool thresholds);
 /// `first`, `second`: the names of the two conditions. Returns as many cells as there are headings.
-std::vector<QString> comparisonRow(const session::ComparedConditions& compared, const QString& first, const QString& second, bool thresholds, const QLocale& locale);
+std::vector<QString> comparisonRow(const session::ComparedConditions& compared, const QString& first,
+                                   const QString& second, bool thresholds, const QLocale& locale);
 /// Explains the columns.
 QString comparisonNote(bool thresholds);
 /// The text shown while a study is blinded.

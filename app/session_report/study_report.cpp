@@ -11,12 +11,15 @@ namespace chiron::session_report {
 
 namespace {
 
-core::Result<StudyReportData> dataOf(database::StudyReader& reader, database::StudyNumber study, const std::string& language, const session::AnalysisChoices& choices) {
+core::Result<StudyReportData> dataOf(database::StudyReader& reader, database::StudyNumber study,
+                                     const std::string& language, const session::AnalysisChoices& choices) {
     auto record = reader.study(study);
     CHIRON_TRY(record);
     if (record->summary.state == database::StudyState::draft)
-        return core::fail(core::ErrorCode::wrongUse, "study " + std::to_string(study) + ": is a draft; a report is of a frozen study");
-    auto design = catalogue::readStudy(QByteArray::fromStdString(record->designJson), "study " + std::to_string(study));
+        return core::fail(core::ErrorCode::wrongUse,
+                          "study " + std::to_string(study) + ": is a draft; a report is of a frozen study");
+    auto design =
+        catalogue::readStudy(QByteArray::fromStdString(record->designJson), "study " + std::to_string(study));
     CHIRON_TRY(design);
     auto analysis = session::analyseStudy(reader, study, design->seed, choices);
     CHIRON_TRY(analysis);
@@ -49,21 +52,26 @@ report::PageFrame frameOf(const StudyReportData& data, const QString& site) {
 
 } // namespace
 
-core::Result<void> writeStudyReport(const QString& path, database::StudyReader& reader, database::StudyNumber study,
-                                    const report::PlotTheme& theme, const std::string& language, const session::AnalysisChoices& choices, const QString& site) {
+core::Result<void> writeStudyReport(const QString& path, database::StudyReader& reader,
+                                    database::StudyNumber study, const report::PlotTheme& theme,
+                                    const std::string& language, const session::AnalysisChoices& choices,
+                                    const QString& site) {
     const auto data = dataOf(reader, study, language, choices);
     CHIRON_TRY(data);
     const StudyReportBlocks content(*data, theme, report::kPageBodyWidth);
     return report::writePages(path, frameOf(*data, site), content.blocks(), theme);
 }
 
-core::Result<void> paintStudyReport(QPagedPaintDevice& device, database::StudyReader& reader, database::StudyNumber study,
-                                    const report::PlotTheme& theme, const std::string& language, const session::AnalysisChoices& choices, const QString& site) {
+core::Result<void> paintStudyReport(QPagedPaintDevice& device, database::StudyReader& reader,
+                                    database::StudyNumber study, const report::PlotTheme& theme,
+                                    const std::string& language, const session::AnalysisChoices& choices,
+                                    const QString& site) {
     const auto data = dataOf(reader, study, language, choices);
     CHIRON_TRY(data);
     const StudyReportBlocks content(*data, theme, report::kPageBodyWidth);
     if (!report::paintPages(device, frameOf(*data, site), content.blocks(), theme))
-        return core::fail(core::ErrorCode::storage, "study " + std::to_string(study) + ": the pages could not be drawn");
+        return core::fail(core::ErrorCode::storage,
+                          "study " + std::to_string(study) + ": the pages could not be drawn");
     return {};
 }
 

@@ -20,15 +20,17 @@ namespace chiron::session_report {
 /// head of each page. Replaces `path` only once the whole file is written.
 /// Thread: GUI.
 /// Errors: wrongUse for a draft; notFound; notAllowed; storage.
-core::Result<void> writeStudyReport(const QString& path, database::StudyReader& reader, database::StudyNumber study,
-                                    const report::PlotTheme& theme, const std::string& language = "en",
+core::Result<void> writeStudyReport(const QString& path, database::StudyReader& reader,
+                                    database::StudyNumber study, const report::PlotTheme& theme,
+                                    const std::string& language = "en",
                                     const session::AnalysisChoices& choices = {}, const QString& site = {});
 
 /// Paints the same pages on the caller's device.
 /// Thread: GUI.
 /// Errors: those of writeStudyReport().
-core::Result<void> paintStudyReport(QPagedPaintDevice& device, database::StudyReader& reader, database::StudyNumber study,
-                                    const report::PlotTheme& theme, const std::string& language = "en",
+core::Result<void> paintStudyReport(QPagedPaintDevice& device, database::StudyReader& reader,
+                                    database::StudyNumber study, const report::PlotTheme& theme,
+                                    const std::string& language = "en",
                                     const session::AnalysisChoices& choices = {}, const QString& site = {});
 
 } // namespace chiron::session_report

@@ -21,7 +21,8 @@ QString StudyReportData::conditionName(std::size_t condition) const {
 }
 
 psychophysics::Attribute StudyReportData::attribute(std::size_t condition) const {
-    return blind() ? psychophysics::Attribute::stiffness : analysis.design.conditions[condition].stimulus.attribute;
+    return blind() ? psychophysics::Attribute::stiffness
+                   : analysis.design.conditions[condition].stimulus.attribute;
 }
 
 std::vector<std::size_t> StudyReportData::conditionsInOrder() const {
@@ -30,7 +31,8 @@ std::vector<std::size_t> StudyReportData::conditionsInOrder() const {
     return places;
 }
 
-StudyReportBlocks::StudyReportBlocks(const StudyReportData& data, const report::PlotTheme& theme, double width)
+StudyReportBlocks::StudyReportBlocks(const StudyReportData& data, const report::PlotTheme& theme,
+                                     double width)
     : BlockMaker(theme, width), m_data(data) {
     addBanner();
     addTitle();
@@ -44,7 +46,9 @@ StudyReportBlocks::StudyReportBlocks(const StudyReportData& data, const report::
     addQuestionnaires();
 }
 
-void StudyReportBlocks::addMuted(const QString& text) { addText(text, m_theme.font(11.5), m_theme.muted, 5); }
+void StudyReportBlocks::addMuted(const QString& text) {
+    addText(text, m_theme.font(11.5), m_theme.muted, 5);
+}
 
 void StudyReportBlocks::addBanner() {
     if (m_data.analysis.record.summary.demonstration)
@@ -52,13 +56,15 @@ void StudyReportBlocks::addBanner() {
     const auto simulated = std::count_if(m_data.participants.begin(), m_data.participants.end(),
                                          [](const database::Participant& each) { return each.simulated; });
     if (simulated > 0)
-        addNotice(Words::tr("SIMULATED: %n participant(s) are programs, not people", nullptr, static_cast<int>(simulated)));
+        addNotice(Words::tr("SIMULATED: %n participant(s) are programs, not people", nullptr,
+                            static_cast<int>(simulated)));
     if (m_data.blind())
         addNotice(Words::tr("BLINDED: conditions carry sealed codes until the study is unblinded"));
 }
 
 void StudyReportBlocks::addTitle() {
-    addText(words::text(m_data.analysis.design.title, m_data.language), m_theme.font(24, true), m_theme.ink, 12);
+    addText(words::text(m_data.analysis.design.title, m_data.language), m_theme.font(24, true), m_theme.ink,
+            12);
     const QString objective = words::text(m_data.analysis.design.objective, m_data.language);
     if (!objective.isEmpty())
         addText(objective, m_theme.font(14), m_theme.muted, 4);
@@ -68,17 +74,21 @@ void StudyReportBlocks::addDesign() {
     const database::StudySummary& study = m_data.analysis.record.summary;
     const psychophysics::StudyDesign& design = m_data.analysis.design;
     const QLocale& locale = m_theme.locale;
-    addPairs({{Words::tr("Study"), QString::fromStdString(study.key)},
-              {Words::tr("State"), words::state(study.state)},
-              {Words::tr("Frozen on"), words::day(study.frozenUtc, locale)},
-              {Words::tr("Participants, planned"),
-               QStringLiteral("%1, %2").arg(locale.toString(static_cast<int>(m_data.participants.size())), locale.toString(design.participantsPlanned))},
-              {Words::tr("Scored trials"), locale.toString(study.trials)},
-              {Words::tr("Order of conditions"), m_data.blind() ? QString() : words::order(design.order)},
-              {Words::tr("Seed"), m_data.blind() ? QString() : QString::number(design.seed)},
-              {Words::tr("Participants blinded"), design.blindParticipant ? Words::tr("yes") : Words::tr("no")},
-              {Words::tr("Experimenters blinded"), !design.blindExperimenter ? Words::tr("no") : study.unblinded ? Words::tr("unblinded") : Words::tr("yes")}},
-             3);
+    addPairs(
+        {{Words::tr("Study"), QString::fromStdString(study.key)},
+         {Words::tr("State"), words::state(study.state)},
+         {Words::tr("Frozen on"), words::day(study.frozenUtc, locale)},
+         {Words::tr("Participants, planned"),
+          QStringLiteral("%1, %2").arg(locale.toString(static_cast<int>(m_data.participants.size())),
+                                       locale.toString(design.participantsPlanned))},
+         {Words::tr("Scored trials"), locale.toString(study.trials)},
+         {Words::tr("Order of conditions"), m_data.blind() ? QString() : words::order(design.order)},
+         {Words::tr("Seed"), m_data.blind() ? QString() : QString::number(design.seed)},
+         {Words::tr("Participants blinded"), design.blindParticipant ? Words::tr("yes") : Words::tr("no")},
+         {Words::tr("Experimenters blinded"), !design.blindExperimenter ? Words::tr("no")
+                                              : study.unblinded         ? Words::tr("unblinded")
+                                                                        : Words::tr("yes")}},
+        3);
     addPairs({{Words::tr("Frozen design (SHA-256)"), QString::fromStdString(study.sha256)}}, 1);
 }
 
@@ -94,13 +104,19 @@ void StudyReportBlocks::addConditions() {
             procedures << words::procedure(psychophysics::kindOf(spec));
         procedures.removeDuplicates();
         const auto& differences = condition.stimulus.differences;
-        const auto ratio = [&](double difference) { return words::number(100.0 * (std::pow(10.0, difference) - 1.0), m_theme.locale); };
-        rows.push_back({m_data.conditionName(at), words::attribute(condition.stimulus.attribute),
-                        words::value(condition.stimulus.reference, condition.stimulus.attribute, m_theme.locale), words::task(condition.task),
-                        procedures.join(QStringLiteral(", ")),
-                        differences.empty() ? QString() : QStringLiteral("%1 … %2 %").arg(ratio(differences.front()), ratio(differences.back()))});
+        const auto ratio = [&](double difference) {
+            return words::number(100.0 * (std::pow(10.0, difference) - 1.0), m_theme.locale);
+        };
+        rows.push_back(
+            {m_data.conditionName(at), words::attribute(condition.stimulus.attribute),
+             words::value(condition.stimulus.reference, condition.stimulus.attribute, m_theme.locale),
+             words::task(condition.task), procedures.join(QStringLiteral(", ")),
+             differences.empty()
+                 ? QString()
+                 : QStringLiteral("%1 … %2 %").arg(ratio(differences.front()), ratio(differences.back()))});
     }
-    addTable({Words::tr("Condition"), Words::tr("Attribute"), Words::tr("Reference"), Words::tr("Task"), Words::tr("Procedure"), Words::tr("Differences")},
+    addTable({Words::tr("Condition"), Words::tr("Attribute"), Words::tr("Reference"), Words::tr("Task"),
+              Words::tr("Procedure"), Words::tr("Differences")},
              rows, {0.23, 0.13, 0.12, 0.17, 0.18, 0.17}, {false, false, true, false, false, true});
 }
 
@@ -112,16 +128,22 @@ void StudyReportBlocks::addParticipants() {
         int done = 0;
         for (const session::AnalysedCondition& condition : m_data.analysis.conditions)
             for (const session::AnalysedRun& run : condition.runs)
-                done += run.participant.id == participant.id && run.run.state == database::StudyRunState::completed ? 1 : 0;
-        rows.push_back({QString::fromStdString(participant.code), words::participantState(participant.state),
-                        participant.simulated ? QString::fromStdString(participant.observer) : Words::tr("person"),
-                        words::day(participant.enrolledUtc, locale), words::day(participant.consentUtc, locale),
-                        Words::tr("%1 of %2").arg(locale.toString(done), locale.toString(static_cast<int>(m_data.analysis.conditions.size())))});
+                done += run.participant.id == participant.id &&
+                                run.run.state == database::StudyRunState::completed
+                            ? 1
+                            : 0;
+        rows.push_back(
+            {QString::fromStdString(participant.code), words::participantState(participant.state),
+             participant.simulated ? QString::fromStdString(participant.observer) : Words::tr("person"),
+             words::day(participant.enrolledUtc, locale), words::day(participant.consentUtc, locale),
+             Words::tr("%1 of %2")
+                 .arg(locale.toString(done),
+                      locale.toString(static_cast<int>(m_data.analysis.conditions.size())))});
     }
     if (rows.empty())
         return addMuted(Words::tr("Nobody takes part yet."));
-    addTable({Words::tr("Code"), Words::tr("State"), Words::tr("Person or simulated"), Words::tr("Enrolled"), Words::tr("Consent"),
-              Words::tr("Conditions done")},
+    addTable({Words::tr("Code"), Words::tr("State"), Words::tr("Person or simulated"), Words::tr("Enrolled"),
+              Words::tr("Consent"), Words::tr("Conditions done")},
              rows, {0.15, 0.18, 0.24, 0.14, 0.14, 0.15}, {false, false, false, false, false, true});
 }
 

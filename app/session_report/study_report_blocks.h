@@ -54,7 +54,8 @@ private:
     void addFidelity();
     void addQuality(); ///< replaces addFidelity() while runs are sealed
     void addQuestionnaires();
-    QString answersTo(const std::vector<database::QuestionnaireAnswer>& answers, const psychophysics::QuestionnaireItem& item) const;
+    QString answersTo(const std::vector<database::QuestionnaireAnswer>& answers,
+                      const psychophysics::QuestionnaireItem& item) const;
     void addMuted(const QString& text);
 
     const StudyReportData& m_data;

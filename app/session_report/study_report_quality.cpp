@@ -69,20 +69,27 @@ void StudyReportBlocks::addFidelity() {
         QStringList why;
         for (const auto& [token, count] : tally.why)
             why << QStringLiteral("%1: %2").arg(words::spoiled(token), locale.toString(count));
-        rows.push_back({m_data.conditionName(at), locale.toString(tally.scored), locale.toString(tally.spoiled), locale.toString(tally.practice),
-                        // A reason such as "stiffness_error" would reveal the condition.
-                        m_data.blind() ? QStringLiteral("–") : why.join(QStringLiteral(" · ")),
-                        tally.chosen > 0 ? Words::tr("%1 of %2").arg(locale.toString(tally.same), locale.toString(tally.chosen)) : QStringLiteral("–")});
+        rows.push_back(
+            {m_data.conditionName(at), locale.toString(tally.scored), locale.toString(tally.spoiled),
+             locale.toString(tally.practice),
+             // A reason such as "stiffness_error" would reveal the condition.
+             m_data.blind() ? QStringLiteral("–") : why.join(QStringLiteral(" · ")),
+             tally.chosen > 0
+                 ? Words::tr("%1 of %2").arg(locale.toString(tally.same), locale.toString(tally.chosen))
+                 : QStringLiteral("–")});
     }
-    addTable({Words::tr("Condition"), Words::tr("Scored"), Words::tr("Repeated"), Words::tr("Practice"), Words::tr("Why repeated"),
-              Words::tr("Choices reproduced")},
+    addTable({Words::tr("Condition"), Words::tr("Scored"), Words::tr("Repeated"), Words::tr("Practice"),
+              Words::tr("Why repeated"), Words::tr("Choices reproduced")},
              rows, {0.25, 0.1, 0.11, 0.1, 0.27, 0.17}, {false, true, true, true, false, true});
     const psychophysics::FidelityLimits& limits = m_data.analysis.design.fidelity;
-    addMuted(Words::tr("A trial is repeated when the force is off by more than %1 N, the felt value by more than %2, more than %3 of the "
+    addMuted(Words::tr("A trial is repeated when the force is off by more than %1 N, the felt value by more "
+                       "than %2, more than %3 of the "
                        "ticks are late, or the device is at its limit for more than %4 of the contact.")
-                 .arg(words::number(limits.forceErrorRms_N, locale), words::percent(limits.stiffnessError, locale),
-                      words::percent(limits.lateTicks, locale), words::percent(limits.saturated, locale)));
-    addMuted(Words::tr("Choices reproduced: when run again from its log, the procedure chose the same presentations."));
+                 .arg(words::number(limits.forceErrorRms_N, locale),
+                      words::percent(limits.stiffnessError, locale), words::percent(limits.lateTicks, locale),
+                      words::percent(limits.saturated, locale)));
+    addMuted(Words::tr(
+        "Choices reproduced: when run again from its log, the procedure chose the same presentations."));
 }
 
 /// The quality by participant, over all conditions together.
@@ -97,18 +104,28 @@ void StudyReportBlocks::addQuality() {
             int repeated = 0;
             for (const auto& [reason, count] : quality.spoiled)
                 repeated += count;
-            rows.push_back({QString::fromStdString(participant.code), Words::tr("%1 of %2").arg(locale.toString(quality.conditionsDone), locale.toString(quality.conditions)),
-                            words::percent(quality.lateTicks, locale), !quality.felt ? dash : *quality.felt ? Words::tr("felt") : Words::tr("shown"),
-                            quality.whole ? locale.toString(quality.scored) : dash, quality.whole ? locale.toString(repeated) : dash});
+            rows.push_back(
+                {QString::fromStdString(participant.code),
+                 Words::tr("%1 of %2")
+                     .arg(locale.toString(quality.conditionsDone), locale.toString(quality.conditions)),
+                 words::percent(quality.lateTicks, locale),
+                 !quality.felt   ? dash
+                 : *quality.felt ? Words::tr("felt")
+                                 : Words::tr("shown"),
+                 quality.whole ? locale.toString(quality.scored) : dash,
+                 quality.whole ? locale.toString(repeated) : dash});
         }
     }
     if (!rows.empty())
-        addTable({Words::tr("Code"), Words::tr("Conditions done"), Words::tr("Late ticks"), Words::tr("Force"), Words::tr("Scored"), Words::tr("Repeated")}, rows,
-                 {0.2, 0.2, 0.15, 0.15, 0.15, 0.15}, {false, false, true, false, true, true});
-    addMuted(Words::tr("Over all conditions together. The number of trials is shown only for those who have done every condition."));
+        addTable({Words::tr("Code"), Words::tr("Conditions done"), Words::tr("Late ticks"),
+                  Words::tr("Force"), Words::tr("Scored"), Words::tr("Repeated")},
+                 rows, {0.2, 0.2, 0.15, 0.15, 0.15, 0.15}, {false, false, true, false, true, true});
+    addMuted(Words::tr("Over all conditions together. The number of trials is shown only for those who have "
+                       "done every condition."));
 }
 
-QString StudyReportBlocks::answersTo(const std::vector<database::QuestionnaireAnswer>& answers, const QuestionnaireItem& item) const {
+QString StudyReportBlocks::answersTo(const std::vector<database::QuestionnaireAnswer>& answers,
+                                     const QuestionnaireItem& item) const {
     const QLocale& locale = m_theme.locale;
     std::vector<double> numbers;
     int texts = 0;
@@ -121,16 +138,20 @@ QString StudyReportBlocks::answersTo(const std::vector<database::QuestionnaireAn
             texts += answer.text.empty() ? 0 : 1;
     }
     if (numbers.empty())
-        return texts == 0 ? Words::tr("No answers") : Words::tr("%n free text(s), in the exported tables", nullptr, texts);
+        return texts == 0 ? Words::tr("No answers")
+                          : Words::tr("%n free text(s), in the exported tables", nullptr, texts);
     std::sort(numbers.begin(), numbers.end());
     if (item.kind != QuestionnaireItem::Kind::choice)
         return Words::tr("Median %1, interquartile range %2 to %3, n = %4")
-            .arg(words::plainNumber(quantileOf(numbers, 0.5), locale), words::plainNumber(quantileOf(numbers, 0.25), locale),
-                 words::plainNumber(quantileOf(numbers, 0.75), locale), locale.toString(static_cast<int>(numbers.size())));
+            .arg(words::plainNumber(quantileOf(numbers, 0.5), locale),
+                 words::plainNumber(quantileOf(numbers, 0.25), locale),
+                 words::plainNumber(quantileOf(numbers, 0.75), locale),
+                 locale.toString(static_cast<int>(numbers.size())));
     QStringList counts;
     for (std::size_t i = 0; i < item.choices.size(); ++i)
         counts << QStringLiteral("%1: %2").arg(words::text(item.choices[i], m_data.language),
-                                               locale.toString(static_cast<int>(std::count(numbers.begin(), numbers.end(), static_cast<double>(i)))));
+                                               locale.toString(static_cast<int>(std::count(
+                                                   numbers.begin(), numbers.end(), static_cast<double>(i)))));
     return counts.join(QStringLiteral(" · "));
 }
 
@@ -139,7 +160,8 @@ void StudyReportBlocks::addQuestionnaires() {
         addHeading(words::text(questionnaire.title, m_data.language));
         const auto parts = session::answeredParts(m_data.analysis.design, questionnaire, m_data.answers);
         if (parts.empty())
-            addMuted(std::any_of(m_data.answers.begin(), m_data.answers.end(), [](const database::QuestionnaireAnswer& answer) { return answer.withheld; })
+            addMuted(std::any_of(m_data.answers.begin(), m_data.answers.end(),
+                                 [](const database::QuestionnaireAnswer& answer) { return answer.withheld; })
                          ? Words::tr("Answers about single conditions are shown once the study is unblinded.")
                          : Words::tr("No answers"));
         for (const session::AnsweredPart& part : parts) {
@@ -149,8 +171,10 @@ void StudyReportBlocks::addQuestionnaires() {
             for (const QuestionnaireItem& item : questionnaire.items) {
                 QString question = words::text(item.text, m_data.language);
                 if (item.kind == QuestionnaireItem::Kind::likert)
-                    question += QStringLiteral(" (1 %1 … %2 %3)").arg(words::text(item.low, m_data.language), m_theme.locale.toString(item.scale),
-                                                                      words::text(item.high, m_data.language));
+                    question +=
+                        QStringLiteral(" (1 %1 … %2 %3)")
+                            .arg(words::text(item.low, m_data.language), m_theme.locale.toString(item.scale),
+                                 words::text(item.high, m_data.language));
                 rows.push_back({question, answersTo(part.answers, item)});
             }
             addTable({Words::tr("Question"), Words::tr("Answers")}, rows, {0.55, 0.45}, {false, false});

@@ -26,7 +26,8 @@ constexpr double kWeberPlotHeight = 200.0;
 constexpr double kCurveHeight = 300.0; // its legend has up to six lines
 constexpr std::size_t kCurvesInRow = 2;
 
-std::unique_ptr<PlotView> curvePlot(const session::AnalysedRun& run, bool ranks, const report::PlotTheme& theme) {
+std::unique_ptr<PlotView> curvePlot(const session::AnalysedRun& run, bool ranks,
+                                    const report::PlotTheme& theme) {
     auto plot = std::make_unique<PlotView>(theme);
     plot->setTitle(QString::fromStdString(run.participant.code));
     drawRunCurve(*plot, run.estimate, ranks);
@@ -46,7 +47,8 @@ void StudyReportBlocks::addCondition(std::size_t at) {
         return;
     }
     if (m_data.analysis.sealed())
-        return addMuted(Words::tr("The result, the time and the number of trials stay sealed until the study is unblinded."));
+        return addMuted(Words::tr(
+            "The result, the time and the number of trials stay sealed until the study is unblinded."));
     if (condition.apex)
         return addApex(at);
     addGroup(at);
@@ -64,13 +66,16 @@ void StudyReportBlocks::addGroup(std::size_t at) {
     std::vector<std::pair<QString, QString>> pairs;
     if (std::isfinite(group.weber)) {
         pairs = {{Words::tr("Weber fraction of the group"), words::percent(group.weber, locale)},
-                 {Words::tr("95 % interval"), words::intervalPercent(group.weber95.low, group.weber95.high, locale)},
-                 {Words::tr("95 % prediction interval"), words::intervalPercent(group.prediction95.low, group.prediction95.high, locale)}};
+                 {Words::tr("95 % interval"),
+                  words::intervalPercent(group.weber95.low, group.weber95.high, locale)},
+                 {Words::tr("95 % prediction interval"),
+                  words::intervalPercent(group.prediction95.low, group.prediction95.high, locale)}};
         if (!m_data.blind())
             pairs.emplace_back(Words::tr("JND at the reference"), words::value(group.jnd, attribute, locale));
     }
     if (!m_data.blind() && std::isfinite(group.pse))
-        pairs.emplace_back(Words::tr("Point of subjective equality"), words::value(group.pse, attribute, locale));
+        pairs.emplace_back(Words::tr("Point of subjective equality"),
+                           words::value(group.pse, attribute, locale));
     if (std::isfinite(group.exponent))
         pairs.emplace_back(Words::tr("Exponent of the power law"), words::number(group.exponent, locale));
     if (!pairs.empty())
@@ -114,20 +119,30 @@ void StudyReportBlocks::addRuns(std::size_t at) {
         QStringList remarks{Words::tr("In the group value: %1.").arg(presenceWords(run.presence))};
         for (const psychophysics::Warning& warning : estimate.warnings)
             remarks << QStringLiteral("! ") + warningWords(warning);
-        rows.push_back({QString::fromStdString(run.participant.code), markedValue(words::percent(estimate.weber, locale), estimate),
+        rows.push_back({QString::fromStdString(run.participant.code),
+                        markedValue(words::percent(estimate.weber, locale), estimate),
                         words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale),
                         // The mark on the Weber fraction applies to the whole row.
                         m_data.blind() ? QStringLiteral("–") : words::value(estimate.jnd, attribute, locale),
-                        std::isfinite(estimate.priorInfluence) ? words::percent(estimate.priorInfluence, locale) : QStringLiteral("–"),
-                        run.spoiled > 0 ? Words::tr("%1 (%2 repeated)").arg(locale.toString(run.scored), locale.toString(run.spoiled)) : locale.toString(run.scored),
+                        std::isfinite(estimate.priorInfluence)
+                            ? words::percent(estimate.priorInfluence, locale)
+                            : QStringLiteral("–"),
+                        run.spoiled > 0 ? Words::tr("%1 (%2 repeated)")
+                                              .arg(locale.toString(run.scored), locale.toString(run.spoiled))
+                                        : locale.toString(run.scored),
                         words::runState(run.run.state), remarks.join(QLatin1Char(' '))});
     }
-    addTable({Words::tr("Code"), Words::tr("Weber fraction"), Words::tr("95 % interval"), Words::tr("JND"), Words::tr("Prior influence"), Words::tr("Scored"),
-              Words::tr("Run"), Words::tr("In the group, and warnings")},
-             rows, {0.1, 0.1, 0.135, 0.11, 0.1, 0.075, 0.125, 0.255}, {false, true, true, true, true, true, false, false});
-    if (std::any_of(condition.runs.begin(), condition.runs.end(), [](const session::AnalysedRun& run) { return !run.estimate.warnings.empty(); }))
+    addTable({Words::tr("Code"), Words::tr("Weber fraction"), Words::tr("95 % interval"), Words::tr("JND"),
+              Words::tr("Prior influence"), Words::tr("Scored"), Words::tr("Run"),
+              Words::tr("In the group, and warnings")},
+             rows, {0.1, 0.1, 0.135, 0.11, 0.1, 0.075, 0.125, 0.255},
+             {false, true, true, true, true, true, false, false});
+    if (std::any_of(condition.runs.begin(), condition.runs.end(),
+                    [](const session::AnalysedRun& run) { return !run.estimate.warnings.empty(); }))
         addMuted(markMeaning());
-    const auto known = [](const session::AnalysedRun& run) { return std::isfinite(run.estimate.priorInfluence); };
+    const auto known = [](const session::AnalysedRun& run) {
+        return std::isfinite(run.estimate.priorInfluence);
+    };
     if (std::any_of(condition.runs.begin(), condition.runs.end(), known))
         addMuted(Words::tr("Share of the prior: %1").arg(influenceMeaning()));
 }
@@ -143,20 +158,26 @@ void StudyReportBlocks::addComparisons() {
     const bool thresholds = session::testsThresholds(analysis.comparisons);
     std::vector<std::vector<QString>> rows;
     for (const session::ComparedConditions& each : analysis.comparisons)
-        rows.push_back(comparisonRow(each, m_data.conditionName(each.first), m_data.conditionName(each.second), thresholds, m_theme.locale));
+        rows.push_back(comparisonRow(each, m_data.conditionName(each.first),
+                                     m_data.conditionName(each.second), thresholds, m_theme.locale));
     if (!rows.empty()) {
         if (thresholds)
-            addTable(comparisonHeadings(thresholds), rows, {0.27, 0.09, 0.17, 0.09, 0.1, 0.17, 0.11}, {false, true, true, true, true, true, true});
+            addTable(comparisonHeadings(thresholds), rows, {0.27, 0.09, 0.17, 0.09, 0.1, 0.17, 0.11},
+                     {false, true, true, true, true, true, true});
         else
-            addTable(comparisonHeadings(thresholds), rows, {0.31, 0.1, 0.19, 0.1, 0.11, 0.19}, {false, true, true, true, true, true});
+            addTable(comparisonHeadings(thresholds), rows, {0.31, 0.1, 0.19, 0.1, 0.11, 0.19},
+                     {false, true, true, true, true, true});
         addMuted(comparisonNote(thresholds));
     }
-    if (std::any_of(analysis.conditions.begin(), analysis.conditions.end(), [](const auto& each) { return each.apex.has_value(); }))
+    if (std::any_of(analysis.conditions.begin(), analysis.conditions.end(),
+                    [](const auto& each) { return each.apex.has_value(); }))
         return; // Weber fractions cannot be compared for marks
     std::vector<session::GroupRoll> rolls;
     for (const session::AnalysedCondition& condition : analysis.conditions)
         rolls.push_back(condition.roll);
-    for (const QString& said : comparisonSentences(rolls, analysis.comparisons, [this](std::size_t at) { return m_data.conditionName(at); }, m_theme.locale))
+    for (const QString& said : comparisonSentences(
+             rolls, analysis.comparisons, [this](std::size_t at) { return m_data.conditionName(at); },
+             m_theme.locale))
         addMuted(said);
 }
 

@@ -43,28 +43,35 @@ Unit shownUnit(Attribute attribute) {
 }
 
 QString spaced(std::string_view token) {
-    return QString::fromUtf8(token.data(), static_cast<qsizetype>(token.size())).replace(QLatin1Char('_'), QLatin1Char(' '));
+    return QString::fromUtf8(token.data(), static_cast<qsizetype>(token.size()))
+        .replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
 } // namespace
 
 QString attribute(Attribute attribute) {
-    const QString words[] = {Words::tr("Stiffness"), Words::tr("Mass"), Words::tr("Deformation"),
+    const QString words[] = {Words::tr("Stiffness"), Words::tr("Mass"),     Words::tr("Deformation"),
                              Words::tr("Roughness"), Words::tr("Friction"), Words::tr("Viscosity"),
                              Words::tr("Apex")};
     return words[static_cast<std::size_t>(attribute)];
 }
 
 QString task(Task task) {
-    const QString words[] = {Words::tr("Ranking of three"), Words::tr("Two alternatives (2AFC)"),
-                             Words::tr("Three alternatives (3AFC)"), Words::tr("Odd one out of three"),
-                             Words::tr("Same or different"), Words::tr("Yes or no"),
-                             Words::tr("Adjustment"), Words::tr("Magnitude estimation"),
+    const QString words[] = {Words::tr("Ranking of three"),
+                             Words::tr("Two alternatives (2AFC)"),
+                             Words::tr("Three alternatives (3AFC)"),
+                             Words::tr("Odd one out of three"),
+                             Words::tr("Same or different"),
+                             Words::tr("Yes or no"),
+                             Words::tr("Adjustment"),
+                             Words::tr("Magnitude estimation"),
                              Words::tr("Ranking of three, with ties")};
     return words[static_cast<std::size_t>(task)];
 }
 
-QString procedure(std::string_view kind) { return procedureTitle(kind); }
+QString procedure(std::string_view kind) {
+    return procedureTitle(kind);
+}
 
 QString order(psychophysics::OrderDesign order) {
     const QString words[] = {Words::tr("As listed"), Words::tr("Random"), Words::tr("Latin square"),
@@ -135,7 +142,8 @@ QString intervalPercent(double low, double high, const QLocale& locale) {
 
 QString value(double si, Attribute attribute, const QLocale& locale) {
     const Unit unit = shownUnit(attribute);
-    return std::isfinite(si) ? number(si * unit.factor, locale) + QString::fromUtf8(unit.text) : QStringLiteral("–");
+    return std::isfinite(si) ? number(si * unit.factor, locale) + QString::fromUtf8(unit.text)
+                             : QStringLiteral("–");
 }
 
 QString day(const std::string& utc, const QLocale& locale) {

@@ -17,35 +17,44 @@ QString ofAnswers(const Warning& warning) {
     using enum WarningKind;
     switch (warning.kind) {
     case leftOutTrials:
-        return Words::tr("%n trial(s) could not be used: the difference or the answer is missing.", nullptr, n);
+        return Words::tr("%n trial(s) could not be used: the difference or the answer is missing.", nullptr,
+                         n);
     case noTrials:
         return Words::tr("There is no scored trial yet, so there is no result.");
     case fewTrials:
-        return Words::tr("Only %n trial(s): the interval is wide and depends partly on prior assumptions.", nullptr, n);
+        return Words::tr("Only %n trial(s): the interval is wide and depends partly on prior assumptions.",
+                         nullptr, n);
     case noDifference:
         return Words::tr("The objects never differed, so it is not known how well they are told apart.");
     case oneLevel:
-        return Words::tr("Only one difference was presented: lapses of attention cannot be distinguished from a high threshold.");
+        return Words::tr("Only one difference was presented: lapses of attention cannot be distinguished "
+                         "from a high threshold.");
     case binned:
         return Words::tr("A great many differences were presented; neighbouring ones were grouped.");
     case oneAnswer:
         return Words::tr("The same answer was given every time: it says nothing about what was felt.");
     case allRight:
-        return Words::tr("Every answer was right: the threshold is below the smallest difference, but how far below is not known.");
+        return Words::tr("Every answer was right: the threshold is below the smallest difference, but how "
+                         "far below is not known.");
     case chance:
-        return Words::tr("The answers are no better than guessing: the threshold may be above the largest difference presented.");
+        return Words::tr("The answers are no better than guessing: the threshold may be above the largest "
+                         "difference presented.");
     case lapses:
-        return Words::tr("More than a tenth of the answers look like guesses even where the difference was easy.");
+        return Words::tr(
+            "More than a tenth of the answers look like guesses even where the difference was easy.");
     case stepFunction:
-        return Words::tr("Answers jump from guessing to always right between two neighbouring differences: what lies between is not known.");
+        return Words::tr("Answers jump from guessing to always right between two neighbouring differences: "
+                         "what lies between is not known.");
     case positionBias:
         return Words::tr("Wrong answers name one position much more often than chance would explain.");
     case sealed:
-        return Words::tr("The conditions differ in values that the analysis needs: there will be an estimate once the study is unblinded.");
+        return Words::tr("The conditions differ in values that the analysis needs: there will be an estimate "
+                         "once the study is unblinded.");
     case notRenderedRun:
         return Words::tr("A quick simulation without rendering: the observer knew the values.");
     case shownRun:
-        return Words::tr("Shown, not felt: %n trial(s) were done on a device that renders no force.", nullptr, n);
+        return Words::tr("Shown, not felt: %n trial(s) were done on a device that renders no force.", nullptr,
+                         n);
     default:
         return {};
     }
@@ -56,21 +65,27 @@ QString ofEstimate(const Warning& warning) {
     using enum WarningKind;
     switch (warning.kind) {
     case priorEdgeLow:
-        return Words::tr("The answers do not tell how small the threshold is: the value shown comes from prior assumptions.");
+        return Words::tr("The answers do not tell how small the threshold is: the value shown comes from "
+                         "prior assumptions.");
     case priorEdgeHigh:
-        return Words::tr("The answers do not tell how large the threshold is: the value shown comes from prior assumptions.");
+        return Words::tr("The answers do not tell how large the threshold is: the value shown comes from "
+                         "prior assumptions.");
     case priorBoundLow:
         return Words::tr("The lower end of the interval comes from prior assumptions, not from the answers.");
     case priorBoundHigh:
         return Words::tr("The upper end of the interval comes from prior assumptions, not from the answers.");
     case poorFit:
-        return Words::tr("The curve does not describe the answers well: attention or strategy may have changed.");
+        return Words::tr(
+            "The curve does not describe the answers well: attention or strategy may have changed.");
     case curvesDisagree:
-        return Words::tr("Another curve through the same answers puts the threshold elsewhere: treat the value with caution.");
+        return Words::tr("Another curve through the same answers puts the threshold elsewhere: treat the "
+                         "value with caution.");
     case noRise:
-        return Words::tr("Answers do not get better as the difference grows, so there is no threshold to find.");
+        return Words::tr(
+            "Answers do not get better as the difference grows, so there is no threshold to find.");
     case notMonotone:
-        return Words::tr("Answers get worse as the difference grows: check that answers and differences match.");
+        return Words::tr(
+            "Answers get worse as the difference grows: check that answers and differences match.");
     case noReference:
     case noSettingReference:
         return Words::tr("The condition has no reference above zero, so no value can be given in its unit.");
@@ -101,7 +116,9 @@ QString ofNumbers(const Warning& warning) {
     case oneStimulus:
         return Words::tr("Only one stimulus intensity was presented, so there is no exponent.");
     case fewSubjects:
-        return Words::tr("With only %n participant(s) with an exponent, differences between people are very uncertain.", nullptr, n);
+        return Words::tr(
+            "With only %n participant(s) with an exponent, differences between people are very uncertain.",
+            nullptr, n);
     default:
         return {};
     }
@@ -119,21 +136,28 @@ QString ofGroup(const Warning& warning) {
     case oneParticipant:
         return Words::tr("One participant is not a group: there is no interval.");
     case fewParticipants:
-        return Words::tr("With only %n participant(s), differences between people are very uncertain.", nullptr, n);
+        return Words::tr("With only %n participant(s), differences between people are very uncertain.",
+                         nullptr, n);
     case heterogeneous:
-        return Words::tr("People differ by more than the uncertainty of each: the group's figure says little about one person.");
+        return Words::tr("People differ by more than the uncertainty of each: the group's figure says little "
+                         "about one person.");
     case withdrawn:
         return Words::tr("%n participant(s) who withdrew are left out.", nullptr, n);
     case simulatedLeftOut:
-        return Words::tr("%n simulated participant(s) are left out: the group contains only people.", nullptr, n);
+        return Words::tr("%n simulated participant(s) are left out: the group contains only people.", nullptr,
+                         n);
     case simulatedOnly:
         return Words::tr("The group contains only simulated participants.");
     case notRenderedOfGroup:
-        return Words::tr("%n participant(s) of the group were simulated without rendering: the observers knew the values and felt nothing.", nullptr, n);
+        return Words::tr("%n participant(s) of the group were simulated without rendering: the observers "
+                         "knew the values and felt nothing.",
+                         nullptr, n);
     case shownLeftOut:
-        return Words::tr("%n participant(s) are left out of the group: objects were shown to them, not felt.", nullptr, n);
+        return Words::tr("%n participant(s) are left out of the group: objects were shown to them, not felt.",
+                         nullptr, n);
     case shownInGroup:
-        return Words::tr("The group includes %n participant(s) to whom objects were shown, not felt.", nullptr, n);
+        return Words::tr("The group includes %n participant(s) to whom objects were shown, not felt.",
+                         nullptr, n);
     default:
         return {};
     }
@@ -151,7 +175,8 @@ QString ofApexOrPlan(const Warning& warning) {
     case noMarks:
         return Words::tr("There is no mark to summarise.");
     case fewMarkers:
-        return Words::tr("With only %n participant(s), differences between people are very uncertain.", nullptr, n);
+        return Words::tr("With only %n participant(s), differences between people are very uncertain.",
+                         nullptr, n);
     case fewMarks:
         return Words::tr("Some participants have fewer than 10 marks.");
     case biasX:

@@ -16,7 +16,9 @@ struct GraspWords {
 QString instrumentName(int tool, int tools) {
     if (tools <= 1)
         return GraspWords::tr("Instrument");
-    return tool == 0 ? GraspWords::tr("Right instrument") : tool == 1 ? GraspWords::tr("Left instrument") : GraspWords::tr("Instrument %1").arg(tool + 1);
+    return tool == 0   ? GraspWords::tr("Right instrument")
+           : tool == 1 ? GraspWords::tr("Left instrument")
+                       : GraspWords::tr("Instrument %1").arg(tool + 1);
 }
 
 } // namespace chiron::session_report

@@ -2,8 +2,8 @@
 #include "session_report/track_series.h"
 
 #include "session/exercise_kind.h"
-#include "session_report/mark_words.h"
 #include "session_report/exercise_words.h"
+#include "session_report/mark_words.h"
 
 #include <cmath>
 #include <numbers>
@@ -40,7 +40,8 @@ bool hasSeveralTrials(const catalogue::ExerciseLevel& level) {
 
 } // namespace
 
-report::SampleSeries seriesOf(const PlaybackTrack& track, const catalogue::ExerciseLevel& level, const QLocale& locale) {
+report::SampleSeries seriesOf(const PlaybackTrack& track, const catalogue::ExerciseLevel& level,
+                              const QLocale& locale) {
     report::SampleSeries series;
     for (std::size_t i = 0; i < track.moments.size() && track.toolCount > 0; ++i) {
         series.t_s.push_back(track.moments[i].t_s);
@@ -61,7 +62,8 @@ report::SampleSeries seriesOf(const PlaybackTrack& track, const catalogue::Exerc
             series.events.push_back({trial.start_s, QString::number(trial.index + 1)});
     for (const session::PlaybackMark& mark : track.marks)
         if (mark.critical)
-            series.criticalErrors.push_back({mark.t_s, mark.end_s, mark.trial, mark.tool, whatHappened(mark, level.exercise, locale)});
+            series.criticalErrors.push_back(
+                {mark.t_s, mark.end_s, mark.trial, mark.tool, whatHappened(mark, level.exercise, locale)});
     return series;
 }
 

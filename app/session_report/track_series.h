@@ -11,6 +11,7 @@ namespace chiron::session_report {
 
 /// All tools of a playback track as series for plots, on screen and on paper: named by the level, with
 /// hatched pauses, the trials' numbers as events, and the track's critical errors in words. Pure function.
-report::SampleSeries seriesOf(const session::PlaybackTrack& track, const catalogue::ExerciseLevel& level, const QLocale& locale);
+report::SampleSeries seriesOf(const session::PlaybackTrack& track, const catalogue::ExerciseLevel& level,
+                              const QLocale& locale);
 
 } // namespace chiron::session_report

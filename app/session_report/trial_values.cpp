@@ -32,7 +32,8 @@ TrialScores::TrialScores(const scoring::SessionTrace& trace, const catalogue::Ex
                          std::initializer_list<const char*> ids) {
     std::vector<scoring::MetricRequest> requests;
     for (const char* id : ids) {
-        const auto chosen = std::find_if(level.metrics.begin(), level.metrics.end(), [id](const auto& metric) { return metric.id == id; });
+        const auto chosen = std::find_if(level.metrics.begin(), level.metrics.end(),
+                                         [id](const auto& metric) { return metric.id == id; });
         requests.push_back({id, chosen == level.metrics.end() ? 0 : chosen->version});
     }
     if (auto card = scoring::calculateScore(trace, requests, {}, false))
@@ -42,7 +43,8 @@ TrialScores::TrialScores(const scoring::SessionTrace& trace, const catalogue::Ex
 std::optional<double> TrialScores::of(std::size_t trial, const char* id) const {
     if (trial >= m_trials.size())
         return std::nullopt;
-    const auto found = std::find_if(m_trials[trial].begin(), m_trials[trial].end(), [id](const auto& value) { return value.id == id; });
+    const auto found = std::find_if(m_trials[trial].begin(), m_trials[trial].end(),
+                                    [id](const auto& value) { return value.id == id; });
     return found == m_trials[trial].end() ? std::nullopt : found->value;
 }
 

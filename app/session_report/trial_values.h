@@ -23,7 +23,8 @@ const std::vector<double>* quantityIn(const scoring::TrialTrace& trial, const ch
 /// Each trial's own values of some metrics, in the version by which the level scores them.
 class TrialScores {
 public:
-    TrialScores(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level, std::initializer_list<const char*> ids);
+    TrialScores(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level,
+                std::initializer_list<const char*> ids);
     /// Empty if the trial has no such value.
     std::optional<double> of(std::size_t trial, const char* id) const;
 

@@ -5,7 +5,8 @@
 
 namespace chiron::catalogue {
 
-core::Result<Catalogue> Catalogue::load(const std::string& directory, const std::vector<std::string>& languages) {
+core::Result<Catalogue> Catalogue::load(const std::string& directory,
+                                        const std::vector<std::string>& languages) {
     ContentReader reader(QString::fromStdString(directory), languages);
     auto exercises = reader.exercises();
     CHIRON_TRY(exercises);

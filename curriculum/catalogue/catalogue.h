@@ -20,7 +20,8 @@ class Catalogue {
 public:
     /// Reads `directory`, which contains exercises/ and schema/. `languages` lists the languages that the
     /// texts may be in, English first.
-    static core::Result<Catalogue> load(const std::string& directory, const std::vector<std::string>& languages = core::languageIds());
+    static core::Result<Catalogue> load(const std::string& directory,
+                                        const std::vector<std::string>& languages = core::languageIds());
 
     const std::vector<Exercise>& exercises() const { return m_exercises; }
     const Exercise* find(std::string_view exercise) const;

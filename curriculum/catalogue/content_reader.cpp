@@ -68,7 +68,8 @@ core::Result<QJsonObject> ContentReader::withPreset(const QString& folder, const
                                 didYouMean(name, {known.begin(), known.end()})});
         return given;
     }
-    auto preset = presetParameters(QDir(folder).filePath(name + QStringLiteral(".json")), key, parameterSchema);
+    auto preset =
+        presetParameters(QDir(folder).filePath(name + QStringLiteral(".json")), key, parameterSchema);
     if (!preset)
         return preset;
     for (auto it = given.begin(); it != given.end(); ++it)
@@ -76,7 +77,8 @@ core::Result<QJsonObject> ContentReader::withPreset(const QString& folder, const
     return preset;
 }
 
-core::Result<void> ContentReader::checkPresets(const QString& folder, const ExerciseContent& content, ContentTexts& texts) {
+core::Result<void> ContentReader::checkPresets(const QString& folder, const ExerciseContent& content,
+                                               ContentTexts& texts) {
     if (content.presetKey.empty())
         return {};
     const auto parameterSchema = schema(QString::fromUtf8(content.parametersSchema.data()));
@@ -86,7 +88,9 @@ core::Result<void> ContentReader::checkPresets(const QString& folder, const Exer
     return {};
 }
 
-core::Result<QJsonObject> ContentReader::presetParameters(const QString& path, const QString& key, const Schema& parameterSchema, ContentTexts* texts) {
+core::Result<QJsonObject> ContentReader::presetParameters(const QString& path, const QString& key,
+                                                          const Schema& parameterSchema,
+                                                          ContentTexts* texts) {
     const auto json = JsonFile::read(QDir::cleanPath(path));
     CHIRON_TRY(json);
     const auto presetSchema = schema(QStringLiteral("preset"));
@@ -96,23 +100,26 @@ core::Result<QJsonObject> ContentReader::presetParameters(const QString& path, c
     const QJsonValue parameters = preset["parameters"];
     const QString at = QStringLiteral("$.parameters");
     if (parameters.isObject())
-        validated(m_named.filledIn(parameters.toObject(), parameterSchema, at, problems), parameterSchema, at, problems);
+        validated(m_named.filledIn(parameters.toObject(), parameterSchema, at, problems), parameterSchema, at,
+                  problems);
     if (parameters.toObject().contains(key))
-        problems.push_back({memberPath(at, key), QStringLiteral("given"),
-                            QStringLiteral("none: a preset names no other")});
+        problems.push_back(
+            {memberPath(at, key), QStringLiteral("given"), QStringLiteral("none: a preset names no other")});
     if (parameters.isObject())
         preset["parameters"] = QJsonObject{}; // the preset's own schema knows only that it is an object
     preset = validated(preset, **presetSchema, QStringLiteral("$"), problems).toObject();
     if (problems.empty())
         checkName(preset, QFileInfo(path).completeBaseName(), problems);
     if (problems.empty() && texts)
-        texts->laid(preset, **presetSchema, {QStringLiteral("presets"), preset["id"].toString()}, json->name(), QStringLiteral("$"), problems);
+        texts->laid(preset, **presetSchema, {QStringLiteral("presets"), preset["id"].toString()},
+                    json->name(), QStringLiteral("$"), problems);
     if (!problems.empty())
         return tl::unexpected(json->error(problems));
     return parameters.toObject();
 }
 
-core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJsonObject& exercise, ContentTexts& texts) {
+core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJsonObject& exercise,
+                                                 ContentTexts& texts) {
     const auto json = JsonFile::read(path);
     CHIRON_TRY(json);
     const ExerciseContent* content = findExerciseContent(exercise["id"].toString().toStdString());
@@ -131,14 +138,18 @@ core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJso
         given = *merged;
     }
     if (given.isObject())
-        given = m_named.filledIn(given.toObject(), **parameterSchema, QStringLiteral("$.parameters"), problems);
-    const QJsonValue parameters = validated(given, **parameterSchema, QStringLiteral("$.parameters"), problems);
+        given =
+            m_named.filledIn(given.toObject(), **parameterSchema, QStringLiteral("$.parameters"), problems);
+    const QJsonValue parameters =
+        validated(given, **parameterSchema, QStringLiteral("$.parameters"), problems);
     resolved["parameters"] = QJsonObject{}; // the level's own schema knows only that it is an object
     resolved = validated(resolved, **levelSchema, QStringLiteral("$"), problems).toObject();
     if (!problems.empty())
         return tl::unexpected(json->error(problems));
     checkName(resolved, QFileInfo(path).completeBaseName(), problems);
-    resolved = texts.laid(resolved, **levelSchema, {QStringLiteral("levels"), QFileInfo(path).completeBaseName()}, json->name(), QStringLiteral("$"), problems);
+    resolved =
+        texts.laid(resolved, **levelSchema, {QStringLiteral("levels"), QFileInfo(path).completeBaseName()},
+                   json->name(), QStringLiteral("$"), problems);
     resolved["parameters"] = parameters;
     ExerciseLevel level = levelFromResolved(resolvedDocument(exercise, resolved), problems);
     checkLevel(level, resolved, problems);
@@ -166,7 +177,8 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
         return tl::unexpected(json->error(problems));
     auto texts = ContentTexts::read(folder, m_languages);
     CHIRON_TRY(texts);
-    resolved = texts->laid(resolved, **exerciseSchema, {QStringLiteral("exercise")}, json->name(), QStringLiteral("$"), problems);
+    resolved = texts->laid(resolved, **exerciseSchema, {QStringLiteral("exercise")}, json->name(),
+                           QStringLiteral("$"), problems);
     Exercise out;
     const ObjectReader reader(resolved, QStringLiteral("$"), problems);
     out.id = reader.text("id");
@@ -177,14 +189,19 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
         reader.eachObject("advice", [&](const ObjectReader& entry) {
             const std::string metric = entry.text("metric");
             if (!scoring::findMetric(metric))
-                problems.push_back({QStringLiteral("$.advice"), quoted(QString::fromStdString(metric)), QStringLiteral("a metric of the catalogue")});
-            else if (std::any_of(out.advice.begin(), out.advice.end(), [&](const Advice& other) { return other.metric == metric; }))
-                problems.push_back({QStringLiteral("$.advice"), quoted(QString::fromStdString(metric)), QStringLiteral("each metric once")});
+                problems.push_back({QStringLiteral("$.advice"), quoted(QString::fromStdString(metric)),
+                                    QStringLiteral("a metric of the catalogue")});
+            else if (std::any_of(out.advice.begin(), out.advice.end(),
+                                 [&](const Advice& other) { return other.metric == metric; }))
+                problems.push_back({QStringLiteral("$.advice"), quoted(QString::fromStdString(metric)),
+                                    QStringLiteral("each metric once")});
             else
                 out.advice.push_back({metric, entry.translated("text")});
         });
     if (reader.has("legend"))
-        reader.eachObject("legend", [&](const ObjectReader& entry) { out.legend.push_back({entry.text("mark"), entry.translated("text")}); });
+        reader.eachObject("legend", [&](const ObjectReader& entry) {
+            out.legend.push_back({entry.text("mark"), entry.translated("text")});
+        });
     if (!problems.empty())
         return tl::unexpected(json->error(problems));
     QJsonObject stored = resolved; // as stored with a session, without advice and legend: they are not part
@@ -199,7 +216,8 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
     return out;
 }
 
-core::Result<void> ContentReader::readLevels(const QString& folder, const QJsonObject& exercise, ContentTexts& texts, Exercise& out) {
+core::Result<void> ContentReader::readLevels(const QString& folder, const QJsonObject& exercise,
+                                             ContentTexts& texts, Exercise& out) {
     for (const QFileInfo& file :
          QDir(folder + "/levels").entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
         auto read = level(file.filePath(), exercise, texts);
@@ -223,8 +241,11 @@ core::Result<std::vector<Exercise>> ContentReader::exercises() {
         CHIRON_TRY(read);
         out.push_back(std::move(*read));
     }
-    const auto place = [](const Exercise& exercise) { return findExerciseContent(exercise.id) - exerciseContents().data(); };
-    std::stable_sort(out.begin(), out.end(), [&](const Exercise& a, const Exercise& b) { return place(a) < place(b); });
+    const auto place = [](const Exercise& exercise) {
+        return findExerciseContent(exercise.id) - exerciseContents().data();
+    };
+    std::stable_sort(out.begin(), out.end(),
+                     [&](const Exercise& a, const Exercise& b) { return place(a) < place(b); });
     if (out.empty())
         return core::fail(
             core::ErrorCode::badInput,

@@ -14,7 +14,9 @@ namespace {
 
 const QString kSource = QStringLiteral("en");
 
-QString joined(const std::vector<QString>& words) { return QStringList(words.begin(), words.end()).join(QStringLiteral(", ")); }
+QString joined(const std::vector<QString>& words) {
+    return QStringList(words.begin(), words.end()).join(QStringLiteral(", "));
+}
 
 QString languagesOf(const std::vector<std::string>& languages, std::size_t from) {
     std::vector<QString> words;
@@ -23,12 +25,15 @@ QString languagesOf(const std::vector<std::string>& languages, std::size_t from)
     return joined(words);
 }
 
-bool isText(const Schema& schema) { return schema.translated; }
+bool isText(const Schema& schema) {
+    return schema.translated;
+}
 
 /// Returns whether a value of this schema contains a text to be translated.
 bool hasTexts(const Schema& schema) {
     return isText(schema) || (schema.items && hasTexts(*schema.items)) ||
-           std::any_of(schema.properties.begin(), schema.properties.end(), [](const auto& property) { return hasTexts(*property.second); });
+           std::any_of(schema.properties.begin(), schema.properties.end(),
+                       [](const auto& property) { return hasTexts(*property.second); });
 }
 
 /// Returns the member that identifies an element of a list independently of its position.
@@ -48,24 +53,32 @@ QString kindOf(const QJsonValue& value) {
 }
 
 /// Returns a text as an object by language, whichever way it was written.
-QJsonValue byLanguage(const QJsonValue& value) { return value.isString() ? QJsonValue(QJsonObject{{kSource, value}}) : value; }
+QJsonValue byLanguage(const QJsonValue& value) {
+    return value.isString() ? QJsonValue(QJsonObject{{kSource, value}}) : value;
+}
 
 } // namespace
 
-core::Result<ContentTexts> ContentTexts::read(const QString& folder, const std::vector<std::string>& languages) {
+core::Result<ContentTexts> ContentTexts::read(const QString& folder,
+                                              const std::vector<std::string>& languages) {
     ContentTexts out;
     out.m_languages = languages;
     const auto refuse = [](const QString& path, const QString& found, const QString& expected) {
-        return core::fail(core::ErrorCode::badInput, QStringLiteral("%1:1:1: $: %2: expected %3").arg(path, found, expected).toStdString());
+        return core::fail(
+            core::ErrorCode::badInput,
+            QStringLiteral("%1:1:1: $: %2: expected %3").arg(path, found, expected).toStdString());
     };
-    for (const QFileInfo& info : QDir(folder + QStringLiteral("/texts")).entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
+    for (const QFileInfo& info :
+         QDir(folder + QStringLiteral("/texts")).entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
         const QString path = QDir::cleanPath(info.filePath());
         const QString language = info.completeBaseName();
         if (language == kSource)
-            return refuse(path, QStringLiteral("the texts in English"), QStringLiteral("them in the content files themselves"));
+            return refuse(path, QStringLiteral("the texts in English"),
+                          QStringLiteral("them in the content files themselves"));
         if (std::find(languages.begin(), languages.end(), language.toStdString()) == languages.end())
-            return refuse(path, QStringLiteral("the unknown language %1").arg(quoted(language)),
-                          QStringLiteral("the file of a language of the program: %1").arg(languagesOf(languages, 1)));
+            return refuse(
+                path, QStringLiteral("the unknown language %1").arg(quoted(language)),
+                QStringLiteral("the file of a language of the program: %1").arg(languagesOf(languages, 1)));
         auto json = JsonFile::read(path);
         CHIRON_TRY(json);
         out.m_files.push_back({language.toStdString(), std::move(*json), {}});
@@ -73,18 +86,24 @@ core::Result<ContentTexts> ContentTexts::read(const QString& folder, const std::
     return out;
 }
 
-core::Result<std::optional<Schema>> ContentTexts::schemaOfTexts(const QString& contentDirectory, const QString& name) const {
+core::Result<std::optional<Schema>> ContentTexts::schemaOfTexts(const QString& contentDirectory,
+                                                                const QString& name) const {
     if (m_files.empty())
         return std::optional<Schema>();
-    return readSchema(contentDirectory + QStringLiteral("/schema"), name).map([](Schema schema) { return std::optional(std::move(schema)); });
+    return readSchema(contentDirectory + QStringLiteral("/schema"), name).map([](Schema schema) {
+        return std::optional(std::move(schema));
+    });
 }
 
-QJsonValue ContentTexts::elementsLaidOver(const QJsonArray& array, const Schema& schema, const QJsonValue& given, const QString& path, File& file) const {
+QJsonValue ContentTexts::elementsLaidOver(const QJsonArray& array, const Schema& schema,
+                                          const QJsonValue& given, const QString& path, File& file) const {
     QJsonArray out = array;
     if (isText(schema)) {
         const QJsonArray texts = given.toArray();
         if (!given.isArray() || texts.size() != array.size()) {
-            file.problems.push_back({path, kindOf(given), QStringLiteral("an array of %1 texts, as the content has").arg(array.size())});
+            file.problems.push_back(
+                {path, kindOf(given),
+                 QStringLiteral("an array of %1 texts, as the content has").arg(array.size())});
             return array;
         }
         for (qsizetype i = 0; i < array.size(); ++i)
@@ -92,7 +111,8 @@ QJsonValue ContentTexts::elementsLaidOver(const QJsonArray& array, const Schema&
         return out;
     }
     if (!given.isObject()) {
-        file.problems.push_back({path, kindOf(given), QStringLiteral("an object with the texts of each element")});
+        file.problems.push_back(
+            {path, kindOf(given), QStringLiteral("an object with the texts of each element")});
         return array;
     }
     const QString key = nameKey(schema);
@@ -104,14 +124,17 @@ QJsonValue ContentTexts::elementsLaidOver(const QJsonArray& array, const Schema&
         const auto found = std::find(names.begin(), names.end(), it.key());
         const QString at = memberPath(path, it.key());
         if (found == names.end())
-            file.problems.push_back({at, QStringLiteral("the content has no such %1").arg(key), QStringLiteral("one of ") + joined(names) + didYouMean(it.key(), names)});
+            file.problems.push_back(
+                {at, QStringLiteral("the content has no such %1").arg(key),
+                 QStringLiteral("one of ") + joined(names) + didYouMean(it.key(), names)});
         else
             out[found - names.begin()] = laidOver(array[found - names.begin()], schema, it.value(), at, file);
     }
     return out;
 }
 
-QJsonValue ContentTexts::laidOver(const QJsonValue& value, const Schema& schema, const QJsonValue& given, const QString& path, File& file) const {
+QJsonValue ContentTexts::laidOver(const QJsonValue& value, const Schema& schema, const QJsonValue& given,
+                                  const QString& path, File& file) const {
     if (isText(schema)) {
         if (!given.isString()) {
             file.problems.push_back({path, kindOf(given), QStringLiteral("a text")});
@@ -123,7 +146,10 @@ QJsonValue ContentTexts::laidOver(const QJsonValue& value, const Schema& schema,
         QJsonObject texts = byLanguage(value).toObject();
         const QString language = QString::fromStdString(file.language);
         if (texts.contains(language))
-            file.problems.push_back({path, QStringLiteral("given twice"), QStringLiteral("it here or in the content file, which has this text in %1, too").arg(quoted(language))});
+            file.problems.push_back(
+                {path, QStringLiteral("given twice"),
+                 QStringLiteral("it here or in the content file, which has this text in %1, too")
+                     .arg(quoted(language))});
         texts[language] = given.toString();
         return texts;
     }
@@ -142,19 +168,24 @@ QJsonValue ContentTexts::laidOver(const QJsonValue& value, const Schema& schema,
     for (auto it = texts.begin(); it != texts.end(); ++it) {
         const QString at = memberPath(path, it.key());
         if (std::find(known.begin(), known.end(), it.key()) == known.end())
-            file.problems.push_back({at, QStringLiteral("the content has no such text"), QStringLiteral("one of ") + joined(known) + didYouMean(it.key(), known)});
+            file.problems.push_back(
+                {at, QStringLiteral("the content has no such text"),
+                 QStringLiteral("one of ") + joined(known) + didYouMean(it.key(), known)});
         else
             out[it.key()] = laidOver(out[it.key()], *schema.properties.at(it.key()), it.value(), at, file);
     }
     return out;
 }
 
-void ContentTexts::note(const QJsonValue& value, const Schema& schema, const At& at, const QString& place, Problems& problems) {
+void ContentTexts::note(const QJsonValue& value, const Schema& schema, const At& at, const QString& place,
+                        Problems& problems) {
     if (isText(schema)) {
         const QJsonObject texts = byLanguage(value).toObject();
         for (const QString& language : texts.keys())
-            if (std::find(m_languages.begin(), m_languages.end(), language.toStdString()) == m_languages.end())
-                problems.push_back({memberPath(at.path, language), QStringLiteral("an unknown language"), QStringLiteral("one of ") + languagesOf(m_languages, 0)});
+            if (std::find(m_languages.begin(), m_languages.end(), language.toStdString()) ==
+                m_languages.end())
+                problems.push_back({memberPath(at.path, language), QStringLiteral("an unknown language"),
+                                    QStringLiteral("one of ") + languagesOf(m_languages, 0)});
         for (const std::string& language : m_languages) {
             const QString key = QString::fromStdString(language);
             if (texts.contains(key))
@@ -175,8 +206,8 @@ void ContentTexts::note(const QJsonValue& value, const Schema& schema, const At&
         note(array[i], *schema.items, {at.file, elementPath(at.path, i)}, place, problems);
 }
 
-QJsonObject ContentTexts::laid(const QJsonObject& document, const Schema& schema, const QStringList& place, const QString& file, const QString& path,
-                               Problems& problems) {
+QJsonObject ContentTexts::laid(const QJsonObject& document, const Schema& schema, const QStringList& place,
+                               const QString& file, const QString& path, Problems& problems) {
     const QString claimed = place.join(u'/');
     m_claimed.insert(claimed);
     QJsonValue out = document;
@@ -194,11 +225,13 @@ QJsonObject ContentTexts::laid(const QJsonObject& document, const Schema& schema
     return out.toObject();
 }
 
-void ContentTexts::refuseUnclaimed(const QJsonObject& entries, const QString& above, const QString& path, Problems& problems) const {
+void ContentTexts::refuseUnclaimed(const QJsonObject& entries, const QString& above, const QString& path,
+                                   Problems& problems) const {
     std::vector<QString> known;
     for (const QString& claimed : m_claimed)
         if (claimed.startsWith(above))
-            if (const QString key = claimed.mid(above.size()).section(u'/', 0, 0); std::find(known.begin(), known.end(), key) == known.end())
+            if (const QString key = claimed.mid(above.size()).section(u'/', 0, 0);
+                std::find(known.begin(), known.end(), key) == known.end())
                 known.push_back(key);
     for (auto it = entries.begin(); it != entries.end(); ++it) {
         const QString place = above + it.key();
@@ -206,7 +239,8 @@ void ContentTexts::refuseUnclaimed(const QJsonObject& entries, const QString& ab
         if (m_claimed.contains(place))
             continue;
         if (std::find(known.begin(), known.end(), it.key()) == known.end())
-            problems.push_back({at, QStringLiteral("the content has no such part"), QStringLiteral("one of ") + joined(known) + didYouMean(it.key(), known)});
+            problems.push_back({at, QStringLiteral("the content has no such part"),
+                                QStringLiteral("one of ") + joined(known) + didYouMean(it.key(), known)});
         else if (!it.value().isObject())
             problems.push_back({at, kindOf(it.value()), QStringLiteral("an object with texts")});
         else

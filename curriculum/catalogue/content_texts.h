@@ -48,13 +48,14 @@ public:
     /// Returns the content's schema of this name, for use with laid(): it says which keys are texts. Returns
     /// none if the folder has no translations, because then there is nothing to lay over its documents.
     /// Errors: as readSchema().
-    core::Result<std::optional<Schema>> schemaOfTexts(const QString& contentDirectory, const QString& name) const;
+    core::Result<std::optional<Schema>> schemaOfTexts(const QString& contentDirectory,
+                                                      const QString& name) const;
 
     /// Returns `document`, which is the part of the content file `file` at `path`, with each of its texts
     /// turned into an object by language. Its translations stand in the language files below the keys
     /// `place`, for example {"levels", "bend"}. Faults of the document itself are added to `problems`.
-    QJsonObject laid(const QJsonObject& document, const Schema& schema, const QStringList& place, const QString& file, const QString& path,
-                     Problems& problems);
+    QJsonObject laid(const QJsonObject& document, const Schema& schema, const QStringList& place,
+                     const QString& file, const QString& path, Problems& problems);
 
     /// Errors: badInput for every text that belongs to nothing, is given twice or is not a text, and for
     /// every entry below which nothing was laid over a document.
@@ -78,10 +79,14 @@ private:
         QString path;
     };
 
-    QJsonValue laidOver(const QJsonValue& value, const Schema& schema, const QJsonValue& given, const QString& path, File& file) const;
-    QJsonValue elementsLaidOver(const QJsonArray& array, const Schema& schema, const QJsonValue& given, const QString& path, File& file) const;
-    void note(const QJsonValue& value, const Schema& schema, const At& at, const QString& place, Problems& problems);
-    void refuseUnclaimed(const QJsonObject& entries, const QString& above, const QString& path, Problems& problems) const;
+    QJsonValue laidOver(const QJsonValue& value, const Schema& schema, const QJsonValue& given,
+                        const QString& path, File& file) const;
+    QJsonValue elementsLaidOver(const QJsonArray& array, const Schema& schema, const QJsonValue& given,
+                                const QString& path, File& file) const;
+    void note(const QJsonValue& value, const Schema& schema, const At& at, const QString& place,
+              Problems& problems);
+    void refuseUnclaimed(const QJsonObject& entries, const QString& above, const QString& path,
+                         Problems& problems) const;
 
     std::vector<std::string> m_languages = core::languageIds();
     std::vector<File> m_files;

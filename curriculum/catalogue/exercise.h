@@ -81,7 +81,7 @@ struct Exercise {
     /// In the order written: advice on a cause of other misses comes before advice on those misses. Each
     /// metric occurs at most once; some may have no advice.
     std::vector<Advice> advice;
-    std::vector<LegendLine> legend; ///< in display order
+    std::vector<LegendLine> legend;    ///< in display order
     std::vector<ExerciseLevel> levels; ///< by number, 1..n without a gap
     /// By language: SHA-256 of the texts of the exercise, its levels and its presets, lower-case hex.
     std::map<std::string, std::string> textsSha256;

@@ -7,17 +7,16 @@
 #include "curriculum/exercises/palpation/catalogue/palpation_content.h"
 #include "curriculum/exercises/sphere_apex/catalogue/sphere_apex_content.h"
 #include "curriculum/exercises/urethra_insertion/catalogue/urethra_insertion_content.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
-#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 #include <array>
 
 namespace chiron::catalogue {
 
 namespace {
-template <class Parameters>
-int toolsOf(const ExerciseParameters& parameters) {
+template <class Parameters> int toolsOf(const ExerciseParameters& parameters) {
     return parameters.as<Parameters>().tools();
 }
 } // namespace
@@ -26,10 +25,14 @@ std::span<const ExerciseContent> exerciseContents() {
     // One line per exercise, in the order in which people see them.
     static constexpr auto kContents = std::to_array<ExerciseContent>({
         {"sphere_apex", "sphere_apex_parameters", readSphereApex, checkSphereApex},
-        {"urethra_insertion", "urethra_insertion_parameters", readUrethraInsertion, checkUrethraInsertion, "tissue"},
-        {"elastic_tube", "elastic_tube_parameters", readElasticTube, checkElasticTube, "", toolsOf<simulation::ElasticTubeParameters>},
-        {"object_handling", "object_handling_parameters", readObjectHandling, checkObjectHandling, "", toolsOf<simulation::ObjectHandlingParameters>},
-        {"palpation", "palpation_parameters", readPalpation, checkPalpation, "", toolsOf<simulation::PalpationParameters>},
+        {"urethra_insertion", "urethra_insertion_parameters", readUrethraInsertion, checkUrethraInsertion,
+         "tissue"},
+        {"elastic_tube", "elastic_tube_parameters", readElasticTube, checkElasticTube, "",
+         toolsOf<simulation::ElasticTubeParameters>},
+        {"object_handling", "object_handling_parameters", readObjectHandling, checkObjectHandling, "",
+         toolsOf<simulation::ObjectHandlingParameters>},
+        {"palpation", "palpation_parameters", readPalpation, checkPalpation, "",
+         toolsOf<simulation::PalpationParameters>},
         // Used by studies: no content file has such an exercise.
         {"comparison", "comparison_parameters", readComparison, checkComparison},
     });

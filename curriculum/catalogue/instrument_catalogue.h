@@ -13,7 +13,7 @@ namespace chiron::catalogue {
 /// A published questionnaire in the form in which it is put into a study.
 struct Instrument {
     psychophysics::Questionnaire questionnaire; ///< its id is the file's name
-    std::string source;     ///< the publication to cite
+    std::string source;                         ///< the publication to cite
     std::string permission; ///< why its wording may be used, and which parts of the wording are the program's
                             ///< own
 };
@@ -24,7 +24,8 @@ struct Instrument {
 /// the texts, English first; a text that a language lacks is shown in English.
 /// Thread: any.
 /// Errors: notFound; badInput naming every fault.
-core::Result<std::vector<Instrument>> loadInstruments(const std::string& contentDirectory = {},
-                                                      const std::vector<std::string>& languages = core::languageIds());
+core::Result<std::vector<Instrument>>
+loadInstruments(const std::string& contentDirectory = {},
+                const std::vector<std::string>& languages = core::languageIds());
 
 } // namespace chiron::catalogue

@@ -34,9 +34,8 @@ bool isUtf8(const QByteArray& bytes, QStringDecoder::Flag flag) {
 qsizetype firstBadByte(const QByteArray& bytes) {
     if (isUtf8(bytes, QStringDecoder::Flag::Stateless))
         return -1;
-    qsizetype good =
-        0; // bisection: every prefix is valid up to the fault; a sequence that the prefix's end cuts is not a
-           // fault
+    qsizetype good = 0; // bisection: every prefix is valid up to the fault; a sequence that the prefix's end
+                        // cuts is not a fault
     qsizetype bad = bytes.size() + 1;
     while (bad - good > 1) {
         const qsizetype middle = (good + bad) / 2;
@@ -55,14 +54,17 @@ core::Result<JsonFile> JsonFile::read(const QString& path, qsizetype mebibytes) 
     if ((info.exists() && !info.isFile()) || !file.open(QIODevice::ReadOnly))
         return core::fail(core::ErrorCode::notFound,
                           QStringLiteral("%1: %2: expected a file that can be read")
-                              .arg(path, info.exists() && !info.isFile() ? QStringLiteral("not a file") : file.errorString())
+                              .arg(path, info.exists() && !info.isFile() ? QStringLiteral("not a file")
+                                                                         : file.errorString())
                               .toStdString());
     return parse(file.read(mebibytes * kMebibyte + 1), path, mebibytes);
 }
 
 core::Result<JsonFile> JsonFile::parse(const QByteArray& bytes, const QString& name, qsizetype mebibytes) {
     if (bytes.size() > mebibytes * kMebibyte)
-        return refuse(name, bytes, 0, QStringLiteral("$: longer than %1 MiB: expected a content file of at most %1 MiB").arg(mebibytes));
+        return refuse(name, bytes, 0,
+                      QStringLiteral("$: longer than %1 MiB: expected a content file of at most %1 MiB")
+                          .arg(mebibytes));
     if (const qsizetype bad = firstBadByte(bytes); bad >= 0)
         return refuse(name, bytes, bad,
                       QStringLiteral("$: byte 0x%1: expected UTF-8")

@@ -21,7 +21,8 @@ class JsonFile {
 public:
     /// Errors: notFound; badInput as `file:line:column: ...: expected ...`.
     static core::Result<JsonFile> read(const QString& path, qsizetype mebibytes = 1);
-    static core::Result<JsonFile> parse(const QByteArray& bytes, const QString& name, qsizetype mebibytes = 1);
+    static core::Result<JsonFile> parse(const QByteArray& bytes, const QString& name,
+                                        qsizetype mebibytes = 1);
     /// Size limit for a mesh with as many vertices and triangles as content may hold
     /// (simulation::kMostStoredTriangles), or for a level with such a mesh.
     static constexpr qsizetype kMeshMebibytes = 8;

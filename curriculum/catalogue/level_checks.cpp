@@ -77,11 +77,13 @@ void checkMounting(const ExerciseLevel& level, Problems& problems) {
     if (level.mounting.empty())
         return;
     const ExerciseContent* content = findExerciseContent(level.exercise);
-    const int most = content != nullptr && content->mountable != nullptr ? content->mountable(level.parameters) : 0;
+    const int most =
+        content != nullptr && content->mountable != nullptr ? content->mountable(level.parameters) : 0;
     const auto given = static_cast<int>(level.mounting.size());
     if (most == 0)
         problems.push_back({QStringLiteral("$.mounting"), QStringLiteral("given"),
-                            QStringLiteral("none: the devices of %1 stand as they are built").arg(QString::fromStdString(level.exercise))});
+                            QStringLiteral("none: the devices of %1 stand as they are built")
+                                .arg(QString::fromStdString(level.exercise))});
     else if (given > most)
         problems.push_back({QStringLiteral("$.mounting"), QStringLiteral("%1 bases").arg(given),
                             QStringLiteral("at most one for each of the level's %1 instruments").arg(most)});

@@ -21,10 +21,14 @@ struct Key {
 constexpr double kMm = 1e3;
 
 constexpr Key kKeys[] = {
-    {"half_axis_x_mm", &MeshSource::halfAxisX_m},       {"half_axis_y_mm", &MeshSource::halfAxisY_m},
-    {"half_axis_z_mm", &MeshSource::halfAxisZ_m},       {"plate_radius_mm", &MeshSource::plateRadius_m},
-    {"plate_thickness_mm", &MeshSource::plateThickness_m}, {"edge_mm", &MeshSource::edge_m},
-    {"bump_height_mm", &MeshSource::bumpHeight_m},      {"bump_wavelength_mm", &MeshSource::bumpWavelength_m},
+    {"half_axis_x_mm", &MeshSource::halfAxisX_m},
+    {"half_axis_y_mm", &MeshSource::halfAxisY_m},
+    {"half_axis_z_mm", &MeshSource::halfAxisZ_m},
+    {"plate_radius_mm", &MeshSource::plateRadius_m},
+    {"plate_thickness_mm", &MeshSource::plateThickness_m},
+    {"edge_mm", &MeshSource::edge_m},
+    {"bump_height_mm", &MeshSource::bumpHeight_m},
+    {"bump_wavelength_mm", &MeshSource::bumpWavelength_m},
 };
 
 /// In the order of MeshSource::Shape.
@@ -37,8 +41,8 @@ void readShape(const ObjectReader& json, MeshSource& out) {
             out.shape = static_cast<MeshSource::Shape>(i);
             return;
         }
-    json.problems().push_back({memberPath(json.path(), "shape"), quoted(name),
-                               QStringLiteral("none, dome, ellipsoid or stored")});
+    json.problems().push_back(
+        {memberPath(json.path(), "shape"), quoted(name), QStringLiteral("none, dome, ellipsoid or stored")});
 }
 
 template <class Whole> void readWholes(const ObjectReader& json, const char* key, std::vector<Whole>& out) {
@@ -46,7 +50,8 @@ template <class Whole> void readWholes(const ObjectReader& json, const char* key
         return;
     const QString path = memberPath(json.path(), key);
     if (!json.json()[QLatin1String(key)].isArray()) {
-        json.problems().push_back({path, QStringLiteral("another type"), QStringLiteral("an array of whole numbers")});
+        json.problems().push_back(
+            {path, QStringLiteral("another type"), QStringLiteral("an array of whole numbers")});
         return;
     }
     const QJsonArray array = json.json()[QLatin1String(key)].toArray();
@@ -54,8 +59,8 @@ template <class Whole> void readWholes(const ObjectReader& json, const char* key
         const double value = array[i].toDouble(std::numeric_limits<double>::quiet_NaN());
         if (!(value == std::floor(value)) || value < static_cast<double>(std::numeric_limits<Whole>::min()) ||
             value > static_cast<double>(std::numeric_limits<Whole>::max())) {
-            json.problems().push_back({elementPath(path, i), QStringLiteral("no whole number"),
-                                       QStringLiteral("a whole number")});
+            json.problems().push_back(
+                {elementPath(path, i), QStringLiteral("no whole number"), QStringLiteral("a whole number")});
             return;
         }
         out.push_back(static_cast<Whole>(value));
@@ -85,12 +90,14 @@ void checkSurface(const MeshSource& mesh, const QString& path, Problems& problem
     const std::size_t before = problems.size();
     for (const simulation::MeshFinding& finding : simulation::importMesh(*shape).report.findings)
         if (!finding.repaired || !isHarmless(finding.problem))
-            problems.push_back({at, QString::fromStdString(finding.place + ": " + finding.found),
-                                QString::fromStdString(finding.expected + " (chiron-cli mesh import writes such)")});
+            problems.push_back(
+                {at, QString::fromStdString(finding.place + ": " + finding.found),
+                 QString::fromStdString(finding.expected + " (chiron-cli mesh import writes such)")});
     if (problems.size() > before)
         return;
     if (const auto made = simulation::makeMesh(mesh); !made)
-        problems.push_back({at, QString::fromStdString(made.error().message), QStringLiteral("a closed surface")});
+        problems.push_back(
+            {at, QString::fromStdString(made.error().message), QStringLiteral("a closed surface")});
 }
 
 } // namespace
@@ -122,7 +129,8 @@ void checkMesh(const MeshSource& mesh, const QString& path, Problems& problems) 
     };
     if (mesh.shape != MeshSource::Shape::stored) {
         if (!mesh.vertices_um.empty() || !mesh.triangles.empty())
-            wrong("triangles", QStringLiteral("given"), QStringLiteral("none: only a stored mesh has its own"));
+            wrong("triangles", QStringLiteral("given"),
+                  QStringLiteral("none: only a stored mesh has its own"));
         if (mesh.bumpHeight_m > 0.0 && mesh.bumpWavelength_m < 4.0 * mesh.edge_m)
             wrong("bump_wavelength_mm", QString::number(mesh.bumpWavelength_m * kMm),
                   QStringLiteral("at least four edges, %1 mm").arg(4.0 * mesh.edge_m * kMm));
@@ -130,9 +138,11 @@ void checkMesh(const MeshSource& mesh, const QString& path, Problems& problems) 
     }
     const std::size_t before = problems.size();
     if (mesh.vertices_um.size() < 12 || mesh.vertices_um.size() % 3 != 0)
-        wrong("vertices_um", QString::number(mesh.vertices_um.size()), QStringLiteral("three numbers a vertex, four vertices at least"));
+        wrong("vertices_um", QString::number(mesh.vertices_um.size()),
+              QStringLiteral("three numbers a vertex, four vertices at least"));
     if (mesh.triangles.size() < 12 || mesh.triangles.size() % 3 != 0)
-        wrong("triangles", QString::number(mesh.triangles.size()), QStringLiteral("three numbers a triangle, four triangles at least"));
+        wrong("triangles", QString::number(mesh.triangles.size()),
+              QStringLiteral("three numbers a triangle, four triangles at least"));
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         if (mesh.triangles[i] >= mesh.vertices_um.size() / 3) {
             problems.push_back({elementPath(memberPath(path, "triangles"), static_cast<qsizetype>(i)),

@@ -28,7 +28,8 @@ struct NamedContent::Kind {
     const char* contentSchema; ///< schema of those numbers
 };
 
-core::Result<NamedContent> NamedContent::read(const QString& directory, const std::vector<std::string>& languages) {
+core::Result<NamedContent> NamedContent::read(const QString& directory,
+                                              const std::vector<std::string>& languages) {
     NamedContent content;
     for (const Kind& kind : {Kind{"object", "objects", "attributes", "object_attributes"},
                              Kind{"mesh", "meshes", "shape", "mesh_source"},
@@ -37,7 +38,8 @@ core::Result<NamedContent> NamedContent::read(const QString& directory, const st
     return content;
 }
 
-core::Result<void> NamedContent::readFolder(const QString& directory, const std::vector<std::string>& languages, const Kind& kind) {
+core::Result<void> NamedContent::readFolder(const QString& directory,
+                                            const std::vector<std::string>& languages, const Kind& kind) {
     const QDir folder(directory + '/' + QLatin1String(kind.folder));
     m_named[QLatin1String(kind.key)] = {};
     const QFileInfoList files = folder.entryInfoList({"*.json"}, QDir::Files, QDir::Name);
@@ -57,7 +59,8 @@ core::Result<void> NamedContent::readFolder(const QString& directory, const std:
     return texts->finish();
 }
 
-core::Result<void> NamedContent::readNamed(const QString& path, const Kind& kind, const Schema& file, const Schema& content, ContentTexts& texts) {
+core::Result<void> NamedContent::readNamed(const QString& path, const Kind& kind, const Schema& file,
+                                           const Schema& content, ContentTexts& texts) {
     const auto json = JsonFile::read(path, JsonFile::kMeshMebibytes);
     CHIRON_TRY(json);
     const QString member = QLatin1String(kind.member);
@@ -68,7 +71,8 @@ core::Result<void> NamedContent::readNamed(const QString& path, const Kind& kind
     QJsonObject root = json->root();
     QJsonObject numbers = root[member].toObject();
     if (numbers.contains(key))
-        problems.push_back({memberPath(at, key), QStringLiteral("given"), QStringLiteral("none: it names no other")});
+        problems.push_back(
+            {memberPath(at, key), QStringLiteral("given"), QStringLiteral("none: it names no other")});
     numbers.insert(key, id);
     const QJsonObject full = validated(numbers, content, at, problems).toObject();
     if (root[member].isObject())
@@ -83,13 +87,16 @@ core::Result<void> NamedContent::readNamed(const QString& path, const Kind& kind
         const ObjectReader text(root, QStringLiteral("$"), problems);
         const ObjectReader typed(full, at, problems);
         if (key == QLatin1String("object")) {
-            m_objects.push_back({text.text("id"), text.translated("title"), text.text("source"), readObject(typed)});
+            m_objects.push_back(
+                {text.text("id"), text.translated("title"), text.text("source"), readObject(typed)});
             checkObject(m_objects.back().attributes, at, problems);
         } else if (key == QLatin1String("mesh")) {
-            m_meshes.push_back({text.text("id"), text.translated("title"), text.text("source"), readMesh(typed)});
+            m_meshes.push_back(
+                {text.text("id"), text.translated("title"), text.text("source"), readMesh(typed)});
             checkMesh(m_meshes.back().mesh, at, problems);
         } else {
-            m_tissues.push_back({text.text("id"), text.translated("title"), text.text("source"), readTissue(typed)});
+            m_tissues.push_back(
+                {text.text("id"), text.translated("title"), text.text("source"), readTissue(typed)});
             checkTissue(m_tissues.back().parameters, at, problems);
         }
     }

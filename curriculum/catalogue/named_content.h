@@ -20,13 +20,15 @@ namespace chiron::catalogue {
 class NamedContent {
 public:
     /// Errors: badInput for a fault in one of the files, with its place.
-    static core::Result<NamedContent> read(const QString& directory, const std::vector<std::string>& languages = core::languageIds());
+    static core::Result<NamedContent> read(const QString& directory,
+                                           const std::vector<std::string>& languages = core::languageIds());
 
     /// Returns `parameters` with every named item filled in. A member whose schema has a key "object"
     /// ("mesh", "tissue") may be given as a name or as an object with that key; it becomes the numbers of the
     /// named item, overridden by the numbers given. A member that is not given takes its schema's default,
     /// which is filled in the same way. Paths in `problems` are below `path`.
-    QJsonObject filledIn(const QJsonObject& parameters, const Schema& schema, const QString& path, Problems& problems) const;
+    QJsonObject filledIn(const QJsonObject& parameters, const Schema& schema, const QString& path,
+                         Problems& problems) const;
 
     const std::vector<ContentObject>& objects() const { return m_objects; }
     const std::vector<ContentMesh>& meshes() const { return m_meshes; }
@@ -37,8 +39,10 @@ private:
     struct Kind; ///< describes objects, meshes or tissues: folder, schemas, keys
     using Named = std::map<QString, QJsonObject>;
 
-    core::Result<void> readFolder(const QString& directory, const std::vector<std::string>& languages, const Kind& kind);
-    core::Result<void> readNamed(const QString& path, const Kind& kind, const Schema& file, const Schema& content, ContentTexts& texts);
+    core::Result<void> readFolder(const QString& directory, const std::vector<std::string>& languages,
+                                  const Kind& kind);
+    core::Result<void> readNamed(const QString& path, const Kind& kind, const Schema& file,
+                                 const Schema& content, ContentTexts& texts);
 
     std::map<QString, Named> m_named; ///< "object", "mesh", "tissue" → name → its numbers as given
     std::vector<ContentObject> m_objects;

@@ -61,8 +61,7 @@ void checkObject(const Object& object, const QString& path, Problems& problems) 
         problems.push_back({memberPath(path, "recovery_share"), QString::number(object.recoveryShare),
                             QStringLiteral("above 0 together with recovery_s, or both 0")});
     // RMS slope along one direction of plane waves of one wavelength in all directions: 2π rms/(√3 λ)
-    const double slope =
-        2.0 * core::kPi / std::sqrt(3.0) * object.roughness_m / object.roughnessWavelength_m;
+    const double slope = 2.0 * core::kPi / std::sqrt(3.0) * object.roughness_m / object.roughnessWavelength_m;
     if (slope > kSteepest)
         problems.push_back({memberPath(path, "roughness_um"), QString::number(object.roughness_m * kUm),
                             QStringLiteral("at most %1 µm at this wavelength: a slope of %2")

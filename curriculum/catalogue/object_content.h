@@ -24,7 +24,8 @@ struct ContentMesh {
 };
 
 /// Reads an object from the parameters of an exercise. The exercise's schema declares the member as
-///   "tube": {"$ref": "object_attributes.json", "default": {"object": "fallopian_tube"}, "description": "..."}
+///   "tube": {"$ref": "object_attributes.json", "default": {"object": "fallopian_tube"}, "description":
+///   "..."}
 /// and a level gives `"tube": "ovary"` or `"tube": {"object": "ovary", "friction": 0.1}`. The resolved
 /// document contains all the numbers, so that editing an object later changes no stored session. This
 /// function reads that resolved member. A key that is absent keeps the struct's default (the content was

@@ -21,7 +21,8 @@ public:
     double number(const QString& key) const;
     int integer(const QString& key) const;
     bool boolean(const QString& key) const;
-    Translated translated(const QString& key) const; ///< an object with a text per language, or a text in English
+    Translated
+    translated(const QString& key) const; ///< an object with a text per language, or a text in English
     std::vector<std::string> texts(const QString& key) const;
     void eachObject(const QString& key, const std::function<void(const ObjectReader&)>& visit) const;
     ObjectReader object(const QString& key) const;

@@ -20,7 +20,9 @@ namespace {
 constexpr double kMostGridValues = 1e6;
 constexpr std::string_view kStop = "stop";
 
-QString text(std::string_view key) { return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size())); }
+QString text(std::string_view key) {
+    return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
+}
 
 std::vector<double> numbersAt(const QJsonValue& value, const QString& path, Problems& problems) {
     std::vector<double> numbers;
@@ -29,7 +31,8 @@ std::vector<double> numbersAt(const QJsonValue& value, const QString& path, Prob
     const QJsonArray array = value.toArray();
     for (qsizetype i = 0; i < array.size(); ++i) {
         if (!array[i].isDouble() || !std::isfinite(array[i].toDouble()))
-            problems.push_back({elementPath(path, i), QStringLiteral("another type"), QStringLiteral("a number")});
+            problems.push_back(
+                {elementPath(path, i), QStringLiteral("another type"), QStringLiteral("a number")});
         numbers.push_back(array[i].toDouble());
     }
     return numbers;
@@ -39,7 +42,8 @@ std::vector<double> numbersAt(const QJsonValue& value, const QString& path, Prob
 std::vector<double> gridOf(const ObjectReader& json) {
     for (const char* key : {"from", "to", "step"})
         if (json.has("values") && json.has(key))
-            json.problems().push_back({memberPath(json.path(), key), QStringLiteral("beside values"), QStringLiteral("either values, or from, to and step")});
+            json.problems().push_back({memberPath(json.path(), key), QStringLiteral("beside values"),
+                                       QStringLiteral("either values, or from, to and step")});
     if (json.has("values") || !json.has("from"))
         return numbersAt(json.json().value("values"), memberPath(json.path(), "values"), json.problems());
     const double from = json.number("from");
@@ -47,7 +51,8 @@ std::vector<double> gridOf(const ObjectReader& json) {
     const double step = json.number("step");
     std::vector<double> values;
     if (!(step > 0.0) || !(to >= from) || !((to - from) / step < kMostGridValues)) {
-        json.problems().push_back({memberPath(json.path(), "step"), QString::number(step), QStringLiteral("a step above 0, and to at least from")});
+        json.problems().push_back({memberPath(json.path(), "step"), QString::number(step),
+                                   QStringLiteral("a step above 0, and to at least from")});
         return values;
     }
     const double count = std::floor((to - from) / step + 1e-6);
@@ -65,15 +70,20 @@ public:
     ParameterValue operator()(int) const { return m_json.integer(m_key); }
     ParameterValue operator()(bool) const { return m_json.boolean(m_key); }
     ParameterValue operator()(const std::string&) const { return m_json.text(m_key); }
-    ParameterValue operator()(const std::optional<double>&) const { return std::optional<double>(m_json.number(m_key)); }
-    ParameterValue operator()(const std::vector<double>&) const { return numbersAt(m_json.json().value(m_key), path(), m_json.problems()); }
+    ParameterValue operator()(const std::optional<double>&) const {
+        return std::optional<double>(m_json.number(m_key));
+    }
+    ParameterValue operator()(const std::vector<double>&) const {
+        return numbersAt(m_json.json().value(m_key), path(), m_json.problems());
+    }
 
     ParameterValue operator()(std::uint64_t before) const {
         const double value = m_json.number(m_key);
         // A JSON number holds every integer up to 2^53 exactly.
         if (value >= 0.0 && value <= 9007199254740992.0 && value == std::floor(value))
             return static_cast<std::uint64_t>(value);
-        m_json.problems().push_back({path(), QString::number(value), QStringLiteral("a whole number from 0 to 2^53")});
+        m_json.problems().push_back(
+            {path(), QString::number(value), QStringLiteral("a whole number from 0 to 2^53")});
         return before;
     }
 
@@ -81,7 +91,8 @@ public:
         StimulusGrids grids;
         m_json.eachObject(m_key, [&grids](const ObjectReader& json) {
             grids.emplace_back(json.text("name"), gridOf(json));
-            refuseUnknownKeys(json, {"name", "values", "from", "to", "step"}, QStringLiteral("a key of a stimulus dimension"));
+            refuseUnknownKeys(json, {"name", "values", "from", "to", "step"},
+                              QStringLiteral("a key of a stimulus dimension"));
         });
         return grids;
     }
@@ -93,11 +104,13 @@ public:
             grid.name = json.text("name");
             grid.values = gridOf(json);
             if (json.has("prior"))
-                grid.prior = numbersAt(json.json().value("prior"), memberPath(json.path(), "prior"), json.problems());
+                grid.prior =
+                    numbersAt(json.json().value("prior"), memberPath(json.path(), "prior"), json.problems());
             if (json.has("nuisance"))
                 grid.nuisance = json.boolean("nuisance");
             grids.push_back(std::move(grid));
-            refuseUnknownKeys(json, {"name", "values", "from", "to", "step", "prior", "nuisance"}, QStringLiteral("a key of a parameter's grid"));
+            refuseUnknownKeys(json, {"name", "values", "from", "to", "step", "prior", "nuisance"},
+                              QStringLiteral("a key of a parameter's grid"));
         });
         return grids;
     }
@@ -106,12 +119,14 @@ public:
         OutcomeProbabilities table;
         const QJsonArray outcomes = m_json.json().value(m_key).toArray();
         if (outcomes.isEmpty())
-            m_json.problems().push_back({path(), QStringLiteral("no outcomes"), QStringLiteral("an array [outcome][stimulus][parameter cell]")});
+            m_json.problems().push_back({path(), QStringLiteral("no outcomes"),
+                                         QStringLiteral("an array [outcome][stimulus][parameter cell]")});
         for (qsizetype r = 0; r < outcomes.size(); ++r) {
             const QJsonArray stimuli = outcomes[r].toArray();
             table.emplace_back();
             for (qsizetype x = 0; x < stimuli.size(); ++x)
-                table.back().push_back(numbersAt(stimuli[x], elementPath(elementPath(path(), r), x), m_json.problems()));
+                table.back().push_back(
+                    numbersAt(stimuli[x], elementPath(elementPath(path(), r), x), m_json.problems()));
         }
         return table;
     }
@@ -130,13 +145,19 @@ struct ValueWriter {
     QJsonValue operator()(bool value) const { return value; }
     QJsonValue operator()(std::uint64_t value) const { return static_cast<double>(value); }
     QJsonValue operator()(const std::string& value) const { return QString::fromStdString(value); }
-    QJsonValue operator()(const std::optional<double>& value) const { return value ? QJsonValue(*value) : QJsonValue(QJsonValue::Undefined); }
-    QJsonValue operator()(const OutcomeProbabilities& value) const { return value.empty() ? QJsonValue(QJsonValue::Undefined) : QJsonValue(array(value)); }
+    QJsonValue operator()(const std::optional<double>& value) const {
+        return value ? QJsonValue(*value) : QJsonValue(QJsonValue::Undefined);
+    }
+    QJsonValue operator()(const OutcomeProbabilities& value) const {
+        return value.empty() ? QJsonValue(QJsonValue::Undefined) : QJsonValue(array(value));
+    }
     QJsonValue operator()(const std::pair<std::string, std::vector<double>>& value) const {
         return QJsonObject{{"name", QString::fromStdString(value.first)}, {"values", array(value.second)}};
     }
     QJsonValue operator()(const ParameterGrid& value) const {
-        QJsonObject grid{{"name", QString::fromStdString(value.name)}, {"values", array(value.values)}, {"nuisance", value.nuisance}};
+        QJsonObject grid{{"name", QString::fromStdString(value.name)},
+                         {"values", array(value.values)},
+                         {"nuisance", value.nuisance}};
         if (!value.prior.empty())
             grid.insert("prior", array(value.prior));
         return grid;
@@ -163,11 +184,13 @@ void readRow(const Parameter& row, const ObjectReader& json, ProcedureSpec& spec
     const ParameterValue value = std::visit(ValueReader(json, row.key), row.get(spec));
     row.set(spec, value);
     // Not a word of this key.
-    if (const auto* word = std::get_if<std::string>(&value); word && std::get<std::string>(row.get(spec)) != *word) {
+    if (const auto* word = std::get_if<std::string>(&value);
+        word && std::get<std::string>(row.get(spec)) != *word) {
         QStringList words;
         for (const ParameterWord& each : row.words)
             words << text(each.word);
-        json.problems().push_back({memberPath(json.path(), text(row.key)), quoted(QString::fromStdString(*word)), "one of " + words.join(", ")});
+        json.problems().push_back({memberPath(json.path(), text(row.key)),
+                                   quoted(QString::fromStdString(*word)), "one of " + words.join(", ")});
     }
 }
 
@@ -195,11 +218,15 @@ void readStopRules(const std::vector<Parameter>& rows, const ObjectReader& json,
         const double value = numberOf(row.get(spec));
         const QString path = memberPath(json.path(), text(row.key));
         if (!(value >= row.minimum))
-            json.problems().push_back({path, QString::number(value), QStringLiteral("at least %1").arg(row.minimum)});
+            json.problems().push_back(
+                {path, QString::number(value), QStringLiteral("at least %1").arg(row.minimum)});
         for (const Parameter& other : rows)
-            if (const double most = other.object == kStop && other.key == row.noMoreThan ? numberOf(other.get(spec)) : 0.0; most > 0.0 && value > most)
-                json.problems().push_back({path, QString::number(static_cast<qint64>(value)),
-                                           QStringLiteral("at most %1, %2").arg(text(other.key)).arg(static_cast<qint64>(most))});
+            if (const double most =
+                    other.object == kStop && other.key == row.noMoreThan ? numberOf(other.get(spec)) : 0.0;
+                most > 0.0 && value > most)
+                json.problems().push_back(
+                    {path, QString::number(static_cast<qint64>(value)),
+                     QStringLiteral("at most %1, %2").arg(text(other.key)).arg(static_cast<qint64>(most))});
     }
 }
 
@@ -236,12 +263,14 @@ ProcedureSpec readProcedure(const ObjectReader& json) {
         return spec;
     }
     if (json.json().value("kind").isString())
-        json.problems().push_back({memberPath(json.path(), "kind"), quoted(word),
-                                   "one of " + QString::fromStdString(procedureKindIds()) + didYouMean(word, known)});
+        json.problems().push_back(
+            {memberPath(json.path(), "kind"), quoted(word),
+             "one of " + QString::fromStdString(procedureKindIds()) + didYouMean(word, known)});
     return procedureKinds().front()->defaults();
 }
 
-core::Result<ProcedureSpec> readProcedure(const QByteArray& json, const std::string& file, const Schema& schema) {
+core::Result<ProcedureSpec> readProcedure(const QByteArray& json, const std::string& file,
+                                          const Schema& schema) {
     constexpr qsizetype kMostMebibytes = 16; // a table of many outcomes has a million numbers
     const auto parsed = JsonFile::parse(json, QString::fromStdString(file), kMostMebibytes);
     CHIRON_TRY(parsed);

@@ -20,7 +20,8 @@ psychophysics::ProcedureSpec readProcedure(const ObjectReader& json);
 /// Reads a procedure from a file of its own, which must also keep the limits of the schema (procedure.json).
 /// A frozen study is read without those limits.
 /// Errors: badInput, naming every fault as `file:line:column: $.path: found: expected ...`.
-core::Result<psychophysics::ProcedureSpec> readProcedure(const QByteArray& json, const std::string& file, const Schema& schema);
+core::Result<psychophysics::ProcedureSpec> readProcedure(const QByteArray& json, const std::string& file,
+                                                         const Schema& schema);
 
 /// Writes every key of the procedure's kind, so that readProcedure reads the same procedure back.
 QJsonObject writeProcedure(const psychophysics::ProcedureSpec& spec);

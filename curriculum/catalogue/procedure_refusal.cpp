@@ -45,11 +45,13 @@ void addRefusal(const core::Error& error, const ObjectReader& json, const QJsonO
     const Refused at = inside(value, {memberPath(json.path(), key), message.section(": ", 1)});
     QString found = given ? QStringLiteral("not usable") : QStringLiteral("missing");
     if (value.isString() || value.isDouble())
-        found = (value.isString() ? quoted(value.toString()) : QString::number(value.toDouble())) + (given ? "" : " by default");
+        found = (value.isString() ? quoted(value.toString()) : QString::number(value.toDouble())) +
+                (given ? "" : " by default");
     else if (const QString place = at.rest.section("expected ", 0, 0); given && place.endsWith(": "))
         found = place.chopped(2); // the message names the place in the list or table and the value found
                                   // there
-    json.problems().push_back({at.path, found, message.contains("expected ") ? message.section("expected ", -1) : message});
+    json.problems().push_back(
+        {at.path, found, message.contains("expected ") ? message.section("expected ", -1) : message});
 }
 
 } // namespace chiron::catalogue

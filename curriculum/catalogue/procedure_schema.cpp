@@ -21,12 +21,14 @@ using namespace psychophysics;
 
 namespace {
 
-QString words(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
+QString words(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
 
 /// A JSON value whose keys keep the order in which they were added, which is the order in which people read
 /// them.
 struct Node {
-    QString scalar{};                              ///< as written; empty for an object or a list
+    QString scalar{}; ///< as written; empty for an object or a list
     std::vector<std::pair<QString, Node>> members{};
     std::vector<Node> items{};
 
@@ -35,7 +37,9 @@ struct Node {
         return {QString::fromUtf8(list.mid(1, list.size() - 2))};
     }
     static Node of(double number) { return {QString::number(number, 'g', 16)}; }
-    void add(const char* key, Node value) { members.emplace_back(QString::fromLatin1(key), std::move(value)); }
+    void add(const char* key, Node value) {
+        members.emplace_back(QString::fromLatin1(key), std::move(value));
+    }
 };
 
 QString written(const Node& node, int depth = 0) {
@@ -49,10 +53,12 @@ QString written(const Node& node, int depth = 0) {
     for (const Node& item : node.items)
         lines << inside + written(item, depth + 1);
     const QString brackets = node.items.empty() ? QStringLiteral("{}") : QStringLiteral("[]");
-    return brackets.left(1) + '\n' + lines.join(QStringLiteral(",\n")) + '\n' + QString(kIndent * depth, QLatin1Char(' ')) + brackets.right(1);
+    return brackets.left(1) + '\n' + lines.join(QStringLiteral(",\n")) + '\n' +
+           QString(kIndent * depth, QLatin1Char(' ')) + brackets.right(1);
 }
 
-Node numberNode(const char* type, const QString& unit, double minimum, double maximum, const QString& description) {
+Node numberNode(const char* type, const QString& unit, double minimum, double maximum,
+                const QString& description) {
     Node node;
     node.add("type", Node::of(QString::fromLatin1(type)));
     node.add("unit", Node::of(unit));
@@ -104,17 +110,27 @@ Node gridNode(const QString& description, const QString& unit, bool withPrior) {
     Node name = textNode(QStringLiteral("Of the dimension or parameter, as the function calls it."));
     name.add("minLength", Node::of(1));
     name.add("maxLength", Node::of(64));
-    const auto number = [&unit](double minimum, const char* says) { return numberNode("number", unit, minimum, kUnbounded, QString::fromLatin1(says)); };
+    const auto number = [&unit](double minimum, const char* says) {
+        return numberNode("number", unit, minimum, kUnbounded, QString::fromLatin1(says));
+    };
     Node grid;
     grid.add("name", std::move(name));
-    grid.add("values", arrayNode(1, kMostValues, QStringLiteral("The values themselves; or from, to and step."), number(-kUnbounded, "One number, in the procedure's unit.")));
+    grid.add("values",
+             arrayNode(1, kMostValues, QStringLiteral("The values themselves; or from, to and step."),
+                       number(-kUnbounded, "One number, in the procedure's unit.")));
     grid.add("from", number(-kUnbounded, "First value of an even grid."));
     grid.add("to", number(-kUnbounded, "Last value of it."));
     grid.add("step", number(kSmallestStep, "Between neighbours."));
     if (withPrior) {
-        grid.add("prior", arrayNode(1, kMostValues, QStringLiteral("Prior weight of each value; any positive scale. Default: all alike."),
-                                    numberNode("number", QStringLiteral("1"), 0.0, kUnbounded, QStringLiteral("A weight."))));
-        grid.add("nuisance", yesNoNode(QStringLiteral("Left out of the entropy that trials are chosen by (Prins 2013). Default false.")));
+        grid.add(
+            "prior",
+            arrayNode(
+                1, kMostValues,
+                QStringLiteral("Prior weight of each value; any positive scale. Default: all alike."),
+                numberNode("number", QStringLiteral("1"), 0.0, kUnbounded, QStringLiteral("A weight."))));
+        grid.add("nuisance",
+                 yesNoNode(QStringLiteral(
+                     "Left out of the entropy that trials are chosen by (Prins 2013). Default false.")));
     }
     return objectNode(description, std::move(grid), "name");
 }
@@ -124,9 +140,13 @@ struct NodeOf {
     Parameter row;
     QString description;
 
-    Node operator()(double) const { return numberNode("number", words(row.unit), row.minimum, row.maximum, description); }
+    Node operator()(double) const {
+        return numberNode("number", words(row.unit), row.minimum, row.maximum, description);
+    }
     Node operator()(const std::optional<double>&) const { return (*this)(0.0); }
-    Node operator()(int) const { return numberNode("integer", words(row.unit), row.minimum, row.maximum, description); }
+    Node operator()(int) const {
+        return numberNode("integer", words(row.unit), row.minimum, row.maximum, description);
+    }
     Node operator()(std::uint64_t) const { return (*this)(0); }
     Node operator()(bool) const { return yesNoNode(description); }
     Node operator()(const std::string&) const {
@@ -137,13 +157,21 @@ struct NodeOf {
         node.add("enum", std::move(allowed));
         return node;
     }
-    Node operator()(const std::vector<double>&) const { return listOf(numberNode("number", words(row.unit), row.minimum, row.maximum, words(row.item))); }
-    Node operator()(const StimulusGrids&) const { return listOf(gridNode(words(row.item), words(row.unit), false)); }
-    Node operator()(const std::vector<ParameterGrid>&) const { return listOf(gridNode(words(row.item), words(row.unit), true)); }
+    Node operator()(const std::vector<double>&) const {
+        return listOf(numberNode("number", words(row.unit), row.minimum, row.maximum, words(row.item)));
+    }
+    Node operator()(const StimulusGrids&) const {
+        return listOf(gridNode(words(row.item), words(row.unit), false));
+    }
+    Node operator()(const std::vector<ParameterGrid>&) const {
+        return listOf(gridNode(words(row.item), words(row.unit), true));
+    }
     Node operator()(const OutcomeProbabilities&) const {
         constexpr int kMostCells = 1000000;
         const Node number = numberNode("number", words(row.unit), row.minimum, row.maximum, words(row.item));
-        return listOf(arrayNode(1, kMostValues, QStringLiteral("Of one outcome."), arrayNode(1, kMostCells, QStringLiteral("Of one stimulus, a number a cell."), number)));
+        return listOf(
+            arrayNode(1, kMostValues, QStringLiteral("Of one outcome."),
+                      arrayNode(1, kMostCells, QStringLiteral("Of one stimulus, a number a cell."), number)));
     }
 
 private:
@@ -172,7 +200,8 @@ struct Known {
     const Parameter* row;
 
     QString byDefault() const {
-        return row->byDefault.empty() ? std::visit(DefaultOf(), row->get(kind->defaults())) : words(row->byDefault);
+        return row->byDefault.empty() ? std::visit(DefaultOf(), row->get(kind->defaults()))
+                                      : words(row->byDefault);
     }
 };
 
@@ -180,7 +209,8 @@ struct Known {
 /// key in the same words.
 QString sentenceOf(const std::vector<Known>& alike) {
     const auto first = alike.front().byDefault();
-    const bool oneDefault = std::all_of(alike.begin(), alike.end(), [&](const Known& each) { return each.byDefault() == first; });
+    const bool oneDefault =
+        std::all_of(alike.begin(), alike.end(), [&](const Known& each) { return each.byDefault() == first; });
     QStringList kinds;
     for (const Known& each : alike)
         kinds << words(each.kind->id()) + (oneDefault ? QString() : " (default " + each.byDefault() + ")");
@@ -193,7 +223,9 @@ QString sentenceOf(const std::vector<Known>& alike) {
 QString descriptionOf(const std::vector<Known>& key) {
     std::vector<std::vector<Known>> groups;
     for (const Known& each : key) {
-        const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.front().row->description == each.row->description; });
+        const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+            return group.front().row->description == each.row->description;
+        });
         if (same == groups.end())
             groups.push_back({each});
         else
@@ -240,7 +272,8 @@ Keys keysIn(std::string_view object) {
         for (const Parameter& row : kind->rows()) {
             if (row.object != object)
                 continue;
-            const auto known = std::find_if(keys.begin(), keys.end(), [&](const auto& key) { return key.front().row->key == row.key; });
+            const auto known = std::find_if(keys.begin(), keys.end(),
+                                            [&](const auto& key) { return key.front().row->key == row.key; });
             if (known == keys.end())
                 keys.push_back({{kind, &row}});
             else
@@ -260,7 +293,8 @@ QString defaultRules(const Keys& keys) {
         QStringList rules;
         for (const auto& key : keys)
             for (const Known& each : key)
-                if (const QString value = each.byDefault(); each.kind == kind && value != QStringLiteral("0") && value != QStringLiteral("false"))
+                if (const QString value = each.byDefault();
+                    each.kind == kind && value != QStringLiteral("0") && value != QStringLiteral("false"))
                     rules << words(each.row->key) + " " + value;
         if (!rules.isEmpty())
             kinds << words(kind->id()) + " " + rules.join(QStringLiteral(", "));
@@ -273,8 +307,10 @@ Node stopNode() {
     Node properties;
     for (const auto& key : keys)
         properties.members.emplace_back(words(key.front().row->key), nodeOf(key, ruleOf(key)));
-    return objectNode("When the run ends: whichever of trials, reversals, sd comes first; 0 does not end it. At least one that the kind knows is needed; rules that are "
-                      "given replace the default ones whole. Default: " + defaultRules(keys) + ".",
+    return objectNode("When the run ends: whichever of trials, reversals, sd comes first; 0 does not end it. "
+                      "At least one that the kind knows is needed; rules that are "
+                      "given replace the default ones whole. Default: " +
+                          defaultRules(keys) + ".",
                       std::move(properties));
 }
 
@@ -285,7 +321,8 @@ Node kindNode() {
         kinds << words(kind->id()) + " (" + words(kind->words().title) + ")";
         allowed.items.push_back(Node::of(words(kind->id())));
     }
-    Node node = textNode("Which procedure: " + kinds.join(QStringLiteral(", ")) + ". The keys below say which kinds know them.");
+    Node node = textNode("Which procedure: " + kinds.join(QStringLiteral(", ")) +
+                         ". The keys below say which kinds know them.");
     node.add("enum", std::move(allowed));
     return node;
 }
@@ -301,9 +338,12 @@ QByteArray procedureSchema() {
     Node schema;
     schema.add("$schema", Node::of(QStringLiteral("https://json-schema.org/draft/2020-12/schema")));
     schema.add("title", Node::of(QStringLiteral("Procedure")));
-    schema.add("description", Node::of(QStringLiteral("How the stimuli of a run are chosen. x stands for the unit of the procedure's stimuli: in a study, D (log10 of a ratio) "
-                                                      "or log10 D. Outcome 1 is right (yes), 0 wrong (no); of rank3_quest_plus the six orders, 0 all correct. This file is made "
-                                                      "of the rows of the procedures (curriculum/psychophysics/procedures).")));
+    schema.add("description", Node::of(QStringLiteral(
+                                  "How the stimuli of a run are chosen. x stands for the unit of the "
+                                  "procedure's stimuli: in a study, D (log10 of a ratio) "
+                                  "or log10 D. Outcome 1 is right (yes), 0 wrong (no); of rank3_quest_plus "
+                                  "the six orders, 0 all correct. This file is made "
+                                  "of the rows of the procedures (curriculum/psychophysics/procedures).")));
     schema.add("type", Node::of(QStringLiteral("object")));
     schema.add("properties", std::move(properties));
     schema.add("required", Node{{}, {}, {Node::of(QStringLiteral("kind"))}});

@@ -35,9 +35,11 @@ void readMetricsAndGates(const ObjectReader& json, ExerciseLevel& level) {
 core::BaseMounting readMounting(const ObjectReader& json) {
     core::BaseMounting base;
     base.scale = json.number("scale");
-    base.origin_m = {core::mFromMm(json.number("shift_x_mm")), core::mFromMm(json.number("shift_y_mm")), core::mFromMm(json.number("shift_z_mm"))};
+    base.origin_m = {core::mFromMm(json.number("shift_x_mm")), core::mFromMm(json.number("shift_y_mm")),
+                     core::mFromMm(json.number("shift_z_mm"))};
     base.leftHanded = json.boolean("mirrored");
-    base.turn_rad = {core::radFromDeg(json.number("turn_deg")), core::radFromDeg(json.number("tilt_deg")), core::radFromDeg(json.number("roll_deg"))};
+    base.turn_rad = {core::radFromDeg(json.number("turn_deg")), core::radFromDeg(json.number("tilt_deg")),
+                     core::radFromDeg(json.number("roll_deg"))};
     return base;
 }
 
@@ -64,8 +66,11 @@ QJsonObject withoutTexts(QJsonObject document) {
 }
 
 std::string taskSha256(std::string_view resolvedJson) {
-    const QJsonObject document = QJsonDocument::fromJson(QByteArray(resolvedJson.data(), static_cast<qsizetype>(resolvedJson.size()))).object();
-    return document[QLatin1String("level")].isObject() ? sha256Hex(canonicalJson(withoutTexts(document))) : std::string();
+    const QJsonObject document =
+        QJsonDocument::fromJson(QByteArray(resolvedJson.data(), static_cast<qsizetype>(resolvedJson.size())))
+            .object();
+    return document[QLatin1String("level")].isObject() ? sha256Hex(canonicalJson(withoutTexts(document)))
+                                                       : std::string();
 }
 
 ExerciseLevel levelFromResolved(const QJsonObject& document, Problems& problems) {
@@ -93,7 +98,8 @@ ExerciseLevel levelFromResolved(const QJsonObject& document, Problems& problems)
         level.shownForce = ShownForceVariant{shown.texts("cues"), shown.translated("note")};
     }
     if (json.has("mounting"))
-        json.eachObject("mounting", [&](const ObjectReader& base) { level.mounting.push_back(readMounting(base)); });
+        json.eachObject("mounting",
+                        [&](const ObjectReader& base) { level.mounting.push_back(readMounting(base)); });
     readMetricsAndGates(json, level);
     if (const ExerciseContent* content = findExerciseContent(level.exercise))
         level.parameters = content->read(json.object("parameters"), level.cues);
@@ -119,7 +125,8 @@ core::Result<ExerciseLevel> fromResolvedJson(std::string_view json) {
 }
 
 core::Result<ExerciseLevel> withTrials(const ExerciseLevel& level, int most) {
-    const auto file = JsonFile::parse(QByteArray::fromStdString(level.resolvedJson), QStringLiteral("level"), JsonFile::kMeshMebibytes);
+    const auto file = JsonFile::parse(QByteArray::fromStdString(level.resolvedJson), QStringLiteral("level"),
+                                      JsonFile::kMeshMebibytes);
     CHIRON_TRY(file);
     QJsonObject document = file->root();
     QJsonObject inner = document["level"].toObject();

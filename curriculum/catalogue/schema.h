@@ -29,11 +29,11 @@ struct Schema {
     QJsonValue defaultValue = QJsonValue::Undefined;
     std::optional<double> minimum; ///< limit of the number, the text's length or the array's size; inclusive
     std::optional<double> maximum;
-    bool identifier = false;    ///< string: lower-case letters, digits and _, starting with a letter
+    bool identifier = false; ///< string: lower-case letters, digits and _, starting with a letter
     /// string: a text for people, in English (content_texts.h has its translations). An object with a text
     /// per language is accepted as well. Both forms become such an object.
     bool translated = false;
-    bool paragraphs = false; ///< translated: line breaks are allowed
+    bool paragraphs = false;    ///< translated: line breaks are allowed
     bool unique = false;        ///< array: no two equal elements
     std::vector<QString> oneOf; ///< string: the values allowed; empty = any
     std::map<QString, std::unique_ptr<Schema>> properties;

@@ -87,8 +87,10 @@ private:
                 schema.maximum = json[QLatin1String(key)].toDouble();
         schema.unique = schema.unique || json["uniqueItems"].toBool();
         schema.identifier = schema.identifier || json["format"].toString() == QLatin1String("identifier");
-        schema.paragraphs = schema.paragraphs || json["format"].toString() == QLatin1String("translated_paragraphs");
-        schema.translated = schema.translated || schema.paragraphs || json["format"].toString() == QLatin1String("translated");
+        schema.paragraphs =
+            schema.paragraphs || json["format"].toString() == QLatin1String("translated_paragraphs");
+        schema.translated = schema.translated || schema.paragraphs ||
+                            json["format"].toString() == QLatin1String("translated");
         for (const QJsonValue value : json["enum"].toArray())
             schema.oneOf.push_back(value.toString());
     }

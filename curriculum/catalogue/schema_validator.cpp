@@ -101,17 +101,20 @@ void checkText(const QString& text, const Schema& schema, const QString& path, P
     if (schema.identifier && !isIdentifier(text))
         problems.push_back(
             {path, quoted(text), QStringLiteral("lower-case letters, digits and _, a letter first")});
-    if (std::any_of(text.begin(), text.end(),
-                    [&](QChar c) { return (c.unicode() < 0x20 && !(schema.paragraphs && c == u'\n')) || c.unicode() == 0x7f; }))
+    if (std::any_of(text.begin(), text.end(), [&](QChar c) {
+            return (c.unicode() < 0x20 && !(schema.paragraphs && c == u'\n')) || c.unicode() == 0x7f;
+        }))
         problems.push_back({path, quoted(text), QStringLiteral("a text without control characters")});
 }
 
 bool looksLikeLanguage(const QString& key) {
-    return (key.size() == 2 || key.size() == 3) && std::all_of(key.begin(), key.end(), [](QChar c) { return c >= u'a' && c <= u'z'; });
+    return (key.size() == 2 || key.size() == 3) &&
+           std::all_of(key.begin(), key.end(), [](QChar c) { return c >= u'a' && c <= u'z'; });
 }
 
 /// Returns a text in English, or an object with a text per language, as the latter.
-QJsonValue checkedTranslation(const QJsonValue& value, const Schema& schema, const QString& path, Problems& problems) {
+QJsonValue checkedTranslation(const QJsonValue& value, const Schema& schema, const QString& path,
+                              Problems& problems) {
     if (value.isString()) {
         checkText(value.toString(), schema, path, problems);
         return QJsonObject{{QStringLiteral("en"), value}};
@@ -119,20 +122,23 @@ QJsonValue checkedTranslation(const QJsonValue& value, const Schema& schema, con
     const QJsonObject texts = value.toObject();
     const QStringList keys = texts.keys();
     if (std::none_of(keys.begin(), keys.end(), looksLikeLanguage)) {
-        problems.push_back({path, shown(value), range(schema, QStringLiteral("a text in English, of so many characters"))});
+        problems.push_back(
+            {path, shown(value), range(schema, QStringLiteral("a text in English, of so many characters"))});
         return value;
     }
     for (const QString& key : keys) {
         const QString at = memberPath(path, key);
         if (!looksLikeLanguage(key))
-            problems.push_back({at, QStringLiteral("unknown key"), QStringLiteral("a language, such as \"de\"")});
+            problems.push_back(
+                {at, QStringLiteral("unknown key"), QStringLiteral("a language, such as \"de\"")});
         else if (!texts[key].isString())
             problems.push_back({at, shown(texts[key]), typeName(Schema::Type::string)});
         else
             checkText(texts[key].toString(), schema, at, problems);
     }
     if (!texts.contains(QStringLiteral("en")))
-        problems.push_back({memberPath(path, QStringLiteral("en")), QStringLiteral("missing"), QStringLiteral("a text in English at least")});
+        problems.push_back({memberPath(path, QStringLiteral("en")), QStringLiteral("missing"),
+                            QStringLiteral("a text in English at least")});
     return value;
 }
 

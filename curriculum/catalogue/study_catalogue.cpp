@@ -14,7 +14,8 @@ namespace chiron::catalogue {
 namespace {
 
 /// Reads a study's file and lays the translations over it.
-core::Result<psychophysics::StudyDesign> readTemplate(const QString& path, const Schema* schema, ContentTexts& texts) {
+core::Result<psychophysics::StudyDesign> readTemplate(const QString& path, const Schema* schema,
+                                                      ContentTexts& texts) {
     constexpr qint64 kLargest_bytes = 1 << 20;
     const auto bytes = readWholeFile(path, kLargest_bytes);
     CHIRON_TRY(bytes);
@@ -22,19 +23,23 @@ core::Result<psychophysics::StudyDesign> readTemplate(const QString& path, const
     CHIRON_TRY(json);
     const QString id = QFileInfo(path).completeBaseName();
     Problems problems;
-    const QJsonObject document = schema ? texts.laid(json->root(), *schema, {id}, path, QStringLiteral("$"), problems) : json->root();
+    const QJsonObject document =
+        schema ? texts.laid(json->root(), *schema, {id}, path, QStringLiteral("$"), problems) : json->root();
     auto study = readStudy(document, *json);
     if (study && !problems.empty())
         return tl::unexpected(json->error(problems));
     if (study && QString::fromStdString(study->id) != id)
-        return core::fail(core::ErrorCode::badInput, path.toStdString() + ": $.id: \"" + study->id + "\": expected the name of its file");
+        return core::fail(core::ErrorCode::badInput, path.toStdString() + ": $.id: \"" + study->id +
+                                                         "\": expected the name of its file");
     return study;
 }
 
 } // namespace
 
-core::Result<StudyCatalogue> StudyCatalogue::load(const std::string& contentDirectory, const std::vector<std::string>& languages) {
-    const auto directory = contentDirectory.empty() ? findContentDirectory() : core::Result<std::string>(contentDirectory);
+core::Result<StudyCatalogue> StudyCatalogue::load(const std::string& contentDirectory,
+                                                  const std::vector<std::string>& languages) {
+    const auto directory =
+        contentDirectory.empty() ? findContentDirectory() : core::Result<std::string>(contentDirectory);
     CHIRON_TRY(directory);
     const QDir folder(QString::fromStdString(*directory) + "/studies");
     auto texts = ContentTexts::read(folder.path(), languages);
@@ -59,7 +64,8 @@ core::Result<StudyCatalogue> StudyCatalogue::load(const std::string& contentDire
 }
 
 const psychophysics::StudyDesign* StudyCatalogue::find(std::string_view id) const noexcept {
-    const auto found = std::find_if(m_studies.begin(), m_studies.end(), [&](const auto& study) { return study.id == id; });
+    const auto found =
+        std::find_if(m_studies.begin(), m_studies.end(), [&](const auto& study) { return study.id == id; });
     return found == m_studies.end() ? nullptr : &*found;
 }
 

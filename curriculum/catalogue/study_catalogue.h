@@ -18,7 +18,8 @@ public:
     /// Loads from this content folder or, if it is empty, from the one that findContentDirectory() finds.
     /// `languages` lists the languages of the texts, English first.
     /// Errors: notFound; badInput naming every fault.
-    static core::Result<StudyCatalogue> load(const std::string& contentDirectory = {}, const std::vector<std::string>& languages = core::languageIds());
+    static core::Result<StudyCatalogue> load(const std::string& contentDirectory = {},
+                                             const std::vector<std::string>& languages = core::languageIds());
 
     const std::vector<psychophysics::StudyDesign>& studies() const noexcept { return m_studies; } ///< by id
     /// Returns nullptr if there is none.

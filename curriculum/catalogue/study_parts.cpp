@@ -17,7 +17,8 @@ namespace {
 constexpr int kLongestText = 20000;
 
 template <class Owner, std::size_t n>
-void readNumbers(const ObjectReader& json, const NumberKey<Owner> (&keys)[n], Owner& out, std::vector<QString>& known) {
+void readNumbers(const ObjectReader& json, const NumberKey<Owner> (&keys)[n], Owner& out,
+                 std::vector<QString>& known) {
     for (const NumberKey<Owner>& key : keys) {
         known.push_back(QLatin1String(key.name));
         out.*key.member = readNumber(json, key.name, key.lowest, key.highest, out.*key.member);
@@ -25,7 +26,8 @@ void readNumbers(const ObjectReader& json, const NumberKey<Owner> (&keys)[n], Ow
 }
 
 template <class Owner, std::size_t n>
-void readWholes(const ObjectReader& json, const WholeKey<Owner> (&keys)[n], Owner& out, std::vector<QString>& known) {
+void readWholes(const ObjectReader& json, const WholeKey<Owner> (&keys)[n], Owner& out,
+                std::vector<QString>& known) {
     for (const WholeKey<Owner>& key : keys) {
         known.push_back(QLatin1String(key.name));
         out.*key.member = readWhole(json, key.name, key.lowest, key.highest, out.*key.member);
@@ -35,7 +37,8 @@ void readWholes(const ObjectReader& json, const WholeKey<Owner> (&keys)[n], Owne
 void readChoices(const ObjectReader& json, QuestionnaireItem& item) {
     const QJsonArray array = json.json()["choices"].toArray();
     if (array.size() < 2 || array.size() > 50)
-        addProblem(json, "choices", QString::number(array.size()), QStringLiteral("an array of 2 to 50 texts"));
+        addProblem(json, "choices", QString::number(array.size()),
+                   QStringLiteral("an array of 2 to 50 texts"));
     for (qsizetype i = 0; i < array.size(); ++i) {
         const QString at = elementPath(memberPath(json.path(), "choices"), i);
         const ObjectReader one(QJsonObject{{"text", array[i]}}, at, json.problems());
@@ -77,7 +80,8 @@ void addProblem(const ObjectReader& json, const char* key, const QString& found,
     json.problems().push_back({memberPath(json.path(), QLatin1String(key)), found, expected});
 }
 
-double readNumber(const ObjectReader& json, const char* key, double lowest, double highest, double otherwise) {
+double readNumber(const ObjectReader& json, const char* key, double lowest, double highest,
+                  double otherwise) {
     if (!json.has(QLatin1String(key)))
         return otherwise;
     const double value = json.number(QLatin1String(key));
@@ -91,7 +95,8 @@ int readWhole(const ObjectReader& json, const char* key, int lowest, int highest
         return otherwise;
     const int value = json.integer(QLatin1String(key));
     if (value < lowest || value > highest)
-        addProblem(json, key, QString::number(value), QStringLiteral("a whole number, %1 to %2").arg(lowest).arg(highest));
+        addProblem(json, key, QString::number(value),
+                   QStringLiteral("a whole number, %1 to %2").arg(lowest).arg(highest));
     return value;
 }
 
@@ -102,7 +107,8 @@ bool readSwitch(const ObjectReader& json, const char* key, bool otherwise) {
 std::string readIdentifier(const ObjectReader& json, const char* key) {
     static const QRegularExpression kIdentifier(QStringLiteral("^[a-z][a-z0-9_]{0,63}$"));
     const std::string id = json.text(QLatin1String(key));
-    if (!kIdentifier.match(QString::fromStdString(id)).hasMatch() && json.json()[QLatin1String(key)].isString())
+    if (!kIdentifier.match(QString::fromStdString(id)).hasMatch() &&
+        json.json()[QLatin1String(key)].isString())
         addProblem(json, key, quoted(QString::fromStdString(id)),
                    QStringLiteral("lower-case letters, digits and _, a letter first, at most 64"));
     return id;
@@ -119,17 +125,21 @@ StudyText readStudyText(const ObjectReader& json, const char* key, bool required
     for (const auto& [language, text] : out) {
         const QString at = memberPath(path, QString::fromStdString(language));
         if (!kLanguage.match(QString::fromStdString(language)).hasMatch())
-            json.problems().push_back({at, QStringLiteral("unknown key"), QStringLiteral("a language, such as \"de\"")});
+            json.problems().push_back(
+                {at, QStringLiteral("unknown key"), QStringLiteral("a language, such as \"de\"")});
         const qsizetype length = QString::fromStdString(text).size();
         if (length < 1 || length > kLongestText)
-            json.problems().push_back({at, QStringLiteral("%1 characters").arg(length), QStringLiteral("1 to %1").arg(kLongestText)});
+            json.problems().push_back({at, QStringLiteral("%1 characters").arg(length),
+                                       QStringLiteral("1 to %1").arg(kLongestText)});
     }
     return out;
 }
 
-void refuseTwice(const ObjectReader& json, const char* key, const std::string& id, std::vector<std::string>& seen) {
+void refuseTwice(const ObjectReader& json, const char* key, const std::string& id,
+                 std::vector<std::string>& seen) {
     if (std::find(seen.begin(), seen.end(), id) != seen.end())
-        addProblem(json, key, quoted(QString::fromStdString(id)), QStringLiteral("an id that is not given twice"));
+        addProblem(json, key, quoted(QString::fromStdString(id)),
+                   QStringLiteral("an id that is not given twice"));
     seen.push_back(id);
 }
 
@@ -163,7 +173,8 @@ Questionnaire readQuestionnaire(const ObjectReader& json) {
     out.when = readWord(json, "when", kWhens, Questionnaire::When::after);
     if (json.has("score"))
         out.score = json.text("score");
-    refuseUnknownKeys(json, {"id", "title", "when", "score", "items"}, QStringLiteral("a key of a questionnaire"));
+    refuseUnknownKeys(json, {"id", "title", "when", "score", "items"},
+                      QStringLiteral("a key of a questionnaire"));
     std::vector<std::string> seen;
     json.eachObject("items", [&](const ObjectReader& one) {
         out.items.push_back(readItem(one));

@@ -35,14 +35,16 @@ inline constexpr NumberKey<TrialRules> kTrialNumbers[] = {
     {"between_trials_s", &TrialRules::betweenTrials_s, 0.0, 60.0},
     {"break_at_least_s", &TrialRules::breakAtLeast_s, 0.0, 3600.0}};
 inline constexpr WholeKey<TrialRules> kTrialWholes[] = {
-    {"practice_trials", &TrialRules::practiceTrials, 0, 200}, {"break_every", &TrialRules::breakEvery, 0, 10000}};
+    {"practice_trials", &TrialRules::practiceTrials, 0, 200},
+    {"break_every", &TrialRules::breakEvery, 0, 10000}};
 inline constexpr SwitchKey<TrialRules> kTrialSwitches[] = {{"feedback", &TrialRules::feedback},
                                                            {"masking_sound", &TrialRules::maskingSound},
                                                            {"visible_objects", &TrialRules::visibleObjects},
                                                            {"must_touch_all", &TrialRules::mustTouchAll}};
 /// Kept apart from the numbers that are always written: designs of earlier versions lack it and must keep
 /// their bytes.
-inline constexpr NumberKey<TrialRules> kProbe[] = {{"probe_at_least_N", &TrialRules::probeAtLeast_N, 0.0, 100.0}};
+inline constexpr NumberKey<TrialRules> kProbe[] = {
+    {"probe_at_least_N", &TrialRules::probeAtLeast_N, 0.0, 100.0}};
 inline constexpr NumberKey<FidelityLimits> kFidelityNumbers[] = {
     {"force_error_rms_N", &FidelityLimits::forceErrorRms_N, 0.001, 100.0},
     {"stiffness_error", &FidelityLimits::stiffnessError, 0.001, 10.0},
@@ -50,7 +52,8 @@ inline constexpr NumberKey<FidelityLimits> kFidelityNumbers[] = {
     {"saturated", &FidelityLimits::saturated, 0.0, 1.0},
     {"peak_force_N", &FidelityLimits::peakForce_N, 0.01, 100.0},
     {"mean_speed_m_per_s", &FidelityLimits::meanSpeed_m_per_s, 0.001, 10.0}};
-inline constexpr WholeKey<FidelityLimits> kFidelityWholes[] = {{"repeats_at_most", &FidelityLimits::repeatsAtMost, 1, 100}};
+inline constexpr WholeKey<FidelityLimits> kFidelityWholes[] = {
+    {"repeats_at_most", &FidelityLimits::repeatsAtMost, 1, 100}};
 
 /// Tokens, in the order of their enumerations.
 inline constexpr std::array<const char*, 2> kScales{"difference", "log_difference"};
@@ -73,7 +76,8 @@ void addProblem(const ObjectReader& json, const char* key, const QString& found,
 
 /// Reads one of `words`. A word that is not among them is a problem and yields `otherwise`.
 template <class Word, std::size_t n>
-Word readWord(const ObjectReader& json, const char* key, const std::array<const char*, n>& words, Word otherwise) {
+Word readWord(const ObjectReader& json, const char* key, const std::array<const char*, n>& words,
+              Word otherwise) {
     if (!json.has(QLatin1String(key)))
         return otherwise;
     const std::string given = json.text(QLatin1String(key));
@@ -83,12 +87,14 @@ Word readWord(const ObjectReader& json, const char* key, const std::array<const 
         if (given == words[i])
             return static_cast<Word>(i);
     }
-    addProblem(json, key, quoted(QString::fromStdString(given)), QStringLiteral("one of ") + known.join(", "));
+    addProblem(json, key, quoted(QString::fromStdString(given)),
+               QStringLiteral("one of ") + known.join(", "));
     return otherwise;
 }
 
 /// Adds a problem at `key` if `id` has been seen before.
-void refuseTwice(const ObjectReader& json, const char* key, const std::string& id, std::vector<std::string>& seen);
+void refuseTwice(const ObjectReader& json, const char* key, const std::string& id,
+                 std::vector<std::string>& seen);
 
 /// Checks that every object can answer with the force at which it counts as touched, and that a trial may
 /// reach that force.

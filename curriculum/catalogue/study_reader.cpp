@@ -40,14 +40,17 @@ std::vector<double> readDifferences(const ObjectReader& json) {
         const QString at = elementPath(memberPath(json.path(), "differences"), i);
         const double value = array[i].toDouble(std::nan(""));
         if (!std::isfinite(value) || std::abs(value) > 2.0)
-            json.problems().push_back({at, array[i].isDouble() ? QString::number(value) : QStringLiteral("another type"),
-                                       QStringLiteral("a number, -2 to 2")});
+            json.problems().push_back(
+                {at, array[i].isDouble() ? QString::number(value) : QStringLiteral("another type"),
+                 QStringLiteral("a number, -2 to 2")});
         else if (!out.empty() && value <= out.back())
-            json.problems().push_back({at, QString::number(value), QStringLiteral("more than the one before it")});
+            json.problems().push_back(
+                {at, QString::number(value), QStringLiteral("more than the one before it")});
         out.push_back(value);
     }
     if (!given.isArray() || out.empty() || out.size() > 4096)
-        addProblem(json, "differences", given.isUndefined() ? QStringLiteral("missing") : QString::number(out.size()),
+        addProblem(json, "differences",
+                   given.isUndefined() ? QStringLiteral("missing") : QString::number(out.size()),
                    QStringLiteral("an array of 1 to 4096 numbers, ascending"));
     return out;
 }
@@ -55,9 +58,17 @@ std::vector<double> readDifferences(const ObjectReader& json) {
 /// The attributes of objects other than the one compared (comparison_content.h, SI). They are checked there
 /// again, with their ranges.
 const std::vector<QString>& fixedNames() {
-    static const std::vector<QString> names{"stiffness_N_per_m", "stiffening_per_m", "mass_kg", "recovery_s", "recovery_share",
-                                            "roughness_m", "roughness_wavelength_m", "friction", "bristle_stiffness_N_per_m",
-                                            "viscosity_Ns_per_m", "damping_Ns_per_m"};
+    static const std::vector<QString> names{"stiffness_N_per_m",
+                                            "stiffening_per_m",
+                                            "mass_kg",
+                                            "recovery_s",
+                                            "recovery_share",
+                                            "roughness_m",
+                                            "roughness_wavelength_m",
+                                            "friction",
+                                            "bristle_stiffness_N_per_m",
+                                            "viscosity_Ns_per_m",
+                                            "damping_Ns_per_m"};
     return names;
 }
 
@@ -74,13 +85,15 @@ StimulusDesign readStimulus(const ObjectReader& json) {
     const std::string word = json.text("attribute");
     const auto attribute = psychophysics::attributeFromToken(word);
     if (!attribute && json.json()["attribute"].isString())
-        addProblem(json, "attribute", quoted(QString::fromStdString(word)), tokens<Attribute, psychophysics::kAttributes>());
+        addProblem(json, "attribute", quoted(QString::fromStdString(word)),
+                   tokens<Attribute, psychophysics::kAttributes>());
     out.attribute = attribute.value_or(Attribute::stiffness);
     out.reference = json.number("reference");
     out.differences = readDifferences(json);
     if (json.has("fixed"))
         out.fixed = readFixed(json.object("fixed"));
-    refuseUnknownKeys(json, {"attribute", "reference", "differences", "fixed"}, QStringLiteral("a key of a stimulus"));
+    refuseUnknownKeys(json, {"attribute", "reference", "differences", "fixed"},
+                      QStringLiteral("a key of a stimulus"));
     return out;
 }
 
@@ -99,10 +112,13 @@ Condition readCondition(const ObjectReader& json) {
     out.criterion = readNumber(json, "criterion", 0.01, 0.99, out.criterion);
     out.instructions = readStudyText(json, "instructions", false);
     const bool tableReads = json.problems().size() == before;
-    json.eachObject("procedures", [&](const ObjectReader& one) { out.procedures.push_back(readProcedure(one)); });
+    json.eachObject("procedures",
+                    [&](const ObjectReader& one) { out.procedures.push_back(readProcedure(one)); });
     if (out.procedures.empty() || out.procedures.size() > 8)
-        addProblem(json, "procedures", QString::number(out.procedures.size()), QStringLiteral("1 to 8 procedures"));
-    refuseUnknownKeys(json, {"id", "title", "stimulus", "task", "scale", "criterion", "procedures", "instructions"},
+        addProblem(json, "procedures", QString::number(out.procedures.size()),
+                   QStringLiteral("1 to 8 procedures"));
+    refuseUnknownKeys(json,
+                      {"id", "title", "stimulus", "task", "scale", "criterion", "procedures", "instructions"},
                       QStringLiteral("a key of a condition"));
     if (json.problems().size() == before)
         checkCondition(out, json.path(), json.problems());
@@ -119,7 +135,8 @@ std::string readLine(const ObjectReader& json, const char* key) {
     std::string text = json.text(QLatin1String(key));
     const qsizetype length = QString::fromStdString(text).size();
     if (length > kLongest)
-        addProblem(json, key, QStringLiteral("%1 characters").arg(length), QStringLiteral("at most %1").arg(kLongest));
+        addProblem(json, key, QStringLiteral("%1 characters").arg(length),
+                   QStringLiteral("at most %1").arg(kLongest));
     return text;
 }
 
@@ -144,7 +161,8 @@ void readConditions(const ObjectReader& json, StudyDesign& out) {
         refuseTwice(one, "id", out.conditions.back().id, seen);
     });
     if (out.conditions.empty() || out.conditions.size() > 50)
-        addProblem(json, "conditions", QString::number(out.conditions.size()), QStringLiteral("1 to 50 conditions"));
+        addProblem(json, "conditions", QString::number(out.conditions.size()),
+                   QStringLiteral("1 to 50 conditions"));
 }
 
 std::uint64_t readSeed(const ObjectReader& json) {
@@ -152,7 +170,8 @@ std::uint64_t readSeed(const ObjectReader& json) {
         return StudyDesign{}.seed;
     const double seed = json.number("seed");
     if (seed < 0.0 || seed > kLargestSeed || seed != std::floor(seed)) {
-        addProblem(json, "seed", QString::number(seed), QStringLiteral("a whole number, 0 to 9007199254740991"));
+        addProblem(json, "seed", QString::number(seed),
+                   QStringLiteral("a whole number, 0 to 9007199254740991"));
         return 0;
     }
     return static_cast<std::uint64_t>(seed);
@@ -183,9 +202,10 @@ core::Result<StudyDesign> readStudy(const QJsonObject& document, const JsonFile&
     out.blindParticipant = readSwitch(root, "blind_participant", out.blindParticipant);
     out.blindExperimenter = readSwitch(root, "blind_experimenter", out.blindExperimenter);
     out.seed = readSeed(root);
-    refuseUnknownKeys(root, {"id", "title", "objective", "instructions", "own_instructions", "consent", "conditions", "order", "trial", "fidelity",
-                             "questionnaires", "participants_planned", "blind_participant", "blind_experimenter", "seed", "source", "ethics",
-                             "pilot_of"},
+    refuseUnknownKeys(root,
+                      {"id", "title", "objective", "instructions", "own_instructions", "consent",
+                       "conditions", "order", "trial", "fidelity", "questionnaires", "participants_planned",
+                       "blind_participant", "blind_experimenter", "seed", "source", "ethics", "pilot_of"},
                       QStringLiteral("a key of a study"));
     if (problems.empty())
         checkProbe(out, QStringLiteral("$.trial.probe_at_least_N"), problems);
@@ -194,6 +214,8 @@ core::Result<StudyDesign> readStudy(const QJsonObject& document, const JsonFile&
     return out;
 }
 
-std::string studySha256(const QByteArray& json) { return sha256Hex(json.toStdString()); }
+std::string studySha256(const QByteArray& json) {
+    return sha256Hex(json.toStdString());
+}
 
 } // namespace chiron::catalogue

@@ -18,7 +18,9 @@ using psychophysics::StudyText;
 
 namespace {
 
-QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
+QString text(std::string_view words) {
+    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+}
 
 template <std::size_t n, class Word> QString wordOf(const std::array<const char*, n>& words, Word word) {
     return QLatin1String(words[static_cast<std::size_t>(word)]);
@@ -38,15 +40,18 @@ QJsonArray numbersJson(const std::vector<double>& numbers) {
     return array;
 }
 
-template <class Owner, std::size_t n> void write(QJsonObject& json, const NumberKey<Owner> (&keys)[n], const Owner& from) {
+template <class Owner, std::size_t n>
+void write(QJsonObject& json, const NumberKey<Owner> (&keys)[n], const Owner& from) {
     for (const NumberKey<Owner>& key : keys)
         json[QLatin1String(key.name)] = from.*key.member;
 }
-template <class Owner, std::size_t n> void write(QJsonObject& json, const WholeKey<Owner> (&keys)[n], const Owner& from) {
+template <class Owner, std::size_t n>
+void write(QJsonObject& json, const WholeKey<Owner> (&keys)[n], const Owner& from) {
     for (const WholeKey<Owner>& key : keys)
         json[QLatin1String(key.name)] = from.*key.member;
 }
-template <class Owner, std::size_t n> void write(QJsonObject& json, const SwitchKey<Owner> (&keys)[n], const Owner& from) {
+template <class Owner, std::size_t n>
+void write(QJsonObject& json, const SwitchKey<Owner> (&keys)[n], const Owner& from) {
     for (const SwitchKey<Owner>& key : keys)
         json[QLatin1String(key.name)] = from.*key.member;
 }
@@ -150,7 +155,8 @@ QByteArray studyJson(const StudyDesign& design) {
     // their bytes and their SHA-256.
     if (design.ownInstructions)
         json["own_instructions"] = textJson(*design.ownInstructions);
-    for (const auto& [key, words] : {std::pair{"source", &design.source}, std::pair{"ethics", &design.ethics}, std::pair{"pilot_of", &design.pilotOf}})
+    for (const auto& [key, words] : {std::pair{"source", &design.source}, std::pair{"ethics", &design.ethics},
+                                     std::pair{"pilot_of", &design.pilotOf}})
         if (!words->empty())
             json[QLatin1String(key)] = text(*words);
     return QByteArray::fromStdString(canonicalJson(json));

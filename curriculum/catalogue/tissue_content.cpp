@@ -35,18 +35,23 @@ constexpr Key kKeys[] = {
     {"second_stiffness_N_per_m", &Tissue::secondStiffness_N_per_m, 1.0},
 };
 
-constexpr std::array<const char*, 3> kDamping{"damping_along_N_s_per_m", "damping_across_N_s_per_m", "damping_normal_N_s_per_m"};
+constexpr std::array<const char*, 3> kDamping{"damping_along_N_s_per_m", "damping_across_N_s_per_m",
+                                              "damping_normal_N_s_per_m"};
 constexpr std::array<const char*, 2> kContacts{"anchored", "p3_recast"}; ///< in the order of TissueContactLaw
 /// In the order of LumpLaw.
 constexpr std::array<const char*, 3> kLumpLaws{"inclusion", "second_surface", "stiffness_times_depth"};
 
-double radians(double degrees) { return core::kPi / 180.0 * degrees; }
+double radians(double degrees) {
+    return core::kPi / 180.0 * degrees;
+}
 
 double numberOr(const ObjectReader& json, const char* key, double otherwise) {
     return json.has(QLatin1String(key)) ? json.number(QLatin1String(key)) : otherwise;
 }
 
-std::string nameOf(const ObjectReader& json) { return json.has("name") ? json.text("name") : std::string(); }
+std::string nameOf(const ObjectReader& json) {
+    return json.has("name") ? json.text("name") : std::string();
+}
 
 template <class Law, std::size_t n>
 void readLaw(const ObjectReader& json, const char* key, const std::array<const char*, n>& names, Law& out) {
@@ -61,7 +66,8 @@ void readLaw(const ObjectReader& json, const char* key, const std::array<const c
             return;
         }
     }
-    json.problems().push_back({memberPath(json.path(), QLatin1String(key)), quoted(QString::fromStdString(given)),
+    json.problems().push_back({memberPath(json.path(), QLatin1String(key)),
+                               quoted(QString::fromStdString(given)),
                                QStringLiteral("one of ") + known.join(QStringLiteral(", "))});
 }
 
@@ -97,7 +103,8 @@ void readLayers(const ObjectReader& json, Tissue& out) {
         layer.name = nameOf(one);
         layer.thickness_m = numberOr(one, "thickness_mm", 100.0) / kMm;
         layer.modulus_Pa = one.number("modulus_kPa") * kKilo;
-        refuseUnknownKeys(one, {"name", "thickness_mm", "modulus_kPa"}, QStringLiteral("a number of a layer"));
+        refuseUnknownKeys(one, {"name", "thickness_mm", "modulus_kPa"},
+                          QStringLiteral("a number of a layer"));
         out.layers.push_back(layer);
     });
 }
@@ -117,7 +124,8 @@ void readDistractors(const ObjectReader& json, Tissue& out) {
 
 Tissue readTissue(const ObjectReader& json) {
     Tissue out;
-    std::vector<QString> known{"tissue", "plane_height_mm", "bumps", "layers", "fibre_turn_deg", "contact", "lump_law", "distractors"};
+    std::vector<QString> known{"tissue",         "plane_height_mm", "bumps",    "layers",
+                               "fibre_turn_deg", "contact",         "lump_law", "distractors"};
     for (const Key& key : kKeys) {
         known.push_back(QLatin1String(key.name));
         if (json.has(known.back()))
@@ -145,12 +153,15 @@ Tissue readTissue(const ObjectReader& json) {
 
 void checkTissue(const Tissue& tissue, const QString& path, Problems& problems) {
     if (tissue.layers.empty())
-        problems.push_back({memberPath(path, "layers"), QStringLiteral("none"), QStringLiteral("one at least")});
+        problems.push_back(
+            {memberPath(path, "layers"), QStringLiteral("none"), QStringLiteral("one at least")});
     const double unique_m = simulation::TissueSurface(tissue.shape).deepestUnique_m();
     if (unique_m <= tissue.contactRadius_m)
-        problems.push_back({memberPath(path, "bumps"), QStringLiteral("a surface that bends round %1 mm").arg(kMm * unique_m, 0, 'g', 3),
-                            QStringLiteral("gentler: more than the finger's own pad, contact_radius_mm = %1 mm")
-                                .arg(kMm * tissue.contactRadius_m, 0, 'g', 3)});
+        problems.push_back(
+            {memberPath(path, "bumps"),
+             QStringLiteral("a surface that bends round %1 mm").arg(kMm * unique_m, 0, 'g', 3),
+             QStringLiteral("gentler: more than the finger's own pad, contact_radius_mm = %1 mm")
+                 .arg(kMm * tissue.contactRadius_m, 0, 'g', 3)});
 }
 
 } // namespace chiron::catalogue

@@ -8,7 +8,9 @@ namespace chiron::catalogue {
 
 namespace {
 
-tl::unexpected<core::Error> bad(core::ErrorCode code, const QString& text) { return tl::unexpected(core::Error{code, text.toStdString()}); }
+tl::unexpected<core::Error> bad(core::ErrorCode code, const QString& text) {
+    return tl::unexpected(core::Error{code, text.toStdString()});
+}
 
 } // namespace
 
@@ -17,10 +19,14 @@ core::Result<QByteArray> readWholeFile(const QString& path, qint64 largestBytes)
     if (!info.exists())
         return bad(core::ErrorCode::notFound, path + QStringLiteral(": no such file"));
     if (!info.isFile())
-        return bad(core::ErrorCode::badInput, QStringLiteral("%1: is %2; expected a file").arg(path, info.isDir() ? QStringLiteral("a folder") : QStringLiteral("not a regular file")));
+        return bad(
+            core::ErrorCode::badInput,
+            QStringLiteral("%1: is %2; expected a file")
+                .arg(path, info.isDir() ? QStringLiteral("a folder") : QStringLiteral("not a regular file")));
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return bad(core::ErrorCode::badInput, QStringLiteral("%1: cannot be read: %2").arg(path, file.errorString()));
+        return bad(core::ErrorCode::badInput,
+                   QStringLiteral("%1: cannot be read: %2").arg(path, file.errorString()));
     QByteArray bytes;
     while (bytes.size() <= largestBytes) { // the size may change while the file is read
         const QByteArray part = file.read(largestBytes + 1 - bytes.size());
@@ -29,9 +35,13 @@ core::Result<QByteArray> readWholeFile(const QString& path, qint64 largestBytes)
         bytes += part;
     }
     if (file.error() != QFileDevice::NoError)
-        return bad(core::ErrorCode::storage, QStringLiteral("%1: cannot be read to its end: %2").arg(path, file.errorString()));
+        return bad(core::ErrorCode::storage,
+                   QStringLiteral("%1: cannot be read to its end: %2").arg(path, file.errorString()));
     if (bytes.size() > largestBytes)
-        return bad(core::ErrorCode::badInput, QStringLiteral("%1: %2 bytes; expected at most %3").arg(path).arg(std::max(info.size(), bytes.size())).arg(largestBytes));
+        return bad(core::ErrorCode::badInput, QStringLiteral("%1: %2 bytes; expected at most %3")
+                                                  .arg(path)
+                                                  .arg(std::max(info.size(), bytes.size()))
+                                                  .arg(largestBytes));
     return bytes;
 }
 

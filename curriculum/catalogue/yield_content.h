@@ -28,20 +28,26 @@ inline void readYield(const ObjectReader& parameters, simulation::YieldLaw& law)
 
 /// Checks that tissue gives way only above the largest allowed force, and at three times that force at the
 /// latest.
-inline void checkYield(const simulation::YieldLaw& law, double limit_N, const QString& path, Problems& problems) {
+inline void checkYield(const simulation::YieldLaw& law, double limit_N, const QString& path,
+                       Problems& problems) {
     constexpr double kMost = 3.0;
     if (!std::isfinite(law.force_N) || (law.force_N > limit_N && law.force_N <= kMost * limit_N))
         return;
     problems.push_back({memberPath(path, kYieldKeys[0]), QString::number(law.force_N),
-                        QStringLiteral("more than maximum_force_N = %1, and at most %2 times that").arg(limit_N).arg(kMost)});
+                        QStringLiteral("more than maximum_force_N = %1, and at most %2 times that")
+                            .arg(limit_N)
+                            .arg(kMost)});
 }
 
-inline void checkYieldTorque(const simulation::YieldLaw& law, double limit_Nm, const QString& path, Problems& problems) {
+inline void checkYieldTorque(const simulation::YieldLaw& law, double limit_Nm, const QString& path,
+                             Problems& problems) {
     constexpr double kMost = 3.0;
     if (!std::isfinite(law.torque_Nm) || (law.torque_Nm > limit_Nm && law.torque_Nm <= kMost * limit_Nm))
         return;
     problems.push_back({memberPath(path, kYieldTorqueKey), QString::number(1000.0 * law.torque_Nm),
-                        QStringLiteral("more than maximum_torque_mN_m = %1, and at most %2 times that").arg(1000.0 * limit_Nm).arg(kMost)});
+                        QStringLiteral("more than maximum_torque_mN_m = %1, and at most %2 times that")
+                            .arg(1000.0 * limit_Nm)
+                            .arg(kMost)});
 }
 
 } // namespace chiron::catalogue

@@ -45,6 +45,8 @@ std::string_view toString(Aggregate aggregate) {
     return "pooled";
 }
 
-std::string_view toString(MetricTools tools) { return tools == MetricTools::all ? "all" : "first"; }
+std::string_view toString(MetricTools tools) {
+    return tools == MetricTools::all ? "all" : "first";
+}
 
 } // namespace chiron::scoring

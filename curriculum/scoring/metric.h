@@ -31,7 +31,9 @@ struct Measurement {
     std::string reason; ///< in the form in which scores store it: storedText
 
     static Measurement of(double v) { return {v, {}}; }
-    static Measurement undefined(UndefinedReason why, const std::array<int, 3>& counts = {}) { return {std::nullopt, storedText({why, counts})}; }
+    static Measurement undefined(UndefinedReason why, const std::array<int, 3>& counts = {}) {
+        return {std::nullopt, storedText({why, counts})};
+    }
 };
 
 /// The level that pure guessing reaches in a metric: either a fixed value, or the session's value of another
@@ -53,10 +55,10 @@ struct MetricDefinition {
     MetricWrench wrench = MetricWrench::none;
     Aggregate aggregate = Aggregate::mean;
     MetricTools tools = MetricTools::first;
-    bool needsForces = false;    ///< no value, with the reason, for a trace without force columns
+    bool needsForces = false; ///< no value, with the reason, for a trace without force columns
     /// For people, English; marked for translation by QT_TRANSLATE_NOOP (marked_texts.h).
     std::string_view title{};
-    std::string_view meaning{};  ///< what it measures, in one sentence for people; marked likewise
+    std::string_view meaning{}; ///< what it measures, in one sentence for people; marked likewise
     /// Used for a session with one trial if the title speaks of several; empty: the title. Marked likewise.
     std::string_view titleOfOneTrial{};
     std::string_view meaningOfOneTrial{}; ///< the same for the meaning

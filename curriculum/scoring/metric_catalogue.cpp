@@ -13,8 +13,9 @@ namespace chiron::scoring {
 std::span<const MetricDefinition> metricCatalogue() {
     static const std::vector<MetricDefinition> metrics = [] {
         std::vector<MetricDefinition> all;
-        for (const auto subject : {motionMetrics, forceMetrics, torqueMetrics, canalMetrics, outcomeMetrics, tubeMetrics, handlingMetrics, predictionMetrics,
-                                   palpationDetectionMetrics, palpationFindingsMetrics, palpationSearchMetrics, apexMetrics})
+        for (const auto subject : {motionMetrics, forceMetrics, torqueMetrics, canalMetrics, outcomeMetrics,
+                                   tubeMetrics, handlingMetrics, predictionMetrics, palpationDetectionMetrics,
+                                   palpationFindingsMetrics, palpationSearchMetrics, apexMetrics})
             for (MetricDefinition& metric : subject())
                 all.push_back(std::move(metric));
         return all;

@@ -13,7 +13,6 @@ namespace chiron::scoring {
 
 namespace {
 
-
 core::Result<std::vector<const MetricDefinition*>> resolve(std::span<const MetricRequest> requests,
                                                            std::span<const Gate> gates) {
     std::vector<const MetricDefinition*> metrics;
@@ -61,7 +60,8 @@ Measurement aggregate(const MetricDefinition& metric, const std::vector<std::vec
         if (trial[column].value)
             values.push_back(*trial[column].value);
     if (values.empty())
-        return trials.empty() ? Measurement::undefined(UndefinedReason::noTrials) : Measurement{std::nullopt, trials.front()[column].reason};
+        return trials.empty() ? Measurement::undefined(UndefinedReason::noTrials)
+                              : Measurement{std::nullopt, trials.front()[column].reason};
     double sum = 0.0;
     for (const double v : values)
         sum += v;
@@ -109,16 +109,19 @@ core::Result<ScoreCard> calculateScore(const SessionTrace& trace, std::span<cons
             prepared.push_back(prepareTrial(trial, onGrids->forceLimit_N));
         auto& row = card.trials.emplace_back();
         for (const MetricDefinition* metric : *chosen)
-            row.push_back(valueOf(*metric, trial.unfinished ? Measurement::undefined(UndefinedReason::notFinished) : measured(*metric, {&prepared.back(), 1})));
+            row.push_back(valueOf(*metric, trial.unfinished
+                                               ? Measurement::undefined(UndefinedReason::notFinished)
+                                               : measured(*metric, {&prepared.back(), 1})));
     }
     for (PreparedTrial& trial : prepared)
         trial.plannedTrials = onGrids->plannedTrials;
     const bool noneFinished = prepared.empty() && !onGrids->trials.empty();
     for (std::size_t i = 0; i < chosen->size(); ++i) {
         const MetricDefinition& metric = *(*chosen)[i];
-        card.metrics.push_back(valueOf(metric, noneFinished                              ? Measurement::undefined(UndefinedReason::noneFinished)
-                                               : metric.aggregate == Aggregate::pooled ? measured(metric, prepared)
-                                                                                       : aggregate(metric, card.trials, i)));
+        card.metrics.push_back(
+            valueOf(metric, noneFinished ? Measurement::undefined(UndefinedReason::noneFinished)
+                            : metric.aggregate == Aggregate::pooled ? measured(metric, prepared)
+                                                                    : aggregate(metric, card.trials, i)));
     }
     applyGates(card, gates, completed);
     return card;

@@ -87,8 +87,10 @@ std::vector<std::string> truthIdsOf(const std::vector<TrialTrace>& trials) {
 std::vector<double> truthOf(const TrialTrace& trial, const std::vector<std::string>& ids) {
     std::vector<double> values;
     for (const std::string& id : ids) {
-        const auto found = std::find_if(trial.truth.begin(), trial.truth.end(), [&id](const auto& v) { return v.id == id; });
-        values.push_back(found == trial.truth.end() ? std::numeric_limits<double>::quiet_NaN() : found->value);
+        const auto found =
+            std::find_if(trial.truth.begin(), trial.truth.end(), [&id](const auto& v) { return v.id == id; });
+        values.push_back(found == trial.truth.end() ? std::numeric_limits<double>::quiet_NaN()
+                                                    : found->value);
     }
     return values;
 }

@@ -42,20 +42,20 @@ struct ToolTrace {
 /// wrenches by the exercise's own geometry (app/session), or read from a trace file's columns. All vectors
 /// have the length of tool 0's.
 struct InsertionSeries {
-    std::vector<double> s_m;             ///< arc length of the point nearest to the tip; < 0 before the
-                                         ///< entrance
-    std::vector<double> offset_m;        ///< distance from the centre-line, ≥ 0
+    std::vector<double> s_m;      ///< arc length of the point nearest to the tip; < 0 before the
+                                  ///< entrance
+    std::vector<double> offset_m; ///< distance from the centre-line, ≥ 0
     /// Angle between the instrument's axis and the tangent of the centre-line, ≥ 0.
     std::vector<double> alignment_rad;
     /// All tissue force perpendicular to the tangent of the centre-line (wall, and friction on a tilted
     /// shaft), ≥ 0.
     std::vector<double> lateral_N;
-    std::vector<double> axialTorque_Nm;  ///< |T_z|
-    std::vector<std::uint8_t> stage;     ///< core::ProcedureStage
-    double length_m = 0.0;               ///< L
-    double bend_m = 0.0;                 ///< s_B: where the orientation has to change
-    double goal_m = 0.0;                 ///< depth that ends the insertion
-    double lateralLimit_N = 2.0;         ///< limit for trauma events
+    std::vector<double> axialTorque_Nm; ///< |T_z|
+    std::vector<std::uint8_t> stage;    ///< core::ProcedureStage
+    double length_m = 0.0;              ///< L
+    double bend_m = 0.0;                ///< s_B: where the orientation has to change
+    double goal_m = 0.0;                ///< depth that ends the insertion
+    double lateralLimit_N = 2.0;        ///< limit for trauma events
     /// Time at which each landmark was seen, NaN if it was not; empty: the level has none.
     std::vector<double> landmarkSeen_s;
 };
@@ -92,9 +92,9 @@ struct TrialTrace {
     bool markInContact = false;
     std::optional<ApexTruth> apex;
     std::optional<InsertionSeries> insertion; ///< exercises through a canal
-    std::vector<QuantityTrace> quantities; ///< exercises whose scene records quantities
-    std::vector<NamedValue> truth;    ///< ground-truth values of this trial from its exercise
-    bool failed = false;    ///< kFailed: the trial could not be completed any more
+    std::vector<QuantityTrace> quantities;    ///< exercises whose scene records quantities
+    std::vector<NamedValue> truth;            ///< ground-truth values of this trial from its exercise
+    bool failed = false;                      ///< kFailed: the trial could not be completed any more
     bool completed = false; ///< kCompleted: the procedure was done to its end; in other exercises a mark ends
                             ///< the trial
     /// The trial had no end (stopped, interrupted) and counts in no score. Never set in sessions that follow

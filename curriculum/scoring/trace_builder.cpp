@@ -84,7 +84,7 @@ core::Result<void> setTruth(TrialTrace& trial, const RowList& rows, const std::s
 
 /// Returns the name of the first per-trial column that differs between two rows, or null.
 const char* differing(const InsertionRow& a, const InsertionRow& b) {
-    return a.length_m != b.length_m             ? "length_mm"
+    return a.length_m != b.length_m               ? "length_mm"
            : a.bend_m != b.bend_m                 ? "bend_mm"
            : a.goal_m != b.goal_m                 ? "goal_mm"
            : a.lateralLimit_N != b.lateralLimit_N ? "lateral_limit_N"
@@ -116,10 +116,10 @@ core::Result<void> setInsertion(TrialTrace& trial, const RowList& rows, const st
     series.landmarkSeen_s.assign(first.landmarks, std::numeric_limits<double>::quiet_NaN());
     for (const TraceRow* row : rows) {
         if (const char* column = differing(first, row->insertion))
-            return core::fail(core::ErrorCode::badInput,
-                              source + ": trial " + std::to_string(trial.trial + 1) + ": " + column +
-                                  " changes at t_s " + std::to_string(row->t_s) +
-                                  ": expected the same on each row of a trial");
+            return core::fail(core::ErrorCode::badInput, source + ": trial " +
+                                                             std::to_string(trial.trial + 1) + ": " + column +
+                                                             " changes at t_s " + std::to_string(row->t_s) +
+                                                             ": expected the same on each row of a trial");
         if (row->tool == 0)
             append(series, *row);
     }
@@ -132,18 +132,24 @@ bool sameValue(double a, double b) {
 }
 
 /// Sets the remaining values that are the same on each row of a trial, apart from mark, target and canal.
-core::Result<void> setNamed(TrialTrace& trial, const TraceColumns& columns, const RowList& rows, const std::string& source) {
+core::Result<void> setNamed(TrialTrace& trial, const TraceColumns& columns, const RowList& rows,
+                            const std::string& source) {
     const TraceRow& first = *rows.front();
     const auto changes = [&](const std::string& column, const TraceRow& row) {
-        return core::fail(core::ErrorCode::badInput, source + ": trial " + std::to_string(trial.trial + 1) + ": " + column +
-                                                         " changes at t_s " + std::to_string(row.t_s) +
+        return core::fail(core::ErrorCode::badInput, source + ": trial " + std::to_string(trial.trial + 1) +
+                                                         ": " + column + " changes at t_s " +
+                                                         std::to_string(row.t_s) +
                                                          ": expected the same on each row of a trial");
     };
     for (const std::string& id : columns.quantities)
         trial.quantities.push_back({id, {}});
     for (const TraceRow* row : rows) {
-        if (row->completed != first.completed || row->failed != first.failed || row->unfinished != first.unfinished)
-            return changes(row->completed != first.completed ? "completed" : row->failed != first.failed ? "failed" : "unfinished", *row);
+        if (row->completed != first.completed || row->failed != first.failed ||
+            row->unfinished != first.unfinished)
+            return changes(row->completed != first.completed ? "completed"
+                           : row->failed != first.failed     ? "failed"
+                                                             : "unfinished",
+                           *row);
         for (std::size_t i = 0; i < columns.truth.size(); ++i)
             if (!sameValue(row->truth[i], first.truth[i]))
                 return changes(std::string(kTruthPrefix) + columns.truth[i], *row);
@@ -173,7 +179,8 @@ std::map<std::int32_t, RowList> rowsByTrial(const TraceRows& rows, bool endsAtMa
 
 } // namespace
 
-core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_view exercise, double defaultForceLimit_N, MarkMeaning mark) {
+core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_view exercise,
+                                             double defaultForceLimit_N, MarkMeaning mark) {
     const auto byTrial = rowsByTrial(rows, mark == MarkMeaning::endsTheTrial);
     if (byTrial.empty())
         return core::fail(core::ErrorCode::badInput,

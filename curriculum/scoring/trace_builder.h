@@ -26,7 +26,8 @@ enum class MarkMeaning { oneOfSeveral, endsTheTrial };
 /// `defaultForceLimit_N`.
 /// Errors: badInput if no row is left to score, or a column that belongs to the trial changes within it.
 core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_view exercise,
-                                             double defaultForceLimit_N = 4.0, MarkMeaning mark = MarkMeaning::oneOfSeveral);
+                                             double defaultForceLimit_N = 4.0,
+                                             MarkMeaning mark = MarkMeaning::oneOfSeveral);
 
 /// Returns the rows of a session's trials in the order of time, with every column that the session has.
 /// buildSessionTrace gives the same scores from them.

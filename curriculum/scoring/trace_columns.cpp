@@ -118,7 +118,8 @@ const auto kColumns = std::to_array<TraceColumn>({
     CHIRON_CANAL("goal_mm", length, goal_m, 0.0, kFurthest_mm, kDistanceText),
     CHIRON_CANAL("lateral_limit_N", force, lateralLimit_N, 0.001, kStrongest_N, "newtons, 0.001 to 1e6"),
     {"contact", ColumnKind::integer, &TraceColumns::contact, 0.0, 7.0,
-     "a whole number, 0 to 7: 1 beyond the checked range, 2 the tissue gave way, 4 through it", CHIRON_ACCESS(contact)},
+     "a whole number, 0 to 7: 1 beyond the checked range, 2 the tissue gave way, 4 through it",
+     CHIRON_ACCESS(contact)},
     CHIRON_CANAL("landmarks", integer, landmarks, 0.0, 32.0, "a whole number, 0 to 32"),
 });
 
@@ -141,7 +142,9 @@ std::string_view namedColumnId(std::string_view name, std::string_view prefix) {
     if (!name.starts_with(prefix))
         return {};
     const std::string_view id = name.substr(prefix.size());
-    return id.size() > kLongest || id.find_first_not_of(kLetters) != std::string_view::npos ? std::string_view{} : id;
+    return id.size() > kLongest || id.find_first_not_of(kLetters) != std::string_view::npos
+               ? std::string_view{}
+               : id;
 }
 
 std::string_view phaseName(core::TrialPhase phase) {

@@ -14,7 +14,9 @@ core::Result<TraceRows> readTraceCsvFile(const std::string& path) {
     if (!std::filesystem::is_regular_file(path, error))
         return core::fail(core::ErrorCode::notFound, path + ": expected a trace file that can be read");
     const std::uintmax_t size = std::filesystem::file_size(path, error);
-    const auto tooLarge = [&] { return core::fail(core::ErrorCode::badInput, path + ": expected a trace file of at most 2 GiB"); };
+    const auto tooLarge = [&] {
+        return core::fail(core::ErrorCode::badInput, path + ": expected a trace file of at most 2 GiB");
+    };
     if (error || size > kLargest)
         return tooLarge();
     std::ifstream file(path, std::ios::binary);
@@ -30,9 +32,13 @@ core::Result<TraceRows> readTraceCsvFile(const std::string& path) {
             return tooLarge();
     } while (file);
     if (file.bad())
-        return core::fail(core::ErrorCode::storage, path + ": broke off after " + std::to_string(text.size()) + " bytes: expected a file that can be read to its end");
+        return core::fail(core::ErrorCode::storage,
+                          path + ": broke off after " + std::to_string(text.size()) +
+                              " bytes: expected a file that can be read to its end");
     if (!text.empty() && text.back() != '\n')
-        return core::fail(core::ErrorCode::badInput, path + ": the last line has no line feed: expected one after every row, or the file was cut off");
+        return core::fail(
+            core::ErrorCode::badInput,
+            path + ": the last line has no line feed: expected one after every row, or the file was cut off");
     return readTraceCsv(text, path);
 }
 

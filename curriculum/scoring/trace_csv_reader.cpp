@@ -174,7 +174,8 @@ private:
 
     std::string columnCount() const { return std::to_string(m_columns.size()) + " values as in the header"; }
 
-    core::Result<void> setValue(TraceRow& row, const Column& column, std::string_view text, std::size_t number) const {
+    core::Result<void> setValue(TraceRow& row, const Column& column, std::string_view text,
+                                std::size_t number) const {
         if (column.fixed != nullptr) {
             const auto value = readValue(*column.fixed, text, number);
             CHIRON_TRY(value);

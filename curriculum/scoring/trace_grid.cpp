@@ -13,7 +13,7 @@ namespace chiron::scoring {
 namespace {
 
 constexpr double kLargestCount = 9.0e15; ///< below 2^53: every integer up to here is exact in a double
-constexpr double kPerNm = 1e5;            ///< 0.01 mN·m, the recorded resolution
+constexpr double kPerNm = 1e5;           ///< 0.01 mN·m, the recorded resolution
 
 double onGrid(double value, double perUnit) {
     const double count = std::nearbyint(value * perUnit);
@@ -32,8 +32,8 @@ bool fits(const ToolTrace& raw) {
     const std::size_t n = raw.t_s.size();
     return sameLength(raw.p_WT_m, n, false) && sameLength(raw.tissue_N, n, false) &&
            sameLength(raw.commanded_N, n, true) && sameLength(raw.measured_N, n, true) &&
-           sameLength(raw.paused, n, true) && sameLength(raw.contact, n, true) && sameLength(raw.q_WT, n, true) &&
-           sameLength(raw.tissueTorque_Nm, n, true);
+           sameLength(raw.paused, n, true) && sameLength(raw.contact, n, true) &&
+           sameLength(raw.q_WT, n, true) && sameLength(raw.tissueTorque_Nm, n, true);
 }
 
 bool fits(const InsertionSeries& raw, std::size_t n) {
@@ -42,16 +42,19 @@ bool fits(const InsertionSeries& raw, std::size_t n) {
 }
 
 bool isFinite(const InsertionSeries& raw, std::size_t i) {
-    return std::isfinite(raw.s_m[i]) && std::isfinite(raw.offset_m[i]) && std::isfinite(raw.alignment_rad[i]) &&
-           std::isfinite(raw.lateral_N[i]) && std::isfinite(raw.axialTorque_Nm[i]);
+    return std::isfinite(raw.s_m[i]) && std::isfinite(raw.offset_m[i]) &&
+           std::isfinite(raw.alignment_rad[i]) && std::isfinite(raw.lateral_N[i]) &&
+           std::isfinite(raw.axialTorque_Nm[i]);
 }
 
 bool isFinite(const std::vector<QuantityTrace>& quantities, std::size_t i) {
-    return std::all_of(quantities.begin(), quantities.end(), [i](const auto& q) { return std::isfinite(q.values[i]); });
+    return std::all_of(quantities.begin(), quantities.end(),
+                       [i](const auto& q) { return std::isfinite(q.values[i]); });
 }
 
 bool fits(const std::vector<QuantityTrace>& quantities, std::size_t n) {
-    return std::all_of(quantities.begin(), quantities.end(), [n](const auto& q) { return q.values.size() == n; });
+    return std::all_of(quantities.begin(), quantities.end(),
+                       [n](const auto& q) { return q.values.size() == n; });
 }
 
 /// Returns the indices of the samples that are kept; `series` and `quantities` belong to tool 0.
@@ -122,7 +125,8 @@ InsertionSeries insertionOnGrids(const InsertionSeries& raw, const std::vector<s
 
 /// Returns the kept values without rounding: a recording rounds each quantity to its own resolution, and a
 /// file contains all digits.
-std::vector<QuantityTrace> keptOf(const std::vector<QuantityTrace>& raw, const std::vector<std::size_t>& kept) {
+std::vector<QuantityTrace> keptOf(const std::vector<QuantityTrace>& raw,
+                                  const std::vector<std::size_t>& kept) {
     std::vector<QuantityTrace> out;
     for (const QuantityTrace& quantity : raw) {
         out.push_back({quantity.id, {}});
@@ -162,7 +166,8 @@ core::Result<TrialTrace> trialOnGrids(const TrialTrace& raw) {
         const ToolTrace& tool = raw.tools[i];
         const InsertionSeries* series = i == 0 && raw.insertion ? &*raw.insertion : nullptr;
         const auto& quantities = i == 0 ? raw.quantities : kNone;
-        if (!fits(tool) || (series != nullptr && !fits(*series, tool.t_s.size())) || !fits(quantities, tool.t_s.size()))
+        if (!fits(tool) || (series != nullptr && !fits(*series, tool.t_s.size())) ||
+            !fits(quantities, tool.t_s.size()))
             return unequal();
         const std::vector<std::size_t> kept = keptSamples(tool, series, quantities);
         trial.tools.push_back(toolOnGrids(tool, kept));

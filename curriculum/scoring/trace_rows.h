@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/procedure_stage.h"
 #include "core/geometry.h"
+#include "core/procedure_stage.h"
 #include "core/session_state.h"
 
 #include <cstdint>
@@ -79,10 +79,10 @@ struct TraceRow {
     double forceLimit_N = 0.0;
     core::Vec3 tissueTorque_Nm = core::Vec3::Zero(); ///< about the tip
     InsertionRow insertion;
-    bool completed = false; ///< per trial
-    bool failed = false;    ///< per trial
-    bool unfinished = false; ///< per trial
-    int plannedTrials = 0;   ///< per session
+    bool completed = false;   ///< per trial
+    bool failed = false;      ///< per trial
+    bool unfinished = false;  ///< per trial
+    int plannedTrials = 0;    ///< per session
     std::uint8_t contact = 0; ///< core::contact_bits
     /// SI, in the order of TraceColumns::quantities; on the rows of other tools than 0, NaN or empty.
     std::vector<double> quantities;

@@ -78,14 +78,18 @@ constexpr auto kReasons = std::to_array<ReasonRow>({
 });
 // clang-format on
 static_assert(kReasons.size() == kUndefinedReasons);
-static_assert([] {
-    for (std::size_t i = 0; i < kReasons.size(); ++i)
-        if (kReasons[i].reason != static_cast<UndefinedReason>(i))
-            return false;
-    return true;
-}(), "in the enumeration's order");
+static_assert(
+    [] {
+        for (std::size_t i = 0; i < kReasons.size(); ++i)
+            if (kReasons[i].reason != static_cast<UndefinedReason>(i))
+                return false;
+        return true;
+    }(),
+    "in the enumeration's order");
 
-constexpr std::string_view patternOf(UndefinedReason reason) noexcept { return kReasons[static_cast<std::size_t>(reason)].stored; }
+constexpr std::string_view patternOf(UndefinedReason reason) noexcept {
+    return kReasons[static_cast<std::size_t>(reason)].stored;
+}
 
 /// Returns the counts in `stored` if it matches the pattern with a number for each "#".
 std::optional<std::array<int, 3>> matched(std::string_view pattern, std::string_view stored) {
@@ -98,7 +102,8 @@ std::optional<std::array<int, 3>> matched(std::string_view pattern, std::string_
             stored.remove_prefix(1);
             continue;
         }
-        const auto [end, error] = std::from_chars(stored.data(), stored.data() + stored.size(), counts[count++]);
+        const auto [end, error] =
+            std::from_chars(stored.data(), stored.data() + stored.size(), counts[count++]);
         if (error != std::errc{} || counts[count - 1] < 0)
             return std::nullopt;
         stored.remove_prefix(static_cast<std::size_t>(end - stored.data()));
@@ -113,7 +118,9 @@ std::size_t countsOf(UndefinedReason reason) noexcept {
     return static_cast<std::size_t>(std::count(pattern.begin(), pattern.end(), '#'));
 }
 
-std::string_view wordsOf(UndefinedReason reason) noexcept { return kReasons[static_cast<std::size_t>(reason)].words; }
+std::string_view wordsOf(UndefinedReason reason) noexcept {
+    return kReasons[static_cast<std::size_t>(reason)].words;
+}
 
 std::string storedText(const Undefined& undefined) {
     std::string text;

@@ -14,8 +14,9 @@ std::string wordsFor(Action action) {
         const bool capital = c >= 'A' && c <= 'Z';
         words += capital ? std::string{' ', static_cast<char>(c - 'A' + 'a')} : std::string(1, c);
     }
-    for (const char* thing : {"person", "earlier", "session", "trials", "events", "second", "comments", "score", "study", "sealed", "condition",
-                              "participant", "runs", "questionnaire"}) {
+    for (const char* thing :
+         {"person", "earlier", "session", "trials", "events", "second", "comments", "score", "study",
+          "sealed", "condition", "participant", "runs", "questionnaire"}) {
         if (words.starts_with(thing)) {
             return "read " + words;
         }
@@ -105,7 +106,8 @@ struct Owned {
     const char* ownerSql;
 };
 
-core::Result<void> authoriseForOwned(Connection& connection, const Actor& actor, Action action, const Owned& thing) {
+core::Result<void> authoriseForOwned(Connection& connection, const Actor& actor, Action action,
+                                     const Owned& thing) {
     const auto scope = authorise(connection, actor, action);
     CHIRON_TRY(scope);
     const std::string name = thing.what + (" " + std::to_string(thing.number));
@@ -115,10 +117,10 @@ core::Result<void> authoriseForOwned(Connection& connection, const Actor& actor,
         return core::fail(core::ErrorCode::notFound, "there is no " + name);
     }
     if (!*owner || !reaches(*scope, actor, **owner)) {
-        return tl::unexpected(denied(actor, action,
-                                     name + (actor.kind() == ActorKind::anonymous
-                                                 ? " is not a simulated one; log in first"
-                                                 : " is somebody else's")));
+        return tl::unexpected(
+            denied(actor, action,
+                   name + (actor.kind() == ActorKind::anonymous ? " is not a simulated one; log in first"
+                                                                : " is somebody else's")));
     }
     return {};
 }
@@ -131,17 +133,18 @@ core::Result<void> authoriseForSession(Connection& connection, const Actor& acto
                              {"session", session, "SELECT person_id FROM session WHERE id = ?"});
 }
 
-core::Result<void> authoriseForStudy(Connection& connection, const Actor& actor, Action action, StudyPart part,
-                                     std::int64_t number) {
+core::Result<void> authoriseForStudy(Connection& connection, const Actor& actor, Action action,
+                                     StudyPart part, std::int64_t number) {
     switch (part) {
     case StudyPart::study:
         return authoriseForOwned(connection, actor, action,
                                  {"study", number, "SELECT author_id FROM study WHERE id = ?"});
     case StudyPart::participant:
-        return authoriseForOwned(connection, actor, action,
-                                 {"participant", number,
-                                  "SELECT s.author_id FROM study_participant p JOIN study s ON s.id = p.study_id "
-                                  "WHERE p.id = ?"});
+        return authoriseForOwned(
+            connection, actor, action,
+            {"participant", number,
+             "SELECT s.author_id FROM study_participant p JOIN study s ON s.id = p.study_id "
+             "WHERE p.id = ?"});
     case StudyPart::run:
         return authoriseForOwned(connection, actor, action,
                                  {"run", number,

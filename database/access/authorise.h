@@ -26,7 +26,7 @@ core::Result<void> authoriseForSession(Connection& connection, const Actor& acto
 /// runs.
 enum class StudyPart { study, participant, run };
 /// The same for the author of a study, who owns everything in it.
-core::Result<void> authoriseForStudy(Connection& connection, const Actor& actor, Action action, StudyPart part,
-                                     std::int64_t number);
+core::Result<void> authoriseForStudy(Connection& connection, const Actor& actor, Action action,
+                                     StudyPart part, std::int64_t number);
 
 } // namespace chiron::database

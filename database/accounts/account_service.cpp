@@ -80,7 +80,8 @@ core::Result<void> AccountService::changeNames(const Actor& actor, PersonId pers
 
 core::Result<void> AccountService::changeDisplayName(const Actor& actor, const std::string& displayName) {
     return m_database.write([&](WriteContext& writing) {
-        return AccountRepository(writing.connection(), actor).changeDisplayName(actor.personId(), displayName);
+        return AccountRepository(writing.connection(), actor)
+            .changeDisplayName(actor.personId(), displayName);
     });
 }
 
@@ -91,10 +92,12 @@ core::Result<std::vector<EarlierName>> AccountService::earlierNames(const Actor&
 
 core::Result<Person> AccountService::self(const Actor& actor) {
     auto reader = m_database.openReader();
-    return reader ? AccountRepository(**reader, actor).person(actor.personId()) : tl::unexpected(reader.error());
+    return reader ? AccountRepository(**reader, actor).person(actor.personId())
+                  : tl::unexpected(reader.error());
 }
 
-tl::expected<void, Refusal> AccountService::tryChangePassword(const Actor& actor, const std::string& oldPassword,
+tl::expected<void, Refusal> AccountService::tryChangePassword(const Actor& actor,
+                                                              const std::string& oldPassword,
                                                               const std::string& newPassword) {
     const auto failed = [](const core::Error& error) {
         return tl::unexpected(Refusal{Refusal::Kind::failed, 0, error});
@@ -131,7 +134,8 @@ core::Result<void> AccountService::resetPassword(const Actor& actor, PersonId pe
     CHIRON_TRY(hash);
     return m_database.write([&](WriteContext& writing) -> core::Result<void> {
         AccountRepository accounts(writing.connection(), actor);
-        const auto whose = accounts.person(person); // who may not read it may not reset it either, which is refused below
+        const auto whose =
+            accounts.person(person); // who may not read it may not reset it either, which is refused below
         if (whose)
             if (auto good = checkPassword(whose->name, newPassword); !good)
                 return good;
@@ -192,7 +196,8 @@ core::Result<void> AccountService::erasePerson(const Actor& actor, const std::st
 }
 
 core::Result<void> AccountService::eraseParticipant(const Actor& actor, const std::string& password,
-                                                    ParticipantNumber participant, const std::string& reason) {
+                                                    ParticipantNumber participant,
+                                                    const std::string& reason) {
     if (auto may = mayErase(actor, password); !may) {
         return may;
     }

@@ -82,11 +82,13 @@ public:
     /// says which roles stand for words of the list that are no role names.
     core::Result<RosterOutcome> importCsv(const Actor& actor, const std::string& csv,
                                           RosterExisting existing = RosterExisting::skip,
-                                          const std::function<bool(int done, int of)>& step = {}, const RoleWords& roles = {});
+                                          const std::function<bool(int done, int of)>& step = {},
+                                          const RoleWords& roles = {});
     /// Returns what importCsv would do, without doing it and without passwords.
     /// Errors: notAllowed, storage.
     core::Result<RosterPlan> previewCsv(const Actor& actor, const std::string& csv,
-                                        RosterExisting existing = RosterExisting::skip, const RoleWords& roles = {});
+                                        RosterExisting existing = RosterExisting::skip,
+                                        const RoleWords& roles = {});
     /// Errors: badInput if the login name is taken or not allowed.
     core::Result<void> changeNames(const Actor& actor, PersonId person, const std::string& name,
                                    const std::string& displayName);
@@ -117,8 +119,8 @@ public:
     /// Erases, in the same way, a withdrawn participant of a study, by number: key, free texts and
     /// questionnaires, and the recordings if the participant wished so. Runs and trials remain under the
     /// code.
-    core::Result<void> eraseParticipant(const Actor& actor, const std::string& password, ParticipantNumber participant,
-                                        const std::string& reason);
+    core::Result<void> eraseParticipant(const Actor& actor, const std::string& password,
+                                        ParticipantNumber participant, const std::string& reason);
 
 private:
     core::Result<void> mayErase(const Actor& actor, const std::string& password);

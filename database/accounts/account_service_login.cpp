@@ -140,10 +140,12 @@ tl::expected<Actor, Refusal> AccountService::tryConfirm(const Actor& actor, cons
 
 core::Result<bool> AccountService::hasRecoveryCode(const Actor& actor) {
     auto reader = m_database.openReader();
-    return reader ? AccountRepository(**reader, actor).hasRecoveryCode(actor.personId()) : tl::unexpected(reader.error());
+    return reader ? AccountRepository(**reader, actor).hasRecoveryCode(actor.personId())
+                  : tl::unexpected(reader.error());
 }
 
-tl::expected<std::string, Refusal> AccountService::tryMakeRecoveryCode(const Actor& actor, const std::string& password) {
+tl::expected<std::string, Refusal> AccountService::tryMakeRecoveryCode(const Actor& actor,
+                                                                       const std::string& password) {
     CHIRON_TRY(tryConfirm(actor, password));
     const std::string code = newRecoveryCode();
     const auto hash = PasswordHasher(m_database.options().passwordCost).hash(code);

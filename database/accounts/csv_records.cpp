@@ -8,7 +8,8 @@ namespace {
 
 class CsvReader {
 public:
-    CsvReader(const std::string& text, char delimiter, int firstLine) : m_text(text), m_delimiter(delimiter), m_line(firstLine) {
+    CsvReader(const std::string& text, char delimiter, int firstLine)
+        : m_text(text), m_delimiter(delimiter), m_line(firstLine) {
         m_record.line = firstLine;
     }
 
@@ -63,7 +64,9 @@ private:
     // A spreadsheet writes an empty row as a line that consists only of delimiters.
     void endRecord() {
         endField();
-        if (std::any_of(m_record.fields.begin(), m_record.fields.end(), [](const std::string& field) { return field.find_first_not_of(" \t\n") != std::string::npos; })) {
+        if (std::any_of(m_record.fields.begin(), m_record.fields.end(), [](const std::string& field) {
+                return field.find_first_not_of(" \t\n") != std::string::npos;
+            })) {
             m_found.records.push_back(std::move(m_record));
         }
         m_record = CsvRecord{m_line, {}};
@@ -89,7 +92,8 @@ std::optional<char> takeSeparatorLine(std::string& text) {
     const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
     std::string line = text.substr(0, end);
     std::erase(line, '"');
-    if (line.size() < 5 || line.size() > 6 || !(line.starts_with("sep=") || line.starts_with("SEP=") || line.starts_with("Sep="))) {
+    if (line.size() < 5 || line.size() > 6 ||
+        !(line.starts_with("sep=") || line.starts_with("SEP=") || line.starts_with("Sep="))) {
         return std::nullopt;
     }
     const std::size_t next = text.compare(end, 2, "\r\n") == 0 ? end + 2 : std::min(end + 1, text.size());

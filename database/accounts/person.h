@@ -65,9 +65,8 @@ struct PersonChange {
 struct LoginAttempt {
     /// 0: no such account; something is hashed anyway, so that it takes the same time.
     PersonId person = 0;
-    std::string
-        passwordHash; ///< hash to verify against (password or recovery code); empty if there is none
-    std::int64_t wait_ns = 0;        ///< > 0: the account must wait this long; nothing was counted
+    std::string passwordHash; ///< hash to verify against (password or recovery code); empty if there is none
+    std::int64_t wait_ns = 0; ///< > 0: the account must wait this long; nothing was counted
     std::int64_t waitIfWrong_ns = 0; ///< how long the next attempt must wait if this one is wrong
 };
 

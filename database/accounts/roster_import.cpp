@@ -20,7 +20,8 @@ using Kind = RosterStep::Kind;
 
 /// `hadBefore`: the full name in the list is one that this person had before a change of name.
 RosterStep stepOf(const UserCsvRow& row, const Person* present, RosterExisting existing, bool hadBefore) {
-    RosterStep step{row.line, Kind::add, row.name, row.displayName, row.roles, row.password.empty(), 0, {}, {}};
+    RosterStep step{row.line, Kind::add, row.name, row.displayName, row.roles, row.password.empty(),
+                    0,        {},        {}};
     if (present == nullptr) {
         return step;
     }
@@ -86,7 +87,8 @@ public:
         if (!anybodyBefore) {
             return {};
         }
-        return before->second.size() > 1 ? Meant{nullptr, false, nullptr, true} : Meant{before->second.front(), true, nullptr, false};
+        return before->second.size() > 1 ? Meant{nullptr, false, nullptr, true}
+                                         : Meant{before->second.front(), true, nullptr, false};
     }
 
     /// Returns whether this was the person's full name before a change of name.
@@ -147,19 +149,22 @@ struct Prepared {
     RosterOutcome outcome;
 };
 
-core::Result<void> prepareNew(Prepared& prepared, const RosterStep& step, const std::string& given, const PasswordHasher& hasher) {
+core::Result<void> prepareNew(Prepared& prepared, const RosterStep& step, const std::string& given,
+                              const PasswordHasher& hasher) {
     const std::string password = given.empty() ? generatedPassword() : given;
     const auto hash = hasher.hash(password);
     CHIRON_TRY(hash);
     prepared.people.push_back({step.name, step.displayName, step.roles, *hash, true});
-    prepared.outcome.added.push_back({0, step.name, step.displayName, given.empty() ? password : std::string()});
+    prepared.outcome.added.push_back(
+        {0, step.name, step.displayName, given.empty() ? password : std::string()});
     return {};
 }
 
 } // namespace
 
 int RosterPlan::count(RosterStep::Kind kind) const {
-    return static_cast<int>(std::count_if(steps.begin(), steps.end(), [kind](const RosterStep& step) { return step.kind == kind; }));
+    return static_cast<int>(std::count_if(steps.begin(), steps.end(),
+                                          [kind](const RosterStep& step) { return step.kind == kind; }));
 }
 
 std::vector<RosterStep> planRoster(const Roster& roster, const KnownPeople& known, RosterExisting existing) {
@@ -167,7 +172,8 @@ std::vector<RosterStep> planRoster(const Roster& roster, const KnownPeople& know
     std::vector<RosterStep> steps;
     for (const UserCsvRow& row : roster.rows) {
         const Meant meant = names.meant(row.name);
-        RosterStep& step = steps.emplace_back(stepOf(row, meant.person, existing, names.hadFullName(meant.person, row.displayName)));
+        RosterStep& step = steps.emplace_back(
+            stepOf(row, meant.person, existing, names.hadFullName(meant.person, row.displayName)));
         if (meant.byEarlierName) {
             step.earlierName = row.name;
         } else if (meant.several) {
@@ -181,7 +187,8 @@ std::vector<RosterStep> planRoster(const Roster& roster, const KnownPeople& know
     return steps;
 }
 
-core::Result<RosterPlan> AccountService::previewCsv(const Actor& actor, const std::string& csv, RosterExisting existing, const RoleWords& roles) {
+core::Result<RosterPlan> AccountService::previewCsv(const Actor& actor, const std::string& csv,
+                                                    RosterExisting existing, const RoleWords& roles) {
     const auto people = peopleFor(m_database, actor);
     CHIRON_TRY(people);
     RosterPlan plan{readRoster(csv, roles), {}};
@@ -192,8 +199,10 @@ core::Result<RosterPlan> AccountService::previewCsv(const Actor& actor, const st
     return plan;
 }
 
-core::Result<RosterOutcome> AccountService::importCsv(const Actor& actor, const std::string& csv, RosterExisting existing,
-                                                      const std::function<bool(int done, int of)>& step, const RoleWords& roles) {
+core::Result<RosterOutcome> AccountService::importCsv(const Actor& actor, const std::string& csv,
+                                                      RosterExisting existing,
+                                                      const std::function<bool(int done, int of)>& step,
+                                                      const RoleWords& roles) {
     const Roster roster = readRoster(csv, roles);
     if (!roster.problems.empty()) {
         return tl::unexpected(rosterError(roster.problems));
@@ -222,9 +231,13 @@ core::Result<RosterOutcome> AccountService::importCsv(const Actor& actor, const 
     }
     prepared.outcome.ignoredColumns = roster.ignoredColumns;
     std::copy_if(steps.begin(), steps.end(), std::back_inserter(prepared.outcome.told),
-                 [](const RosterStep& each) { return !each.earlierName.empty() || !each.earlierDisplayName.empty() || each.doubt != RosterStep::Doubt::none; });
+                 [](const RosterStep& each) {
+                     return !each.earlierName.empty() || !each.earlierDisplayName.empty() ||
+                            each.doubt != RosterStep::Doubt::none;
+                 });
     prepared.outcome.updated = static_cast<int>(prepared.changes.size());
-    prepared.outcome.skipped = static_cast<int>(steps.size() - prepared.people.size() - prepared.changes.size());
+    prepared.outcome.skipped =
+        static_cast<int>(steps.size() - prepared.people.size() - prepared.changes.size());
     return std::move(prepared.outcome);
 }
 

@@ -29,7 +29,7 @@ struct RosterStep {
     };
     int line = 0;
     Kind kind = Kind::add;
-    std::string name; ///< spelled as on the site if the person exists
+    std::string name;        ///< spelled as on the site if the person exists
     std::string displayName; ///< after the import
     RoleSet roles;
     bool makesPassword = false;    ///< a password is generated because none is given

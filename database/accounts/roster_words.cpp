@@ -247,7 +247,9 @@ QStringList wordsOf(const std::string& cell) {
 /// Returns the meaning of a column "Name": beside "Vorname" it is the family name, beside "Επώνυμο" ("Όνομα")
 /// the given name, beside "Login" the full name. Alone it is the login name.
 RosterColumn meaningOfName(const std::vector<RosterColumn>& columns) {
-    const auto has = [&](RosterColumn column) { return std::find(columns.begin(), columns.end(), column) != columns.end(); };
+    const auto has = [&](RosterColumn column) {
+        return std::find(columns.begin(), columns.end(), column) != columns.end();
+    };
     if (has(RosterColumn::givenName) != has(RosterColumn::familyName)) {
         return has(RosterColumn::givenName) ? RosterColumn::familyName : RosterColumn::givenName;
     }

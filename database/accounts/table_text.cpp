@@ -17,7 +17,9 @@ unsigned char byteAt(std::string_view bytes, std::size_t i) {
 }
 
 int lineAt(std::string_view text, std::size_t at) {
-    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size())), '\n'));
+    return 1 +
+           static_cast<int>(std::count(
+               text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size())), '\n'));
 }
 
 // Recognises files of other programs by their signature, which a list of people does not have.
@@ -35,7 +37,8 @@ std::optional<Kind> otherFile(std::string_view bytes) {
     if (head.find("opendocument.spreadsheet") != std::string_view::npos) {
         return Kind::openDocument;
     }
-    const bool excel = head.find("[Content_Types].xml") != std::string_view::npos || bytes.find("xl/workbook") != std::string_view::npos;
+    const bool excel = head.find("[Content_Types].xml") != std::string_view::npos ||
+                       bytes.find("xl/workbook") != std::string_view::npos;
     return excel ? Kind::excel : Kind::archive;
 }
 
@@ -63,7 +66,11 @@ tl::expected<std::string, std::size_t> converted(const char* from, std::string_v
 /// Returns the length of the UTF-8 character that begins here, or 0 if none does.
 std::size_t utf8Length(std::string_view bytes, std::size_t i) {
     const unsigned char first = byteAt(bytes, i);
-    const std::size_t length = first < 0x80 ? 1 : first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3 : first >= 0xf0 && first < 0xf5 ? 4 : 0;
+    const std::size_t length = first < 0x80                    ? 1
+                               : first >= 0xc2 && first < 0xe0 ? 2
+                               : first >= 0xe0 && first < 0xf0 ? 3
+                               : first >= 0xf0 && first < 0xf5 ? 4
+                                                               : 0;
     if (length == 0 || i + length > bytes.size()) {
         return 0;
     }
@@ -73,7 +80,8 @@ std::size_t utf8Length(std::string_view bytes, std::size_t i) {
         }
     }
     const unsigned char second = length > 1 ? byteAt(bytes, i + 1) : 0;
-    const bool forbidden = (first == 0xe0 && second < 0xa0) || (first == 0xed && second >= 0xa0) || (first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90);
+    const bool forbidden = (first == 0xe0 && second < 0xa0) || (first == 0xed && second >= 0xa0) ||
+                           (first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90);
     return forbidden ? 0 : length;
 }
 
@@ -104,14 +112,18 @@ const char* utf16Order(std::string_view bytes) {
         zeros[i % 2] += bytes[i] == '\0' ? 1 : 0;
     }
     const std::size_t enough = std::max<std::size_t>(bytes.size() / 10, 2);
-    return zeros[1] >= enough && zeros[0] == 0 ? "UTF-16LE" : zeros[0] >= enough && zeros[1] == 0 ? "UTF-16BE" : nullptr;
+    return zeros[1] >= enough && zeros[0] == 0   ? "UTF-16LE"
+           : zeros[0] >= enough && zeros[1] == 0 ? "UTF-16BE"
+                                                 : nullptr;
 }
 
 /// Returns whether the text looks Greek. Greek words consist only of high bytes, while in Western European
 /// languages an accented letter stands among plain ones.
 bool looksGreek(std::string_view bytes) {
     const auto isHigh = [&](std::size_t i) { return i < bytes.size() && byteAt(bytes, i) >= 0xb8; };
-    const auto isPlain = [&](std::size_t i) { return i < bytes.size() && std::isalpha(byteAt(bytes, i)) != 0 && byteAt(bytes, i) < 0x80; };
+    const auto isPlain = [&](std::size_t i) {
+        return i < bytes.size() && std::isalpha(byteAt(bytes, i)) != 0 && byteAt(bytes, i) < 0x80;
+    };
     int words = 0;
     int accents = 0;
     for (std::size_t i = 0; i < bytes.size();) {
@@ -153,7 +165,8 @@ tl::expected<TableText, TextProblem> fromCodePage(std::string_view bytes) {
 tl::expected<TableText, TextProblem> decoded(std::string_view bytes) {
     if (bytes.starts_with("\xef\xbb\xbf")) {
         const Utf8Count count = countUtf8(bytes);
-        return count.bad > 0 ? damaged(bytes, count.firstBad) : TableText{std::string(bytes.substr(3)), "UTF-8"};
+        return count.bad > 0 ? damaged(bytes, count.firstBad)
+                             : TableText{std::string(bytes.substr(3)), "UTF-8"};
     }
     if (bytes.starts_with("\xff\xfe")) {
         return fromUtf16(bytes.substr(2), "UTF-16LE");
@@ -186,9 +199,12 @@ tl::expected<TableText, TextProblem> readTableText(const std::string& bytes) {
     if (!read->text.empty() && read->text.back() == '\x1a') {
         read->text.pop_back(); // old programs mark the end of the text with this character
     }
-    const auto control = std::find_if(read->text.begin(), read->text.end(), [](char c) { return c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r'; });
+    const auto control = std::find_if(read->text.begin(), read->text.end(), [](char c) {
+        return c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r';
+    });
     if (control != read->text.end()) {
-        return tl::unexpected(TextProblem{Kind::binary, lineAt(read->text, static_cast<std::size_t>(control - read->text.begin()))});
+        return tl::unexpected(TextProblem{
+            Kind::binary, lineAt(read->text, static_cast<std::size_t>(control - read->text.begin()))});
     }
     return read;
 }

@@ -30,7 +30,9 @@ void add(Roster& roster, RosterProblem problem, const std::string& expectation) 
 
 void addTextProblem(Roster& roster, const TextProblem& problem) {
     using Kind = TextProblem::Kind;
-    const auto add = [&](RosterFault fault, const std::string& words) { roster.problems.push_back({problem.line, fault, "", 0, words}); };
+    const auto add = [&](RosterFault fault, const std::string& words) {
+        roster.problems.push_back({problem.line, fault, "", 0, words});
+    };
     const std::string line = "line " + std::to_string(problem.line) + ": ";
     const std::string saveAs = "; expected a CSV file: open it in the spreadsheet program and save it as CSV";
     switch (problem.kind) {
@@ -41,13 +43,16 @@ void addTextProblem(Roster& roster, const TextProblem& problem) {
     case Kind::oldExcel:
         return add(RosterFault::oldExcelFile, "this is an old Excel workbook (.xls)" + saveAs);
     case Kind::pdf:
-        return add(RosterFault::pdfFile, "this is a PDF; expected a CSV file: save the list as CSV in the program that it comes from");
+        return add(
+            RosterFault::pdfFile,
+            "this is a PDF; expected a CSV file: save the list as CSV in the program that it comes from");
     case Kind::archive:
         return add(RosterFault::archiveFile, "this is a ZIP archive; expected the CSV file itself");
     case Kind::binary:
         return add(RosterFault::notText, line + "control characters; expected a text file (CSV)");
     case Kind::damaged:
-        return add(RosterFault::notReadable, line + "bytes that are no text in UTF-8, UTF-16, Windows-1252 or Windows-1253; save the list as CSV once more");
+        return add(RosterFault::notReadable, line + "bytes that are no text in UTF-8, UTF-16, Windows-1252 "
+                                                    "or Windows-1253; save the list as CSV once more");
     }
 }
 
@@ -77,7 +82,9 @@ struct Columns {
     std::size_t count = 0; ///< without columns at the end that have no heading
 
     bool has(RosterColumn column) const { return places.contains(column); }
-    std::string heading(RosterColumn column) const { return has(column) ? headings[places.at(column)] : std::string(); }
+    std::string heading(RosterColumn column) const {
+        return has(column) ? headings[places.at(column)] : std::string();
+    }
 };
 
 std::string trimmed(const std::string& text) {
@@ -102,26 +109,31 @@ std::optional<Columns> columnsOf(const CsvRecord& header, Roster& roster) {
         if (kinds[i] == RosterColumn::unknown || kinds[i] == RosterColumn::group) {
             roster.ignoredColumns.push_back(title);
         } else if (!columns.places.emplace(kinds[i], i).second) {
-            add(roster, {header.line, RosterFault::columnTwice, title, 0, "", "column"}, "another column holds the same; expected it once");
+            add(roster, {header.line, RosterFault::columnTwice, title, 0, "", "column"},
+                "another column holds the same; expected it once");
         }
     }
     if (knownHeadings(header.fields) == 0) {
         add(roster, {header.line, RosterFault::noHeadings, columns.headings.front(), 0, "", ""},
-            "no heading is known; expected a first line with headings such as login name, full name, role, password");
+            "no heading is known; expected a first line with headings such as login name, full name, role, "
+            "password");
         return std::nullopt;
     }
     if (!columns.has(RosterColumn::loginName)) {
-        add(roster, {header.line, RosterFault::columnMissing, "login name", 0, "", ""}, "no column holds it; expected a heading such as login name, Anmeldename or όνομα χρήστη");
+        add(roster, {header.line, RosterFault::columnMissing, "login name", 0, "", ""},
+            "no column holds it; expected a heading such as login name, Anmeldename or όνομα χρήστη");
     }
     if (!columns.has(RosterColumn::roles)) {
-        add(roster, {header.line, RosterFault::columnMissing, "role", 0, "", ""}, "no column holds it; expected a heading such as role, Rolle or ρόλος");
+        add(roster, {header.line, RosterFault::columnMissing, "role", 0, "", ""},
+            "no column holds it; expected a heading such as role, Rolle or ρόλος");
     }
     return roster.problems.empty() ? std::optional(columns) : std::nullopt;
 }
 
 class RowReader {
 public:
-    RowReader(const Columns& columns, Roster& roster, const RoleWords& own) : m_columns(columns), m_roster(roster), m_own(own) {}
+    RowReader(const Columns& columns, Roster& roster, const RoleWords& own)
+        : m_columns(columns), m_roster(roster), m_own(own) {}
 
     void read(const CsvRecord& record) {
         m_record = &record;
@@ -132,7 +144,8 @@ public:
         row.line = record.line;
         row.name = trimmed(cell(RosterColumn::loginName));
         row.displayName = displayName();
-        row.password = trimmed(cell(RosterColumn::password)).empty() ? std::string() : cell(RosterColumn::password);
+        row.password =
+            trimmed(cell(RosterColumn::password)).empty() ? std::string() : cell(RosterColumn::password);
         row.roles = roles();
         check(row);
         m_roster.rows.push_back(std::move(row));
@@ -154,25 +167,35 @@ private:
             return false;
         }();
         if (filled > m_columns.count || untitled) {
-            add(m_roster, {m_record->line, RosterFault::fieldCount, std::to_string(filled), static_cast<int>(m_columns.count), "", "fields"},
-                untitled ? "a value stands in a column without a heading" : "expected " + std::to_string(m_columns.count) + "; quote a value that holds the delimiter");
+            add(m_roster,
+                {m_record->line, RosterFault::fieldCount, std::to_string(filled),
+                 static_cast<int>(m_columns.count), "", "fields"},
+                untitled ? "a value stands in a column without a heading"
+                         : "expected " + std::to_string(m_columns.count) +
+                               "; quote a value that holds the delimiter");
         }
         return filled > m_columns.count || untitled;
     }
     std::string cell(RosterColumn column) const {
         const auto place = m_columns.places.find(column);
-        return place == m_columns.places.end() || place->second >= m_record->fields.size() ? std::string() : m_record->fields[place->second];
+        return place == m_columns.places.end() || place->second >= m_record->fields.size()
+                   ? std::string()
+                   : m_record->fields[place->second];
     }
     std::string displayName() const {
         const std::string whole = simplified(cell(RosterColumn::displayName));
-        return whole.empty() ? simplified(cell(RosterColumn::givenName) + " " + cell(RosterColumn::familyName)) : whole;
+        return whole.empty()
+                   ? simplified(cell(RosterColumn::givenName) + " " + cell(RosterColumn::familyName))
+                   : whole;
     }
     RoleSet roles() {
         const std::string words = cell(RosterColumn::roles);
         noteUnknown(words);
         const auto set = rolesOfCell(words, m_own);
         if (!set) {
-            add(m_roster, {m_record->line, RosterFault::roles, simplified(words), 0, "", m_columns.heading(RosterColumn::roles)},
+            add(m_roster,
+                {m_record->line, RosterFault::roles, simplified(words), 0, "",
+                 m_columns.heading(RosterColumn::roles)},
                 "expected trainee, trainer, researcher or admin, separated by ;");
         }
         return set.value_or(RoleSet{});
@@ -186,18 +209,28 @@ private:
     }
     void check(const UserCsvRow& row) {
         if (const auto good = checkName(row.name); !good) {
-            add(m_roster, {row.line, RosterFault::name, row.name, 0, "", m_columns.heading(RosterColumn::loginName)}, good.error().message);
+            add(m_roster,
+                {row.line, RosterFault::name, row.name, 0, "", m_columns.heading(RosterColumn::loginName)},
+                good.error().message);
         }
-        if (const auto good = checkText("display name", row.displayName, kMaximumDisplayNameCharacters); !good) {
-            const RosterColumn column = m_columns.has(RosterColumn::displayName) ? RosterColumn::displayName : m_columns.has(RosterColumn::familyName) ? RosterColumn::familyName : RosterColumn::givenName;
-            add(m_roster, {row.line, RosterFault::displayName, "", 0, "", m_columns.heading(column)}, good.error().message);
+        if (const auto good = checkText("display name", row.displayName, kMaximumDisplayNameCharacters);
+            !good) {
+            const RosterColumn column = m_columns.has(RosterColumn::displayName)  ? RosterColumn::displayName
+                                        : m_columns.has(RosterColumn::familyName) ? RosterColumn::familyName
+                                                                                  : RosterColumn::givenName;
+            add(m_roster, {row.line, RosterFault::displayName, "", 0, "", m_columns.heading(column)},
+                good.error().message);
         }
         if (const auto good = checkPassword(row.name, row.password); !row.password.empty() && !good) {
-            add(m_roster, {row.line, RosterFault::password, "", 0, "", m_columns.heading(RosterColumn::password)}, good.error().message);
+            add(m_roster,
+                {row.line, RosterFault::password, "", 0, "", m_columns.heading(RosterColumn::password)},
+                good.error().message);
         }
         const auto [other, isNew] = m_lineOfName.emplace(nameKey(row.name), row.line);
         if (!isNew && !row.name.empty()) {
-            add(m_roster, {row.line, RosterFault::nameTwice, row.name, other->second, "", m_columns.heading(RosterColumn::loginName)},
+            add(m_roster,
+                {row.line, RosterFault::nameTwice, row.name, other->second, "",
+                 m_columns.heading(RosterColumn::loginName)},
                 "given already in line " + std::to_string(other->second));
         }
     }
@@ -217,11 +250,15 @@ std::vector<CsvRecord> recordsOf(std::string text, Roster& roster) {
     CsvRecords read = readCsvRecords(text, roster.delimiter, kMaximumRecords, firstLine);
     if (read.tooMany) {
         const std::string most = std::to_string(kMaximumRecords);
-        roster.problems.push_back({read.records.back().line, RosterFault::tooManyLines, most, 0, "more than " + most + " lines"});
+        roster.problems.push_back(
+            {read.records.back().line, RosterFault::tooManyLines, most, 0, "more than " + most + " lines"});
     } else if (read.notClosed) {
-        roster.problems.push_back({*read.notClosed, RosterFault::notClosed, "", 0, "line " + std::to_string(*read.notClosed) + ": a quotation mark is not closed"});
+        roster.problems.push_back(
+            {*read.notClosed, RosterFault::notClosed, "", 0,
+             "line " + std::to_string(*read.notClosed) + ": a quotation mark is not closed"});
     } else if (read.records.size() < 2) {
-        roster.problems.push_back({firstLine, RosterFault::nobody, "", 0, "expected a header line and at least one person"});
+        roster.problems.push_back(
+            {firstLine, RosterFault::nobody, "", 0, "expected a header line and at least one person"});
     }
     return std::move(read.records);
 }

@@ -26,13 +26,13 @@ enum class RosterFault : std::uint8_t {
     oldExcelFile,
     pdfFile,
     archiveFile,
-    notText,      ///< this line has control characters
-    notReadable,  ///< this line has bytes that are invalid in every encoding
-    notClosed,    ///< a quotation mark; nothing after it could be read
-    tooManyLines, ///< value: the largest number allowed
-    nobody,       ///< no header line, or no people below it
-    noHeadings,   ///< no heading of the first line is known; value: the first one
-    columnTwice,  ///< two columns have the same content; value: the second one's heading
+    notText,       ///< this line has control characters
+    notReadable,   ///< this line has bytes that are invalid in every encoding
+    notClosed,     ///< a quotation mark; nothing after it could be read
+    tooManyLines,  ///< value: the largest number allowed
+    nobody,        ///< no header line, or no people below it
+    noHeadings,    ///< no heading of the first line is known; value: the first one
+    columnTwice,   ///< two columns have the same content; value: the second one's heading
     columnMissing, ///< value: the content that is missing, "login name" or "role"
     /// A value beyond the headings; other: the number of headings; value: the number of fields.
     fieldCount,

@@ -20,7 +20,7 @@ struct AuditNote {
     std::int64_t targetId = 0;
     /// Digest of the target's row after the action, with which verify compares the row.
     std::optional<RowDigest> row;
-    std::string detail = "{}";    ///< additional JSON object, without "row"
+    std::string detail = "{}"; ///< additional JSON object, without "row"
 };
 
 /// One stored entry with its links in the chain.

@@ -23,7 +23,8 @@ std::string keyFile(const std::string& folder) {
 }
 
 bool putDown(int descriptor, const std::string& text) {
-    return ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) && ::fsync(descriptor) == 0;
+    return ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
+           ::fsync(descriptor) == 0;
 }
 
 /// Gives a completely written file its name without ever replacing another file; returns 0, or errno.

@@ -105,7 +105,8 @@ void checkVouchedRows(Connection& connection, const std::map<Target, std::string
                       VerifyReport& report) {
     for (const auto& [target, expected] : rows) {
         const auto& [table, id] = target;
-        if (std::none_of(kVouchedTables.begin(), kVouchedTables.end(), [&](const VouchedTable& t) { return t.name == table; })) {
+        if (std::none_of(kVouchedTables.begin(), kVouchedTables.end(),
+                         [&](const VouchedTable& t) { return t.name == table; })) {
             continue;
         }
         const auto digest =

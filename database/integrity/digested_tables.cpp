@@ -48,9 +48,12 @@ DigestedTable decisionsTable() {
                         {"id", "session_id", "decision", "person_id", "utc", "reason_hash"},
                         "reason",
                         "reason_hash",
-                        "EXISTS (SELECT 1 FROM erasure WHERE person_id IN (session_decision.person_id, (SELECT person_id FROM session "
-                        "WHERE id = session_decision.session_id))) OR EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON "
-                        "r.participant_id = e.id JOIN recorded_sitting t ON t.run_id = r.id WHERE t.session_id = session_decision.session_id)"};
+                        "EXISTS (SELECT 1 FROM erasure WHERE person_id IN (session_decision.person_id, "
+                        "(SELECT person_id FROM session "
+                        "WHERE id = session_decision.session_id))) OR EXISTS (SELECT 1 FROM "
+                        "participant_erasure e JOIN study_run r ON "
+                        "r.participant_id = e.id JOIN recorded_sitting t ON t.run_id = r.id WHERE "
+                        "t.session_id = session_decision.session_id)"};
     table.since = kDecisionsVersion;
     return table;
 }
@@ -100,9 +103,11 @@ DigestedTable sessionTable() {
             "EXISTS (SELECT 1 FROM erasure WHERE person_id IN (session.person_id, session.voided_by))",
             0,
             1,
-            "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN study_trial t "
+            "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN "
+            "study_trial t "
             "ON t.run_id = r.id WHERE t.session_id = session.id)",
-            "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN study_sitting t "
+            "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN "
+            "study_sitting t "
             "ON t.run_id = r.id WHERE t.id = session.id)"};
 }
 
@@ -140,9 +145,11 @@ std::vector<DigestedTable> recordTables() {
          "WHERE id = session_comment.session_id)))",
          1,
          1,
-         "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN study_trial t "
+         "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN "
+         "study_trial t "
          "ON t.run_id = r.id WHERE t.session_id = session_comment.session_id)",
-         "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN study_sitting t "
+         "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN "
+         "study_sitting t "
          "ON t.run_id = r.id WHERE t.id = session_comment.session_id)"},
         {"erasure",
          {"person_id"},

@@ -45,7 +45,8 @@ bool isCut(const QString& name, const QByteArray& header, std::string& detail) {
 
 /// Returns "ok", or SQLite's first complaint.
 core::Result<std::string> quickCheck(Connection& connection, const std::string& table) {
-    const auto words = selectText(connection, "PRAGMA quick_check" + (table.empty() ? std::string("(1)") : "('" + table + "')"));
+    const auto words = selectText(connection, "PRAGMA quick_check" +
+                                                  (table.empty() ? std::string("(1)") : "('" + table + "')"));
     return words ? core::Result<std::string>(words->value_or("")) : tl::unexpected(words.error());
 }
 
@@ -75,7 +76,8 @@ FileState examineFile(const std::string& file, const std::atomic<bool>* cancel) 
     }
     const QByteArray header = headerOf(name);
     if (header.size() < kHeader_bytes || !header.startsWith(QByteArray("SQLite format 3\0", 16))) {
-        return {FileHealth::damaged, header.isEmpty() ? "the file is empty" : "it does not begin as a database does"};
+        return {FileHealth::damaged,
+                header.isEmpty() ? "the file is empty" : "it does not begin as a database does"};
     }
     const int application = qFromBigEndian<qint32>(header.constData() + 68);
     const int version = qFromBigEndian<qint32>(header.constData() + 60);
@@ -107,7 +109,8 @@ core::Result<void> checkAtOpening(const std::string& file) {
     for (const char* table : {"meta", "person", "credential"}) {
         const auto words = quickCheck(**connection, table);
         if (!words || *words != "ok") {
-            return core::fail(core::ErrorCode::storage, file + ": damaged: " + (words ? *words : words.error().message));
+            return core::fail(core::ErrorCode::storage,
+                              file + ": damaged: " + (words ? *words : words.error().message));
         }
     }
     return {};

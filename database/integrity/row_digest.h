@@ -34,8 +34,8 @@ struct DigestedTable {
     std::string_view erasedWithSittingsSql{}; ///< alternative to erasedSql for kSittingsVersion
 };
 
-inline constexpr int kStudyVersion = 3; ///< version of the schema that added studies
-inline constexpr int kNamesVersion = 4; ///< version that added earlier names of people
+inline constexpr int kStudyVersion = 3;    ///< version of the schema that added studies
+inline constexpr int kNamesVersion = 4;    ///< version that added earlier names of people
 inline constexpr int kSittingsVersion = 5; ///< version that added for which run a session was recorded
 /// Version in which a voided session may be reinstated.
 inline constexpr int kDecisionsVersion = 7;

@@ -79,10 +79,13 @@ SeenRows checkRows(Connection& connection, VerifyReport& report, VerifySteps& st
 // that every table is checked.
 int schemaVersionOf(Connection& connection) {
     const auto version = selectInteger(connection, "PRAGMA user_version");
-    const auto held = selectInteger(connection, "SELECT max(CASE name WHEN 'study_trial' THEN ? WHEN 'person_name' THEN ? WHEN 'study_sitting' THEN ? WHEN 'session_decision' THEN ? "
+    const auto held = selectInteger(connection,
+                                    "SELECT max(CASE name WHEN 'study_trial' THEN ? WHEN 'person_name' THEN "
+                                    "? WHEN 'study_sitting' THEN ? WHEN 'session_decision' THEN ? "
                                     "ELSE 0 END) "
                                     "FROM sqlite_schema WHERE type = 'table'",
-                                    {std::int64_t{kStudyVersion}, std::int64_t{kNamesVersion}, std::int64_t{kSittingsVersion}, std::int64_t{kDecisionsVersion}});
+                                    {std::int64_t{kStudyVersion}, std::int64_t{kNamesVersion},
+                                     std::int64_t{kSittingsVersion}, std::int64_t{kDecisionsVersion}});
     if (!version || !held)
         return kDecisionsVersion;
     return static_cast<int>(std::max(version->value_or(0), held->value_or(0)));
@@ -122,8 +125,8 @@ VerifyReport verifySnapshot(const std::string& file, const SiteKey* key, const s
     return report;
 }
 
-VerifyReport verifyDatabase(const std::string& file, const DatabaseOptions& options,
-                            const ScoreCheck& check, const VerifyWatch& watch) {
+VerifyReport verifyDatabase(const std::string& file, const DatabaseOptions& options, const ScoreCheck& check,
+                            const VerifyWatch& watch) {
     const auto key = SiteKey::load(siteFolderFor(file, options));
     if (!key) {
         VerifyReport report = verifySnapshot(file, nullptr, std::nullopt, check, watch);

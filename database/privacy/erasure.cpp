@@ -61,10 +61,11 @@ core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, P
                                {id, id});
     auto reasons = Query::run(
         connection, "UPDATE session SET void_reason = '' WHERE voided_by = ? OR person_id = ?", {id, id});
-    auto decisions = Query::run(connection,
-                                "UPDATE session_decision SET reason = '' WHERE person_id = ? OR session_id IN "
-                                "(SELECT id FROM session WHERE person_id = ?)",
-                                {id, id});
+    auto decisions =
+        Query::run(connection,
+                   "UPDATE session_decision SET reason = '' WHERE person_id = ? OR session_id IN "
+                   "(SELECT id FROM session WHERE person_id = ?)",
+                   {id, id});
     auto names = Query::run(connection, "UPDATE person_name SET names_json = '' WHERE person_id = ?", {id});
     if (!comments || !reasons || !decisions || !names) {
         return tl::unexpected(!comments    ? comments.error()
@@ -90,10 +91,11 @@ core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, P
 
 // Sessions of a study contain its participants' movements, not those of the person who conducted them.
 core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWhom, Erasure& erasure) {
-    const auto sessions = idsOf(connection,
-                                "SELECT id FROM session WHERE person_id = ? AND id NOT IN (SELECT session_id FROM "
-                                "recorded_sitting)",
-                                erasure.person);
+    const auto sessions =
+        idsOf(connection,
+              "SELECT id FROM session WHERE person_id = ? AND id NOT IN (SELECT session_id FROM "
+              "recorded_sitting)",
+              erasure.person);
     CHIRON_TRY(sessions);
     std::string seals;
     for (const SessionId session : *sessions) {
@@ -107,7 +109,8 @@ core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWh
 
 // Erases the person's identity as a participant of studies: only the key contains it; everything else refers
 // to the code.
-core::Result<void> overwriteParticipations(Connection& connection, const Actor& byWhom, const Erasure& erasure) {
+core::Result<void> overwriteParticipations(Connection& connection, const Actor& byWhom,
+                                           const Erasure& erasure) {
     const auto participants = participantsOf(connection, erasure.person);
     CHIRON_TRY(participants);
     for (const std::int64_t participant : *participants) {
@@ -150,7 +153,8 @@ core::Result<void> overwriteRecording(Connection& connection, const Actor& byWho
     const auto row =
         updateRow(connection, "session", {{"id", session}}, {{"recording_erased", std::int64_t{1}}});
     CHIRON_TRY(row);
-    digestsJson += (digestsJson.empty() ? "\"" : ",\"") + std::to_string(session) + "\":\"" + seal->value_or("") + "\"";
+    digestsJson +=
+        (digestsJson.empty() ? "\"" : ",\"") + std::to_string(session) + "\":\"" + seal->value_or("") + "\"";
     return appendAudit(connection, byWhom, {"eraseRecording", "session", session, *row, "{}"});
 }
 

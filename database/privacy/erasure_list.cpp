@@ -15,12 +15,12 @@ namespace {
 
 QJsonObject jsonOf(const Erasure& erasure) {
     QJsonObject json{{"person", static_cast<qint64>(erasure.person)},
-            {"person_created_utc", QString::fromStdString(erasure.personCreated_utc)},
-            {"utc", QString::fromStdString(erasure.utc)},
-            {"reason", QString::fromStdString(erasure.reason)},
-            {"administrator", static_cast<qint64>(erasure.administrator)},
-            {"recordings_withdrawn", erasure.recordingsWithdrawn},
-            {"digests", QString::fromStdString(erasure.digestsJson)}};
+                     {"person_created_utc", QString::fromStdString(erasure.personCreated_utc)},
+                     {"utc", QString::fromStdString(erasure.utc)},
+                     {"reason", QString::fromStdString(erasure.reason)},
+                     {"administrator", static_cast<qint64>(erasure.administrator)},
+                     {"recordings_withdrawn", erasure.recordingsWithdrawn},
+                     {"digests", QString::fromStdString(erasure.digestsJson)}};
     if (!erasure.participantCode.empty()) {
         json["participant_code"] = QString::fromStdString(erasure.participantCode);
     }

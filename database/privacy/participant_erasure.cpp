@@ -8,7 +8,8 @@
 namespace chiron::database {
 namespace {
 
-core::Result<std::vector<std::int64_t>> idsOf(Connection& connection, const std::string& sql, std::int64_t number) {
+core::Result<std::vector<std::int64_t>> idsOf(Connection& connection, const std::string& sql,
+                                              std::int64_t number) {
     auto query = Query::run(connection, sql, {number});
     CHIRON_TRY(query);
     std::vector<std::int64_t> ids;
@@ -21,18 +22,22 @@ core::Result<std::vector<std::int64_t>> idsOf(Connection& connection, const std:
 
 // Keys and answers are covered through their hashes, so neither digests nor the chain change.
 core::Result<void> overwriteTexts(Connection& connection, std::int64_t participant, std::string& digests) {
-    const auto key = selectText(connection, "SELECT lower(hex(key_hash)) FROM participant_key WHERE id = ?", {participant});
-    const auto answers = selectText(connection,
-                                    "SELECT group_concat('\"' || id || '\":\"' || lower(hex(answer_hash)) || '\"', ',') FROM "
-                                    "questionnaire_answer WHERE participant_id = ?",
-                                    {participant});
+    const auto key = selectText(connection, "SELECT lower(hex(key_hash)) FROM participant_key WHERE id = ?",
+                                {participant});
+    const auto answers =
+        selectText(connection,
+                   "SELECT group_concat('\"' || id || '\":\"' || lower(hex(answer_hash)) || '\"', ',') FROM "
+                   "questionnaire_answer WHERE participant_id = ?",
+                   {participant});
     if (!key || !answers) {
         return tl::unexpected(!key ? key.error() : answers.error());
     }
     digests += "\"key\":\"" + key->value_or("") + "\",\"answers\":{" + answers->value_or("") + "}";
-    auto first = Query::run(connection, "UPDATE participant_key SET key_json = '' WHERE id = ?", {participant});
+    auto first =
+        Query::run(connection, "UPDATE participant_key SET key_json = '' WHERE id = ?", {participant});
     auto second =
-        Query::run(connection, "UPDATE questionnaire_answer SET answer_json = '' WHERE participant_id = ?", {participant});
+        Query::run(connection, "UPDATE questionnaire_answer SET answer_json = '' WHERE participant_id = ?",
+                   {participant});
     if (!first || !second) {
         return tl::unexpected(!first ? first.error() : second.error());
     }
@@ -42,11 +47,15 @@ core::Result<void> overwriteTexts(Connection& connection, std::int64_t participa
 // Overwrites remarks about the participant's sessions, whoever wrote them: they are free text and may name
 // the person. They, too, are covered through their hash.
 core::Result<void> overwriteRemarks(Connection& connection, std::int64_t participant) {
-    const std::string sittings = "(SELECT t.session_id FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id WHERE "
-                                 "r.participant_id = ?)";
-    auto comments = Query::run(connection, "UPDATE session_comment SET text = '' WHERE session_id IN " + sittings, {participant});
-    auto reasons = Query::run(connection, "UPDATE session SET void_reason = '' WHERE id IN " + sittings, {participant});
-    auto decisions = Query::run(connection, "UPDATE session_decision SET reason = '' WHERE session_id IN " + sittings, {participant});
+    const std::string sittings =
+        "(SELECT t.session_id FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id WHERE "
+        "r.participant_id = ?)";
+    auto comments = Query::run(
+        connection, "UPDATE session_comment SET text = '' WHERE session_id IN " + sittings, {participant});
+    auto reasons =
+        Query::run(connection, "UPDATE session SET void_reason = '' WHERE id IN " + sittings, {participant});
+    auto decisions = Query::run(
+        connection, "UPDATE session_decision SET reason = '' WHERE session_id IN " + sittings, {participant});
     if (!comments || !reasons || !decisions) {
         return tl::unexpected(!comments ? comments.error() : !reasons ? reasons.error() : decisions.error());
     }
@@ -55,10 +64,11 @@ core::Result<void> overwriteRemarks(Connection& connection, std::int64_t partici
 
 core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWhom, std::int64_t participant,
                                        std::string& digests) {
-    const auto sessions = idsOf(connection,
-                                "SELECT t.session_id FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id "
-                                "WHERE r.participant_id = ? ORDER BY t.session_id",
-                                participant);
+    const auto sessions =
+        idsOf(connection,
+              "SELECT t.session_id FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id "
+              "WHERE r.participant_id = ? ORDER BY t.session_id",
+              participant);
     CHIRON_TRY(sessions);
     std::string seals;
     for (const SessionId session : *sessions) {
@@ -72,7 +82,8 @@ core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWh
 
 core::Result<void> storeTombstone(Connection& connection, const Actor& byWhom, std::int64_t participant,
                                   const Erasure& erasure) {
-    const auto known = selectInteger(connection, "SELECT 1 FROM participant_erasure WHERE id = ?", {participant});
+    const auto known =
+        selectInteger(connection, "SELECT 1 FROM participant_erasure WHERE id = ?", {participant});
     CHIRON_TRY(known);
     std::vector<Column> rest{{"utc", erasure.utc},
                              {"reason", erasure.reason},
@@ -82,36 +93,42 @@ core::Result<void> storeTombstone(Connection& connection, const Actor& byWhom, s
     if (!*known) {
         rest.insert(rest.begin(), {"id", participant});
     }
-    const auto row = *known ? updateRow(connection, "participant_erasure", {{"id", participant}}, std::move(rest))
-                            : insertRow(connection, "participant_erasure", std::move(rest));
-    return row ? appendAudit(connection, byWhom, {"eraseParticipant", "participant_erasure", participant, *row, "{}"})
+    const auto row =
+        *known ? updateRow(connection, "participant_erasure", {{"id", participant}}, std::move(rest))
+               : insertRow(connection, "participant_erasure", std::move(rest));
+    return row ? appendAudit(connection, byWhom,
+                             {"eraseParticipant", "participant_erasure", participant, *row, "{}"})
                : core::Result<void>(tl::unexpected(row.error()));
 }
 
 } // namespace
 
 core::Result<std::vector<std::int64_t>> participantsOf(Connection& connection, PersonId person) {
-    return idsOf(connection,
-                 "SELECT id FROM participant_key WHERE CASE WHEN json_valid(key_json) THEN json_extract(key_json, "
-                 "'$.person') ELSE 0 END = ? ORDER BY id",
-                 person);
+    return idsOf(
+        connection,
+        "SELECT id FROM participant_key WHERE CASE WHEN json_valid(key_json) THEN json_extract(key_json, "
+        "'$.person') ELSE 0 END = ? ORDER BY id",
+        person);
 }
 
 core::Result<std::int64_t> participantWithCode(Connection& connection, const std::string& code) {
-    const auto id =
-        selectInteger(connection, "SELECT id FROM study_participant WHERE code = ? AND simulated = 0", {code});
+    const auto id = selectInteger(
+        connection, "SELECT id FROM study_participant WHERE code = ? AND simulated = 0", {code});
     return id ? core::Result<std::int64_t>(id->value_or(0)) : tl::unexpected(id.error());
 }
 
-core::Result<Erasure> overwriteParticipant(Connection& connection, const Actor& byWhom, std::int64_t participant,
-                                           Erasure erasure) {
-    auto query = Query::run(connection, "SELECT code, simulated, erase_recordings FROM study_participant WHERE id = ?",
-                            {participant});
+core::Result<Erasure> overwriteParticipant(Connection& connection, const Actor& byWhom,
+                                           std::int64_t participant, Erasure erasure) {
+    auto query =
+        Query::run(connection, "SELECT code, simulated, erase_recordings FROM study_participant WHERE id = ?",
+                   {participant});
     const auto row = query ? query->next() : tl::unexpected(query.error());
     CHIRON_TRY(row);
     if (!*row || query->integer(1) != 0) {
-        return *row ? core::fail(core::ErrorCode::wrongUse, "a simulated participant is nobody who could be erased")
-                    : core::fail(core::ErrorCode::notFound, "there is no participant " + std::to_string(participant));
+        return *row ? core::fail(core::ErrorCode::wrongUse,
+                                 "a simulated participant is nobody who could be erased")
+                    : core::fail(core::ErrorCode::notFound,
+                                 "there is no participant " + std::to_string(participant));
     }
     erasure.person = 0;
     erasure.personCreated_utc.clear();
@@ -133,11 +150,13 @@ core::Result<std::vector<Erasure>> storedParticipantErasures(Connection& connect
     const auto there =
         selectInteger(connection, "SELECT count(*) FROM sqlite_schema WHERE name = 'participant_erasure'");
     if (!there || there->value_or(0) == 0) {
-        return there ? core::Result<std::vector<Erasure>>(std::vector<Erasure>()) : tl::unexpected(there.error());
+        return there ? core::Result<std::vector<Erasure>>(std::vector<Erasure>())
+                     : tl::unexpected(there.error());
     }
-    auto query = Query::run(connection, "SELECT p.code, e.utc, e.reason, e.administrator_id, e.recordings_withdrawn, "
-                                        "e.digests_json FROM participant_erasure e JOIN study_participant p ON p.id = e.id "
-                                        "ORDER BY e.id");
+    auto query = Query::run(
+        connection, "SELECT p.code, e.utc, e.reason, e.administrator_id, e.recordings_withdrawn, "
+                    "e.digests_json FROM participant_erasure e JOIN study_participant p ON p.id = e.id "
+                    "ORDER BY e.id");
     CHIRON_TRY(query);
     std::vector<Erasure> erasures;
     auto row = query->next();

@@ -22,7 +22,8 @@ core::Result<std::int64_t> participantWithCode(Connection& connection, const std
 /// behalf of byWhom, all in the running transaction. Runs and trials remain, under the code. If the
 /// participant is erased already, any remaining data is overwritten, too. Returns the tombstone (by code).
 /// Errors: notFound; wrongUse for a simulated participant; storage.
-core::Result<Erasure> overwriteParticipant(Connection& connection, const Actor& byWhom, std::int64_t participant, Erasure erasure);
+core::Result<Erasure> overwriteParticipant(Connection& connection, const Actor& byWhom,
+                                           std::int64_t participant, Erasure erasure);
 
 /// Returns the tombstones of participants; none in a file from before studies existed.
 /// Errors: storage.

@@ -66,8 +66,9 @@ core::Result<PersonId> AccountRepository::createPerson(const NewPerson& person) 
     return insertPerson(person);
 }
 
-core::Result<std::vector<PersonId>> AccountRepository::importPeople(const std::vector<NewPerson>& people,
-                                                                    const std::vector<PersonChange>& changes) {
+core::Result<std::vector<PersonId>>
+AccountRepository::importPeople(const std::vector<NewPerson>& people,
+                                const std::vector<PersonChange>& changes) {
     CHIRON_TRY(writeAllowed(m_connection, m_actor, Action::importPeople));
     std::vector<PersonId> ids;
     for (const NewPerson& person : people) {
@@ -79,7 +80,8 @@ core::Result<std::vector<PersonId>> AccountRepository::importPeople(const std::v
         const auto before = selectText(m_connection, "SELECT roles FROM person WHERE id = ?", {change.id});
         CHIRON_TRY(before);
         auto done = storeNames("importNames", change.id, std::nullopt, change.displayName);
-        done = done && before->value_or("") != change.roles.list() ? storeRoles(change.id, change.roles) : done;
+        done =
+            done && before->value_or("") != change.roles.list() ? storeRoles(change.id, change.roles) : done;
         CHIRON_TRY(done);
     }
     auto kept = changes.empty() ? core::Result<void>() : keepsAnAdministrator();
@@ -202,7 +204,8 @@ core::Result<void> AccountRepository::resetPassword(PersonId id, const std::stri
 
 core::Result<bool> AccountRepository::hasRecoveryCode(PersonId id) {
     CHIRON_TRY(authoriseFor(m_connection, m_actor, Action::hasRecoveryCode, id));
-    const auto has = selectInteger(m_connection, "SELECT recovery_hash <> '' FROM credential WHERE person_id = ?", {id});
+    const auto has =
+        selectInteger(m_connection, "SELECT recovery_hash <> '' FROM credential WHERE person_id = ?", {id});
     return has ? core::Result<bool>(has->value_or(0) != 0) : tl::unexpected(has.error());
 }
 

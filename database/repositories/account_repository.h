@@ -41,7 +41,7 @@ public:
     /// Adds people and changes others, all or nothing.
     core::Result<std::vector<PersonId>> importPeople(const std::vector<NewPerson>& people,
                                                      const std::vector<PersonChange>& changes = {});
-    core::Result<std::vector<Person>> listPeople();     ///< without the simulated account and erased people
+    core::Result<std::vector<Person>> listPeople(); ///< without the simulated account and erased people
     core::Result<Person> person(PersonId id);
     core::Result<Person> personByName(const std::string& name);
     /// Refused for the last enabled administrator.

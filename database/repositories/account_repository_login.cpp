@@ -58,8 +58,7 @@ core::Result<LoginAttempt> AccountRepository::beginAttempt(const std::string& na
     if (remaining > 0 && throttle.boot == bootBefore) {
         return waiting;
     }
-    if (!m_connection
-             .isWritable()) { // beside a writer: the wait applies, but the attempt cannot be counted
+    if (!m_connection.isWritable()) { // beside a writer: the wait applies, but the attempt cannot be counted
         return remaining > 0 ? waiting : found->attempt;
     }
     if (remaining == 0) {

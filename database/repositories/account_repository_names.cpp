@@ -16,8 +16,8 @@ namespace chiron::database {
 namespace {
 
 // The names are covered through their hash, so that an erasure can overwrite them without changing the chain.
-core::Result<void> keepNames(Connection& connection, const Actor& actor, PersonId person, const std::string& name,
-                             const std::string& displayName) {
+core::Result<void> keepNames(Connection& connection, const Actor& actor, PersonId person,
+                             const std::string& name, const std::string& displayName) {
     const auto last = selectInteger(connection, "SELECT max(id) FROM person_name");
     CHIRON_TRY(last);
     const QJsonObject names{{"display_name", QString::fromStdString(displayName)},
@@ -69,7 +69,8 @@ core::Result<void> AccountRepository::changeDisplayName(PersonId id, const std::
 core::Result<void> AccountRepository::storeNames(const char* action, PersonId id,
                                                  const std::optional<std::string>& newName,
                                                  const std::string& displayName) {
-    const auto before = selectText(m_connection, "SELECT name FROM person WHERE id = ? AND kind = 'person'", {id});
+    const auto before =
+        selectText(m_connection, "SELECT name FROM person WHERE id = ? AND kind = 'person'", {id});
     const auto shown = selectText(m_connection, "SELECT display_name FROM person WHERE id = ?", {id});
     if (!before || !shown) {
         return tl::unexpected(!before ? before.error() : shown.error());
@@ -94,10 +95,11 @@ core::Result<void> AccountRepository::storeNames(const char* action, PersonId id
 
 core::Result<std::vector<EarlierName>> AccountRepository::earlierNames(PersonId id) {
     CHIRON_TRY(authoriseFor(m_connection, m_actor, Action::earlierNames, id));
-    auto query = Query::run(m_connection,
-                            "SELECT id, names_json, until_utc, changed_by FROM person_name WHERE person_id = ? "
-                            "AND names_json <> '' ORDER BY id DESC",
-                            {id});
+    auto query =
+        Query::run(m_connection,
+                   "SELECT id, names_json, until_utc, changed_by FROM person_name WHERE person_id = ? "
+                   "AND names_json <> '' ORDER BY id DESC",
+                   {id});
     CHIRON_TRY(query);
     std::vector<EarlierName> names;
     auto row = query->next();
@@ -111,14 +113,17 @@ core::Result<std::vector<EarlierName>> AccountRepository::earlierNames(PersonId 
 
 core::Result<std::vector<EarlierLogin>> AccountRepository::listEarlierLogins() {
     CHIRON_TRY(authorise(m_connection, m_actor, Action::listEarlierLogins));
-    auto query = Query::run(m_connection, "SELECT n.person_id, n.names_json FROM person_name n JOIN person p ON p.id = n.person_id "
-                                          "WHERE n.names_json <> '' AND p.kind = 'person' ORDER BY n.id DESC");
+    auto query =
+        Query::run(m_connection,
+                   "SELECT n.person_id, n.names_json FROM person_name n JOIN person p ON p.id = n.person_id "
+                   "WHERE n.names_json <> '' AND p.kind = 'person' ORDER BY n.id DESC");
     CHIRON_TRY(query);
     std::vector<EarlierLogin> logins;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
         const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(query->text(1))).object();
-        logins.push_back({query->integer(0), json["name"].toString().toStdString(), json["display_name"].toString().toStdString()});
+        logins.push_back({query->integer(0), json["name"].toString().toStdString(),
+                          json["display_name"].toString().toStdString()});
     }
     return row ? core::Result<std::vector<EarlierLogin>>(std::move(logins)) : tl::unexpected(row.error());
 }

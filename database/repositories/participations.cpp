@@ -16,17 +16,21 @@ namespace chiron::database {
 namespace {
 
 core::Result<void> addStudy(Connection& connection, PersonParticipation& held) {
-    auto query = Query::run(connection,
-                            "SELECT s.key, s.title, k.key_json FROM study_participant p JOIN study s ON s.id = p.study_id "
-                            "JOIN participant_key k ON k.id = p.id WHERE p.id = ?",
-                            {held.participant.id});
+    auto query = Query::run(
+        connection,
+        "SELECT s.key, s.title, k.key_json FROM study_participant p JOIN study s ON s.id = p.study_id "
+        "JOIN participant_key k ON k.id = p.id WHERE p.id = ?",
+        {held.participant.id});
     const auto row = query ? query->next() : tl::unexpected(query.error());
     if (!row || !*row) {
         return row ? core::Result<void>() : tl::unexpected(row.error());
     }
     held.studyKey = query->text(0);
     held.studyTitle = query->text(1);
-    held.identity = QJsonDocument::fromJson(QByteArray::fromStdString(query->text(2))).object()["identity"].toString().toStdString();
+    held.identity = QJsonDocument::fromJson(QByteArray::fromStdString(query->text(2)))
+                        .object()["identity"]
+                        .toString()
+                        .toStdString();
     return {};
 }
 
@@ -44,7 +48,8 @@ core::Result<PersonParticipation> participation(Connection& connection, Particip
     PersonParticipation held;
     held.participant = std::move(participants->front());
     held.runs = *std::move(runs);
-    const bool done = held.participant.state == ParticipantState::completed || held.participant.state == ParticipantState::withdrawn;
+    const bool done = held.participant.state == ParticipantState::completed ||
+                      held.participant.state == ParticipantState::withdrawn;
     const bool handedOut = own && done && blinding->seals();
     held.sealed = blinding->seals() && !handedOut;
     for (QuestionnaireAnswer& answer : *answers) {
@@ -70,7 +75,8 @@ core::Result<PersonParticipation> participation(Connection& connection, Particip
 
 } // namespace
 
-core::Result<std::vector<PersonParticipation>> participationsOf(Connection& connection, PersonId person, bool own) {
+core::Result<std::vector<PersonParticipation>> participationsOf(Connection& connection, PersonId person,
+                                                                bool own) {
     const auto ids = participantsOf(connection, person);
     CHIRON_TRY(ids);
     std::vector<PersonParticipation> all;
@@ -82,27 +88,33 @@ core::Result<std::vector<PersonParticipation>> participationsOf(Connection& conn
     return all;
 }
 
-core::Result<Erasure> PrivacyRepository::eraseParticipant(ParticipantNumber participant, const std::string& reason) {
+core::Result<Erasure> PrivacyRepository::eraseParticipant(ParticipantNumber participant,
+                                                          const std::string& reason) {
     CHIRON_TRY(requireWriter(m_connection));
-    if (auto allowed = authoriseForStudy(m_connection, m_actor, Action::eraseParticipant, StudyPart::participant, participant);
+    if (auto allowed = authoriseForStudy(m_connection, m_actor, Action::eraseParticipant,
+                                         StudyPart::participant, participant);
         !allowed) {
         return tl::unexpected(allowed.error());
     }
     if (auto good = checkText("reason", reason, 1000); !good || reason.empty()) {
-        return good ? core::fail(core::ErrorCode::badInput, "reason: expected a text") : tl::unexpected(good.error());
+        return good ? core::fail(core::ErrorCode::badInput, "reason: expected a text")
+                    : tl::unexpected(good.error());
     }
-    const auto state = selectText(m_connection, "SELECT state FROM study_participant WHERE id = ?", {participant});
-    const auto running = selectInteger(m_connection,
-                                       "SELECT count(*) FROM session WHERE state = 'running' AND id IN (SELECT t.session_id "
-                                       "FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id WHERE r.participant_id = ?)",
-                                       {participant});
+    const auto state =
+        selectText(m_connection, "SELECT state FROM study_participant WHERE id = ?", {participant});
+    const auto running = selectInteger(
+        m_connection,
+        "SELECT count(*) FROM session WHERE state = 'running' AND id IN (SELECT t.session_id "
+        "FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id WHERE r.participant_id = ?)",
+        {participant});
     if (!state || !running) {
         return tl::unexpected(!state ? state.error() : running.error());
     }
     if (state->value_or("") != "withdrawn" || running->value_or(0) > 0) {
-        return core::fail(core::ErrorCode::wrongUse, running->value_or(0) > 0
-                                                         ? "a session of this participant has not ended yet"
-                                                         : "the participant has not withdrawn: withdraw first, then erase");
+        return core::fail(core::ErrorCode::wrongUse,
+                          running->value_or(0) > 0
+                              ? "a session of this participant has not ended yet"
+                              : "the participant has not withdrawn: withdraw first, then erase");
     }
     Erasure erasure;
     erasure.reason = reason;

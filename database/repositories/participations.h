@@ -14,6 +14,7 @@ namespace chiron::database {
 /// left, their trials are then included, by runs without sealed codes: the blinding is for those who conduct
 /// the study, and people have a right to the data about themselves.
 /// Errors: storage.
-core::Result<std::vector<PersonParticipation>> participationsOf(Connection& connection, PersonId person, bool own);
+core::Result<std::vector<PersonParticipation>> participationsOf(Connection& connection, PersonId person,
+                                                                bool own);
 
 } // namespace chiron::database

@@ -15,7 +15,8 @@
 namespace chiron::database {
 namespace {
 
-core::Result<PersonSession> sealedSession(Connection& connection, const Actor& actor, const SessionSummary& summary) {
+core::Result<PersonSession> sealedSession(Connection& connection, const Actor& actor,
+                                          const SessionSummary& summary) {
     auto comments = SessionReader(connection, actor).comments(summary.id);
     CHIRON_TRY(comments);
     PersonSession session;
@@ -25,7 +26,8 @@ core::Result<PersonSession> sealedSession(Connection& connection, const Actor& a
     return session;
 }
 
-core::Result<PersonSession> sessionOf(Connection& connection, const Actor& actor, const SessionSummary& summary) {
+core::Result<PersonSession> sessionOf(Connection& connection, const Actor& actor,
+                                      const SessionSummary& summary) {
     const SessionId id = summary.id;
     // A person who conducts a blinded study must not export its conditions.
     const auto closed = isSealedSitting(connection, actor, id);
@@ -87,7 +89,8 @@ core::Result<std::vector<AuditEntry>> auditOf(Connection& connection, PersonId p
 
 /// Removes from a person's audit entries the times at which sessions and runs of a blinded study ended,
 /// because their duration distinguishes the conditions.
-core::Result<void> withholdEnds(Connection& connection, const Actor& actor, std::vector<AuditEntry>& entries) {
+core::Result<void> withholdEnds(Connection& connection, const Actor& actor,
+                                std::vector<AuditEntry>& entries) {
     const auto sealed = sealedSittings(connection, actor);
     CHIRON_TRY(sealed);
     for (AuditEntry& entry : entries) {
@@ -156,8 +159,10 @@ core::Result<PersonExport> PrivacyRepository::exportPerson(PersonId id) {
         CHIRON_TRY(session);
         held.sessions.push_back(*std::move(session));
     }
-    auto participations = participationsOf(m_connection, id, m_actor.kind() == ActorKind::person && m_actor.personId() == id && !m_actor.roles().contains(Role::researcher) &&
-                                                                   !m_actor.roles().contains(Role::admin));
+    auto participations = participationsOf(m_connection, id,
+                                           m_actor.kind() == ActorKind::person && m_actor.personId() == id &&
+                                               !m_actor.roles().contains(Role::researcher) &&
+                                               !m_actor.roles().contains(Role::admin));
     CHIRON_TRY(participations);
     held.participations = *std::move(participations);
     return held;

@@ -85,12 +85,16 @@ scoring::MetricValue metricOf(const Query& row) {
 }
 
 // Returns the row (id, passed, trials, seal) of the latest set, or of the requested one.
-core::Result<Query> storedSet(Connection& connection, const Actor& actor, SessionId session, std::optional<int> wanted) {
+core::Result<Query> storedSet(Connection& connection, const Actor& actor, SessionId session,
+                              std::optional<int> wanted) {
     const auto closed = isSealedSitting(connection, actor, session);
     if (!closed || *closed) {
-        return closed ? core::fail(core::ErrorCode::notFound, "session " + std::to_string(session) +
-                                                                  " is a session of a blinded study: its scores come once the study is unblinded")
-                      : tl::unexpected(closed.error());
+        return closed
+                   ? core::fail(
+                         core::ErrorCode::notFound,
+                         "session " + std::to_string(session) +
+                             " is a session of a blinded study: its scores come once the study is unblinded")
+                   : tl::unexpected(closed.error());
     }
     auto set = Query::run(
         connection,
@@ -170,7 +174,8 @@ core::Result<RowDigest> ScoreRepository::scoreSeal(SessionId session, std::optio
     const auto seal = set->blob(3);
     RowDigest digest{};
     if (seal.size() != digest.size()) {
-        return core::fail(core::ErrorCode::storage, "scores of session " + std::to_string(session) + " are damaged; run verify");
+        return core::fail(core::ErrorCode::storage,
+                          "scores of session " + std::to_string(session) + " are damaged; run verify");
     }
     std::copy(seal.begin(), seal.end(), digest.begin());
     return digest;

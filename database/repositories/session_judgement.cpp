@@ -56,7 +56,8 @@ core::Result<void> checkReason(const std::string& reason) {
 }
 
 // Returns the current state of the session, after checking the actor's right and the reason.
-core::Result<SessionState> stateToJudge(Connection& connection, const Actor& actor, Action decision, SessionId session, const std::string& reason) {
+core::Result<SessionState> stateToJudge(Connection& connection, const Actor& actor, Action decision,
+                                        SessionId session, const std::string& reason) {
     auto may = mayWriteSession(connection, actor, decision, session);
     may = may ? checkReason(reason) : may;
     return may ? sessionState(connection, session) : tl::unexpected(may.error());
@@ -64,13 +65,16 @@ core::Result<SessionState> stateToJudge(Connection& connection, const Actor& act
 
 // Returns the voiding in the session's own row, which is there until it is reversed.
 core::Result<std::vector<Column>> presentVoiding(Connection& connection, SessionId session) {
-    auto query = Query::run(connection,
-                            "SELECT voided_by, void_reason, void_reason_hash, (SELECT utc FROM audit WHERE target = 'session' AND target_id "
-                            "= session.id AND action = 'voidSession' ORDER BY sequence DESC LIMIT 1) FROM session WHERE id = ?",
-                            {session});
+    auto query = Query::run(
+        connection,
+        "SELECT voided_by, void_reason, void_reason_hash, (SELECT utc FROM audit WHERE target = 'session' "
+        "AND target_id "
+        "= session.id AND action = 'voidSession' ORDER BY sequence DESC LIMIT 1) FROM session WHERE id = ?",
+        {session});
     auto row = query ? query->next() : tl::unexpected(query.error());
     if (!row || !*row || query->isNull(0) || query->isNull(2)) {
-        return row ? core::fail(core::ErrorCode::storage, "session " + std::to_string(session) + " does not say who voided it; run verify")
+        return row ? core::fail(core::ErrorCode::storage, "session " + std::to_string(session) +
+                                                              " does not say who voided it; run verify")
                    : tl::unexpected(row.error());
     }
     return std::vector<Column>{{"decision", std::string("void")},
@@ -80,7 +84,8 @@ core::Result<std::vector<Column>> presentVoiding(Connection& connection, Session
                                {"reason_hash", query->blob(2)}};
 }
 
-core::Result<void> storeDecision(Connection& connection, const Actor& actor, SessionId session, std::vector<Column> decision) {
+core::Result<void> storeDecision(Connection& connection, const Actor& actor, SessionId session,
+                                 std::vector<Column> decision) {
     const auto last = selectInteger(connection, "SELECT max(id) FROM session_decision");
     CHIRON_TRY(last);
     const std::int64_t id = last->value_or(0) + 1;
@@ -114,11 +119,12 @@ core::Result<void> SessionRepository::reinstateSession(SessionId session, const 
     const auto state = stateToJudge(m_connection, m_actor, Action::reinstateSession, session, reason);
     CHIRON_TRY(state);
     if (*state != SessionState::voided) {
-        return core::fail(core::ErrorCode::wrongUse,
-                          "session " + std::to_string(session) + " is " + std::string(token(*state)) + ", not voided");
+        return core::fail(core::ErrorCode::wrongUse, "session " + std::to_string(session) + " is " +
+                                                         std::string(token(*state)) + ", not voided");
     }
     auto voiding = presentVoiding(m_connection, session);
-    const auto before = selectText(m_connection, "SELECT state_before_void FROM session WHERE id = ?", {session});
+    const auto before =
+        selectText(m_connection, "SELECT state_before_void FROM session WHERE id = ?", {session});
     if (!voiding || !before) {
         return tl::unexpected(!voiding ? voiding.error() : before.error());
     }

@@ -13,17 +13,22 @@ namespace chiron::database {
 namespace {
 
 std::string summaryColumns() {
-    return "s.id, s.person_id, p.name, coalesce(k.code, p.name), s.exercise, s.level, s.state, s.started_utc, "
-    "s.utc_offset_min, "
-    "s.operator_name, s.felt, s.familiarisation, s.demonstration, s.archived, s.recording_erased, s.ticks, "
-    "s.frames, "
-    "s.dropped, s.chunks, s.recording_bytes, "
-    "(SELECT passed FROM score_set WHERE session_id = s.id ORDER BY ordinal DESC LIMIT 1), "
-    "(SELECT count(c.passed) FROM score c WHERE c.score_set_id = (SELECT id FROM score_set WHERE session_id = s.id ORDER BY ordinal DESC LIMIT 1)), "
-    "(SELECT coalesce(sum(c.passed), 0) FROM score c WHERE c.score_set_id = (SELECT id FROM score_set WHERE session_id = s.id ORDER BY ordinal DESC LIMIT 1)), "
-    "(SELECT count(*) FROM session_comment m WHERE m.session_id = s.id), "
-    "EXISTS (SELECT 1 FROM session_comment m WHERE m.session_id = s.id AND m.author_id <> s.person_id), " +
-        attemptNumberSql() + ", " + awaitsReviewSql() + ", " + isOfStudySql("s");
+    return "s.id, s.person_id, p.name, coalesce(k.code, p.name), s.exercise, s.level, s.state, "
+           "s.started_utc, "
+           "s.utc_offset_min, "
+           "s.operator_name, s.felt, s.familiarisation, s.demonstration, s.archived, s.recording_erased, "
+           "s.ticks, "
+           "s.frames, "
+           "s.dropped, s.chunks, s.recording_bytes, "
+           "(SELECT passed FROM score_set WHERE session_id = s.id ORDER BY ordinal DESC LIMIT 1), "
+           "(SELECT count(c.passed) FROM score c WHERE c.score_set_id = (SELECT id FROM score_set WHERE "
+           "session_id = s.id ORDER BY ordinal DESC LIMIT 1)), "
+           "(SELECT coalesce(sum(c.passed), 0) FROM score c WHERE c.score_set_id = (SELECT id FROM score_set "
+           "WHERE session_id = s.id ORDER BY ordinal DESC LIMIT 1)), "
+           "(SELECT count(*) FROM session_comment m WHERE m.session_id = s.id), "
+           "EXISTS (SELECT 1 FROM session_comment m WHERE m.session_id = s.id AND m.author_id <> "
+           "s.person_id), " +
+           attemptNumberSql() + ", " + awaitsReviewSql() + ", " + isOfStudySql("s");
 }
 constexpr const char* kSummaryTables = " FROM session s JOIN person p ON p.id = s.person_id LEFT JOIN "
                                        "person_code k ON k.person_id = s.person_id";
@@ -108,14 +113,18 @@ SessionRecord recordOf(const Query& row, bool names, PersonId self) {
 }
 
 core::Result<std::vector<SessionDecision>> decisionsOn(Connection& connection, SessionId session) {
-    auto query = Query::run(connection, "SELECT decision, person_id, utc, reason FROM session_decision WHERE session_id = ? ORDER BY id", {session});
+    auto query = Query::run(
+        connection,
+        "SELECT decision, person_id, utc, reason FROM session_decision WHERE session_id = ? ORDER BY id",
+        {session});
     CHIRON_TRY(query);
     std::vector<SessionDecision> decisions;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
         decisions.push_back({query->text(0) == "void", query->integer(1), query->text(2), query->text(3)});
     }
-    return row ? core::Result<std::vector<SessionDecision>>(std::move(decisions)) : tl::unexpected(row.error());
+    return row ? core::Result<std::vector<SessionDecision>>(std::move(decisions))
+               : tl::unexpected(row.error());
 }
 
 // Actors who may list people see names; others see codes (and their own name).
@@ -181,8 +190,8 @@ std::string SessionReader::listSql(const std::string& where, bool newestFirst) {
            (newestFirst ? " ORDER BY s.id DESC LIMIT ?" : " ORDER BY s.id LIMIT ?");
 }
 
-core::Result<std::vector<SessionSummary>> SessionReader::summaries(const std::string& where, const std::vector<Value>& values,
-                                                                   bool newestFirst) {
+core::Result<std::vector<SessionSummary>>
+SessionReader::summaries(const std::string& where, const std::vector<Value>& values, bool newestFirst) {
     const auto names = mayReadNames(m_connection, m_actor);
     const auto sealed = names ? sealedSittings(m_connection, m_actor) : tl::unexpected(names.error());
     CHIRON_TRY(sealed);
@@ -213,10 +222,14 @@ core::Result<std::vector<CommentedSession>> SessionReader::commentedSessions(con
     SessionFilter filter;
     filter.includeArchived = true;
     Conditions where = conditionsOf(filter, *scope, m_actor);
-    where.add("EXISTS (SELECT 1 FROM session_comment m WHERE m.session_id = s.id AND ? IN (m.author_id, s.person_id))", m_actor.personId());
+    where.add("EXISTS (SELECT 1 FROM session_comment m WHERE m.session_id = s.id AND ? IN (m.author_id, "
+              "s.person_id))",
+              m_actor.personId());
     if (which.toRead) {
-        where.add("EXISTS (SELECT 1 FROM (SELECT ? AS self) reader JOIN session_comment m ON m.session_id = s.id AND m.author_id <> reader.self "
-                  "WHERE s.person_id = reader.self OR EXISTS (SELECT 1 FROM session_comment before WHERE before.session_id = s.id AND "
+        where.add("EXISTS (SELECT 1 FROM (SELECT ? AS self) reader JOIN session_comment m ON m.session_id = "
+                  "s.id AND m.author_id <> reader.self "
+                  "WHERE s.person_id = reader.self OR EXISTS (SELECT 1 FROM session_comment before WHERE "
+                  "before.session_id = s.id AND "
                   "before.author_id = reader.self AND before.id < m.id))",
                   m_actor.personId());
     }

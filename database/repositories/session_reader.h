@@ -42,7 +42,8 @@ public:
     static std::string listSql(const std::string& where, bool newestFirst);
 
 private:
-    core::Result<std::vector<SessionSummary>> summaries(const std::string& where, const std::vector<Value>& values, bool newestFirst);
+    core::Result<std::vector<SessionSummary>> summaries(const std::string& where,
+                                                        const std::vector<Value>& values, bool newestFirst);
     core::Result<std::vector<SessionRecord>> records(const std::string& where,
                                                      const std::vector<Value>& values);
 

@@ -99,17 +99,20 @@ std::vector<Column> columnsOf(SessionId id, const NewSession& setup, std::int64_
 }
 
 core::Result<void> mayRecordFor(Connection& connection, const Actor& actor, std::int64_t run) {
-    if (auto allowed = authoriseForStudy(connection, actor, Action::storeStudyTrial, StudyPart::run, run); !allowed) {
+    if (auto allowed = authoriseForStudy(connection, actor, Action::storeStudyTrial, StudyPart::run, run);
+        !allowed) {
         return allowed;
     }
     const auto state = selectText(connection, "SELECT state FROM study_run WHERE id = ?", {run});
     CHIRON_TRY(state);
     return state->value_or("") == "open"
                ? core::Result<void>()
-               : core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run) + " has ended: nothing more is recorded for it");
+               : core::fail(core::ErrorCode::wrongUse,
+                            "run " + std::to_string(run) + " has ended: nothing more is recorded for it");
 }
 
-core::Result<void> storeSitting(Connection& connection, const Actor& actor, SessionId session, std::int64_t run) {
+core::Result<void> storeSitting(Connection& connection, const Actor& actor, SessionId session,
+                                std::int64_t run) {
     const auto row = insertRow(connection, "study_sitting", {{"id", session}, {"run_id", run}});
     return row ? appendAudit(connection, actor, {"beginSession", "study_sitting", session, *row, "{}"})
                : core::Result<void>(tl::unexpected(row.error()));

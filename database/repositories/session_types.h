@@ -121,7 +121,7 @@ struct SessionSummary {
     bool reviewed = false; ///< somebody else has commented on it
     /// Number among its person's attempts at this level, from 1; 0: not an attempt (session_attempts.h).
     int attempt = 0;
-    bool ofStudy = false;  ///< recorded for a study
+    bool ofStudy = false; ///< recorded for a study
     /// The session awaits a review by the reader of this list; never one's own session (session_attempts.h).
     bool toReview = false;
     std::uint64_t ticks = 0;
@@ -160,7 +160,7 @@ struct CommentedFilter {
     /// Only sessions with comments for the reader: on the reader's own session, or on another's after a
     /// comment by the reader.
     bool toRead = false;
-    int most = 0;        ///< at most this many, the newest sessions; 0: all
+    int most = 0; ///< at most this many, the newest sessions; 0: all
 };
 
 /// Selects the sessions to list; an absent field means any.

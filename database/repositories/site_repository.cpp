@@ -22,8 +22,10 @@ constexpr const char* kNameKey = "site_name"; // in the table of the site's prop
 
 core::Result<std::string> checkedSiteName(const std::string& name) {
     const QString trimmed = QString::fromStdString(name).trimmed();
-    if (std::any_of(trimmed.begin(), trimmed.end(), [](QChar c) { return c.category() == QChar::Other_Control; })) {
-        return core::fail(core::ErrorCode::badInput, "site name: expected one line without control characters");
+    if (std::any_of(trimmed.begin(), trimmed.end(),
+                    [](QChar c) { return c.category() == QChar::Other_Control; })) {
+        return core::fail(core::ErrorCode::badInput,
+                          "site name: expected one line without control characters");
     }
     const std::string stored = trimmed.toStdString();
     CHIRON_TRY(checkText("site name", stored, kMaximumSiteNameCharacters));
@@ -32,7 +34,8 @@ core::Result<std::string> checkedSiteName(const std::string& name) {
 
 core::Result<std::string> SiteRepository::siteName() {
     CHIRON_TRY(authorise(m_connection, m_actor, Action::siteName));
-    const auto name = selectText(m_connection, "SELECT value FROM meta WHERE key = ?", {std::string(kNameKey)});
+    const auto name =
+        selectText(m_connection, "SELECT value FROM meta WHERE key = ?", {std::string(kNameKey)});
     return name ? core::Result<std::string>(name->value_or("")) : tl::unexpected(name.error());
 }
 
@@ -41,13 +44,15 @@ core::Result<void> SiteRepository::setSiteName(const std::string& name) {
     CHIRON_TRY(authorise(m_connection, m_actor, Action::setSiteName));
     const auto stored = checkedSiteName(name);
     CHIRON_TRY(stored);
-    const auto put = Query::run(m_connection,
-                                "INSERT INTO meta (key, value) VALUES (?, ?) ON CONFLICT (key) DO UPDATE SET value = excluded.value",
-                                {std::string(kNameKey), *stored});
+    const auto put = Query::run(
+        m_connection,
+        "INSERT INTO meta (key, value) VALUES (?, ?) ON CONFLICT (key) DO UPDATE SET value = excluded.value",
+        {std::string(kNameKey), *stored});
     CHIRON_TRY(put);
     const QJsonObject detail{{"name", QString::fromStdString(*stored)}};
     return appendAudit(m_connection, m_actor,
-                       {"setSiteName", "meta", 0, std::nullopt, QJsonDocument(detail).toJson(QJsonDocument::Compact).toStdString()});
+                       {"setSiteName", "meta", 0, std::nullopt,
+                        QJsonDocument(detail).toJson(QJsonDocument::Compact).toStdString()});
 }
 
 } // namespace chiron::database

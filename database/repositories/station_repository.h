@@ -20,8 +20,8 @@ struct StationCheck {
     std::string serial{};
 };
 
-/// Records checks of the station. Researchers and administrators may record them; a station technician has one
-/// of these roles.
+/// Records checks of the station. Researchers and administrators may record them; a station technician has
+/// one of these roles.
 class StationRepository {
 public:
     StationRepository(Connection& connection, Actor actor)

@@ -33,7 +33,8 @@ std::string joinsTo(StudyPart part) {
     case StudyPart::run:
         break;
     }
-    return "study s JOIN study_participant p ON p.study_id = s.id JOIN study_run r ON r.participant_id = p.id WHERE r.id = ?";
+    return "study s JOIN study_participant p ON p.study_id = s.id JOIN study_run r ON r.participant_id = "
+           "p.id WHERE r.id = ?";
 }
 
 QJsonObject without(QJsonObject object, std::initializer_list<const char*> keys) {
@@ -45,7 +46,8 @@ QJsonObject without(QJsonObject object, std::initializer_list<const char*> keys)
 
 // Returns whether the reason for spoiling a trial is related to forces.
 bool isOfForces(std::string_view spoiled) {
-    constexpr std::array<std::string_view, 4> kReasons{"force_error", "stiffness_error", "saturation", "peak_force"};
+    constexpr std::array<std::string_view, 4> kReasons{"force_error", "stiffness_error", "saturation",
+                                                       "peak_force"};
     return std::find(kReasons.begin(), kReasons.end(), spoiled) != kReasons.end();
 }
 
@@ -62,7 +64,9 @@ core::Result<Blinding> blindingOf(const std::string& designJson, bool unblinded)
     const QJsonObject like = first["stimulus"].toObject();
     // All other keys of a condition say how it asks, so that keys added to conditions later are compared,
     // too.
-    const auto asking = [](const QJsonObject& each) { return without(each, {"id", "title", "task", "stimulus", "instructions"}); };
+    const auto asking = [](const QJsonObject& each) {
+        return without(each, {"id", "title", "task", "stimulus", "instructions"});
+    };
     for (const QJsonValue value : conditions) {
         const QJsonObject each = value.toObject();
         const QJsonObject stimulus = each["stimulus"].toObject();
@@ -70,8 +74,10 @@ core::Result<Blinding> blindingOf(const std::string& designJson, bool unblinded)
         blinding.oneTask = blinding.oneTask && each["task"] == first["task"];
         blinding.oneTable = blinding.oneTable && stimulus["differences"] == like["differences"];
         blinding.oneProcedure = blinding.oneProcedure && asking(each) == asking(first);
-        blinding.oneStimulus = blinding.oneStimulus && without(stimulus, {"differences"}) == without(like, {"differences"});
-        blinding.adjusts = blinding.adjusts || (!apex && each["task"].toString() == QLatin1String("adjustment"));
+        blinding.oneStimulus =
+            blinding.oneStimulus && without(stimulus, {"differences"}) == without(like, {"differences"});
+        blinding.adjusts =
+            blinding.adjusts || (!apex && each["task"].toString() == QLatin1String("adjustment"));
         blinding.oneExercise = blinding.oneExercise && apex == (like["attribute"].toString() == kApex);
     }
     return blinding;
@@ -82,7 +88,8 @@ core::Result<Blinding> blindingOf(Connection& connection, StudyPart part, std::i
     const auto row = query ? query->next() : tl::unexpected(query.error());
     CHIRON_TRY(row);
     return *row ? blindingOf(query->text(0), query->integer(1) != 0)
-                : core::fail(core::ErrorCode::notFound, "there is no study of number " + std::to_string(number));
+                : core::fail(core::ErrorCode::notFound,
+                             "there is no study of number " + std::to_string(number));
 }
 
 StudyRun sealed(StudyRun run, const Blinding& blinding) {
@@ -129,7 +136,8 @@ core::Result<std::vector<StudyRun>> shownRuns(Connection& connection, Participan
 
 core::Result<std::vector<QuestionnaireAnswer>> shownAnswers(Connection& connection, StudyNumber study) {
     const auto blinding = blindingOf(connection, StudyPart::study, study);
-    auto answers = blinding ? answerRows(connection, "p.study_id = ?", study) : tl::unexpected(blinding.error());
+    auto answers =
+        blinding ? answerRows(connection, "p.study_id = ?", study) : tl::unexpected(blinding.error());
     if (answers) {
         for (QuestionnaireAnswer& answer : *answers) {
             answer = sealed(std::move(answer), *blinding);
@@ -141,16 +149,19 @@ core::Result<std::vector<QuestionnaireAnswer>> shownAnswers(Connection& connecti
 core::Result<std::vector<StudyTrial>> shownTrials(Connection& connection, StudyRunNumber run) {
     const auto blinding = blindingOf(connection, StudyPart::run, run);
     CHIRON_TRY(blinding);
-    return blinding->seals() ? core::Result<std::vector<StudyTrial>>(std::vector<StudyTrial>()) : studyTrialRows(connection, run);
+    return blinding->seals() ? core::Result<std::vector<StudyTrial>>(std::vector<StudyTrial>())
+                             : studyTrialRows(connection, run);
 }
 
 namespace {
 
 // Adds all of a participant's trials, whatever their conditions.
-void addTrials(ParticipantQuality& quality, const std::vector<StudyTrial>& trials, std::set<std::string>& devices, std::map<std::string, int>& reasons,
-               std::vector<double>& late, std::vector<double>& times) {
+void addTrials(ParticipantQuality& quality, const std::vector<StudyTrial>& trials,
+               std::set<std::string>& devices, std::map<std::string, int>& reasons, std::vector<double>& late,
+               std::vector<double>& times) {
     for (const StudyTrial& trial : trials) {
-        const QJsonObject fidelity = QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson)).object();
+        const QJsonObject fidelity =
+            QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson)).object();
         if (const QJsonValue share = fidelity["late_ticks"]; share.isDouble()) {
             late.push_back(share.toDouble());
         }
@@ -190,7 +201,8 @@ ParticipantQuality withoutBehaviour(ParticipantQuality quality) {
     return quality;
 }
 
-core::Result<ParticipantQuality> qualityOf(Connection& connection, ParticipantNumber participant, int conditions, const Blinding& blinding) {
+core::Result<ParticipantQuality> qualityOf(Connection& connection, ParticipantNumber participant,
+                                           int conditions, const Blinding& blinding) {
     ParticipantQuality quality;
     quality.participant = participant;
     quality.conditions = conditions;
@@ -224,8 +236,10 @@ core::Result<ParticipantQuality> qualityOf(Connection& connection, ParticipantNu
 
 core::Result<std::vector<ParticipantQuality>> qualityRows(Connection& connection, StudyNumber study) {
     const auto blinding = blindingOf(connection, StudyPart::study, study);
-    const auto conditions = blinding ? sealedConditionRows(connection, study) : tl::unexpected(blinding.error());
-    auto participants = conditions ? participantRows(connection, "p.study_id = ?", {study}) : tl::unexpected(conditions.error());
+    const auto conditions =
+        blinding ? sealedConditionRows(connection, study) : tl::unexpected(blinding.error());
+    auto participants = conditions ? participantRows(connection, "p.study_id = ?", {study})
+                                   : tl::unexpected(conditions.error());
     CHIRON_TRY(participants);
     std::vector<ParticipantQuality> rows;
     for (const Participant& participant : *participants) {
@@ -243,12 +257,15 @@ core::Result<bool> isSealedSitting(Connection& connection, const Actor& actor, S
     const auto found = selectInteger(
         connection,
         "SELECT count(*) FROM study s WHERE s.unblinded = 0 AND s.state <> 'draft' "
-        "AND CASE WHEN json_valid(s.design_json) THEN json_extract(s.design_json, '$.blind_experimenter') END = 1 "
-        "AND (EXISTS (SELECT 1 FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id JOIN study_participant p "
+        "AND CASE WHEN json_valid(s.design_json) THEN json_extract(s.design_json, '$.blind_experimenter') "
+        "END = 1 "
+        "AND (EXISTS (SELECT 1 FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id JOIN "
+        "study_participant p "
         "ON p.id = r.participant_id WHERE t.session_id = ? AND p.study_id = s.id) "
         "OR EXISTS (SELECT 1 FROM session x JOIN content c ON c.id = x.content_id JOIN study_condition k "
         "ON k.study_id = s.id WHERE x.id = ? AND "
-        "CASE WHEN json_valid(c.json) THEN json_extract(c.json, '$.level.title.en') END = s.key || ' / ' || k.sealed_code))",
+        "CASE WHEN json_valid(c.json) THEN json_extract(c.json, '$.level.title.en') END = s.key || ' / ' || "
+        "k.sealed_code))",
         {session, session});
     return found ? core::Result<bool>(found->value_or(0) > 0) : tl::unexpected(found.error());
 }
@@ -259,15 +276,20 @@ core::Result<std::set<SessionId>> sealedSittings(Connection& connection, const A
         return sealed;
     }
     const std::string blind = "s.unblinded = 0 AND s.state <> 'draft' "
-                              "AND CASE WHEN json_valid(s.design_json) THEN json_extract(s.design_json, '$.blind_experimenter') END = 1";
-    auto query = Query::run(connection,
-                            "SELECT t.session_id FROM study s JOIN study_participant p ON p.study_id = s.id JOIN study_run r ON r.participant_id = p.id "
-                            "JOIN recorded_sitting t ON t.run_id = r.id WHERE " + blind +
-                                " UNION SELECT x.id FROM session x WHERE EXISTS (SELECT 1 FROM study s WHERE " + blind +
-                                ") AND x.content_id IN (SELECT c.id FROM content c "
-                                "WHERE CASE WHEN json_valid(c.json) THEN json_extract(c.json, '$.level.title.en') END IN "
-                                "(SELECT s.key || ' / ' || k.sealed_code FROM study s JOIN study_condition k ON k.study_id = s.id WHERE " + blind + "))",
-                            {});
+                              "AND CASE WHEN json_valid(s.design_json) THEN json_extract(s.design_json, "
+                              "'$.blind_experimenter') END = 1";
+    auto query = Query::run(
+        connection,
+        "SELECT t.session_id FROM study s JOIN study_participant p ON p.study_id = s.id JOIN study_run r ON "
+        "r.participant_id = p.id "
+        "JOIN recorded_sitting t ON t.run_id = r.id WHERE " +
+            blind + " UNION SELECT x.id FROM session x WHERE EXISTS (SELECT 1 FROM study s WHERE " + blind +
+            ") AND x.content_id IN (SELECT c.id FROM content c "
+            "WHERE CASE WHEN json_valid(c.json) THEN json_extract(c.json, '$.level.title.en') END IN "
+            "(SELECT s.key || ' / ' || k.sealed_code FROM study s JOIN study_condition k ON k.study_id = "
+            "s.id WHERE " +
+            blind + "))",
+        {});
     CHIRON_TRY(query);
     auto row = query->next();
     for (; row && *row; row = query->next()) {
@@ -279,8 +301,9 @@ core::Result<std::set<SessionId>> sealedSittings(Connection& connection, const A
 core::Result<void> mayOpenSitting(Connection& connection, const Actor& actor, SessionId session) {
     const auto closed = isSealedSitting(connection, actor, session);
     CHIRON_TRY(closed);
-    return *closed ? core::fail(core::ErrorCode::notAllowed, "session " + std::to_string(session) +
-                                                                 " is a session of a blinded study: it opens once the study is unblinded")
+    return *closed ? core::fail(core::ErrorCode::notAllowed,
+                                "session " + std::to_string(session) +
+                                    " is a session of a blinded study: it opens once the study is unblinded")
                    : core::Result<void>();
 }
 

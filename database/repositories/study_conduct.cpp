@@ -17,13 +17,15 @@ core::Result<void> mayRun(const StoredParticipant& who) {
     if (may) {
         return {};
     }
-    return core::fail(core::ErrorCode::wrongUse,
-                      "participant " + who.code + " is " + std::string(token(who.state)) +
-                          (who.state == ParticipantState::enrolled ? ": the consent must be recorded before a run"
-                                                                   : ": expected one who still takes part"));
+    return core::fail(core::ErrorCode::wrongUse, "participant " + who.code + " is " +
+                                                     std::string(token(who.state)) +
+                                                     (who.state == ParticipantState::enrolled
+                                                          ? ": the consent must be recorded before a run"
+                                                          : ": expected one who still takes part"));
 }
 
-core::Result<SealedCondition> namedCondition(Connection& connection, const StoredStudy& study, const std::string& name) {
+core::Result<SealedCondition> namedCondition(Connection& connection, const StoredStudy& study,
+                                             const std::string& name) {
     const auto blinding = blindingOf(connection, StudyPart::study, study.id);
     const auto all = blinding ? sealedConditionRows(connection, study.id) : tl::unexpected(blinding.error());
     CHIRON_TRY(all);
@@ -33,16 +35,20 @@ core::Result<SealedCondition> namedCondition(Connection& connection, const Store
     if (found != all->end()) {
         return *found;
     }
-    return core::fail(core::ErrorCode::badInput, "condition \"" + name + "\": expected " +
-                                                     (blinding->on ? "the sealed code of one of study " : "one of study ") + study.key);
+    return core::fail(core::ErrorCode::badInput,
+                      "condition \"" + name + "\": expected " +
+                          (blinding->on ? "the sealed code of one of study " : "one of study ") + study.key);
 }
 
-core::Result<ConductedRun> StudyRepository::conductRun(ParticipantNumber participant, const std::string& condition) {
+core::Result<ConductedRun> StudyRepository::conductRun(ParticipantNumber participant,
+                                                       const std::string& condition) {
     auto good = mayWriteStudy(m_connection, m_actor, Action::conductRun, StudyPart::participant, participant);
     const auto who = good ? storedParticipant(m_connection, participant) : tl::unexpected(good.error());
     const auto study = who ? storedStudy(m_connection, who->study) : tl::unexpected(who.error());
-    const auto named = study ? namedCondition(m_connection, *study, condition) : tl::unexpected(study.error());
-    const auto blinding = named ? blindingOf(m_connection, StudyPart::study, study->id) : tl::unexpected(named.error());
+    const auto named =
+        study ? namedCondition(m_connection, *study, condition) : tl::unexpected(study.error());
+    const auto blinding =
+        named ? blindingOf(m_connection, StudyPart::study, study->id) : tl::unexpected(named.error());
     auto runs = blinding ? runRows(m_connection, participant) : tl::unexpected(blinding.error());
     good = runs ? mayRun(*who) : tl::unexpected(runs.error());
     CHIRON_TRY(good);
@@ -60,11 +66,13 @@ core::Result<ConductedRun> StudyRepository::conductRun(ParticipantNumber partici
         conducted.trials = std::move(*trials);
     }
     if (!conducted.open && study->state != "frozen") {
-        return core::fail(core::ErrorCode::wrongUse, "study " + study->key + " is " + study->state + ": no run is begun any more");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "study " + study->key + " is " + study->state + ": no run is begun any more");
     }
     if (blinding->on) {
-        good = appendAudit(m_connection, m_actor, {"conductRun", "study_participant", participant, std::nullopt,
-                                                   "{\"sealed_code\":\"" + named->sealedCode + "\"}"});
+        good = appendAudit(m_connection, m_actor,
+                           {"conductRun", "study_participant", participant, std::nullopt,
+                            "{\"sealed_code\":\"" + named->sealedCode + "\"}"});
     }
     return good ? core::Result<ConductedRun>(std::move(conducted)) : tl::unexpected(good.error());
 }

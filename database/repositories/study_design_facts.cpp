@@ -26,7 +26,8 @@ QJsonObject withId(const QJsonValue& array, const std::string& id) {
     return {};
 }
 
-core::Result<void> checkNumber(const std::string& place, double number, double lowest, double highest, bool whole) {
+core::Result<void> checkNumber(const std::string& place, double number, double lowest, double highest,
+                               bool whole) {
     const bool good = number >= lowest && number <= highest && (!whole || number == std::floor(number));
     return good ? core::Result<void>()
                 : bad(place + ": " + std::to_string(number) + ": expected a " + (whole ? "whole " : "") +
@@ -69,29 +70,35 @@ bool isEnrolment(const QJsonObject& design, const std::string& questionnaire) {
 }
 
 bool isOfConditions(const QJsonObject& design, const std::string& questionnaire) {
-    return withId(design["questionnaires"], questionnaire)["when"].toString() == QLatin1String("after_condition");
+    return withId(design["questionnaires"], questionnaire)["when"].toString() ==
+           QLatin1String("after_condition");
 }
 
 namespace {
 
 /// Checks that the question exists in the answer's language, and that a run is named if the questionnaire is
 /// asked after each condition.
-core::Result<void> checkShown(const QJsonObject& design, const QuestionnaireAnswer& answer, const QJsonObject& item, const std::string& place) {
-    if (!answer.language.empty() && !item["text"].toObject().contains(QString::fromStdString(answer.language))) {
-        return bad(place + ": language " + answer.language + ": expected one that the question is written in");
+core::Result<void> checkShown(const QJsonObject& design, const QuestionnaireAnswer& answer,
+                              const QJsonObject& item, const std::string& place) {
+    if (!answer.language.empty() &&
+        !item["text"].toObject().contains(QString::fromStdString(answer.language))) {
+        return bad(place + ": language " + answer.language +
+                   ": expected one that the question is written in");
     }
     const bool ofConditions = isOfConditions(design, answer.questionnaire);
     if (ofConditions == (answer.run != 0)) {
         return {};
     }
-    return bad(place + (ofConditions ? ": expected the run that it was asked after" : ": expected no run, since it is asked once"));
+    return bad(place + (ofConditions ? ": expected the run that it was asked after"
+                                     : ": expected no run, since it is asked once"));
 }
 
 } // namespace
 
 core::Result<void> checkAnswer(const QJsonObject& design, const QuestionnaireAnswer& answer) {
     const std::string place = "answer " + answer.questionnaire + "." + answer.item;
-    const QJsonObject item = withId(withId(design["questionnaires"], answer.questionnaire)["items"], answer.item);
+    const QJsonObject item =
+        withId(withId(design["questionnaires"], answer.questionnaire)["items"], answer.item);
     if (item.isEmpty()) {
         return bad(place + ": the design asks no such question");
     }
@@ -100,17 +107,19 @@ core::Result<void> checkAnswer(const QJsonObject& design, const QuestionnaireAns
     }
     const QString kind = item["kind"].toString();
     if (kind == "text") {
-        return answer.number ? bad(place + ": expected a text") : checkText(place, answer.text, kMaximumAnswerCharacters);
+        return answer.number ? bad(place + ": expected a text")
+                             : checkText(place, answer.text, kMaximumAnswerCharacters);
     }
     if (!answer.number || !answer.text.empty()) {
         return bad(place + ": expected a number");
     }
     if (kind == "number") {
-        return checkNumber(place, *answer.number, item["lowest"].toDouble(), item["highest"].toDouble(), false);
+        return checkNumber(place, *answer.number, item["lowest"].toDouble(), item["highest"].toDouble(),
+                           false);
     }
-    return kind == "choice"
-               ? checkNumber(place, *answer.number, 0.0, static_cast<double>(item["choices"].toArray().size()) - 1.0, true)
-               : checkNumber(place, *answer.number, 1.0, item["scale"].toDouble(5.0), true);
+    return kind == "choice" ? checkNumber(place, *answer.number, 0.0,
+                                          static_cast<double>(item["choices"].toArray().size()) - 1.0, true)
+                            : checkNumber(place, *answer.number, 1.0, item["scale"].toDouble(5.0), true);
 }
 
 } // namespace chiron::database

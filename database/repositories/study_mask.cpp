@@ -40,7 +40,9 @@ Condition shared(const psychophysics::StudyDesign& design, const Blinding& blind
     if (blinding.oneStimulus && blinding.asksAlike()) {
         return out;
     }
-    out.stimulus.attribute = oneAttribute(design.conditions) && (blinding.asksAlike() || apex) ? first.stimulus.attribute : kWidest;
+    out.stimulus.attribute = oneAttribute(design.conditions) && (blinding.asksAlike() || apex)
+                                 ? first.stimulus.attribute
+                                 : kWidest;
     out.stimulus.fixed.clear();
     out.stimulus.reference = catalogue::middleReference(out);
     return out;
@@ -48,7 +50,8 @@ Condition shared(const psychophysics::StudyDesign& design, const Blinding& blind
 
 } // namespace
 
-core::Result<std::string> maskedDesign(const std::string& designJson, const Blinding& blinding, const std::vector<SealedCondition>& codes) {
+core::Result<std::string> maskedDesign(const std::string& designJson, const Blinding& blinding,
+                                       const std::vector<SealedCondition>& codes) {
     auto design = catalogue::readStudy(QByteArray::fromStdString(designJson), "design");
     CHIRON_TRY(design);
     const Condition like = shared(*design, blinding);
@@ -57,7 +60,9 @@ core::Result<std::string> maskedDesign(const std::string& designJson, const Blin
         Condition condition = like;
         condition.id = "sealed_";
         for (const char each : code.sealedCode) {
-            condition.id += std::isalnum(static_cast<unsigned char>(each)) != 0 ? static_cast<char>(std::tolower(static_cast<unsigned char>(each))) : '_';
+            condition.id += std::isalnum(static_cast<unsigned char>(each)) != 0
+                                ? static_cast<char>(std::tolower(static_cast<unsigned char>(each)))
+                                : '_';
         }
         condition.title = {{"en", code.sealedCode}};
         condition.instructions.clear(); // "put the glove on" would identify a condition

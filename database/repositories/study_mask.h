@@ -13,6 +13,7 @@ namespace chiron::database {
 /// conditions, in the order of `codes`, each titled by its code. Common properties are kept, so that runs can
 /// be analysed; properties that differ have a neutral value that is in range.
 /// Errors: badInput (a design that cannot be read is not shown).
-core::Result<std::string> maskedDesign(const std::string& designJson, const Blinding& blinding, const std::vector<SealedCondition>& codes);
+core::Result<std::string> maskedDesign(const std::string& designJson, const Blinding& blinding,
+                                       const std::vector<SealedCondition>& codes);
 
 } // namespace chiron::database

@@ -37,7 +37,8 @@ core::Result<void> checkPerson(Connection& connection, const NewParticipant& wan
     if (wanted.person == 0) {
         return {};
     }
-    const auto known = selectInteger(connection, "SELECT 1 FROM person WHERE id = ? AND kind = 'person'", {wanted.person});
+    const auto known =
+        selectInteger(connection, "SELECT 1 FROM person WHERE id = ? AND kind = 'person'", {wanted.person});
     const auto ids = participantsOf(connection, wanted.person);
     if (!known || !ids) {
         return tl::unexpected(!known ? known.error() : ids.error());
@@ -67,7 +68,8 @@ core::Result<void> checkWanted(Connection& connection, const Actor& actor, const
     static const QRegularExpression kCode(QStringLiteral("^[A-Za-z0-9_-]{1,20}$"));
     if (!wanted.wantedCode.empty() &&
         (!wanted.simulated() || !kCode.match(QString::fromStdString(wanted.wantedCode)).hasMatch())) {
-        return bad("code \"" + wanted.wantedCode + "\": expected 1 to 20 letters, digits, \"-\" or \"_\", for a simulated "
+        return bad("code \"" + wanted.wantedCode +
+                   "\": expected 1 to 20 letters, digits, \"-\" or \"_\", for a simulated "
                    "participant; people get random codes");
     }
     auto good = checkText("identity", wanted.identity, kMaximumIdentity);
@@ -77,8 +79,9 @@ core::Result<void> checkWanted(Connection& connection, const Actor& actor, const
 
 core::Result<std::string> codeFor(Connection& connection, const NewParticipant& wanted) {
     if (!wanted.wantedCode.empty()) {
-        const auto taken = selectInteger(connection, "SELECT 1 FROM study_participant WHERE study_id = ? AND code = ?",
-                                         {wanted.study, wanted.wantedCode});
+        const auto taken =
+            selectInteger(connection, "SELECT 1 FROM study_participant WHERE study_id = ? AND code = ?",
+                          {wanted.study, wanted.wantedCode});
         CHIRON_TRY(taken);
         return *taken ? core::fail(core::ErrorCode::badInput,
                                    "code \"" + wanted.wantedCode + "\": is taken in this study")
@@ -86,7 +89,8 @@ core::Result<std::string> codeFor(Connection& connection, const NewParticipant& 
     }
     while (true) { // with 148 million codes a second round is rare
         const std::string code = randomCode();
-        const auto taken = selectInteger(connection, "SELECT 1 FROM study_participant WHERE code = ?", {code});
+        const auto taken =
+            selectInteger(connection, "SELECT 1 FROM study_participant WHERE code = ?", {code});
         if (!taken || !*taken) {
             return taken ? core::Result<std::string>(code) : tl::unexpected(taken.error());
         }
@@ -95,22 +99,26 @@ core::Result<std::string> codeFor(Connection& connection, const NewParticipant& 
 
 core::Result<std::int64_t> freeRow(Connection& connection, const NewParticipant& wanted) {
     const Value simulated(std::int64_t{wanted.simulated()});
-    const auto row = selectInteger(
-        connection,
-        "WITH taken AS (SELECT order_row AS r FROM study_participant WHERE study_id = ? AND simulated = ? AND "
-        "state <> 'withdrawn') SELECT min(r) FROM (SELECT 0 AS r UNION SELECT r + 1 FROM taken) WHERE r NOT IN taken",
-        {wanted.study, simulated});
+    const auto row = selectInteger(connection,
+                                   "WITH taken AS (SELECT order_row AS r FROM study_participant WHERE "
+                                   "study_id = ? AND simulated = ? AND "
+                                   "state <> 'withdrawn') SELECT min(r) FROM (SELECT 0 AS r UNION SELECT r + "
+                                   "1 FROM taken) WHERE r NOT IN taken",
+                                   {wanted.study, simulated});
     return row ? core::Result<std::int64_t>(row->value_or(0)) : tl::unexpected(row.error());
 }
 
-core::Result<void> storeKey(Connection& connection, const Actor& actor, ParticipantNumber id, const NewParticipant& wanted) {
+core::Result<void> storeKey(Connection& connection, const Actor& actor, ParticipantNumber id,
+                            const NewParticipant& wanted) {
     const QJsonObject key{{"identity", QString::fromStdString(wanted.identity)},
                           {"nonce", QString::fromStdString(randomNonce())},
                           {"person", static_cast<qint64>(wanted.person)}};
     const std::string json = QJsonDocument(key).toJson(QJsonDocument::Compact).toStdString();
     const auto row = insertRow(connection, "participant_key",
                                {{"id", id}, {"key_json", json}, {"key_hash", toBlob(textDigest(json))}});
-    return row ? appendAudit(connection, actor, {"enrolParticipant", "participant_key", id, *row, wanted.person != 0 ? R"({"account":true})" : "{}"})
+    return row ? appendAudit(connection, actor,
+                             {"enrolParticipant", "participant_key", id, *row,
+                              wanted.person != 0 ? R"({"account":true})" : "{}"})
                : core::Result<void>(tl::unexpected(row.error()));
 }
 
@@ -166,14 +174,17 @@ core::Result<Participant> StudyRepository::enrolParticipant(StudyNumber study, c
     }
     const auto all = StudyReader(m_connection, m_actor).participants(study);
     CHIRON_TRY(all);
-    const auto found = std::find_if(all->begin(), all->end(), [&](const Participant& p) { return p.id == id; });
+    const auto found =
+        std::find_if(all->begin(), all->end(), [&](const Participant& p) { return p.id == id; });
     return found != all->end() ? core::Result<Participant>(*found)
                                : core::fail(core::ErrorCode::storage, "the new participant cannot be read");
 }
 
-core::Result<Participant> StudyRepository::enrolAccount(StudyNumber study, const std::string& identity, const std::string& account) {
+core::Result<Participant> StudyRepository::enrolAccount(StudyNumber study, const std::string& identity,
+                                                        const std::string& account) {
     CHIRON_TRY(mayWriteStudy(m_connection, m_actor, Action::enrolAccount, StudyPart::study, study));
-    const auto person = selectInteger(m_connection, "SELECT id FROM person WHERE name_key = ? AND kind = 'person'", {nameKey(account)});
+    const auto person = selectInteger(
+        m_connection, "SELECT id FROM person WHERE name_key = ? AND kind = 'person'", {nameKey(account)});
     if (!person || !*person) {
         return person ? core::fail(core::ErrorCode::notFound, "there is no account \"" + account + "\"")
                       : core::Result<Participant>(tl::unexpected(person.error()));
@@ -182,18 +193,21 @@ core::Result<Participant> StudyRepository::enrolAccount(StudyNumber study, const
 }
 
 core::Result<void> StudyRepository::recordConsent(ParticipantNumber participant, const std::string& sha256) {
-    auto allowed = mayWriteStudy(m_connection, m_actor, Action::recordConsent, StudyPart::participant, participant);
+    auto allowed =
+        mayWriteStudy(m_connection, m_actor, Action::recordConsent, StudyPart::participant, participant);
     const auto who = allowed ? storedParticipant(m_connection, participant) : tl::unexpected(allowed.error());
     const auto study = who ? studyInState(m_connection, who->study, "frozen") : tl::unexpected(who.error());
     const auto design = study ? designObject(study->designJson) : tl::unexpected(study.error());
     CHIRON_TRY(design);
     if (who->state != ParticipantState::enrolled) {
-        return core::fail(core::ErrorCode::wrongUse, "participant " + who->code + " is " + std::string(token(who->state)) +
+        return core::fail(core::ErrorCode::wrongUse, "participant " + who->code + " is " +
+                                                         std::string(token(who->state)) +
                                                          ": expected enrolled, without consent");
     }
     const std::vector<std::string> texts = consentDigests(*design);
     if (std::find(texts.begin(), texts.end(), sha256) == texts.end()) {
-        return bad("consent " + sha256 + ": expected the SHA-256 of the study's consent text in one of its languages");
+        return bad("consent " + sha256 +
+                   ": expected the SHA-256 of the study's consent text in one of its languages");
     }
     const QByteArray bytes = QByteArray::fromHex(QByteArray::fromStdString(sha256));
     const auto row = insertRow(m_connection, "participant_consent",
@@ -202,32 +216,41 @@ core::Result<void> StudyRepository::recordConsent(ParticipantNumber participant,
                                 {"utc", core::utcNowIso8601()},
                                 {"recorded_by", m_actor.personId()}});
     CHIRON_TRY(row);
-    auto done = appendAudit(m_connection, m_actor, {"recordConsent", "participant_consent", participant, *row, "{}"});
-    return done ? setState(m_connection, m_actor, participant, "recordConsent", {{"state", std::string("consented")}}) : done;
+    auto done =
+        appendAudit(m_connection, m_actor, {"recordConsent", "participant_consent", participant, *row, "{}"});
+    return done ? setState(m_connection, m_actor, participant, "recordConsent",
+                           {{"state", std::string("consented")}})
+                : done;
 }
 
 core::Result<void> StudyRepository::completeParticipant(ParticipantNumber participant) {
-    auto allowed = mayWriteStudy(m_connection, m_actor, Action::completeParticipant, StudyPart::participant, participant);
+    auto allowed = mayWriteStudy(m_connection, m_actor, Action::completeParticipant, StudyPart::participant,
+                                 participant);
     const auto who = allowed ? storedParticipant(m_connection, participant) : tl::unexpected(allowed.error());
     CHIRON_TRY(who);
     const auto open = selectInteger(
-        m_connection, "SELECT count(*) FROM study_run WHERE participant_id = ? AND state = 'open'", {participant});
+        m_connection, "SELECT count(*) FROM study_run WHERE participant_id = ? AND state = 'open'",
+        {participant});
     CHIRON_TRY(open);
     const bool may = who->state == ParticipantState::consented ||
                      (who->simulated && who->state == ParticipantState::enrolled);
     if (!may || open->value_or(0) > 0) {
-        return core::fail(core::ErrorCode::wrongUse, "participant " + who->code + " is " + std::string(token(who->state)) +
-                                                         " with " + std::to_string(open->value_or(0)) +
+        return core::fail(core::ErrorCode::wrongUse, "participant " + who->code + " is " +
+                                                         std::string(token(who->state)) + " with " +
+                                                         std::to_string(open->value_or(0)) +
                                                          " open runs: expected consented, with none open");
     }
-    return setState(m_connection, m_actor, participant, "completeParticipant", {{"state", std::string("completed")}});
+    return setState(m_connection, m_actor, participant, "completeParticipant",
+                    {{"state", std::string("completed")}});
 }
 
 core::Result<void> StudyRepository::withdrawParticipant(ParticipantNumber participant, bool eraseRecordings) {
-    auto allowed = mayWriteStudy(m_connection, m_actor, Action::withdrawParticipant, StudyPart::participant, participant);
+    auto allowed = mayWriteStudy(m_connection, m_actor, Action::withdrawParticipant, StudyPart::participant,
+                                 participant);
     const auto who = allowed ? storedParticipant(m_connection, participant) : tl::unexpected(allowed.error());
     CHIRON_TRY(who);
-    auto open = Query::run(m_connection, "SELECT id FROM study_run WHERE participant_id = ? AND state = 'open'", {participant});
+    auto open = Query::run(
+        m_connection, "SELECT id FROM study_run WHERE participant_id = ? AND state = 'open'", {participant});
     std::vector<StudyRunNumber> runs;
     auto row = open ? open->next() : tl::unexpected(open.error());
     for (; row && *row; row = open->next()) {
@@ -238,7 +261,8 @@ core::Result<void> StudyRepository::withdrawParticipant(ParticipantNumber partic
         done = endRun(m_connection, m_actor, runs[i], StudyRunState::stopped);
     }
     return done ? setState(m_connection, m_actor, participant, "withdrawParticipant",
-                           {{"state", std::string("withdrawn")}, {"erase_recordings", std::int64_t{eraseRecordings}}})
+                           {{"state", std::string("withdrawn")},
+                            {"erase_recordings", std::int64_t{eraseRecordings}}})
                 : done;
 }
 

@@ -18,24 +18,29 @@ namespace chiron::database {
 namespace {
 
 constexpr const char* kSummaryColumns =
-    "s.id, s.key, s.title, s.state, coalesce(lower(hex(s.sha256)), ''), s.author_id, s.created_utc, s.frozen_utc, "
+    "s.id, s.key, s.title, s.state, coalesce(lower(hex(s.sha256)), ''), s.author_id, s.created_utc, "
+    "s.frozen_utc, "
     "s.unblinded, s.archived, s.demonstration, "
     "(SELECT count(*) FROM study_participant p WHERE p.study_id = s.id AND p.state <> 'withdrawn'), "
     "(SELECT count(*) FROM study_participant p WHERE p.study_id = s.id AND p.state = 'completed'), "
-    "(SELECT count(*) FROM study_participant p JOIN study_run r ON r.participant_id = p.id JOIN study_trial t ON "
+    "(SELECT count(*) FROM study_participant p JOIN study_run r ON r.participant_id = p.id JOIN study_trial "
+    "t ON "
     "t.run_id = r.id WHERE p.study_id = s.id AND t.spoiled = '' AND t.practice = 0 AND t.undone = 0 "
     // While experimenters are blind, only trials of participants who have completed all conditions count;
     // otherwise the difference of the counts before and after a run would be that run's number of trials.
     "AND (p.state = 'completed' OR s.unblinded = 1 OR s.state = 'draft' "
-    "OR CASE WHEN json_valid(s.design_json) THEN coalesce(json_extract(s.design_json, '$.blind_experimenter'), 0) ELSE 0 END = 0)), "
-    "CASE WHEN json_valid(s.design_json) THEN coalesce(json_extract(s.design_json, '$.pilot_of'), '') ELSE '' END AS pilot_of";
+    "OR CASE WHEN json_valid(s.design_json) THEN coalesce(json_extract(s.design_json, "
+    "'$.blind_experimenter'), 0) ELSE 0 END = 0)), "
+    "CASE WHEN json_valid(s.design_json) THEN coalesce(json_extract(s.design_json, '$.pilot_of'), '') ELSE "
+    "'' END AS pilot_of";
 
 StudySummary summaryOf(const Query& row) {
     StudySummary summary;
     summary.id = row.integer(0);
     summary.key = row.text(1);
     summary.title = row.text(2);
-    summary.state = row.integer(9) != 0 ? StudyState::archived : studyStateFromToken(row.text(3)).value_or(StudyState::draft);
+    summary.state = row.integer(9) != 0 ? StudyState::archived
+                                        : studyStateFromToken(row.text(3)).value_or(StudyState::draft);
     summary.sha256 = row.text(4);
     summary.author = row.integer(5);
     summary.createdUtc = row.text(6);
@@ -52,13 +57,15 @@ StudySummary summaryOf(const Query& row) {
 // Returns whether the actor may look up which code is which, and therefore may see the conditions themselves.
 core::Result<bool> mayKnow(Connection& connection, const Actor& actor, StudyNumber study) {
     const auto may = authoriseForStudy(connection, actor, Action::sealedConditions, StudyPart::study, study);
-    return may || may.error().code == core::ErrorCode::notAllowed ? core::Result<bool>(may.has_value()) : tl::unexpected(may.error());
+    return may || may.error().code == core::ErrorCode::notAllowed ? core::Result<bool>(may.has_value())
+                                                                  : tl::unexpected(may.error());
 }
 
 // Returns rows if the actor may read them.
 template <class T, class Make>
-core::Result<std::vector<T>> permittedRows(Connection& connection, const Actor& actor, Action action, StudyPart part,
-                                           std::int64_t number, const std::string& sql, Make make) {
+core::Result<std::vector<T>> permittedRows(Connection& connection, const Actor& actor, Action action,
+                                           StudyPart part, std::int64_t number, const std::string& sql,
+                                           Make make) {
     CHIRON_TRY(authoriseForStudy(connection, actor, action, part, number));
     return rowsOf<T>(connection, sql, {number}, make);
 }
@@ -70,24 +77,29 @@ core::Result<std::vector<StudySummary>> StudyReader::listStudies(bool includeArc
     CHIRON_TRY(scope);
     return rowsOf<StudySummary>(m_connection,
                                 std::string("SELECT ") + kSummaryColumns +
-                                    " FROM study s WHERE (s.author_id = 1 OR ?) AND (s.archived = 0 OR ?) AND pilot_of = '' ORDER BY s.id",
-                                {std::int64_t{*scope == Scope::all}, std::int64_t{includeArchived}}, summaryOf);
+                                    " FROM study s WHERE (s.author_id = 1 OR ?) AND (s.archived = 0 OR ?) "
+                                    "AND pilot_of = '' ORDER BY s.id",
+                                {std::int64_t{*scope == Scope::all}, std::int64_t{includeArchived}},
+                                summaryOf);
 }
 
 core::Result<std::vector<StudySummary>> StudyReader::listPilots(const std::string& key) {
     const auto scope = authorise(m_connection, m_actor, Action::listPilots);
     CHIRON_TRY(scope);
-    return rowsOf<StudySummary>(m_connection,
-                                std::string("SELECT ") + kSummaryColumns +
-                                    " FROM study s WHERE (s.author_id = 1 OR ?) AND pilot_of <> '' AND pilot_of = ? ORDER BY s.id",
-                                {std::int64_t{*scope == Scope::all}, key}, summaryOf);
+    return rowsOf<StudySummary>(
+        m_connection,
+        std::string("SELECT ") + kSummaryColumns +
+            " FROM study s WHERE (s.author_id = 1 OR ?) AND pilot_of <> '' AND pilot_of = ? ORDER BY s.id",
+        {std::int64_t{*scope == Scope::all}, key}, summaryOf);
 }
 
 core::Result<StudyRecord> StudyReader::study(StudyNumber study) {
-    auto found = permittedRows<StudyRecord>(
-        m_connection, m_actor, Action::study, StudyPart::study, study,
-        std::string("SELECT ") + kSummaryColumns + ", s.design_json FROM study s WHERE s.id = ?",
-        [](const Query& row) { return StudyRecord{summaryOf(row), row.text(15), {}, false}; });
+    auto found = permittedRows<StudyRecord>(m_connection, m_actor, Action::study, StudyPart::study, study,
+                                            std::string("SELECT ") + kSummaryColumns +
+                                                ", s.design_json FROM study s WHERE s.id = ?",
+                                            [](const Query& row) {
+                                                return StudyRecord{summaryOf(row), row.text(15), {}, false};
+                                            });
     if (!found || found->empty()) {
         return found ? core::fail(core::ErrorCode::notFound, "there is no study " + std::to_string(study))
                      : core::Result<StudyRecord>(tl::unexpected(found.error()));
@@ -110,18 +122,21 @@ core::Result<StudyRecord> StudyReader::study(StudyNumber study) {
 
 core::Result<StudyRecord> StudyReader::studyByKey(const std::string& key) {
     const auto scope = authorise(m_connection, m_actor, Action::studyByKey);
-    const auto id = scope ? selectInteger(m_connection,
-                                          "SELECT id FROM study WHERE key = ? AND (author_id = 1 OR ?) ORDER BY "
-                                          "author_id = 1, id LIMIT 1",
-                                          {key, std::int64_t{*scope == Scope::all}})
-                          : tl::unexpected(scope.error());
+    const auto id =
+        scope ? selectInteger(m_connection,
+                              "SELECT id FROM study WHERE key = ? AND (author_id = 1 OR ?) ORDER BY "
+                              "author_id = 1, id LIMIT 1",
+                              {key, std::int64_t{*scope == Scope::all}})
+              : tl::unexpected(scope.error());
     CHIRON_TRY(id);
-    return *id ? study(**id) : core::fail(core::ErrorCode::notFound, "there is no study \"" + key + "\" in the database");
+    return *id ? study(**id)
+               : core::fail(core::ErrorCode::notFound, "there is no study \"" + key + "\" in the database");
 }
 
 core::Result<std::vector<SealedCondition>> StudyReader::conditionCodes(StudyNumber study) {
     auto allowed = authoriseForStudy(m_connection, m_actor, Action::conditionCodes, StudyPart::study, study);
-    const auto blinding = allowed ? blindingOf(m_connection, StudyPart::study, study) : tl::unexpected(allowed.error());
+    const auto blinding =
+        allowed ? blindingOf(m_connection, StudyPart::study, study) : tl::unexpected(allowed.error());
     auto codes = blinding ? sealedConditionRows(m_connection, study) : tl::unexpected(blinding.error());
     if (!codes || !blinding->designed) {
         return codes;
@@ -136,28 +151,33 @@ core::Result<std::vector<SealedCondition>> StudyReader::conditionCodes(StudyNumb
 
 core::Result<std::vector<SealedCondition>> StudyReader::sealedConditions(StudyNumber study) {
     auto done = mayWriteStudy(m_connection, m_actor, Action::sealedConditions, StudyPart::study, study);
-    done = done ? appendAudit(m_connection, m_actor, {"sealedConditions", "study", study, std::nullopt, "{}"}) : done;
+    done = done ? appendAudit(m_connection, m_actor, {"sealedConditions", "study", study, std::nullopt, "{}"})
+                : done;
     return done ? sealedConditionRows(m_connection, study) : tl::unexpected(done.error());
 }
 
 core::Result<std::vector<Participant>> StudyReader::participants(StudyNumber study) {
     auto allowed = authoriseForStudy(m_connection, m_actor, Action::participants, StudyPart::study, study);
-    return allowed ? participantRows(m_connection, "p.study_id = ?", {study}) : tl::unexpected(allowed.error());
+    return allowed ? participantRows(m_connection, "p.study_id = ?", {study})
+                   : tl::unexpected(allowed.error());
 }
 
 core::Result<Participant> StudyReader::participantByCode(StudyNumber study, const std::string& code) {
     CHIRON_TRY(authoriseForStudy(m_connection, m_actor, Action::participantByCode, StudyPart::study, study));
     auto found = participantRows(
-        m_connection, "p.study_id = ? AND upper(replace(p.code, '-', '')) = upper(replace(?, '-', ''))", {study, code});
+        m_connection, "p.study_id = ? AND upper(replace(p.code, '-', '')) = upper(replace(?, '-', ''))",
+        {study, code});
     if (!found || found->empty()) {
-        return found ? core::fail(core::ErrorCode::notFound, "there is no participant \"" + code + "\" in this study")
+        return found ? core::fail(core::ErrorCode::notFound,
+                                  "there is no participant \"" + code + "\" in this study")
                      : core::Result<Participant>(tl::unexpected(found.error()));
     }
     return std::move(found->front());
 }
 
 core::Result<std::vector<StudyRun>> StudyReader::runs(ParticipantNumber participant) {
-    auto allowed = authoriseForStudy(m_connection, m_actor, Action::runs, StudyPart::participant, participant);
+    auto allowed =
+        authoriseForStudy(m_connection, m_actor, Action::runs, StudyPart::participant, participant);
     return allowed ? shownRuns(m_connection, participant) : tl::unexpected(allowed.error());
 }
 
@@ -172,18 +192,22 @@ core::Result<std::vector<ParticipantQuality>> StudyReader::trialQuality(StudyNum
 }
 
 core::Result<std::vector<QuestionnaireAnswer>> StudyReader::questionnaireAnswers(StudyNumber study) {
-    auto allowed = authoriseForStudy(m_connection, m_actor, Action::questionnaireAnswers, StudyPart::study, study);
+    auto allowed =
+        authoriseForStudy(m_connection, m_actor, Action::questionnaireAnswers, StudyPart::study, study);
     return allowed ? shownAnswers(m_connection, study) : tl::unexpected(allowed.error());
 }
 
 core::Result<std::vector<ParticipantKey>> StudyReader::participantKeys(StudyNumber study) {
     auto done = mayWriteStudy(m_connection, m_actor, Action::participantKeys, StudyPart::study, study);
-    done = done ? appendAudit(m_connection, m_actor, {"participantKeys", "study", study, std::nullopt, "{}"}) : done;
+    done = done ? appendAudit(m_connection, m_actor, {"participantKeys", "study", study, std::nullopt, "{}"})
+                : done;
     CHIRON_TRY(done);
     return rowsOf<ParticipantKey>(
         m_connection,
-        "SELECT p.id, p.code, k.key_json, coalesce((SELECT name FROM person WHERE id = CASE WHEN json_valid(k.key_json) THEN "
-        "json_extract(k.key_json, '$.person') END AND kind = 'person'), '') FROM participant_key k JOIN study_participant p ON p.id = k.id WHERE "
+        "SELECT p.id, p.code, k.key_json, coalesce((SELECT name FROM person WHERE id = CASE WHEN "
+        "json_valid(k.key_json) THEN "
+        "json_extract(k.key_json, '$.person') END AND kind = 'person'), '') FROM participant_key k JOIN "
+        "study_participant p ON p.id = k.id WHERE "
         "p.study_id = ? AND k.key_json <> '' ORDER BY p.id",
         {study}, [](const Query& row) {
             const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(row.text(2))).object();

@@ -16,8 +16,7 @@ namespace chiron::database {
 /// Errors: notAllowed, notFound, storage.
 class StudyReader {
 public:
-    StudyReader(Connection& connection, Actor actor)
-        : m_connection(connection), m_actor(std::move(actor)) {}
+    StudyReader(Connection& connection, Actor actor) : m_connection(connection), m_actor(std::move(actor)) {}
 
     /// Returns the studies by number, without pilots. Every choice of a study to run, analyse or export uses
     /// this list.

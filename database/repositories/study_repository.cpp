@@ -37,15 +37,17 @@ core::Result<void> checkKey(const std::string& key) {
 // which.
 RowDigest conditionDigest(const SiteKey& key, const StoredStudy& study, const QJsonObject& design,
                           const std::string& condition) {
-    const std::string text = "chiron-sealed-condition-1\n" + std::to_string(study.id) + "\n" + study.key + "\n" +
-                             catalogue::canonicalJson(design["seed"]) + "\n" + condition;
+    const std::string text = "chiron-sealed-condition-1\n" + std::to_string(study.id) + "\n" + study.key +
+                             "\n" + catalogue::canonicalJson(design["seed"]) + "\n" + condition;
     return key.mac({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-core::Result<void> sealConditions(Connection& connection, const StoredStudy& study, const QJsonObject& design) {
+core::Result<void> sealConditions(Connection& connection, const StoredStudy& study,
+                                  const QJsonObject& design) {
     const SiteKey* key = connection.siteKey();
     if (key == nullptr) {
-        return core::fail(core::ErrorCode::storage, connection.file() + ": no site key, so nothing can be sealed");
+        return core::fail(core::ErrorCode::storage,
+                          connection.file() + ": no site key, so nothing can be sealed");
     }
     std::set<std::string> taken;
     std::int64_t ordinal = 0;
@@ -72,14 +74,20 @@ core::Result<void> canBeBlind(const psychophysics::StudyDesign& design) {
         return {};
     }
     if (design.order == psychophysics::OrderDesign::fixed) {
-        return core::fail(core::ErrorCode::badInput, "study " + design.id + ": $.order: \"fixed\": expected another order where "
-                                                         "experimenters are blind: a fixed one tells which code is which condition");
+        return core::fail(core::ErrorCode::badInput,
+                          "study " + design.id +
+                              ": $.order: \"fixed\": expected another order where "
+                              "experimenters are blind: a fixed one tells which code is which condition");
     }
-    const auto apex = [](const psychophysics::Condition& each) { return each.stimulus.attribute == psychophysics::Attribute::apex; };
+    const auto apex = [](const psychophysics::Condition& each) {
+        return each.stimulus.attribute == psychophysics::Attribute::apex;
+    };
     const auto apexes = std::count_if(design.conditions.begin(), design.conditions.end(), apex);
     if (apexes != 0 && apexes != static_cast<std::ptrdiff_t>(design.conditions.size())) {
-        return core::fail(core::ErrorCode::badInput, "study " + design.id + ": $.conditions: \"apex\" beside other attributes: expected "
-                                                         "one exercise where experimenters are blind: the list of sessions names it");
+        return core::fail(core::ErrorCode::badInput,
+                          "study " + design.id +
+                              ": $.conditions: \"apex\" beside other attributes: expected "
+                              "one exercise where experimenters are blind: the list of sessions names it");
     }
     return {};
 }
@@ -87,19 +95,22 @@ core::Result<void> canBeBlind(const psychophysics::StudyDesign& design) {
 // Returns the JSON to be frozen: the design as the program understands it, written out. A study that could
 // not be run is not frozen.
 core::Result<std::string> frozenJson(const StoredStudy& study) {
-    const auto design = catalogue::readStudy(QByteArray::fromStdString(study.designJson), "study " + study.key);
+    const auto design =
+        catalogue::readStudy(QByteArray::fromStdString(study.designJson), "study " + study.key);
     CHIRON_TRY(design);
     if (design->id != study.key) {
-        return core::fail(core::ErrorCode::badInput, "study " + study.key + ": $.id: \"" + design->id + "\": expected \"" +
-                                                         study.key + "\", the key it was made with");
+        return core::fail(core::ErrorCode::badInput, "study " + study.key + ": $.id: \"" + design->id +
+                                                         "\": expected \"" + study.key +
+                                                         "\", the key it was made with");
     }
     CHIRON_TRY(canBeBlind(*design));
     return catalogue::studyJson(*design).toStdString();
 }
 
 // Changes a state or mark of a study and audits it.
-core::Result<void> changeStudy(Connection& connection, const Actor& actor, StudyNumber study, std::string_view action,
-                               std::vector<Column> changes, const std::string& detail = "{}") {
+core::Result<void> changeStudy(Connection& connection, const Actor& actor, StudyNumber study,
+                               std::string_view action, std::vector<Column> changes,
+                               const std::string& detail = "{}") {
     const auto row = updateRow(connection, "study", {{"id", study}}, std::move(changes));
     return row ? appendAudit(connection, actor, {action, "study", study, *row, detail})
                : core::Result<void>(tl::unexpected(row.error()));
@@ -116,8 +127,9 @@ core::Result<StudyNumber> StudyRepository::createStudy(const std::string& key, c
     const auto design = good ? designObject(designJson) : tl::unexpected(good.error());
     CHIRON_TRY(design);
     const bool simulated = m_actor.personId() == Actor::kSimulatedPerson;
-    const auto taken = selectInteger(m_connection, "SELECT id FROM study WHERE key = ? AND (author_id = 1) = ?",
-                                     {key, std::int64_t{simulated}});
+    const auto taken =
+        selectInteger(m_connection, "SELECT id FROM study WHERE key = ? AND (author_id = 1) = ?",
+                      {key, std::int64_t{simulated}});
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM study");
     const auto demonstration = selectText(m_connection, "SELECT value FROM meta WHERE key = 'demonstration'");
     if (!taken || !last || !demonstration) {
@@ -147,7 +159,8 @@ core::Result<StudyNumber> StudyRepository::createStudy(const std::string& key, c
 
 core::Result<void> StudyRepository::saveDraft(StudyNumber study, const std::string& designJson) {
     auto allowed = mayWriteStudy(m_connection, m_actor, Action::saveDraft, StudyPart::study, study);
-    const auto stored = allowed ? studyInState(m_connection, study, "draft") : tl::unexpected(allowed.error());
+    const auto stored =
+        allowed ? studyInState(m_connection, study, "draft") : tl::unexpected(allowed.error());
     const auto design = stored ? designObject(designJson) : tl::unexpected(stored.error());
     CHIRON_TRY(design);
     std::vector<Column> changes{{"design_json", catalogue::canonicalJson(*design)}};
@@ -174,15 +187,18 @@ core::Result<std::string> StudyRepository::freezeStudy(StudyNumber study) {
                         {"title", (*design)["title"].toObject()["en"].toString().toStdString()},
                         {"sha256", Blob(bytes.begin(), bytes.end())},
                         {"frozen_utc", core::utcNowIso8601()}},
-                       "{\"conditions\":\"" + hex(seal->data(), seal->size()) + "\",\"sha256\":\"" + sha256 + "\"}");
+                       "{\"conditions\":\"" + hex(seal->data(), seal->size()) + "\",\"sha256\":\"" + sha256 +
+                           "\"}");
     return done ? core::Result<std::string>(sha256) : tl::unexpected(done.error());
 }
 
 core::Result<void> StudyRepository::closeStudy(StudyNumber study) {
     auto allowed = mayWriteStudy(m_connection, m_actor, Action::closeStudy, StudyPart::study, study);
-    const auto stored = allowed ? studyInState(m_connection, study, "frozen") : tl::unexpected(allowed.error());
-    return stored ? changeStudy(m_connection, m_actor, study, "closeStudy", {{"state", std::string("closed")}})
-                  : core::Result<void>(tl::unexpected(stored.error()));
+    const auto stored =
+        allowed ? studyInState(m_connection, study, "frozen") : tl::unexpected(allowed.error());
+    return stored
+               ? changeStudy(m_connection, m_actor, study, "closeStudy", {{"state", std::string("closed")}})
+               : core::Result<void>(tl::unexpected(stored.error()));
 }
 
 core::Result<void> StudyRepository::setStudyArchived(StudyNumber study, bool archived) {
@@ -197,13 +213,15 @@ core::Result<void> StudyRepository::unblindStudy(StudyNumber study, const std::s
     const auto stored = allowed ? storedStudy(m_connection, study) : tl::unexpected(allowed.error());
     CHIRON_TRY(stored);
     if (stored->state == "draft") {
-        return core::fail(core::ErrorCode::wrongUse, "study " + stored->key + " is a draft: there is nothing to unblind");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "study " + stored->key + " is a draft: there is nothing to unblind");
     }
     if (auto said = checkText("reason", reason, kMaximumReason); !said) {
         return said;
     }
     if (QString::fromStdString(reason).trimmed().isEmpty()) {
-        return core::fail(core::ErrorCode::badInput, "reason: none given; expected why study " + stored->key + " is unblinded now");
+        return core::fail(core::ErrorCode::badInput,
+                          "reason: none given; expected why study " + stored->key + " is unblinded now");
     }
     const QJsonObject detail{{"reason", QString::fromStdString(reason)}};
     return changeStudy(m_connection, m_actor, study, "unblindStudy", {{"unblinded", std::int64_t{1}}},

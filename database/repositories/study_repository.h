@@ -23,7 +23,8 @@ public:
     /// Creates a draft of the actor and returns its number. `key`: the design's id, which no other person's
     /// study may have (simulated ones are separate). `designJson`: any JSON object, complete or not, of at
     /// most 1 MiB; it is stored canonically.
-    core::Result<StudyNumber> createStudy(const std::string& key, const std::string& title, const std::string& designJson);
+    core::Result<StudyNumber> createStudy(const std::string& key, const std::string& title,
+                                          const std::string& designJson);
     /// Replaces the design of a draft. The key in the list does not change; the title becomes the design's
     /// English one.
     /// Errors: wrongUse once the study is frozen.
@@ -52,14 +53,16 @@ public:
     /// "_").
     /// Errors: wrongUse unless frozen; badInput if the person takes part already, or the code is taken in
     /// this study.
-    core::Result<Participant> enrolParticipant(StudyNumber study, const std::string& identity, PersonId person,
-                                               const std::string& observer, const std::string& wantedCode = {});
+    core::Result<Participant> enrolParticipant(StudyNumber study, const std::string& identity,
+                                               PersonId person, const std::string& observer,
+                                               const std::string& wantedCode = {});
     /// Enrols a person with an account, by login name, so that their export and erasure include what they do
     /// under the code. The link is stored only in the key table: no list, export or audit entry of the study
     /// says whose account it is. `identity` may be empty.
     /// Errors: as enrolParticipant (a person who takes part already is reported without their code); notFound
     /// if nobody has this login name.
-    core::Result<Participant> enrolAccount(StudyNumber study, const std::string& identity, const std::string& account);
+    core::Result<Participant> enrolAccount(StudyNumber study, const std::string& identity,
+                                           const std::string& account);
     /// Records the consent. `sha256` is that of the consent text that was shown, in UTF-8, in one of the
     /// frozen design's languages.
     /// Errors: badInput for another text; wrongUse if consent was given before or the participant has

@@ -83,7 +83,8 @@ StudyTrial trialOf(const Query& row) {
 
 QuestionnaireAnswer answerOf(const Query& row) {
     const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(row.text(3))).object();
-    QuestionnaireAnswer answer{row.integer(0), row.text(1), row.text(2), {}, json["text"].toString().toStdString(), row.text(4)};
+    QuestionnaireAnswer answer{
+        row.integer(0), row.text(1), row.text(2), {}, json["text"].toString().toStdString(), row.text(4)};
     answer.run = row.isNull(5) ? 0 : row.integer(5);
     answer.language = row.isNull(6) ? std::string() : row.text(6);
     answer.condition = row.text(7);
@@ -109,36 +110,42 @@ core::Result<std::vector<Participant>> participantRows(Connection& connection, c
 }
 
 core::Result<std::vector<SealedCondition>> sealedConditionRows(Connection& connection, StudyNumber study) {
-    return rowsOf<SealedCondition>(connection,
-                                   "SELECT condition, sealed_code FROM study_condition WHERE study_id = ? ORDER BY ordinal",
-                                   {study}, [](const Query& row) { return SealedCondition{row.text(0), row.text(1)}; });
+    return rowsOf<SealedCondition>(
+        connection, "SELECT condition, sealed_code FROM study_condition WHERE study_id = ? ORDER BY ordinal",
+        {study}, [](const Query& row) {
+            return SealedCondition{row.text(0), row.text(1)};
+        });
 }
 
 core::Result<std::vector<StudyRun>> runRows(Connection& connection, ParticipantNumber participant) {
-    return rowsOf<StudyRun>(connection,
-                            "SELECT id, participant_id, condition, sealed_code, position, seed, procedures, state, "
-                            "started_utc, ended_utc FROM study_run WHERE participant_id = ? ORDER BY id",
-                            {participant}, runOf);
+    return rowsOf<StudyRun>(
+        connection,
+        "SELECT id, participant_id, condition, sealed_code, position, seed, procedures, state, "
+        "started_utc, ended_utc FROM study_run WHERE participant_id = ? ORDER BY id",
+        {participant}, runOf);
 }
 
 core::Result<std::vector<StudyTrial>> studyTrialRows(Connection& connection, StudyRunNumber run) {
     return rowsOf<StudyTrial>(
         connection,
-        "SELECT run_id, ordinal, procedure, session_id, first_tick, last_tick, candidate, arrangement, difference, "
-        "entropy_margin, answer, outcome, value, exploration_s, answer_s, practice, undone, spoiled, fidelity_json, t.utc, x.felt, x.device_json "
+        "SELECT run_id, ordinal, procedure, session_id, first_tick, last_tick, candidate, arrangement, "
+        "difference, "
+        "entropy_margin, answer, outcome, value, exploration_s, answer_s, practice, undone, spoiled, "
+        "fidelity_json, t.utc, x.felt, x.device_json "
         "FROM study_trial t LEFT JOIN session x ON x.id = t.session_id WHERE run_id = ? ORDER BY ordinal",
         {run}, trialOf);
 }
 
 core::Result<std::vector<QuestionnaireAnswer>> answerRows(Connection& connection, const std::string& where,
                                                           std::int64_t number) {
-    return rowsOf<QuestionnaireAnswer>(
-        connection,
-        "SELECT a.participant_id, a.questionnaire, a.item, a.answer_json, a.utc, a.run_id, a.language, coalesce(r.condition, ''), "
-        "coalesce(r.sealed_code, '') FROM questionnaire_answer a JOIN study_participant p ON p.id = a.participant_id "
-        "LEFT JOIN study_run r ON r.id = a.run_id WHERE " +
-            where + " ORDER BY a.participant_id, a.id",
-        {number}, answerOf);
+    return rowsOf<QuestionnaireAnswer>(connection,
+                                       "SELECT a.participant_id, a.questionnaire, a.item, a.answer_json, "
+                                       "a.utc, a.run_id, a.language, coalesce(r.condition, ''), "
+                                       "coalesce(r.sealed_code, '') FROM questionnaire_answer a JOIN "
+                                       "study_participant p ON p.id = a.participant_id "
+                                       "LEFT JOIN study_run r ON r.id = a.run_id WHERE " +
+                                           where + " ORDER BY a.participant_id, a.id",
+                                       {number}, answerOf);
 }
 
 } // namespace chiron::database

@@ -14,8 +14,8 @@ namespace chiron::database {
 
 /// Returns all rows of a query, each converted to a value.
 template <class T, class Make>
-core::Result<std::vector<T>> rowsOf(Connection& connection, const std::string& sql, const std::vector<Value>& values,
-                                    Make make) {
+core::Result<std::vector<T>> rowsOf(Connection& connection, const std::string& sql,
+                                    const std::vector<Value>& values, Make make) {
     auto query = Query::run(connection, sql, values);
     CHIRON_TRY(query);
     std::vector<T> rows;

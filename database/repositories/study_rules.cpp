@@ -16,7 +16,8 @@ namespace {
 // Without symbols that look alike: 0 O, 1 I L, 2 Z, 5 S, 8 B, U V.
 constexpr std::string_view kLetters = "ACDEFGHJKMNPQRTWXY34679";
 constexpr std::array<std::string_view, 4> kStudyStates{"draft", "frozen", "closed", "archived"};
-constexpr std::array<std::string_view, 4> kParticipantStates{"enrolled", "consented", "completed", "withdrawn"};
+constexpr std::array<std::string_view, 4> kParticipantStates{"enrolled", "consented", "completed",
+                                                             "withdrawn"};
 constexpr std::array<std::string_view, 3> kRunStates{"open", "completed", "stopped"};
 
 template <class State, std::size_t n>
@@ -71,7 +72,8 @@ core::Result<void> mayWriteStudy(Connection& connection, const Actor& actor, Act
 }
 
 core::Result<StoredStudy> storedStudy(Connection& connection, StudyNumber study) {
-    auto query = Query::run(connection, "SELECT id, key, state, design_json FROM study WHERE id = ?", {study});
+    auto query =
+        Query::run(connection, "SELECT id, key, state, design_json FROM study WHERE id = ?", {study});
     const auto row = query ? query->next() : tl::unexpected(query.error());
     CHIRON_TRY(row);
     if (!*row) {
@@ -83,10 +85,10 @@ core::Result<StoredStudy> storedStudy(Connection& connection, StudyNumber study)
 core::Result<StoredStudy> studyInState(Connection& connection, StudyNumber study, std::string_view state) {
     auto stored = storedStudy(connection, study);
     if (stored && stored->state != state) {
-        return core::fail(core::ErrorCode::wrongUse, "study " + stored->key + " is " +
-                                                         (stored->state == "draft" ? "a draft" : stored->state) +
-                                                         ": expected it to be " +
-                                                         (state == "draft" ? "a draft" : std::string(state)));
+        return core::fail(core::ErrorCode::wrongUse,
+                          "study " + stored->key + " is " +
+                              (stored->state == "draft" ? "a draft" : stored->state) +
+                              ": expected it to be " + (state == "draft" ? "a draft" : std::string(state)));
     }
     return stored;
 }
@@ -98,7 +100,8 @@ core::Result<StoredParticipant> storedParticipant(Connection& connection, Partic
     const auto row = query ? query->next() : tl::unexpected(query.error());
     CHIRON_TRY(row);
     if (!*row) {
-        return core::fail(core::ErrorCode::notFound, "there is no participant " + std::to_string(participant));
+        return core::fail(core::ErrorCode::notFound,
+                          "there is no participant " + std::to_string(participant));
     }
     return StoredParticipant{query->integer(0), query->integer(1), query->text(2),
                              participantStateFromToken(query->text(3)).value_or(ParticipantState::withdrawn),
@@ -135,10 +138,12 @@ core::Result<RowDigest> runSeal(Connection& connection, StudyRunNumber run) {
 }
 
 core::Result<RowDigest> conditionSeal(Connection& connection, StudyNumber study) {
-    return sealOf(connection, "SELECT digest FROM study_condition WHERE study_id = ? ORDER BY ordinal", study);
+    return sealOf(connection, "SELECT digest FROM study_condition WHERE study_id = ? ORDER BY ordinal",
+                  study);
 }
 
-core::Result<void> endRun(Connection& connection, const Actor& actor, StudyRunNumber run, StudyRunState state) {
+core::Result<void> endRun(Connection& connection, const Actor& actor, StudyRunNumber run,
+                          StudyRunState state) {
     const auto seal = runSeal(connection, run);
     const auto trials = selectInteger(connection, "SELECT count(*) FROM study_trial WHERE run_id = ?", {run});
     if (!seal || !trials) {

@@ -56,7 +56,8 @@ core::Result<void> mayRun(const StoredParticipant& who);
 /// Returns the condition with this sealed code or, if the study is not blinded, with this id (in a blinded
 /// study, beginning by id would reveal the code).
 /// Errors: badInput.
-core::Result<SealedCondition> namedCondition(Connection& connection, const StoredStudy& study, const std::string& name);
+core::Result<SealedCondition> namedCondition(Connection& connection, const StoredStudy& study,
+                                             const std::string& name);
 
 /// Returns a stored design. It is read only by its keys, so that a later program's stricter rules refuse no
 /// old study.
@@ -91,6 +92,7 @@ core::Result<RowDigest> runSeal(Connection& connection, StudyRunNumber run);
 core::Result<RowDigest> conditionSeal(Connection& connection, StudyNumber study);
 
 /// Ends an open run with the seal of its trials and audits it, in the running transaction.
-core::Result<void> endRun(Connection& connection, const Actor& actor, StudyRunNumber run, StudyRunState state);
+core::Result<void> endRun(Connection& connection, const Actor& actor, StudyRunNumber run,
+                          StudyRunState state);
 
 } // namespace chiron::database

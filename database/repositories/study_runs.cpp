@@ -24,7 +24,8 @@ core::Result<void> bad(const std::string& message) {
 // A condition can have one open or completed run; a stopped one may be begun again.
 core::Result<void> notYetRun(Connection& connection, const NewStudyRun& run, const std::string& condition) {
     auto query = Query::run(
-        connection, "SELECT id, state FROM study_run WHERE participant_id = ? AND condition = ? AND state <> 'stopped'",
+        connection,
+        "SELECT id, state FROM study_run WHERE participant_id = ? AND condition = ? AND state <> 'stopped'",
         {run.participant, condition});
     const auto row = query ? query->next() : tl::unexpected(query.error());
     CHIRON_TRY(row);
@@ -38,36 +39,42 @@ core::Result<void> checkTrial(const StudyTrial& trial) {
     const bool finite = std::isfinite(trial.difference) && std::isfinite(trial.exploration_s) &&
                         std::isfinite(trial.answer_s) && (!trial.value || std::isfinite(*trial.value));
     if (!finite || trial.exploration_s < 0.0 || trial.answer_s < 0.0 || std::abs(trial.difference) > 1000.0) {
-        return bad("trial " + std::to_string(trial.ordinal) + ": expected finite numbers and times of 0 or more");
+        return bad("trial " + std::to_string(trial.ordinal) +
+                   ": expected finite numbers and times of 0 or more");
     }
     if (trial.candidate < 0 || trial.candidate > 4095 || trial.arrangement < 0 || trial.arrangement > 15) {
-        return bad("trial " + std::to_string(trial.ordinal) + ": expected a candidate of 0 to 4095 and an arrangement of 0 to 15");
+        return bad("trial " + std::to_string(trial.ordinal) +
+                   ": expected a candidate of 0 to 4095 and an arrangement of 0 to 15");
     }
     if (trial.answer < -1 || trial.outcome < -1 || trial.procedure < 0 || trial.lastTick < trial.firstTick) {
-        return bad("trial " + std::to_string(trial.ordinal) + ": expected answer and outcome from -1, procedure from 0, "
-                                                              "last tick not before the first");
+        return bad("trial " + std::to_string(trial.ordinal) +
+                   ": expected answer and outcome from -1, procedure from 0, "
+                   "last tick not before the first");
     }
     const QJsonDocument fidelity = QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson));
     if (!fidelity.isObject() || trial.fidelityJson.size() > kMaximumFidelityBytes) {
-        return bad("trial " + std::to_string(trial.ordinal) + ": fidelity: expected a JSON object of at most 64 KiB");
+        return bad("trial " + std::to_string(trial.ordinal) +
+                   ": fidelity: expected a JSON object of at most 64 KiB");
     }
     return checkText("spoiled", trial.spoiled, 40);
 }
 
 core::Result<void> followsOn(Connection& connection, const Actor& actor, const StudyTrial& trial) {
     const auto state = selectText(connection, "SELECT state FROM study_run WHERE id = ?", {trial.run});
-    const auto last = selectInteger(connection, "SELECT max(ordinal) FROM study_trial WHERE run_id = ?", {trial.run});
-    const auto owner = selectInteger(connection, "SELECT person_id FROM session WHERE id = ?", {trial.session});
+    const auto last =
+        selectInteger(connection, "SELECT max(ordinal) FROM study_trial WHERE run_id = ?", {trial.run});
+    const auto owner =
+        selectInteger(connection, "SELECT person_id FROM session WHERE id = ?", {trial.session});
     if (!state || !last || !owner) {
         return tl::unexpected(!state ? state.error() : !last ? last.error() : owner.error());
     }
     if (state->value_or("") != "open") {
-        return core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(trial.run) + " has ended (" +
-                                                         state->value_or("") + ")");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "run " + std::to_string(trial.run) + " has ended (" + state->value_or("") + ")");
     }
     if (trial.ordinal != last->value_or(-1) + 1) {
-        return bad("trial " + std::to_string(trial.ordinal) + ": expected " + std::to_string(last->value_or(-1) + 1) +
-                   ", the run's next");
+        return bad("trial " + std::to_string(trial.ordinal) + ": expected " +
+                   std::to_string(last->value_or(-1) + 1) + ", the run's next");
     }
     if (trial.session != 0 && owner->value_or(0) != actor.personId()) {
         return bad("session " + std::to_string(trial.session) + ": expected one of whoever stores the trial");
@@ -110,7 +117,8 @@ std::string answerJson(const QuestionnaireAnswer& answer) {
 }
 
 /// An enrolment questionnaire may be answered before the consent, and any questionnaire after the last run.
-core::Result<void> mayAnswer(const StoredParticipant& who, const QJsonObject& design, const std::string& questionnaire) {
+core::Result<void> mayAnswer(const StoredParticipant& who, const QJsonObject& design,
+                             const std::string& questionnaire) {
     const bool early = who.state == ParticipantState::enrolled && isEnrolment(design, questionnaire);
     return early || who.state == ParticipantState::completed ? core::Result<void>() : mayRun(who);
 }
@@ -120,21 +128,27 @@ core::Result<void> checkRunOf(Connection& connection, const QuestionnaireAnswer&
     if (answer.run == 0) {
         return {};
     }
-    const auto state = selectText(connection, "SELECT state FROM study_run WHERE id = ? AND participant_id = ?", {answer.run, answer.participant});
+    const auto state =
+        selectText(connection, "SELECT state FROM study_run WHERE id = ? AND participant_id = ?",
+                   {answer.run, answer.participant});
     CHIRON_TRY(state);
-    const std::string place = "answer " + answer.questionnaire + "." + answer.item + ": run " + std::to_string(answer.run);
+    const std::string place =
+        "answer " + answer.questionnaire + "." + answer.item + ": run " + std::to_string(answer.run);
     if (!*state) {
         return bad(place + ": expected a run of this participant");
     }
     return **state == "completed" ? core::Result<void>()
-                                  : core::fail(core::ErrorCode::wrongUse, place + " is " + **state + ": expected it to be completed");
+                                  : core::fail(core::ErrorCode::wrongUse,
+                                               place + " is " + **state + ": expected it to be completed");
 }
 
-core::Result<void> storeAnswer(Connection& connection, const Actor& actor, const QuestionnaireAnswer& answer) {
+core::Result<void> storeAnswer(Connection& connection, const Actor& actor,
+                               const QuestionnaireAnswer& answer) {
     const auto last = selectInteger(connection, "SELECT max(id) FROM questionnaire_answer");
-    const auto there = selectInteger(
-        connection, "SELECT 1 FROM questionnaire_answer WHERE participant_id = ? AND questionnaire = ? AND item = ? AND coalesce(run_id, 0) = ?",
-        {answer.participant, answer.questionnaire, answer.item, answer.run});
+    const auto there = selectInteger(connection,
+                                     "SELECT 1 FROM questionnaire_answer WHERE participant_id = ? AND "
+                                     "questionnaire = ? AND item = ? AND coalesce(run_id, 0) = ?",
+                                     {answer.participant, answer.questionnaire, answer.item, answer.run});
     if (!last || !there) {
         return tl::unexpected(!last ? last.error() : there.error());
     }
@@ -154,14 +168,16 @@ core::Result<void> storeAnswer(Connection& connection, const Actor& actor, const
                                 {"utc", answer.utc.empty() ? core::utcNowIso8601() : answer.utc},
                                 {"run_id", answer.run != 0 ? Value(answer.run) : Value()},
                                 {"language", answer.language.empty() ? Value() : Value(answer.language)}});
-    return row ? appendAudit(connection, actor, {"storeQuestionnaireAnswers", "questionnaire_answer", id, *row, "{}"})
+    return row ? appendAudit(connection, actor,
+                             {"storeQuestionnaireAnswers", "questionnaire_answer", id, *row, "{}"})
                : core::Result<void>(tl::unexpected(row.error()));
 }
 
 } // namespace
 
 core::Result<StudyRunNumber> StudyRepository::beginRun(const NewStudyRun& run) {
-    auto good = mayWriteStudy(m_connection, m_actor, Action::beginRun, StudyPart::participant, run.participant);
+    auto good =
+        mayWriteStudy(m_connection, m_actor, Action::beginRun, StudyPart::participant, run.participant);
     const auto who = good ? storedParticipant(m_connection, run.participant) : tl::unexpected(good.error());
     const auto study = who ? studyInState(m_connection, who->study, "frozen") : tl::unexpected(who.error());
     CHIRON_TRY(study);
@@ -208,26 +224,31 @@ core::Result<void> StudyRepository::storeStudyTrial(const StudyTrial& trial) {
 }
 
 core::Result<void> StudyRepository::finishRun(StudyRunNumber run, StudyRunState state) {
-    if (auto allowed = mayWriteStudy(m_connection, m_actor, Action::finishRun, StudyPart::run, run); !allowed) {
+    if (auto allowed = mayWriteStudy(m_connection, m_actor, Action::finishRun, StudyPart::run, run);
+        !allowed) {
         return allowed;
     }
     const auto present = selectText(m_connection, "SELECT state FROM study_run WHERE id = ?", {run});
     CHIRON_TRY(present);
     if (present->value_or("") != "open") {
-        return core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run) + " has ended (" + present->value_or("") + ")");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "run " + std::to_string(run) + " has ended (" + present->value_or("") + ")");
     }
-    return state == StudyRunState::open ? bad("a run ends completed or stopped") : endRun(m_connection, m_actor, run, state);
+    return state == StudyRunState::open ? bad("a run ends completed or stopped")
+                                        : endRun(m_connection, m_actor, run, state);
 }
 
-core::Result<void> StudyRepository::storeQuestionnaireAnswers(const std::vector<QuestionnaireAnswer>& answers) {
+core::Result<void>
+StudyRepository::storeQuestionnaireAnswers(const std::vector<QuestionnaireAnswer>& answers) {
     if (auto writer = requireWriter(m_connection); !writer) {
         return writer;
     }
     CHIRON_TRY(authorise(m_connection, m_actor, Action::storeQuestionnaireAnswers));
     for (const QuestionnaireAnswer& answer : answers) {
-        auto good = authoriseForStudy(m_connection, m_actor, Action::storeQuestionnaireAnswers, StudyPart::participant,
-                                      answer.participant);
-        const auto who = good ? storedParticipant(m_connection, answer.participant) : tl::unexpected(good.error());
+        auto good = authoriseForStudy(m_connection, m_actor, Action::storeQuestionnaireAnswers,
+                                      StudyPart::participant, answer.participant);
+        const auto who =
+            good ? storedParticipant(m_connection, answer.participant) : tl::unexpected(good.error());
         const auto study = who ? storedStudy(m_connection, who->study) : tl::unexpected(who.error());
         const auto design = study ? designObject(study->designJson) : tl::unexpected(study.error());
         CHIRON_TRY(design);

@@ -53,7 +53,7 @@ struct Blinding {
     bool oneStimulus = true;  ///< attribute, reference and the other attributes of the objects
     /// The answers of a condition are values in SI (marks of an apex are given as shares of its radius).
     bool adjusts = false;
-    bool oneExercise = true;  ///< all conditions are of an apex, or none
+    bool oneExercise = true; ///< all conditions are of an apex, or none
 
     /// Returns whether the conditions are alike in everything that the program does. If they are not,
     /// everything that a run leaves behind (answers, times, speeds, number of trials) could reveal its
@@ -72,7 +72,7 @@ struct StudyRecord {
     /// conditions have their sealed codes as names, and properties in which they differ have a neutral value
     /// (study_mask.h).
     std::string designJson;
-    Blinding blinding;   ///< of the design before masking
+    Blinding blinding; ///< of the design before masking
     /// The design is masked: the study is frozen and blinded, and the reader may not look up which code is
     /// which.
     bool masked = false;
@@ -88,7 +88,7 @@ struct Participant {
     bool simulated = false;
     std::string observer; ///< specification of a simulated participant's observer
     std::string enrolledUtc;
-    std::string consentUtc; ///< empty: no consent
+    std::string consentUtc;    ///< empty: no consent
     std::string consentSha256; ///< of the text to which the participant agreed
     PersonId enrolledBy = 0;
     /// A withdrawn participant wants the recordings erased, too (an administrator does it).
@@ -110,11 +110,11 @@ struct ParticipantKey {
 struct StudyRun {
     StudyRunNumber id = 0;
     ParticipantNumber participant = 0;
-    std::string condition;   ///< id in the design; empty while the study is blinded
-    std::string sealedCode;  ///< replaces the condition while the study is blinded
-    int position = 0;        ///< from 0, in the participant's order
+    std::string condition;  ///< id in the design; empty while the study is blinded
+    std::string sealedCode; ///< replaces the condition while the study is blinded
+    int position = 0;       ///< from 0, in the participant's order
     std::uint64_t seed = 0;
-    std::string procedures;  ///< ids with version, "rank3_quest_plus@1", comma-separated
+    std::string procedures; ///< ids with version, "rank3_quest_plus@1", comma-separated
     StudyRunState state = StudyRunState::open;
     std::string startedUtc;
     std::string endedUtc;
@@ -141,16 +141,16 @@ struct SealedCondition {
 /// (study_blinding.h).
 struct StudyTrial {
     StudyRunNumber run = 0;
-    int ordinal = 0;            ///< from 0; counts every presentation of the run
-    int procedure = 0;          ///< index among the interleaved procedures
-    SessionId session = 0;      ///< session with its recording; 0: none (a quick simulation)
+    int ordinal = 0;       ///< from 0; counts every presentation of the run
+    int procedure = 0;     ///< index among the interleaved procedures
+    SessionId session = 0; ///< session with its recording; 0: none (a quick simulation)
     std::uint64_t firstTick = 0, lastTick = 0;
-    int candidate = 0;          ///< row of the table of differences
+    int candidate = 0; ///< row of the table of differences
     int arrangement = 0;
-    double difference = 0.0;    ///< intended D, log10 of the ratio
+    double difference = 0.0;                                         ///< intended D, log10 of the ratio
     double entropyMargin = std::numeric_limits<double>::quiet_NaN(); ///< absent if NaN
-    int answer = -1;            ///< -1: none
-    int outcome = -1;           ///< outcome given to the procedure; -1: none
+    int answer = -1;                                                 ///< -1: none
+    int outcome = -1; ///< outcome given to the procedure; -1: none
     /// The number given (magnitude), or the value set (adjustment), SI.
     std::optional<double> value;
     double exploration_s = 0.0; ///< until the answer
@@ -164,7 +164,7 @@ struct StudyTrial {
     std::string fidelityJson = "{}"; ///< canonical; session::TrialFidelity
     std::string utc;
     // Read from the session with the recording; not stored with a trial.
-    std::string device;         ///< model of that session's first device; empty without a session
+    std::string device; ///< model of that session's first device; empty without a session
     /// Whether force was rendered or only shown; none without a session.
     std::optional<bool> felt;
 };
@@ -174,21 +174,21 @@ struct StudyTrial {
 /// are given only once every condition is completed, because then they belong to no particular one.
 struct ParticipantQuality {
     ParticipantNumber participant = 0;
-    int conditionsDone = 0;     ///< completed runs
-    int conditions = 0;         ///< number in the study
+    int conditionsDone = 0; ///< completed runs
+    int conditions = 0;     ///< number in the study
     /// Every condition is completed, or the study is not blinded: the fields from `presentations` on are
     /// given.
     bool whole = false;
-    double lateTicks = std::numeric_limits<double>::quiet_NaN();        ///< mean share over trials
+    double lateTicks = std::numeric_limits<double>::quiet_NaN(); ///< mean share over trials
     double worstLateness_us = std::numeric_limits<double>::quiet_NaN();
-    std::string device;         ///< models, separated by ", "; empty if nothing was rendered
+    std::string device; ///< models, separated by ", "; empty if nothing was rendered
     /// false if force was only shown in any trial; none if nothing was rendered.
     std::optional<bool> felt;
     int presentations = 0;
-    int practice = 0;           ///< of the presentations
-    int scored = 0;             ///< of the presentations
+    int practice = 0;                                 ///< of the presentations
+    int scored = 0;                                   ///< of the presentations
     std::vector<std::pair<std::string, int>> spoiled; ///< of the presentations: reason and count, by reason
-    double exploration_s = std::numeric_limits<double>::quiet_NaN();    ///< median over scored trials
+    double exploration_s = std::numeric_limits<double>::quiet_NaN(); ///< median over scored trials
 };
 
 /// What is needed to run one condition with one participant; available to the person who conducts the run,
@@ -198,7 +198,7 @@ struct ConductedRun {
     std::string sealedCode;
     std::optional<StudyRun> open;   ///< to be continued
     std::vector<StudyTrial> trials; ///< of the open run, complete
-    std::string designJson; ///< not masked, because the program has to render it
+    std::string designJson;         ///< not masked, because the program has to render it
 };
 
 /// One answer to one question. After an erasure it has neither number nor text. An answer about a condition,
@@ -214,12 +214,12 @@ struct QuestionnaireAnswer {
     /// For a questionnaire that is asked after each condition: the run after which it was asked; 0: asked
     /// once.
     StudyRunNumber run = 0;
-    std::string language{};       ///< language in which the question was shown ("de"); empty: not recorded
+    std::string language{}; ///< language in which the question was shown ("de"); empty: not recorded
     // Read from the run; not stored with an answer.
     /// Id in the design; empty while the study is blinded, and if there is no run.
     std::string condition{};
-    std::string sealedCode{};     ///< replaces the condition while the study is blinded
-    bool withheld = false;        ///< there is an answer, which is shown once the study is unblinded
+    std::string sealedCode{}; ///< replaces the condition while the study is blinded
+    bool withheld = false;    ///< there is an answer, which is shown once the study is unblinded
 };
 
 } // namespace chiron::database

@@ -154,7 +154,8 @@ core::Result<void> flushToDisk(const std::string& path) {
                    : core::fail(core::ErrorCode::storage, path + ": cannot be flushed to the disk");
 }
 
-core::Result<void> copyDatabase(Connection& from, const std::string& toFile, const std::atomic<bool>* cancel) {
+core::Result<void> copyDatabase(Connection& from, const std::string& toFile,
+                                const std::atomic<bool>* cancel) {
     const QString target = QString::fromStdString(toFile);
     if (QFileInfo::exists(target)) {
         return core::fail(core::ErrorCode::badInput, toFile + ": exists already; a copy never overwrites");
@@ -173,7 +174,8 @@ core::Result<void> copyDatabase(Connection& from, const std::string& toFile, con
         done = tl::unexpected(copied.error());
     } else if (done = keepPrivate(partial); done && (done = flushToDisk(partial))) {
         auto connection = Connection::open(partial, Connection::Mode::readOnly);
-        const auto interruptible = connection ? std::make_unique<Interruptible>(**connection, cancel) : nullptr;
+        const auto interruptible =
+            connection ? std::make_unique<Interruptible>(**connection, cancel) : nullptr;
         const auto words = connection ? selectText(**connection, "PRAGMA integrity_check(1)")
                                       : tl::unexpected(connection.error());
         if (!words || words->value_or("") != "ok") {

@@ -57,7 +57,8 @@ private:
 /// Makes a consistent copy of the database in a new file (VACUUM INTO), flushed to the disk and checked by
 /// SQLite. The copy needs no write-ahead log. On failure nothing of it remains.
 /// Errors: badInput if the file exists; storage, also if it was interrupted because `cancel` was set.
-core::Result<void> copyDatabase(Connection& from, const std::string& toFile, const std::atomic<bool>* cancel = nullptr);
+core::Result<void> copyDatabase(Connection& from, const std::string& toFile,
+                                const std::atomic<bool>* cancel = nullptr);
 
 /// Restricts access to the file's owner (0600), because it contains names and results.
 /// Errors: storage.

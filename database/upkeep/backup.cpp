@@ -46,7 +46,8 @@ core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const st
     auto snapshot = Connection::open(copy, Connection::Mode::readOnly);
     auto head = snapshot ? auditHead(**snapshot) : tl::unexpected(snapshot.error());
     CHIRON_TRY(head);
-    if (const VerifyReport report = verifySnapshot(copy, &key, *head, {}, [cancel](std::uint64_t, std::uint64_t) { return !isSet(cancel); });
+    if (const VerifyReport report = verifySnapshot(
+            copy, &key, *head, {}, [cancel](std::uint64_t, std::uint64_t) { return !isSet(cancel); });
         !report.ok() && !report.cancelled) {
         return core::fail(core::ErrorCode::doesNotHold,
                           "the copy does not verify, nothing was kept: " + firstOf(report));

@@ -17,14 +17,16 @@ constexpr const char* kOutcomeKey = "backup_outcome";
 
 core::Result<QJsonObject> noteOf(Connection& connection, const char* key) {
     const auto text = selectText(connection, "SELECT value FROM meta WHERE key = ?", {std::string(key)});
-    return text ? core::Result<QJsonObject>(QJsonDocument::fromJson(QByteArray::fromStdString(text->value_or(""))).object())
+    return text ? core::Result<QJsonObject>(
+                      QJsonDocument::fromJson(QByteArray::fromStdString(text->value_or(""))).object())
                 : tl::unexpected(text.error());
 }
 
 core::Result<void> putNote(Connection& connection, const char* key, const QJsonObject& json) {
-    const auto done = Query::run(connection,
-                                 "INSERT INTO meta (key, value) VALUES (?, ?) ON CONFLICT (key) DO UPDATE SET value = excluded.value",
-                                 {std::string(key), QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString()});
+    const auto done = Query::run(
+        connection,
+        "INSERT INTO meta (key, value) VALUES (?, ?) ON CONFLICT (key) DO UPDATE SET value = excluded.value",
+        {std::string(key), QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString()});
     return done ? core::Result<void>() : tl::unexpected(done.error());
 }
 
@@ -62,17 +64,21 @@ core::Result<BackupStanding> Upkeep::backupStanding(Connection& connection, cons
 core::Result<void> Upkeep::setBackupPlan(Connection& connection, const Actor& actor, const BackupPlan& plan) {
     CHIRON_TRY(authorise(connection, actor, Action::setBackupPlan));
     if (plan.keep < 1 || plan.keep > kMostBackupsKept) {
-        return core::fail(core::ErrorCode::badInput, "backups to keep: " + std::to_string(plan.keep) + "; expected 1 to " +
+        return core::fail(core::ErrorCode::badInput, "backups to keep: " + std::to_string(plan.keep) +
+                                                         "; expected 1 to " +
                                                          std::to_string(kMostBackupsKept));
     }
     const auto put = putNote(connection, kPlanKey,
-                             {{QStringLiteral("on"), plan.on}, {QStringLiteral("folder"), text(plan.folder)}, {QStringLiteral("keep"), plan.keep}});
+                             {{QStringLiteral("on"), plan.on},
+                              {QStringLiteral("folder"), text(plan.folder)},
+                              {QStringLiteral("keep"), plan.keep}});
     if (!put) {
         return put;
     }
     return appendAudit(connection, actor,
                        {"setBackupPlan", "meta", 0, std::nullopt,
-                        std::string("{\"keep\":") + std::to_string(plan.keep) + ",\"on\":" + (plan.on ? "true" : "false") + "}"});
+                        std::string("{\"keep\":") + std::to_string(plan.keep) +
+                            ",\"on\":" + (plan.on ? "true" : "false") + "}"});
 }
 
 core::Result<void> noteOutcome(Connection& connection, const BackupStanding& now) {

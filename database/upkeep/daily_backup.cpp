@@ -30,7 +30,8 @@ QString ownPrefix(const Database& database) {
 
 std::vector<OwnBackup> ownBackups(const QDir& place, const QString& prefix, const SiteKey& key) {
     std::vector<OwnBackup> own;
-    for (const QString& name : place.entryList({prefix + QLatin1Char('*')}, QDir::Dirs | QDir::NoDotAndDotDot)) {
+    for (const QString& name :
+         place.entryList({prefix + QLatin1Char('*')}, QDir::Dirs | QDir::NoDotAndDotDot)) {
         const QString folder = place.filePath(name);
         const auto manifest = readSignedManifest(folder.toStdString(), key);
         // Otherwise it belongs to another site, or was made by hand.
@@ -38,7 +39,8 @@ std::vector<OwnBackup> ownBackups(const QDir& place, const QString& prefix, cons
             own.push_back({folder, manifest->automaticNumber});
         }
     }
-    std::sort(own.begin(), own.end(), [](const OwnBackup& a, const OwnBackup& b) { return a.number > b.number; });
+    std::sort(own.begin(), own.end(),
+              [](const OwnBackup& a, const OwnBackup& b) { return a.number > b.number; });
     return own;
 }
 
@@ -46,7 +48,8 @@ std::vector<OwnBackup> ownBackups(const QDir& place, const QString& prefix, cons
 /// work, because we hold its lock.
 void removeLeftovers(const QDir& place, const QString& prefix) {
     for (const char* ending : {"*.partial", "*.removing"}) {
-        for (const QString& name : place.entryList({prefix + QLatin1String(ending)}, QDir::Dirs | QDir::NoDotAndDotDot)) {
+        for (const QString& name :
+             place.entryList({prefix + QLatin1String(ending)}, QDir::Dirs | QDir::NoDotAndDotDot)) {
             QDir(place.filePath(name)).removeRecursively();
         }
     }
@@ -59,7 +62,8 @@ bool removeBackup(const QString& folder) {
 }
 
 QString newName(const QDir& place, const QString& prefix) {
-    const QString base = place.filePath(prefix + QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss")));
+    const QString base =
+        place.filePath(prefix + QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss")));
     QString name = base;
     for (int i = 2; QFileInfo::exists(name); ++i) { // the clock was set back
         name = QStringLiteral("%1-%2").arg(base).arg(i);
@@ -78,16 +82,20 @@ core::Result<void> checkRoom(const Database& database, const QString& place) {
     if (error || space.available >= needed) {
         return {}; // if the file system does not report its space, the backup is tried
     }
-    const auto megabytes = [](std::uint64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MB"; };
-    return core::fail(core::ErrorCode::storage, place.toStdString() + ": too little room, " + megabytes(needed) + " needed, " +
+    const auto megabytes = [](std::uint64_t bytes) {
+        return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MB";
+    };
+    return core::fail(core::ErrorCode::storage, place.toStdString() + ": too little room, " +
+                                                    megabytes(needed) + " needed, " +
                                                     megabytes(space.available) + " free");
 }
 
-core::Result<DailyBackup> make(Database& database, Connection& reader, const std::string& placeName, int keep, const SiteKey& key,
-                               const std::atomic<bool>* cancel) {
+core::Result<DailyBackup> make(Database& database, Connection& reader, const std::string& placeName, int keep,
+                               const SiteKey& key, const std::atomic<bool>* cancel) {
     const QString name = QString::fromStdString(placeName);
     if (!QDir().mkpath(name) || !QFileInfo(name).isDir()) {
-        return core::fail(core::ErrorCode::storage, placeName + ": this folder is not there and cannot be made");
+        return core::fail(core::ErrorCode::storage,
+                          placeName + ": this folder is not there and cannot be made");
     }
     const QDir place(name);
     const QString prefix = ownPrefix(database);
@@ -127,23 +135,28 @@ core::Result<void> note(Database& database, const Actor& actor, const core::Resu
         if (!noted || !done) {
             return noted;
         }
-        return appendAudit(writing.connection(), actor, {"dailyBackup", "meta", 0, std::nullopt, "{\"blake2b\":\"" + done->made.blake2b + "\"}"});
+        return appendAudit(
+            writing.connection(), actor,
+            {"dailyBackup", "meta", 0, std::nullopt, "{\"blake2b\":\"" + done->made.blake2b + "\"}"});
     });
 }
 
 } // namespace
 
-core::Result<DailyBackup> Upkeep::dailyBackup(Database& database, const Actor& actor, const std::string& place, int keep,
+core::Result<DailyBackup> Upkeep::dailyBackup(Database& database, const Actor& actor,
+                                              const std::string& place, int keep,
                                               const std::atomic<bool>* cancel) {
     auto reader = database.openReader();
     CHIRON_TRY(reader);
     CHIRON_TRY(authorise(**reader, actor, Action::dailyBackup));
     if (keep < 1 || keep > kMostBackupsKept || !database.isWritable()) {
-        return core::fail(core::ErrorCode::wrongUse, "a daily backup keeps 1 to " + std::to_string(kMostBackupsKept) +
+        return core::fail(core::ErrorCode::wrongUse, "a daily backup keeps 1 to " +
+                                                         std::to_string(kMostBackupsKept) +
                                                          ", of a database that is open for writing");
     }
     const auto key = SiteKey::load(database.siteFolder());
-    auto done = key ? make(database, **reader, place, keep, **key, cancel) : core::Result<DailyBackup>(tl::unexpected(key.error()));
+    auto done = key ? make(database, **reader, place, keep, **key, cancel)
+                    : core::Result<DailyBackup>(tl::unexpected(key.error()));
     if (!done && done.error().code == core::ErrorCode::cancelled) {
         return done; // another task needed the machine: not a failure
     }

@@ -91,8 +91,7 @@ core::Result<std::vector<std::string>> writeTables(Connection& snapshot, const s
 } // namespace
 
 core::Result<SnapshotInfo> Upkeep::exportSite(Database& database, const Actor& actor,
-                                              const std::string& folder,
-                                              const std::atomic<bool>* cancel) {
+                                              const std::string& folder, const std::atomic<bool>* cancel) {
     auto reader = database.openReader();
     CHIRON_TRY(reader);
     CHIRON_TRY(authorise(**reader, actor, Action::exportSite));

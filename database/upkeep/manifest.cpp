@@ -101,7 +101,8 @@ core::Result<Manifest> readSignedManifest(const std::string& folder, const SiteK
     return manifest;
 }
 
-core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& key, const std::atomic<bool>* cancel) {
+core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& key,
+                                    const std::atomic<bool>* cancel) {
     auto manifest = readSignedManifest(folder, key);
     if (!manifest) {
         return manifest;

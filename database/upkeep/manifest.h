@@ -37,7 +37,8 @@ core::Result<Manifest> readSignedManifest(const std::string& folder, const SiteK
 /// Reads the manifest and checks its signature and the digest of every file named in it.
 /// Errors: badInput (malformed); doesNotHold (a file is missing or changed, or the signature is not this
 /// site's); storage; cancelled.
-core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& key, const std::atomic<bool>* cancel = nullptr);
+core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& key,
+                                    const std::atomic<bool>* cancel = nullptr);
 
 /// Returns the BLAKE2b-256 of a file as 64 hex digits.
 /// Errors: storage; cancelled.

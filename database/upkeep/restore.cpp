@@ -86,7 +86,8 @@ core::Result<std::string> swapIn(const std::string& copy, const std::string& tar
     if (fs::exists(target, error)) {
         const bool empty = fs::file_size(target, error) == 0; // SQLite would begin a new database in an empty
                                                               // file
-        auto old = empty ? core::fail(core::ErrorCode::storage, target + ": empty") : Connection::open(target, Connection::Mode::readWrite);
+        auto old = empty ? core::fail(core::ErrorCode::storage, target + ": empty")
+                         : Connection::open(target, Connection::Mode::readWrite);
         if (old) {
             (void)(*old)->execute(
                 "PRAGMA wal_checkpoint(TRUNCATE)"); // its log goes into the file, if that is still possible
@@ -156,7 +157,8 @@ core::Result<RestoreInfo> Upkeep::restore(const RestoreRequest& request, const D
     const auto applied = makeRestorable(copy, request, options, **key, manifest->head);
     // Read while nothing has changed yet: a failure after the swap would leave the job half done.
     const auto head = applied ? headOf(copy) : tl::unexpected(applied.error());
-    const auto kept = head ? swapIn(copy, request.targetFile) : core::Result<std::string>(tl::unexpected(head.error()));
+    const auto kept =
+        head ? swapIn(copy, request.targetFile) : core::Result<std::string>(tl::unexpected(head.error()));
     if (!kept) {
         removeWithItsLog(copy);
         return tl::unexpected(kept.error());

@@ -26,8 +26,8 @@ tl::unexpected<Refusal> refusalOf(Refusal::Kind kind, const core::Error& error, 
     return tl::unexpected(Refusal{kind, wait_ns, error});
 }
 
-tl::expected<Actor, Refusal> tryRestorerIn(const std::string& file, const std::string& name, const std::string& password,
-                                           const DatabaseOptions& options) {
+tl::expected<Actor, Refusal> tryRestorerIn(const std::string& file, const std::string& name,
+                                           const std::string& password, const DatabaseOptions& options) {
     auto connection = Connection::open(file, Connection::Mode::readOnly);
     if (!connection) {
         return refusalOf(Refusal::Kind::failed, connection.error());
@@ -40,7 +40,9 @@ tl::expected<Actor, Refusal> tryRestorerIn(const std::string& file, const std::s
         return refusalOf(Refusal::Kind::failed, attempt.error());
     }
     if (attempt->wait_ns > 0) {
-        return refusalOf(Refusal::Kind::mustWait, {core::ErrorCode::notAllowed, "too many wrong passwords: try again later"}, attempt->wait_ns);
+        return refusalOf(Refusal::Kind::mustWait,
+                         {core::ErrorCode::notAllowed, "too many wrong passwords: try again later"},
+                         attempt->wait_ns);
     }
     const PasswordHasher hasher(options.passwordCost);
     if (attempt->passwordHash.empty() || !hasher.verify(attempt->passwordHash, password)) {
@@ -48,7 +50,9 @@ tl::expected<Actor, Refusal> tryRestorerIn(const std::string& file, const std::s
     }
     const auto actor = accounts.finishLogin(*attempt);
     if (!actor) {
-        return refusalOf(actor.error().code == core::ErrorCode::notAllowed ? Refusal::Kind::disabled : Refusal::Kind::failed, actor.error());
+        return refusalOf(actor.error().code == core::ErrorCode::notAllowed ? Refusal::Kind::disabled
+                                                                           : Refusal::Kind::failed,
+                         actor.error());
     }
     const auto scope = authorise(**connection, *actor, Action::restore);
     return scope ? tl::expected<Actor, Refusal>(*actor) : refusalOf(Refusal::Kind::failed, scope.error());
@@ -67,7 +71,8 @@ std::optional<Refusal> presentRefusal(const RestoreRequest& request, const Datab
     const bool same = request.presentName.empty();
     const auto actor = tryRestorerIn(request.targetFile, same ? request.name : request.presentName,
                                      same ? request.password : request.presentPassword, options);
-    return !actor && actor.error().error.code == core::ErrorCode::notAllowed ? std::optional(actor.error()) : std::nullopt;
+    return !actor && actor.error().error.code == core::ErrorCode::notAllowed ? std::optional(actor.error())
+                                                                             : std::nullopt;
 }
 
 } // namespace
@@ -92,7 +97,8 @@ std::optional<RestoreRefusal> restoreRefusal(const RestoreRequest& request, cons
     if (const auto refusal = presentRefusal(request, options)) {
         return RestoreRefusal{RestoreRefusal::By::present, *refusal};
     }
-    const auto actor = tryRestorerIn(request.backupFolder + "/" + kSnapshotFile, request.name, request.password, options);
+    const auto actor =
+        tryRestorerIn(request.backupFolder + "/" + kSnapshotFile, request.name, request.password, options);
     return !actor && actor.error().error.code == core::ErrorCode::notAllowed
                ? std::optional(RestoreRefusal{RestoreRefusal::By::backup, actor.error()})
                : std::nullopt;

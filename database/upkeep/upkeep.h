@@ -33,9 +33,9 @@ inline constexpr int kMostBackupsKept = 999;
 /// The plan, and how the latest scheduled attempt ended.
 struct BackupStanding {
     BackupPlan plan;
-    std::string triedUtc{};     ///< of the latest attempt; empty: none yet
-    std::string problem{};      ///< why that attempt failed; empty: it is complete and verified
-    std::string goodUtc{};      ///< of the latest successful one; empty: none yet
+    std::string triedUtc{}; ///< of the latest attempt; empty: none yet
+    std::string problem{};  ///< why that attempt failed; empty: it is complete and verified
+    std::string goodUtc{};  ///< of the latest successful one; empty: none yet
     std::string goodFolder{};
     std::uint64_t goodBytes = 0;
 };
@@ -81,12 +81,14 @@ public:
     static core::Result<BackupStanding> backupStanding(Connection& connection, const Actor& actor);
     /// Stores the plan, in a writer's job.
     /// Errors: badInput if `keep` is not 1 to kMostBackupsKept.
-    static core::Result<void> setBackupPlan(Connection& connection, const Actor& actor, const BackupPlan& plan);
+    static core::Result<void> setBackupPlan(Connection& connection, const Actor& actor,
+                                            const BackupPlan& plan);
     /// Makes the scheduled backup in a new folder in `place`, with a generated name, and reads it back. Then
     /// it removes the schedule's own older backups beyond `keep`, and leftovers of a killed backup. The
     /// outcome, also a failure (except cancelled), is recorded in the site.
     /// Errors: as backup; storage, before anything is written, if `place` has too little space.
-    static core::Result<DailyBackup> dailyBackup(Database& database, const Actor& actor, const std::string& place, int keep,
+    static core::Result<DailyBackup> dailyBackup(Database& database, const Actor& actor,
+                                                 const std::string& place, int keep,
                                                  const std::atomic<bool>* cancel = nullptr);
 
     /// Puts a verified backup in place, applies all erasures made since, and keeps the old file. It needs the

@@ -29,10 +29,10 @@ struct DeviceSample {
     std::uint32_t buttons = 0;
     /// Increases by one per packet. Reading the same packet again counts as age, not as a repeat.
     std::uint32_t packet = 0;
-    std::uint32_t status = 0;       ///< sample_status bits
+    std::uint32_t status = 0;        ///< sample_status bits
     std::uint64_t deviceTime_us = 0; ///< the device's own clock, monotonic
-    std::int64_t arrival_ns = 0;    ///< when the host received this packet, in the clock of HapticTick::now_ns
-    Array6 measured{};              ///< wrench on the tool in W as the device measured it (N, N·m)
+    std::int64_t arrival_ns = 0; ///< when the host received this packet, in the clock of HapticTick::now_ns
+    Array6 measured{};           ///< wrench on the tool in W as the device measured it (N, N·m)
 };
 
 } // namespace chiron::core

@@ -36,7 +36,8 @@ public:
 
 private:
     template <class Own> static constexpr void check() {
-        static_assert(std::is_trivially_copyable_v<Own> && sizeof(Own) <= kSize && alignof(Own) <= alignof(std::max_align_t));
+        static_assert(std::is_trivially_copyable_v<Own> && sizeof(Own) <= kSize &&
+                      alignof(Own) <= alignof(std::max_align_t));
     }
 
     alignas(std::max_align_t) std::array<std::byte, kSize> m_bytes{};

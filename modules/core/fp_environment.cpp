@@ -8,9 +8,9 @@
 namespace chiron::core {
 
 namespace {
-constexpr unsigned kFlushToZero = 0x8000;        // MXCSR.FTZ
-constexpr unsigned kDenormalsAreZero = 0x0040;   // MXCSR.DAZ
-constexpr unsigned kRoundingMask = 0x6000;       // MXCSR.RC, 0 = nearest
+constexpr unsigned kFlushToZero = 0x8000;      // MXCSR.FTZ
+constexpr unsigned kDenormalsAreZero = 0x0040; // MXCSR.DAZ
+constexpr unsigned kRoundingMask = 0x6000;     // MXCSR.RC, 0 = nearest
 } // namespace
 
 void setModelFloatingPointEnvironment() noexcept {
@@ -41,6 +41,8 @@ std::string modelsOfBuild(const std::string& buildId) {
     return at == std::string::npos ? std::string() : buildId.substr(at + kWord.size());
 }
 
-std::string buildId() { return std::string(CHIRON_VERSION) + " gcc " + __VERSION__ + " models " CHIRON_MODELS_ID; }
+std::string buildId() {
+    return std::string(CHIRON_VERSION) + " gcc " + __VERSION__ + " models " CHIRON_MODELS_ID;
+}
 
 } // namespace chiron::core

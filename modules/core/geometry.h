@@ -26,6 +26,8 @@ using Array6 = std::array<double, 6>; ///< force then torque, for storage (trivi
 inline Array6 toArray(const Wrench& w) {
     return {w.force.x(), w.force.y(), w.force.z(), w.torque.x(), w.torque.y(), w.torque.z()};
 }
-inline Wrench toWrench(const Array6& a) { return {Vec3(a[0], a[1], a[2]), Vec3(a[3], a[4], a[5])}; }
+inline Wrench toWrench(const Array6& a) {
+    return {Vec3(a[0], a[1], a[2]), Vec3(a[3], a[4], a[5])};
+}
 
 } // namespace chiron::core

@@ -3,8 +3,8 @@
 
 #include "core/command.h"
 #include "core/device_sample.h"
-#include "core/session_state.h"
 #include "core/quantity.h"
+#include "core/session_state.h"
 
 #include <array>
 #include <cstdint>
@@ -12,19 +12,20 @@
 
 namespace chiron::core {
 
-/// Layout version of HapticFrame in memory and in the crash ring; raise it with every change of these structs.
+/// Layout version of HapticFrame in memory and in the crash ring; raise it with every change of these
+/// structs.
 inline constexpr std::uint32_t kFrameLayoutVersion = 2;
 
 struct TickHeader {
-    std::uint64_t index = 0;            ///< executed ticks since the session's first
-    std::int64_t now_ns = 0;            ///< monotonic clock at the tick, ns
-    std::uint32_t events = 0;           ///< event_bits
-    std::uint32_t guards = 0;           ///< guard_bits
-    std::uint16_t trial = 0;            ///< 0-based
-    std::uint16_t heartbeatAge_ms = 0;  ///< age of the last GUI heartbeat as the supervisor saw it, saturated
+    std::uint64_t index = 0;           ///< executed ticks since the session's first
+    std::int64_t now_ns = 0;           ///< monotonic clock at the tick, ns
+    std::uint32_t events = 0;          ///< event_bits
+    std::uint32_t guards = 0;          ///< guard_bits
+    std::uint16_t trial = 0;           ///< 0-based
+    std::uint16_t heartbeatAge_ms = 0; ///< age of the last GUI heartbeat as the supervisor saw it, saturated
     TrialPhase phase = TrialPhase::idle;
     ForceState force = ForceState::off;
-    std::uint8_t paused = 0;            ///< 1 while paused; metrics leave these ticks out
+    std::uint8_t paused = 0; ///< 1 while paused; metrics leave these ticks out
     std::uint8_t reserved = 0;
     std::array<Command, kMaxCommandsPerTick> commands{};
     /// Energy balance of the passivity observer, summed over all contacts, J: the energy that people have put
@@ -46,9 +47,9 @@ struct ToolFrame {
     std::uint64_t deviceTime_us = 0;
     std::uint32_t age_us = 0; ///< now - arrival in whole microseconds; the watchdog uses it
     std::uint32_t reserved = 0;
-    Array6 tissue{};    ///< computed by the scene (N, N·m; on the tool, in W)
-    Array6 commanded{}; ///< after the supervisor
-    Array6 measured{};  ///< measured by the device; valid with sample_status::kMeasuredForce
+    Array6 tissue{};                 ///< computed by the scene (N, N·m; on the tool, in W)
+    Array6 commanded{};              ///< after the supervisor
+    Array6 measured{};               ///< measured by the device; valid with sample_status::kMeasuredForce
     std::array<double, 3> display{}; ///< normal force N, pitch rad, roll rad
 };
 

@@ -17,7 +17,8 @@ struct Language {
 
 /// All languages. English is first: texts are written in it, and it is shown where a translation is missing.
 /// A new language needs a line here and the files that docs/guides/add-a-language.md names.
-inline constexpr std::array kLanguages{Language{"en", "English", "en_GB"}, Language{"de", "Deutsch", "de_DE"}, Language{"el", "Ελληνικά", "el_GR"}};
+inline constexpr std::array kLanguages{Language{"en", "English", "en_GB"}, Language{"de", "Deutsch", "de_DE"},
+                                       Language{"el", "Ελληνικά", "el_GR"}};
 
 /// Returns the language with this id; English if there is none.
 constexpr const Language& languageOf(std::string_view id) noexcept {

@@ -31,9 +31,9 @@ inline constexpr int kLastLaparoscopyStep = 9;
 struct BodyCue {
     std::array<double, 3> p_W{};
     std::array<double, 4> q_W{1.0, 0.0, 0.0, 0.0}; ///< w, x, y, z
-    double radius_m = 0.0;    ///< half the object's thickness
-    std::uint8_t heldBy = 0;  ///< one bit per tool
-    double squeeze_m = 0.0;   ///< by how much the jaws flatten it
+    double radius_m = 0.0;                         ///< half the object's thickness
+    std::uint8_t heldBy = 0;                       ///< one bit per tool
+    double squeeze_m = 0.0;                        ///< by how much the jaws flatten it
 };
 
 /// The cues that the screen of a laparoscopic exercise shows in addition to the instruments. Cues that the
@@ -56,14 +56,14 @@ struct LaparoscopyCues {
     // Tube: points along it from the base to the free end. Each is an anchor, an end or a point where an
     // instrument may grip.
     bool tube = false;
-    int grips = 0;                                               ///< 0..kMaxGrips
-    std::array<std::array<double, 3>, kMaxGrips> p_WGrip{};      ///< m
-    std::array<double, kMaxGrips> gripAt{};                      ///< position along the rest length, 0 (base)
-                                                                 ///< .. 1 (free end)
-    std::array<std::uint8_t, kMaxGrips> gripHeldBy{};            ///< one bit per tool
-    std::array<bool, kMaxGrips> gripAnchored{};                  ///< fixed to the floor
+    int grips = 0;                                          ///< 0..kMaxGrips
+    std::array<std::array<double, 3>, kMaxGrips> p_WGrip{}; ///< m
+    std::array<double, kMaxGrips> gripAt{};                 ///< position along the rest length, 0 (base)
+                                                            ///< .. 1 (free end)
+    std::array<std::uint8_t, kMaxGrips> gripHeldBy{};       ///< one bit per tool
+    std::array<bool, kMaxGrips> gripAnchored{};             ///< fixed to the floor
     double restLength_m = 0.0;
-    double stretch_m = 0.0;   ///< elongation of the whole tube beyond its rest length, 0 when slack
+    double stretch_m = 0.0; ///< elongation of the whole tube beyond its rest length, 0 when slack
     bool torn = false;
 
     bool tensionShown = false; ///< cue "bars"
@@ -86,9 +86,9 @@ struct LaparoscopyCues {
     std::array<double, 3> p_WTarget{};
     double targetRadius_m = 0.0;
 
-    bool squeezeShown = false;                    ///< cue "bars"
-    std::array<double, kMaxTools> squeeze_N{};    ///< squeezing force of each jaw
-    double squeezeLimit_N = 0.0;                  ///< 0: no limit
+    bool squeezeShown = false;                 ///< cue "bars"
+    std::array<double, kMaxTools> squeeze_N{}; ///< squeezing force of each jaw
+    double squeezeLimit_N = 0.0;               ///< 0: no limit
 };
 
 static_assert(std::is_trivially_copyable_v<LaparoscopyCues>);

@@ -20,7 +20,7 @@ public:
 
     struct Fit {
         std::array<double, N> slope{};
-        double residual = 0.0; ///< residual sum of squares
+        double residual = 0.0;                                     ///< residual sum of squares
         double firstSd = std::numeric_limits<double>::quiet_NaN(); ///< standard error of slope[0], with
                                                                    ///< residuals taken as independent
         int n = 0;

@@ -14,7 +14,9 @@ constexpr int kHalleySteps = 2;
 /// Hastings' approximation of z(p) for 0 < p ≤ ½.
 double roughQuantile(double p) noexcept {
     const double t = std::sqrt(-2.0 * std::log(p));
-    return ((0.010328 * t + 0.802853) * t + 2.515517) / (((0.001308 * t + 0.189269) * t + 1.432788) * t + 1.0) - t;
+    return ((0.010328 * t + 0.802853) * t + 2.515517) /
+               (((0.001308 * t + 0.189269) * t + 1.432788) * t + 1.0) -
+           t;
 }
 
 /// Returns z(p) for 0 < p ≤ ½: the lower tail, where Φ keeps its relative accuracy.
@@ -29,9 +31,13 @@ double lowerQuantile(double p) noexcept {
 
 } // namespace
 
-double normalDensity(double x) noexcept { return std::exp(-0.5 * x * x) * (std::numbers::inv_sqrtpi / std::numbers::sqrt2); }
+double normalDensity(double x) noexcept {
+    return std::exp(-0.5 * x * x) * (std::numbers::inv_sqrtpi / std::numbers::sqrt2);
+}
 
-double normalCumulative(double x) noexcept { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
+double normalCumulative(double x) noexcept {
+    return 0.5 * std::erfc(-x / std::numbers::sqrt2);
+}
 
 double normalQuantile(double p) noexcept {
     if (!(p >= 0.0 && p <= 1.0))

@@ -29,7 +29,9 @@ std::uint64_t Random::mix(std::uint64_t seed, std::string_view purpose) noexcept
     return splitMix64(state);
 }
 
-Random Random::stream(std::uint64_t seed, std::string_view purpose) noexcept { return Random(mix(seed, purpose)); }
+Random Random::stream(std::uint64_t seed, std::string_view purpose) noexcept {
+    return Random(mix(seed, purpose));
+}
 
 std::uint64_t Random::next() noexcept {
     const std::uint64_t result = std::rotl(m_state[0] + m_state[3], 23) + m_state[0];
@@ -43,7 +45,9 @@ std::uint64_t Random::next() noexcept {
     return result;
 }
 
-double Random::uniform() noexcept { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+double Random::uniform() noexcept {
+    return static_cast<double>(next() >> 11) * 0x1.0p-53;
+}
 
 std::uint64_t Random::below(std::uint64_t bound) noexcept {
     __extension__ using Wide = unsigned __int128;

@@ -25,8 +25,12 @@ inline constexpr std::uint16_t kReportValueMask = 0x0fff;
 constexpr std::uint16_t reportWord(ReportField field, unsigned value) noexcept {
     return static_cast<std::uint16_t>((static_cast<unsigned>(field) << 12) | (value & kReportValueMask));
 }
-constexpr ReportField reportField(std::uint16_t word) noexcept { return static_cast<ReportField>(word >> 12); }
-constexpr unsigned reportValue(std::uint16_t word) noexcept { return word & kReportValueMask; }
+constexpr ReportField reportField(std::uint16_t word) noexcept {
+    return static_cast<ReportField>(word >> 12);
+}
+constexpr unsigned reportValue(std::uint16_t word) noexcept {
+    return word & kReportValueMask;
+}
 /// Returns the button state that sends `word`; the loop takes it at the rising edge of kButtonReport.
 constexpr std::uint32_t reportButtons(std::uint16_t word) noexcept {
     return kButtonReport | (static_cast<std::uint32_t>(word) << 16);

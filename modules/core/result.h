@@ -9,15 +9,15 @@ namespace chiron::core {
 
 /// Type of a failure. The command line maps it to its exit status (cli.md), the desktop to a text.
 enum class ErrorCode {
-    wrongUse,      ///< command line or call used wrongly (exit 2)
-    notAllowed,    ///< the actor's roles do not permit it (exit 2)
-    badInput,      ///< a file, packet or value is malformed (exit 3)
-    notFound,      ///< the thing asked for does not exist (exit 3)
-    storage,       ///< database, file system, disk full (exit 4)
-    locked,        ///< another program holds the writer's lock (exit 4)
-    device,        ///< device missing, refused or faulted (exit 5)
-    doesNotHold,   ///< a check failed: the statement checked does not hold (exit 1)
-    cancelled,     ///< cancelled by the person
+    wrongUse,    ///< command line or call used wrongly (exit 2)
+    notAllowed,  ///< the actor's roles do not permit it (exit 2)
+    badInput,    ///< a file, packet or value is malformed (exit 3)
+    notFound,    ///< the thing asked for does not exist (exit 3)
+    storage,     ///< database, file system, disk full (exit 4)
+    locked,      ///< another program holds the writer's lock (exit 4)
+    device,      ///< device missing, refused or faulted (exit 5)
+    doesNotHold, ///< a check failed: the statement checked does not hold (exit 1)
+    cancelled,   ///< cancelled by the person
 };
 
 /// An expected failure: a code for programs and a message for people that names the location (file, line,
@@ -28,8 +28,7 @@ struct Error {
 };
 
 /// Either a value or an Error; nothing is thrown. Programming errors are asserts instead.
-template <class T>
-using Result = tl::expected<T, Error>;
+template <class T> using Result = tl::expected<T, Error>;
 
 inline tl::unexpected<Error> fail(ErrorCode code, std::string message) {
     return tl::unexpected<Error>(Error{code, std::move(message)});

@@ -22,7 +22,9 @@ double varianceOfZ(double rate, int n) noexcept {
 
 } // namespace
 
-double correctedRate(int yes, int of) noexcept { return (yes + 0.5) / (of + 1.0); }
+double correctedRate(int yes, int of) noexcept {
+    return (yes + 0.5) / (of + 1.0);
+}
 
 double rateOf(int yes, int of, RateCorrection correction) noexcept {
     if (correction == RateCorrection::logLinear)
@@ -30,7 +32,9 @@ double rateOf(int yes, int of, RateCorrection correction) noexcept {
     return of > 0 ? static_cast<double>(yes) / of : std::numeric_limits<double>::quiet_NaN();
 }
 
-double dPrime(double hitRate, double falseAlarmRate) noexcept { return normalQuantile(hitRate) - normalQuantile(falseAlarmRate); }
+double dPrime(double hitRate, double falseAlarmRate) noexcept {
+    return normalQuantile(hitRate) - normalQuantile(falseAlarmRate);
+}
 
 double criterion(double hitRate, double falseAlarmRate) noexcept {
     return -0.5 * (normalQuantile(hitRate) + normalQuantile(falseAlarmRate));
@@ -49,8 +53,10 @@ double dPrimeStandardError(const DetectionCounts& n, RateCorrection correction) 
                      varianceOfZ(rateOf(n.falseAlarms, n.ofNoise, correction), n.ofNoise));
 }
 
-DetectionInterval dPrimeInterval(const DetectionCounts& counts, double level, RateCorrection correction) noexcept {
-    const double middle = dPrime(rateOf(counts.hits, counts.ofSignal, correction), rateOf(counts.falseAlarms, counts.ofNoise, correction));
+DetectionInterval dPrimeInterval(const DetectionCounts& counts, double level,
+                                 RateCorrection correction) noexcept {
+    const double middle = dPrime(rateOf(counts.hits, counts.ofSignal, correction),
+                                 rateOf(counts.falseAlarms, counts.ofNoise, correction));
     const double reach = normalQuantile(0.5 * (1.0 + level)) * dPrimeStandardError(counts, correction);
     return {middle - reach, middle + reach};
 }
@@ -80,8 +86,10 @@ double weightedCriterion(const DetectionCounts& counts) noexcept {
 
 DetectionInterval weightedDPrimeInterval(const DetectionCounts& n, double level) noexcept {
     const DetectionRates rates = weightedRates(n);
-    const double error = std::sqrt(varianceOfZ(rates.hit, n.ofSignal) + varianceOfZ(rates.falseAlarm, n.ofNoise));
-    const double middle = dPrime(rates.hit, rates.falseAlarm), reach = normalQuantile(0.5 * (1.0 + level)) * error;
+    const double error =
+        std::sqrt(varianceOfZ(rates.hit, n.ofSignal) + varianceOfZ(rates.falseAlarm, n.ofNoise));
+    const double middle = dPrime(rates.hit, rates.falseAlarm),
+                 reach = normalQuantile(0.5 * (1.0 + level)) * error;
     return {middle - reach, middle + reach};
 }
 

@@ -23,7 +23,9 @@ struct DetectionCounts {
 
 /// Fewest positions with a signal, and fewest without, for a usable d′ (models.md §6).
 inline constexpr int kUsableCounts = 20;
-inline bool isUsable(const DetectionCounts& n) noexcept { return n.ofSignal >= kUsableCounts && n.ofNoise >= kUsableCounts; }
+inline bool isUsable(const DetectionCounts& n) noexcept {
+    return n.ofSignal >= kUsableCounts && n.ofNoise >= kUsableCounts;
+}
 
 /// Returns the rate with the log-linear correction, (yes + ½)/(of + 1): never 0 or 1, and ½ if nothing was
 /// asked (Hautus 1995, Behavior Research Methods 27:46–51; models.md §6).
@@ -57,7 +59,8 @@ double criterion(const DetectionCounts& counts) noexcept;
 /// Creelman 2005, eq. 13.4): var = H(1−H)/(n₁ φ(z(H))²) + F(1−F)/(n₀ φ(z(F))²), with the rates corrected as
 /// `correction` says and n₁ and n₀ the true numbers of positions with and without a signal. Infinite if
 /// either is 0; not a number for uncorrected rates of 0 or 1.
-double dPrimeStandardError(const DetectionCounts& counts, RateCorrection correction = RateCorrection::logLinear) noexcept;
+double dPrimeStandardError(const DetectionCounts& counts,
+                           RateCorrection correction = RateCorrection::logLinear) noexcept;
 
 struct DetectionInterval {
     double low = 0.0;

@@ -23,7 +23,7 @@ struct VisibleCues {
     /// ‖tissue force‖ on this tool, filled in by the loop for input-only devices (slowed motion); zero on a
     /// device that renders force, because the hand feels it there.
     double shownForce_N = 0.0;
-    ExerciseCues exercise;         ///< the cues that only this exercise shows
+    ExerciseCues exercise; ///< the cues that only this exercise shows
 };
 
 } // namespace chiron::core

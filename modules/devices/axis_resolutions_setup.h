@@ -20,8 +20,8 @@ inline auto kinematicsMisfit(const std::string& id, const std::string& what) {
 /// Errors: badInput for another id, another number of axes, or a resolution that is not a finite number above
 /// 0.
 template <std::size_t Axes>
-core::Result<std::array<double, Axes>> axisResolutions(const DeviceDescriptor& descriptor, const std::string& id,
-                                                       const std::string& names) {
+core::Result<std::array<double, Axes>> axisResolutions(const DeviceDescriptor& descriptor,
+                                                       const std::string& id, const std::string& names) {
     if (descriptor.kinematics != id)
         return kinematicsMisfit(id, "descriptor says '" + descriptor.kinematics + "'");
     if (descriptor.axes.size() != Axes)

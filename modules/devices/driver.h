@@ -36,11 +36,11 @@ enum class MovedBy { person, scriptedOperator, recording };
 
 /// One tool of a session, as requested from its driver.
 struct ToolRequest {
-    WorkspaceMapping mapping{};                         ///< position of its workspace in W
+    WorkspaceMapping mapping{}; ///< position of its workspace in W
     /// z in W at which a point tool starts; empty: the driver's default.
     std::optional<double> startHeight_m{};
     std::unique_ptr<mechanisms::HandStrategy> strategy{}; ///< MovedBy::scriptedOperator: never null
-    std::vector<TracePoint> trace{};                    ///< MovedBy::recording: never empty
+    std::vector<TracePoint> trace{};                      ///< MovedBy::recording: never empty
 };
 
 /// A session's request to a driver. A driver uses what concerns it and ignores the rest.
@@ -49,19 +49,19 @@ struct DriverRequest {
     std::vector<ToolRequest> tools;
     /// Scale of a person's workspace, 0.25 to 4; the box of W stays the same.
     double scale = 1.0;
-    std::array<double, 3> middle_m{};             ///< middle of the box of W that all graspers reach
-    double widestJaw_rad = 0.0;                   ///< opening angle of a point tool that has a jaw; 0: no jaw
+    std::array<double, 3> middle_m{}; ///< middle of the box of W that all graspers reach
+    double widestJaw_rad = 0.0;       ///< opening angle of a point tool that has a jaw; 0: no jaw
     /// Start position of an endoscope's tip, m.
     core::Vec3 endoscopeStart_W = core::Vec3::Zero();
-    std::string mechanism;                        ///< kinematics id, for a driver with several mechanisms
-    mechanisms::HandParameters hand;              ///< of a scripted operator
-    std::uint64_t seed = 1;                       ///< seed of its tremor
+    std::string mechanism;           ///< kinematics id, for a driver with several mechanisms
+    mechanisms::HandParameters hand; ///< of a scripted operator
+    std::uint64_t seed = 1;          ///< seed of its tremor
     mechanisms::PolarMap map = mechanisms::PolarMap::exact; ///< how a gimbal renders force
     /// Share of the Coulomb friction that is fed forward, 0 to 0.8.
     double frictionCompensation = 0.0;
     /// Tools of one hand that share an arm: tool = hand · fingersPerHand + finger.
     int fingersPerHand = 1;
-    double fingerSpacing_m = 0.0;                 ///< distance from one pad to the next
+    double fingerSpacing_m = 0.0; ///< distance from one pad to the next
     /// True parameters of a simulated gimbal, read while it is opened; null: the default ones.
     const mechanisms::GimbalPlantParameters* gimbal = nullptr;
 };
@@ -69,7 +69,7 @@ struct DriverRequest {
 /// A device that a driver has made. It is not open yet (IDevice::open()).
 struct DriverTool {
     std::unique_ptr<IDevice> device{};
-    HandInput input{};                         ///< of the device
+    HandInput input{}; ///< of the device
     /// An earlier tool of the request on whose base this one stands; empty: it has a base of its own.
     std::optional<std::size_t> standsOn{};
 };
@@ -87,8 +87,8 @@ struct KinematicsEntry {
     /// Name shown to people for the driver's devices with these kinematics, marked with QT_TRANSLATE_NOOP
     /// (core/marked_texts.h) in the context Drivers. Empty: the driver's name applies.
     std::string_view name{};
-    /// For kinematics that can also convert force to torques by published formulas: returns which conversion a
-    /// device uses. Null: there is only one.
+    /// For kinematics that can also convert force to torques by published formulas: returns which conversion
+    /// a device uses. Null: there is only one.
     mechanisms::PolarMap (*mapOf)(const DeviceDescriptor& descriptor) = nullptr;
 };
 

@@ -24,7 +24,9 @@ template <class Fits> const Driver* firstThat(Fits fits) noexcept {
 }
 } // namespace
 
-std::span<const Driver* const> driverCatalogue() noexcept { return kDrivers; }
+std::span<const Driver* const> driverCatalogue() noexcept {
+    return kDrivers;
+}
 
 const Driver* findDriver(std::string_view id) noexcept {
     return firstThat([id](const Driver& driver) { return driver.id == id; });

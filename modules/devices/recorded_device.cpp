@@ -3,6 +3,8 @@
 
 namespace chiron::devices {
 
-core::DeviceSample RecordedDevice::read(const realtime::HapticTick&) noexcept { return m_sample; }
+core::DeviceSample RecordedDevice::read(const realtime::HapticTick&) noexcept {
+    return m_sample;
+}
 
 } // namespace chiron::devices

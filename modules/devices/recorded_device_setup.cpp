@@ -11,7 +11,8 @@ core::Result<std::unique_ptr<RecordedDevice>> RecordedDevice::create(const Devic
     return std::unique_ptr<RecordedDevice>(new RecordedDevice(descriptor, std::move(*kinematics)));
 }
 
-RecordedDevice::RecordedDevice(const DeviceDescriptor& descriptor, std::unique_ptr<IToolKinematics> kinematics)
+RecordedDevice::RecordedDevice(const DeviceDescriptor& descriptor,
+                               std::unique_ptr<IToolKinematics> kinematics)
     : m_descriptor(descriptor), m_kinematics(std::move(kinematics)) {}
 
 RecordedDevice::~RecordedDevice() = default;

@@ -17,7 +17,8 @@ inline core::Mat3 leftJacobian(const core::Vec3& r) noexcept {
     constexpr double kSmall = 1e-4;
     const bool small = angle < kSmall;
     const double a = small ? 0.5 - angle * angle / 24.0 : (1.0 - std::cos(angle)) / (angle * angle);
-    const double b = small ? 1.0 / 6.0 - angle * angle / 120.0 : (angle - std::sin(angle)) / (angle * angle * angle);
+    const double b =
+        small ? 1.0 / 6.0 - angle * angle / 120.0 : (angle - std::sin(angle)) / (angle * angle * angle);
     core::Mat3 cross;
     cross << 0.0, -r.z(), r.y(), r.z(), 0.0, -r.x(), -r.y(), r.x(), 0.0;
     return core::Mat3::Identity() + a * cross + b * cross * cross;

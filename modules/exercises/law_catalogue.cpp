@@ -38,6 +38,8 @@ const std::array<core::LawDescription, 18> kLaws{{
 
 } // namespace
 
-std::span<const core::LawDescription> evaluateLaws() noexcept { return kLaws; }
+std::span<const core::LawDescription> evaluateLaws() noexcept {
+    return kLaws;
+}
 
 } // namespace chiron::simulation

@@ -21,16 +21,18 @@ constexpr std::size_t kSines = DelayRecord::kFrequencies_Hz.size();
 constexpr int kRows = static_cast<int>(kSines);
 constexpr std::size_t kWindow = DelayRecord::kWindow_ticks;
 constexpr std::size_t kFewestBursts = 3;
-constexpr double kLongest_s = 0.025;      ///< a device with a longer delay cannot render a usable wall
+constexpr double kLongest_s = 0.025; ///< a device with a longer delay cannot render a usable wall
 constexpr double kStep_s = 2.5e-4;
-constexpr double kWorstError_s = 0.0005;  ///< half a tick, the T/2 of the formula
+constexpr double kWorstError_s = 0.0005; ///< half a tick, the T/2 of the formula
 /// Share of the response. A gimbal with friction leaves 0.001, a response of another type more than half.
 constexpr double kUnexplained = 0.05;
-constexpr double kLeastForce_N = 0.01;    ///< per sine: a smaller force never reached the device
+constexpr double kLeastForce_N = 0.01; ///< per sine: a smaller force never reached the device
 
 using Spectrum = std::array<Complex, kSines>;
 
-double omega(std::size_t sine) { return 2.0 * core::kPi * DelayRecord::kFrequencies_Hz[sine]; }
+double omega(std::size_t sine) {
+    return 2.0 * core::kPi * DelayRecord::kFrequencies_Hz[sine];
+}
 
 /// Amplitudes at the sines for one second of samples under a Hann window, after the mean is subtracted.
 Spectrum spectrumOf(const double* values) {
@@ -53,7 +55,7 @@ struct Burst {
 
 /// F/X at each sine, and its weight.
 struct Response {
-    Spectrum inverse{};                    ///< N/m
+    Spectrum inverse{}; ///< N/m
     std::array<double, kSines> weight{};
 };
 
@@ -86,8 +88,10 @@ struct Fit {
 
 /// Weighted least squares of y on N columns of kSines rows: returns the coefficients and the residual sum of
 /// squares.
-template <int N> std::pair<Eigen::Matrix<double, N, 1>, double> solve(const Eigen::Matrix<double, kRows, N>& columns, const Eigen::Vector<double, kRows>& y,
-                                                                      const Eigen::Vector<double, kRows>& rootWeight) {
+template <int N>
+std::pair<Eigen::Matrix<double, N, 1>, double> solve(const Eigen::Matrix<double, kRows, N>& columns,
+                                                     const Eigen::Vector<double, kRows>& y,
+                                                     const Eigen::Vector<double, kRows>& rootWeight) {
     const Eigen::Matrix<double, kRows, N> weighted = rootWeight.asDiagonal() * columns;
     const Eigen::Vector<double, kRows> wanted = rootWeight.asDiagonal() * y;
     const Eigen::Matrix<double, N, 1> found = weighted.colPivHouseholderQr().solve(wanted);
@@ -168,19 +172,23 @@ core::Result<std::vector<Burst>> burstsOf(const DelayRecord& record) {
     for (std::size_t i = 0; i < whole; ++i) {
         if (record.broken[i] != 0)
             continue;
-        const Burst burst{spectrumOf(record.force_N.data() + i * kWindow), spectrumOf(record.place_m.data() + i * kWindow)};
+        const Burst burst{spectrumOf(record.force_N.data() + i * kWindow),
+                          spectrumOf(record.place_m.data() + i * kWindow)};
         for (std::size_t sine = 0; sine < kSines; ++sine) {
             if (!std::isfinite(std::norm(burst.force[sine])) || !std::isfinite(std::norm(burst.place[sine])))
-                return core::fail(core::ErrorCode::badInput, "delay: burst " + std::to_string(i + 1) + ": finite numbers expected");
+                return core::fail(core::ErrorCode::badInput,
+                                  "delay: burst " + std::to_string(i + 1) + ": finite numbers expected");
             if (std::abs(burst.force[sine]) < kLeastForce_N)
-                return none("the device was commanded too little force: it is not armed, or its limits took it");
+                return none(
+                    "the device was commanded too little force: it is not armed, or its limits took it");
             if (std::norm(burst.place[sine]) == 0.0)
                 return none("the tool did not move");
         }
         bursts.push_back(burst);
     }
     if (bursts.size() < kFewestBursts)
-        return core::fail(core::ErrorCode::badInput, "delay: " + std::to_string(bursts.size()) + " whole bursts in time, at least " +
+        return core::fail(core::ErrorCode::badInput, "delay: " + std::to_string(bursts.size()) +
+                                                         " whole bursts in time, at least " +
                                                          std::to_string(kFewestBursts) + " expected");
     return bursts;
 }
@@ -196,7 +204,8 @@ core::Result<DelayEstimate> estimateDelay(const DelayRecord& record) {
     out.standardError_s = jackknife_s(*bursts);
     out.bursts = static_cast<int>(bursts->size());
     if (std::isfinite(out.standardError_s) && out.standardError_s > kWorstError_s)
-        return none("too much else moves the tool: known to ±" + std::to_string(1e3 * out.standardError_s) + " ms only, ±0.5 expected; hold it still");
+        return none("too much else moves the tool: known to ±" + std::to_string(1e3 * out.standardError_s) +
+                    " ms only, ±0.5 expected; hold it still");
     if (!std::isfinite(out.delay_s) || !std::isfinite(out.standardError_s) || fit.unexplained > kUnexplained)
         return none("the answer is not that of a mass within 25 ms: the tool must be free, and held loosely");
     out.mass_kg = fit.mass_kg;

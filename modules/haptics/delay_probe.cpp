@@ -22,7 +22,8 @@ constexpr int kBurst_ticks = kSettle_ticks + DelayRecord::kWindow_ticks;
 
 } // namespace
 
-void DelayProbe::respond(const realtime::HapticTick&, const simulation::SceneInput& in, simulation::SceneOutput& out) noexcept {
+void DelayProbe::respond(const realtime::HapticTick&, const simulation::SceneInput& in,
+                         simulation::SceneOutput& out) noexcept {
     out = simulation::SceneOutput{};
     out.tissue.count = in.tools.count;
     if (m_phase == core::TrialPhase::idle && in.started)
@@ -53,7 +54,8 @@ double DelayProbe::force_N(int tick) const noexcept {
     const auto& all = DelayRecord::kFrequencies_Hz;
     double sum = 0.0;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        sum += all[i] / all.back() * std::cos(2.0 * core::kPi * (all[i] * core::kTickSeconds * tick + kPhase[i] / 32.0));
+        sum += all[i] / all.back() *
+               std::cos(2.0 * core::kPi * (all[i] * core::kTickSeconds * tick + kPhase[i] / 32.0));
     }
     return m_settings.force_N * rise * sum;
 }
@@ -61,7 +63,8 @@ double DelayProbe::force_N(int tick) const noexcept {
 bool DelayListener::tryPush(const core::HapticFrame& frame) noexcept {
     if (m_record.writing) {
         const core::Array6& f = frame.tool[0].commanded;
-        m_record.force(core::Vec3(f[0], f[1], f[2]).dot(m_axis_W), frame.header.now_ns - m_last_ns < kTwoTicks_ns);
+        m_record.force(core::Vec3(f[0], f[1], f[2]).dot(m_axis_W),
+                       frame.header.now_ns - m_last_ns < kTwoTicks_ns);
         if ((frame.header.guards & core::guard_bits::kPassivity) != 0)
             ++m_record.damped;
     }

@@ -16,7 +16,7 @@ struct DelayProbeSettings {
     core::Vec3 axis_W = core::Vec3::UnitZ(); ///< unit vector
     /// Amplitude of the highest sine; lower ones are weaker in proportion to their frequency; > 0, <= 1.
     double force_N = 0.5;
-    int bursts = 8;                          ///< 3..60, 1.4 s each
+    int bursts = 8; ///< 3..60, 1.4 s each
 };
 
 /// The scene of a delay measurement (devices.md §6: stiffness is capped by the measured delay). It waits for
@@ -29,7 +29,8 @@ public:
     /// `record` must outlive the scene; it is sized here, so that no tick allocates.
     DelayProbe(const DelayProbeSettings& settings, DelayRecord& record);
     ~DelayProbe() override;
-    void respond(const realtime::HapticTick& now, const simulation::SceneInput& in, simulation::SceneOutput& out) noexcept override;
+    void respond(const realtime::HapticTick& now, const simulation::SceneInput& in,
+                 simulation::SceneOutput& out) noexcept override;
 
     static std::uint64_t ticksOf(const DelayProbeSettings& settings) noexcept; ///< from full force to the end
 
@@ -46,7 +47,8 @@ private:
 /// Thread: haptic.
 class DelayListener final : public core::IFrameSink {
 public:
-    DelayListener(const DelayProbeSettings& settings, DelayRecord& record) noexcept : m_axis_W(settings.axis_W), m_record(record) {}
+    DelayListener(const DelayProbeSettings& settings, DelayRecord& record) noexcept
+        : m_axis_W(settings.axis_W), m_record(record) {}
     ~DelayListener() override;
     bool tryPush(const core::HapticFrame& frame) noexcept override;
 

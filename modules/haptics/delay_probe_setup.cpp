@@ -5,7 +5,8 @@
 
 namespace chiron::haptics {
 
-DelayProbe::DelayProbe(const DelayProbeSettings& settings, DelayRecord& record) : m_settings(settings), m_record(record) {
+DelayProbe::DelayProbe(const DelayProbeSettings& settings, DelayRecord& record)
+    : m_settings(settings), m_record(record) {
     m_record.reserve(settings.bursts);
 }
 

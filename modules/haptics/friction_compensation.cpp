@@ -78,12 +78,14 @@ devices::AxisValues FrictionCompensation::efforts(const devices::AxisValues& rat
         if (!(axis.most > 0.0))
             continue;
         const double speed = rates[i] * axis.resolution;
-        efforts[i] = std::copysign(axis.most * std::clamp((std::abs(speed) - axis.rest) / axis.width, 0.0, 1.0), speed);
+        efforts[i] = std::copysign(
+            axis.most * std::clamp((std::abs(speed) - axis.rest) / axis.width, 0.0, 1.0), speed);
     }
     return efforts;
 }
 
-core::Wrench FrictionCompensation::wrench_D(const devices::IToolKinematics& kinematics, const core::DeviceSample& sample,
+core::Wrench FrictionCompensation::wrench_D(const devices::IToolKinematics& kinematics,
+                                            const core::DeviceSample& sample,
                                             const devices::AxisValues& rates) const noexcept {
     core::Wrench wrench;
     if (!m_active)
@@ -98,7 +100,9 @@ core::Wrench FrictionCompensation::wrench_D(const devices::IToolKinematics& kine
     for (Eigen::Index column = 0; column < 6; ++column) {
         const devices::AxisValues efforts = kinematics.efforts(sample, unitWrench(column));
         for (Eigen::Index row = 0; row < A.rows(); ++row)
-            A(row, column) = m_axes[static_cast<std::size_t>(row)].most > 0.0 && (column < 3 || m_turns) ? efforts[static_cast<std::size_t>(row)] : 0.0;
+            A(row, column) = m_axes[static_cast<std::size_t>(row)].most > 0.0 && (column < 3 || m_turns)
+                                 ? efforts[static_cast<std::size_t>(row)]
+                                 : 0.0;
     }
     for (Eigen::Index row = 0; row < tau.rows(); ++row)
         tau[row] = wanted[static_cast<std::size_t>(row)];

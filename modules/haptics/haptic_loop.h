@@ -34,8 +34,8 @@ struct HapticLoopParts {
     ITickInputs& inputs;             ///< LiveInputs or RecordedInputs
     SafetySupervisor& supervisor;    ///< configured by create(), for these tools
     SafetySettings safety;
-    SceneExchange& scenes;           ///< the scene offered before create() is the first one
-    core::IFrameSink& recorder;      ///< receives the frame of every executed tick
+    SceneExchange& scenes;      ///< the scene offered before create() is the first one
+    core::IFrameSink& recorder; ///< receives the frame of every executed tick
 };
 
 /// The 1 kHz loop of one session: sample -> scene -> supervisor -> device; each tick is recorded and shown.
@@ -69,7 +69,7 @@ public:
     const LoopStatistics& statistics() const noexcept { return m_statistics; } ///< only while no tick runs
     /// Energy that the passivity controller has withheld from people so far, J in W; only while no tick runs.
     double passivityKept_J() const noexcept { return m_safe.energyKept_J; }
-    std::uint64_t droppedFrames() const noexcept { return m_droppedFrames; }   ///< only while no tick runs
+    std::uint64_t droppedFrames() const noexcept { return m_droppedFrames; } ///< only while no tick runs
 
 private:
     explicit HapticLoop(const HapticLoopParts& parts);
@@ -92,8 +92,8 @@ private:
         simulation::VelocityEstimator velocity;
         FrictionCompensation friction;
         core::Wrench compensation_W; ///< of the last good sample
-        bool hasPose = false; ///< a good packet has arrived
-        bool refused = false; ///< the current packet was refused
+        bool hasPose = false;        ///< a good packet has arrived
+        bool refused = false;        ///< the current packet was refused
     };
 
     std::size_t m_count;

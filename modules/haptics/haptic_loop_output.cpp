@@ -8,7 +8,9 @@ namespace chiron::haptics {
 
 namespace {
 
-std::array<double, 3> arrayOf(const core::Vec3& v) noexcept { return {v.x(), v.y(), v.z()}; }
+std::array<double, 3> arrayOf(const core::Vec3& v) noexcept {
+    return {v.x(), v.y(), v.z()};
+}
 
 std::array<double, 3> arrayOf(const core::DisplayPose& pose) noexcept {
     return {pose.normalForce_N, pose.pitch_rad, pose.roll_rad};
@@ -49,7 +51,8 @@ void HapticLoop::fillFrame(const realtime::HapticTick& now) noexcept {
         core::ToolFrame& frame = m_frame.tool[i];
         frame = frameOf(m_in.tools[i]);
         frame.status = (frame.status & ~(core::sample_status::kRefused | core::kContactStatusMask)) |
-                       (m_tools[i].refused ? core::sample_status::kRefused : 0u) | core::contactStatus(m_out.contact[i]);
+                       (m_tools[i].refused ? core::sample_status::kRefused : 0u) |
+                       core::contactStatus(m_out.contact[i]);
         frame.tissue = core::toArray(m_out.tissue.tools[i]);
         frame.commanded = core::toArray(m_safe.tools[i].wrench_W);
         frame.display = arrayOf(m_out.display[i]);

@@ -22,14 +22,15 @@ core::Result<std::unique_ptr<HapticLoop>> HapticLoop::create(const HapticLoopPar
 }
 
 HapticLoop::HapticLoop(const HapticLoopParts& parts)
-    : m_count(parts.tools.size()), m_inputs(parts.inputs), m_supervisor(parts.supervisor), m_scenes(parts.scenes),
-      m_recorder(parts.recorder), m_scene(parts.scenes.take()) {
+    : m_count(parts.tools.size()), m_inputs(parts.inputs), m_supervisor(parts.supervisor),
+      m_scenes(parts.scenes), m_recorder(parts.recorder), m_scene(parts.scenes.take()) {
     for (std::size_t i = 0; i < m_count; ++i) {
         const LoopTool& tool = parts.tools[i];
         m_devices[i] = &tool.device;
         m_tools[i].map = devices::WorkspaceMap(tool.mapping);
         m_tools[i].friction = FrictionCompensation(tool.device.descriptor());
-        m_tools[i].velocity = simulation::VelocityEstimator(static_cast<int>(tool.device.descriptor().axes.size()));
+        m_tools[i].velocity =
+            simulation::VelocityEstimator(static_cast<int>(tool.device.descriptor().axes.size()));
     }
 }
 

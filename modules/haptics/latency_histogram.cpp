@@ -16,7 +16,8 @@ int LatencyHistogram::bucketOf(std::int64_t value_ns) noexcept {
     if (value_ns < kLinear)
         return value_ns < 0 ? 0 : static_cast<int>(value_ns);
     const auto value = static_cast<std::uint64_t>(value_ns);
-    const int exponent = static_cast<int>(std::bit_width(value)) - 1; // value is in [2^exponent, 2^(exponent+1))
+    const int exponent =
+        static_cast<int>(std::bit_width(value)) - 1; // value is in [2^exponent, 2^(exponent+1))
     const int sub = static_cast<int>(value >> (exponent - kSubBits)) - kSub;
     return std::min(kLinear + (exponent - kSubBits - 1) * kSub + sub, kBuckets - 1);
 }
@@ -45,7 +46,8 @@ void LatencyHistogram::merge(const LatencyHistogram& other) noexcept {
 double LatencyHistogram::percentile_us(double fraction) const noexcept {
     if (m_count == 0)
         return 0.0;
-    const auto rank = static_cast<std::uint64_t>(std::ceil(std::clamp(fraction, 0.0, 1.0) * static_cast<double>(m_count)));
+    const auto rank =
+        static_cast<std::uint64_t>(std::ceil(std::clamp(fraction, 0.0, 1.0) * static_cast<double>(m_count)));
     const std::uint64_t wanted = std::max<std::uint64_t>(rank, 1);
     std::uint64_t seen = 0;
     for (int i = 0; i < kBuckets - 1; ++i) {

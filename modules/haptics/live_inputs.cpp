@@ -9,8 +9,7 @@ namespace chiron::haptics {
 namespace {
 /// Returns the whole units of `unit_ns` from `since` to `now`: 0 if `since` is later, and at most the largest
 /// value of T.
-template <class T>
-T age(std::int64_t now_ns, std::int64_t since_ns, std::int64_t unit_ns) noexcept {
+template <class T> T age(std::int64_t now_ns, std::int64_t since_ns, std::int64_t unit_ns) noexcept {
     std::int64_t elapsed_ns = 0;
     if (__builtin_sub_overflow(now_ns, since_ns, &elapsed_ns))
         return now_ns > since_ns ? std::numeric_limits<T>::max() : T{0};

@@ -75,7 +75,8 @@ double PassivityController::renderedEnergy_J(const PassivityContact& contact, do
     for (int tool = 0; tool < count; ++tool) {
         const auto i = static_cast<std::size_t>(tool);
         const double s = std::min(1.0, contact.capRatio[i] / gain);
-        const double held = contact.capKnee > 0.0 ? bentEnergy(gain / contact.capRatio[i], contact.capKnee) : s * (2.0 - s);
+        const double held =
+            contact.capKnee > 0.0 ? bentEnergy(gain / contact.capRatio[i], contact.capKnee) : s * (2.0 - s);
         energy += contact.share[i] * gain * contact.stored_J * held;
     }
     return energy;
@@ -94,14 +95,16 @@ bool PassivityController::apply(const Limits& limits, int count, const core::Too
     const Wrenches asked = wrenches;
     for (std::size_t body = 0; body < m_accounts.size(); ++body) {
         if (m_used[body]) {
-            injected = applyTo(m_accounts[body], limits, count, states, bodies.contacts[body], wrenches) || injected;
+            injected =
+                applyTo(m_accounts[body], limits, count, states, bodies.contacts[body], wrenches) || injected;
         } else {
             m_accounts[body].close();
         }
     }
     for (std::size_t i = 0; injected && i < static_cast<std::size_t>(count); ++i) {
         const core::ToolState& state = states.tools[i];
-        const double work_J = core::kTickSeconds * ((asked[i].force - wrenches[i].force).dot(state.v_WT) + (asked[i].torque - wrenches[i].torque).dot(state.w_WT));
+        const double work_J = core::kTickSeconds * ((asked[i].force - wrenches[i].force).dot(state.v_WT) +
+                                                    (asked[i].torque - wrenches[i].torque).dot(state.w_WT));
         m_kept_J += std::isfinite(work_J) ? work_J : 0.0;
     }
     return injected;
@@ -138,14 +141,16 @@ void PassivityController::regroup(int count, const PassivityBodies& bodies) noex
         } else if (!before[to]) {
             const PassivityContact& contact = bodies.contacts[to];
             const double holds = renderedEnergy_J(contact, contact.gain, count);
-            m_accounts[from].observer.move(std::clamp(holds, 0.0, std::max(0.0, had)), m_accounts[to].observer);
+            m_accounts[from].observer.move(std::clamp(holds, 0.0, std::max(0.0, had)),
+                                           m_accounts[to].observer);
         }
     }
     m_bodyOf = bodies.bodyOf;
 }
 
-bool PassivityController::applyTo(Account& account, const Limits& limits, int count, const core::ToolStates& states,
-                                  const PassivityContact& contact, Wrenches& wrenches) noexcept {
+bool PassivityController::applyTo(Account& account, const Limits& limits, int count,
+                                  const core::ToolStates& states, const PassivityContact& contact,
+                                  Wrenches& wrenches) noexcept {
     account.open = contact.touching && contact.gain > 0.0;
     if (!account.open) {
         account.close();
@@ -168,9 +173,11 @@ bool PassivityController::giveWay(Account& account, int count, const PassivityCo
     account.settle(account.share < 1.0 ? allowed : kSurplus_J); // a body that has shaken gets no more surplus
                                                                 // than this
     const double whole = renderedEnergy_J(contact, contact.gain, count); // at c = 1
-    const double excess = account.stored_J - std::min(account.observer.supplied_J(), account.observer.late_J());
+    const double excess =
+        account.stored_J - std::min(account.observer.supplied_J(), account.observer.late_J());
     if (excess > allowed && whole > kLoaded_J)
-        account.fall(std::min(kFall * std::min(1.0, whole / allowed), (excess - allowed) / std::max(whole, allowed)));
+        account.fall(
+            std::min(kFall * std::min(1.0, whole / allowed), (excess - allowed) / std::max(whole, allowed)));
     else if (excess < 0.0 && account.share < 1.0)
         account.recover(-excess / std::max(whole, kLoaded_J));
     account.stored_J = renderedEnergy_J(contact, account.share * contact.gain, count);
@@ -220,8 +227,9 @@ void PassivityController::Account::recover(double most) noexcept {
     risen = true;
 }
 
-bool PassivityController::inject(double excess_J, const Limits& limits, int count, const core::ToolStates& states,
-                                 const PassivityContact& contact, Wrenches& wrenches) const noexcept {
+bool PassivityController::inject(double excess_J, const Limits& limits, int count,
+                                 const core::ToolStates& states, const PassivityContact& contact,
+                                 Wrenches& wrenches) const noexcept {
     // Σ(u·v + r² w·ω) over the touching tools: the power that damping of 1 N·s/m takes, W.
     double taken = 0.0;
     double rate2 = 0.0;  // Σ(u² + r² w²) over the same tools
@@ -239,7 +247,8 @@ bool PassivityController::inject(double excess_J, const Limits& limits, int coun
         rate2 += slow.v.squaredNorm() + lever2(limits[i]) * slow.w.squaredNorm();
         taken += slow.v.dot(states.tools[i].v_WT) + lever2(limits[i]) * slow.w.dot(states.tools[i].w_WT);
         scale = std::min(scale, limits[i].scale);
-        most = std::min(most, std::max(0.0, limits[i].damping_Ns_per_m / limits[i].scale - contact.damping_Ns_per_m[i]));
+        most = std::min(
+            most, std::max(0.0, limits[i].damping_Ns_per_m / limits[i].scale - contact.damping_Ns_per_m[i]));
     }
     constexpr double kT = core::kTickSeconds;
     const double leak = 0.5 * contact.gain * contact.stiffness_N_per_m * speed2 * kT * kT;

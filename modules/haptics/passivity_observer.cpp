@@ -16,7 +16,8 @@ core::Vec3 smallRotation(const core::Quat& from, const core::Quat& to) noexcept 
 }
 
 /// Returns -Σ (f·Δx + τ·θ).
-double workOf(const core::ToolWrenches& held, const core::ToolStates& from, const core::ToolStates& to) noexcept {
+double workOf(const core::ToolWrenches& held, const core::ToolStates& from,
+              const core::ToolStates& to) noexcept {
     double work = 0.0;
     for (int tool = 0; tool < std::min(held.count, to.count); ++tool) {
         const auto i = static_cast<std::size_t>(tool);

@@ -9,8 +9,9 @@ void RecordedInputs::gather(const realtime::HapticTick& now, std::span<devices::
                             TickInputs& inputs) noexcept {
     inputs.commands = m_frame.header.commands;
     inputs.heartbeatAge_ms = m_frame.header.heartbeatAge_ms;
-    inputs.slow = (m_frame.header.events & core::event_bits::kSlowApplied) != 0 ? simulation::SlowUpdate::now
-                                                                                : simulation::SlowUpdate::notNow;
+    inputs.slow = (m_frame.header.events & core::event_bits::kSlowApplied) != 0
+                      ? simulation::SlowUpdate::now
+                      : simulation::SlowUpdate::notNow;
     for (std::size_t i = 0; i < devices.size() && i < inputs.tools.size(); ++i) {
         const core::ToolFrame& recorded = m_frame.tool[i];
         ToolInput& tool = inputs.tools[i];

@@ -45,8 +45,8 @@ double capRatio(const SafetyToolLimits& limits, const core::DeviceSample& sample
     return std::isnan(result) ? 0.0 : result;
 }
 
-bool applyCaps(const SafetyToolLimits& limits, const core::DeviceSample& sample,
-               core::Wrench& wrench_W, double load_N, double knee) noexcept {
+bool applyCaps(const SafetyToolLimits& limits, const core::DeviceSample& sample, core::Wrench& wrench_W,
+               double load_N, double knee) noexcept {
     const double room = capRatio(limits, sample, wrench_W, load_N);
     if (room * (1.0 - knee) >= 1.0) {
         return false;

@@ -39,7 +39,7 @@ inline double bentEnergy(double x, double knee) noexcept {
 
 /// Scales the whole wrench, so that its direction is kept, until every cap holds; returns true if it had to.
 /// With a knee the force bends into the cap, and true means that it was bent.
-bool applyCaps(const SafetyToolLimits& limits, const core::DeviceSample& sample,
-               core::Wrench& wrench_W, double load_N = 0.0, double knee = 0.0) noexcept;
+bool applyCaps(const SafetyToolLimits& limits, const core::DeviceSample& sample, core::Wrench& wrench_W,
+               double load_N = 0.0, double knee = 0.0) noexcept;
 
 } // namespace chiron::haptics

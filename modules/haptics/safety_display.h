@@ -26,9 +26,10 @@ inline constexpr double kLeanStep_rad = 0.010471975511965978;
 /// limits. The cap is applied last. `asked_N` and `allowed_N` are the norms of the tissue force and of the
 /// commanded force. Pure. Source: models.md §5; "safety supervisor last".
 /// Thread: haptic.
-inline core::DisplayPose displayUnder(const core::DisplayPose& asked, double asked_N, double allowed_N, bool enabled,
-                                      double cap_N) noexcept {
-    const bool usable = std::isfinite(asked.normalForce_N) && std::isfinite(asked.pitch_rad) && std::isfinite(asked.roll_rad);
+inline core::DisplayPose displayUnder(const core::DisplayPose& asked, double asked_N, double allowed_N,
+                                      bool enabled, double cap_N) noexcept {
+    const bool usable =
+        std::isfinite(asked.normalForce_N) && std::isfinite(asked.pitch_rad) && std::isfinite(asked.roll_rad);
     if (!enabled || !usable || !(asked_N > 0.0) || !(allowed_N > 0.0))
         return {};
     const double share = std::min(1.0, allowed_N / asked_N);
@@ -38,8 +39,9 @@ inline core::DisplayPose displayUnder(const core::DisplayPose& asked, double ask
     core::DisplayPose safe;
     safe.normalForce_N = std::clamp(asked.normalForce_N * share, 0.0, std::max(0.0, cap_N));
     const double lean = std::hypot(asked.pitch_rad, asked.roll_rad);
-    const double over = level * std::max({std::abs(asked.pitch_rad) / kMaximumPitch_rad, std::abs(asked.roll_rad) / kMaximumRoll_rad,
-                                          lean / kMaximumLean_rad});
+    const double over =
+        level * std::max({std::abs(asked.pitch_rad) / kMaximumPitch_rad,
+                          std::abs(asked.roll_rad) / kMaximumRoll_rad, lean / kMaximumLean_rad});
     const double scale = over > 1.0 ? level / over : level; // keeps the direction, as the scene's own limit
                                                             // does
     safe.pitch_rad = asked.pitch_rad * scale;
@@ -52,14 +54,15 @@ inline core::DisplayPose displayUnder(const core::DisplayPose& asked, double ask
 /// The scene's wrench has passed the slew stage before, but its display pose is not tied to that wrench, so
 /// the display needs a limit of its own. Sets `limited` if the limit acted. Pure.
 /// Thread: haptic.
-inline core::DisplayPose slewDisplay(const core::DisplayPose& last, const core::DisplayPose& target, double step_N,
-                                     bool& limited) noexcept {
+inline core::DisplayPose slewDisplay(const core::DisplayPose& last, const core::DisplayPose& target,
+                                     double step_N, bool& limited) noexcept {
     core::DisplayPose safe = target;
     if (target.normalForce_N > last.normalForce_N + step_N) {
         safe.normalForce_N = last.normalForce_N + step_N;
         limited = true;
     }
-    const core::Vec3 lean = limitSlew({last.pitch_rad, last.roll_rad, 0.0}, {target.pitch_rad, target.roll_rad, 0.0}, kLeanStep_rad, limited);
+    const core::Vec3 lean = limitSlew({last.pitch_rad, last.roll_rad, 0.0},
+                                      {target.pitch_rad, target.roll_rad, 0.0}, kLeanStep_rad, limited);
     safe.pitch_rad = lean.x();
     safe.roll_rad = lean.y();
     return safe;

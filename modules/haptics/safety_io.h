@@ -45,8 +45,8 @@ struct SafetyInput {
 
 /// Output of the supervisor for one tool.
 struct SafeTool {
-    core::Wrench wrench_W;   ///< the "commanded" wrench on the tool, in W, about the tip; for the record
-    core::Wrench wrench_D;   ///< the same in D (Hᵀ; unscaled), with compensation_D; for the device
+    core::Wrench wrench_W; ///< the "commanded" wrench on the tool, in W, about the tip; for the record
+    core::Wrench wrench_D; ///< the same in D (Hᵀ; unscaled), with compensation_D; for the device
     /// Friction compensation that was let through. It is not felt as tissue, so it is not part of
     /// "commanded".
     core::Wrench compensation_D;

@@ -80,7 +80,8 @@ private:
     Wrenches withCompensation(const SafetyInput& in, const Wrenches& wrenches) noexcept;
     void forgetReferences(bool inputOnly) noexcept;
     core::DisplayPose displayOf(const SafetyInput& in, std::size_t tool, const SafeTool& safe) noexcept;
-    void publish(const SafetyInput& in, const Wrenches& wrenches, const Wrenches& whole, SafetyOutput& out) noexcept;
+    void publish(const SafetyInput& in, const Wrenches& wrenches, const Wrenches& whole,
+                 SafetyOutput& out) noexcept;
 
     SafetySettings m_settings;
     GuardMask m_mask;

@@ -55,7 +55,8 @@ core::Result<void> checkSettings(const SafetySettings& s) {
         }
     }
     if (!(s.capKnee >= 0.0 && s.capKnee <= 0.5)) {
-        return core::fail(ErrorCode::badInput, "safety settings: capKnee is " + std::to_string(s.capKnee) + "; expected 0 to 0.5");
+        return core::fail(ErrorCode::badInput,
+                          "safety settings: capKnee is " + std::to_string(s.capKnee) + "; expected 0 to 0.5");
     }
     for (const std::uint32_t ramp_ms : {s.armingRamp_ms, s.heartbeatRamp_ms, s.pauseRamp_ms}) {
         if (ramp_ms > kLongestRamp_ms) {
@@ -117,8 +118,9 @@ SafetyToolLimits limitsOf(const SafetySettings& settings, const SafetyTool& tool
     for (std::size_t i = 0; i < tool.device.axes.size(); ++i) {
         limits.axisCap[i] = tool.device.axes[i].continuousRating;
     }
-    limits.pushesHand = std::any_of(tool.device.axes.begin(), tool.device.axes.end(),
-                                    [](const devices::AxisDescriptor& axis) { return axis.continuousRating > 0.0; });
+    limits.pushesHand =
+        std::any_of(tool.device.axes.begin(), tool.device.axes.end(),
+                    [](const devices::AxisDescriptor& axis) { return axis.continuousRating > 0.0; });
     limits.forceCap_N =
         std::min({tool.device.maximumForce_N, settings.siteForce_N, settings.exerciseForce_N});
     limits.torqueCap_Nm =

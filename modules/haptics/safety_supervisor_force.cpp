@@ -38,7 +38,9 @@ void SafetySupervisor::fillContact(const SafetyInput& in, const Wrenches& reques
                                    PassivityContact& contact) const noexcept {
     const bool all = !in.scene.energyByBody && body == 0; // without energy per body, everything belongs to
                                                           // body 0
-    contact.stored_J = usable(all ? in.scene.storedEnergy_J : in.scene.energyByBody ? in.scene.bodyEnergy_J[body] : 0.0);
+    contact.stored_J = usable(all                     ? in.scene.storedEnergy_J
+                              : in.scene.energyByBody ? in.scene.bodyEnergy_J[body]
+                                                      : 0.0);
     contact.stiffness_N_per_m = usable(all                     ? in.scene.contactStiffness_N_per_m
                                        : in.scene.energyByBody ? in.scene.bodyStiffness_N_per_m[body]
                                                                : 0.0);
@@ -65,7 +67,8 @@ void SafetySupervisor::fillContact(const SafetyInput& in, const Wrenches& reques
         contact.damping_Ns_per_m[i] = usable(in.scene.damping_Ns_per_m[i]);
         contact.share[i] = w.force.squaredNorm();
         sum += contact.share[i];
-        contact.touching = contact.touching || w.force != core::Vec3::Zero() || w.torque != core::Vec3::Zero();
+        contact.touching =
+            contact.touching || w.force != core::Vec3::Zero() || w.torque != core::Vec3::Zero();
         if (contact.gain > 0.0 && m_limits[i].renders && m_mask.has(GuardMask::kCaps)) {
             contact.capRatio[i] = capRatio(m_limits[i], m_sanity[i].good(), w, usable(in.scene.load_N[i]));
         }
@@ -100,7 +103,8 @@ void SafetySupervisor::applyOverVelocityDamping(const SafetyInput& in, Wrenches&
         const auto i = static_cast<std::size_t>(tool);
         const core::Vec3 v_D =
             in.states.tools[i].v_WT / m_limits[i].scale; // along the axes of W, at the hand's speed
-        if (!m_limits[i].renders || !m_limits[i].pushesHand || m_limits[i].forceCap_N <= 0.0 || !v_D.allFinite()) {
+        if (!m_limits[i].renders || !m_limits[i].pushesHand || m_limits[i].forceCap_N <= 0.0 ||
+            !v_D.allFinite()) {
             continue;
         }
         const double b = std::min(m_settings.overVelocityDamping_Ns_per_m, m_limits[i].damping_Ns_per_m);
@@ -148,7 +152,8 @@ void SafetySupervisor::applyFiniteCheck(Wrenches& wrenches) noexcept {
 /// Returns the wrenches for the devices: with the feed-forward of their friction, scaled by the gain and at
 /// most a tenth of the tool's cap, and the sum within the caps of this pose. The energy balance leaves the
 /// feed-forward out, because it is less than what friction takes (friction_compensation.h).
-SafetySupervisor::Wrenches SafetySupervisor::withCompensation(const SafetyInput& in, const Wrenches& wrenches) noexcept {
+SafetySupervisor::Wrenches SafetySupervisor::withCompensation(const SafetyInput& in,
+                                                              const Wrenches& wrenches) noexcept {
     constexpr double kMostOfCap = 0.1;
     Wrenches whole = wrenches;
     const double gain = m_machine.gain();
@@ -157,14 +162,17 @@ SafetySupervisor::Wrenches SafetySupervisor::withCompensation(const SafetyInput&
     for (int tool = 0; tool < m_count; ++tool) {
         const auto i = static_cast<std::size_t>(tool);
         core::Wrench help = in.compensation_W[i];
-        if (!m_limits[i].renders || !isFinite(help) || (help.force == core::Vec3::Zero() && help.torque == core::Vec3::Zero()))
+        if (!m_limits[i].renders || !isFinite(help) ||
+            (help.force == core::Vec3::Zero() && help.torque == core::Vec3::Zero()))
             continue;
         const double force = help.force.norm(), torque = help.torque.norm();
         double share = gain;
         if (force > kMostOfCap * m_limits[i].forceCap_N)
             share = std::min(share, gain * kMostOfCap * m_limits[i].forceCap_N / force);
         if (torque > kMostOfCap * m_limits[i].torqueCap_Nm)
-            share = m_limits[i].torqueCap_Nm > 0.0 ? std::min(share, gain * kMostOfCap * m_limits[i].torqueCap_Nm / torque) : share;
+            share = m_limits[i].torqueCap_Nm > 0.0
+                        ? std::min(share, gain * kMostOfCap * m_limits[i].torqueCap_Nm / torque)
+                        : share;
         whole[i].force += share * help.force;
         if (m_limits[i].torqueCap_Nm > 0.0)
             whole[i].torque += share * help.torque;
@@ -174,7 +182,8 @@ SafetySupervisor::Wrenches SafetySupervisor::withCompensation(const SafetyInput&
     return whole;
 }
 
-core::DisplayPose SafetySupervisor::displayOf(const SafetyInput& in, std::size_t tool, const SafeTool& safe) noexcept {
+core::DisplayPose SafetySupervisor::displayOf(const SafetyInput& in, std::size_t tool,
+                                              const SafeTool& safe) noexcept {
     // Over-velocity damping is not a tissue force, so a pad shows nothing of it.
     const bool shows = safe.enabled && m_machine.dampingGain() <= 0.0;
     core::DisplayPose display = displayUnder(in.scene.display[tool], in.scene.tissue.tools[tool].force.norm(),
@@ -189,7 +198,8 @@ core::DisplayPose SafetySupervisor::displayOf(const SafetyInput& in, std::size_t
     return display;
 }
 
-void SafetySupervisor::publish(const SafetyInput& in, const Wrenches& wrenches, const Wrenches& whole, SafetyOutput& out) noexcept {
+void SafetySupervisor::publish(const SafetyInput& in, const Wrenches& wrenches, const Wrenches& whole,
+                               SafetyOutput& out) noexcept {
     const bool live = m_answerFinite && (m_machine.gain() > 0.0 || m_machine.dampingGain() > 0.0);
     core::ToolWrenches commanded;
     commanded.count = m_count;
@@ -201,7 +211,8 @@ void SafetySupervisor::publish(const SafetyInput& in, const Wrenches& wrenches, 
         safe.enabled = live && m_limits[i].renders;
         safe.wrench_W = wrenches[i];
         safe.wrench_D = m_limits[i].map.wrenchToD(whole[i]);
-        safe.compensation_D = m_limits[i].map.wrenchToD({whole[i].force - wrenches[i].force, whole[i].torque - wrenches[i].torque});
+        safe.compensation_D = m_limits[i].map.wrenchToD(
+            {whole[i].force - wrenches[i].force, whole[i].torque - wrenches[i].torque});
         safe.display = displayOf(in, i, safe);
         safe.display_D = m_limits[i].map.displayToD(safe.display);
         safe.noMovement = !m_limits[i].renders && m_sanity[i].age_us() >= m_settings.noMovement_us;

@@ -34,9 +34,9 @@ struct SafetyToolLimits {
     /// True if some axis has a motor. Otherwise the force is displayed to a finger's pad (P3): it does no
     /// work on the tool's motion, so it does not enter the energy balance and is not damped.
     bool pushesHand = true;
-    double forceCap_N = 0.0;                             ///< 0: the device gives no force
-    double torqueCap_Nm = 0.0;                           ///< 0: the device gives no torque
-    double damping_Ns_per_m = 0.0;                       ///< b_max of the device
+    double forceCap_N = 0.0;       ///< 0: the device gives no force
+    double torqueCap_Nm = 0.0;     ///< 0: the device gives no torque
+    double damping_Ns_per_m = 0.0; ///< b_max of the device
 };
 
 } // namespace chiron::haptics

@@ -6,9 +6,12 @@
 
 namespace chiron::haptics {
 
-SlowModelThread::SlowModelThread(simulation::ISlowModel& model) : m_model(model), m_thread([this] { run(); }) {}
+SlowModelThread::SlowModelThread(simulation::ISlowModel& model)
+    : m_model(model), m_thread([this] { run(); }) {}
 
-SlowModelThread::~SlowModelThread() { stop(); }
+SlowModelThread::~SlowModelThread() {
+    stop();
+}
 
 void SlowModelThread::stop() {
     m_stop.store(true, std::memory_order_release);

@@ -26,7 +26,8 @@ struct TickInputs {
     std::array<core::Command, core::kMaxCommandsPerTick> commands{}; ///< unused ones are CommandKind::none
     std::uint16_t heartbeatAge_ms = 0; ///< saturated; 0 if no heartbeat is watched
     std::array<ToolInput, core::kMaxTools> tools{};
-    /// When a slow model's answer takes effect; recorded as event_bits::kSlowApplied of the tick in which it did.
+    /// When a slow model's answer takes effect; recorded as event_bits::kSlowApplied of the tick in which it
+    /// did.
     simulation::SlowUpdate slow = simulation::SlowUpdate::asDue;
 };
 

@@ -24,7 +24,8 @@ void AttitudeSensor::reset(const Quat& q_DT) noexcept {
     m_random = core::Random::stream(m_seed, "fingertip/imu");
     m_rateBias = noise(p.rateBias_rad_per_s);
     m_accelerationBias = noise(p.accelerationBias_m_per_s2);
-    m_heading = MarkovNoise(p.headingError_rad, p.headingTime_s, core::kTickSeconds * p.headingPeriod_ticks, m_random);
+    m_heading = MarkovNoise(p.headingError_rad, p.headingTime_s, core::kTickSeconds * p.headingPeriod_ticks,
+                            m_random);
     // After a long rest: the tilt is that of the accelerometer, the heading that of the magnetic field.
     const Vec3 up(0.0, 0.0, 1.0);
     const Vec3 tilt_D = up.cross(q_DT * m_accelerationBias) / core::kStandardGravity;
@@ -49,7 +50,8 @@ void AttitudeSensor::readTilt(const Quat& q_DT, const Vec3& a_D) noexcept {
 void AttitudeSensor::readHeading(const Quat& q_DT) noexcept {
     m_heading.advance(m_random);
     // The component of the attitude error about the vertical.
-    const Vec3 error_D = rotationVectorOf(turned(q_DT, Vec3(0.0, 0.0, m_heading.value())) * m_attitude.conjugate());
+    const Vec3 error_D =
+        rotationVectorOf(turned(q_DT, Vec3(0.0, 0.0, m_heading.value())) * m_attitude.conjugate());
     m_turn_T = m_attitude.conjugate() * Vec3(0.0, 0.0, error_D.z());
 }
 
@@ -58,7 +60,8 @@ void AttitudeSensor::tick(const Quat& q_DT, const Vec3& w_DT, const Vec3& a_D) n
     if (++m_sinceGyro >= p.gyroPeriod_ticks) {
         m_sinceGyro = 0;
         const double bandwidth = 0.5 / (core::kTickSeconds * p.gyroPeriod_ticks);
-        m_rate_T = q_DT.conjugate() * w_DT + m_rateBias + noise(p.rateNoise_rad_per_s_rtHz * std::sqrt(bandwidth));
+        m_rate_T =
+            q_DT.conjugate() * w_DT + m_rateBias + noise(p.rateNoise_rad_per_s_rtHz * std::sqrt(bandwidth));
     }
     const Vec3 w_T = m_rate_T + p.gain_per_s * (m_tilt_T + m_turn_T);
     m_attitude = turned(m_attitude, m_attitude * (core::kTickSeconds * w_T));
@@ -77,7 +80,8 @@ void AttitudeSensor::tick(const Quat& q_DT, const Vec3& w_DT, const Vec3& a_D) n
 void AttitudeSensor::tell() noexcept {
     const Vec3 turn = rotationVectorOf(m_attitude);
     for (std::size_t axis = 0; axis < 3; ++axis)
-        m_counts[axis] = static_cast<std::int32_t>(std::floor(turn[static_cast<int>(axis)] / m_parameters.resolution_rad + 0.5));
+        m_counts[axis] = static_cast<std::int32_t>(
+            std::floor(turn[static_cast<int>(axis)] / m_parameters.resolution_rad + 0.5));
 }
 
 } // namespace chiron::mechanisms

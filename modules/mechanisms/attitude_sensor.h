@@ -20,13 +20,13 @@ struct AttitudeSensorParameters {
     /// Rates are read every millisecond and propagate the attitude. If it were reported at 100 Hz, each step
     /// would be a spin of 50 rad/s.
     int gyroPeriod_ticks = 1;
-    int tiltPeriod_ticks = 10;  ///< acceleration: 100 Hz
+    int tiltPeriod_ticks = 10;    ///< acceleration: 100 Hz
     int headingPeriod_ticks = 50; ///< magnetic field: 20 Hz
     double rateNoise_rad_per_s_rtHz = core::radFromDeg(0.014);
     double rateBias_rad_per_s = core::radFromDeg(0.02); ///< SD per axis, left by calibration at rest
     double accelerationNoise_m_per_s2_rtHz = 150e-6 * core::kStandardGravity;
     double accelerationBias_m_per_s2 = 5e-3 * core::kStandardGravity; ///< SD per axis, likewise: 0.3° of tilt
-    double headingError_rad = 8.7e-3;  ///< SD of the magnetic field's direction indoors, 0.5°, slow
+    double headingError_rad = 8.7e-3; ///< SD of the magnetic field's direction indoors, 0.5°, slow
     double headingTime_s = 60.0;
     /// Gain with which tilt and heading correct the attitude: low, since a moving hand accelerates too.
     double gain_per_s = 0.2;
@@ -48,13 +48,19 @@ public:
     /// acceleration over the tick, m/s².
     void tick(const core::Quat& q_DT, const core::Vec3& w_DT, const core::Vec3& a_D) noexcept;
 
-    const std::array<std::int32_t, 3>& counts() const noexcept { return m_counts; } ///< the rotation vector of q̂
+    const std::array<std::int32_t, 3>& counts() const noexcept {
+        return m_counts;
+    } ///< the rotation vector of q̂
     const core::Quat& attitude() const noexcept { return m_attitude; }
-    const core::Vec3& rate_T() const noexcept { return m_rate_T; }            ///< as last read, rad/s, T
-    const core::Vec3& acceleration_T() const noexcept { return m_specific_T; } ///< specific force as last read, m/s², T
+    const core::Vec3& rate_T() const noexcept { return m_rate_T; } ///< as last read, rad/s, T
+    const core::Vec3& acceleration_T() const noexcept {
+        return m_specific_T;
+    } ///< specific force as last read, m/s², T
 
 private:
-    core::Vec3 noise(double sd) noexcept { return {sd * m_random.normal(), sd * m_random.normal(), sd * m_random.normal()}; }
+    core::Vec3 noise(double sd) noexcept {
+        return {sd * m_random.normal(), sd * m_random.normal(), sd * m_random.normal()};
+    }
     void readTilt(const core::Quat& q_DT, const core::Vec3& a_D) noexcept;
     void readHeading(const core::Quat& q_DT) noexcept;
     void tell() noexcept;
@@ -66,7 +72,8 @@ private:
     MarkovNoise m_heading;
     core::Quat m_attitude = core::Quat::Identity();
     core::Vec3 m_rate_T = core::Vec3::Zero(), m_specific_T = core::Vec3::Zero();
-    core::Vec3 m_tilt_T = core::Vec3::Zero(), m_turn_T = core::Vec3::Zero(); ///< corrections as last computed, rad
+    core::Vec3 m_tilt_T = core::Vec3::Zero(),
+               m_turn_T = core::Vec3::Zero(); ///< corrections as last computed, rad
     std::array<std::int32_t, 3> m_counts{};
     int m_sinceGyro = 0, m_sinceTilt = 0, m_sinceHeading = 0;
 };

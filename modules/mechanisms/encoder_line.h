@@ -11,8 +11,7 @@ namespace chiron::mechanisms {
 
 /// Incremental encoders that are read once per tick, with a delay of 0..3 ticks until the host sees the
 /// counts.
-template <std::size_t Axes>
-class EncoderLine {
+template <std::size_t Axes> class EncoderLine {
 public:
     using Values = std::array<double, Axes>; ///< rad or m
     using Counts = std::array<std::int32_t, Axes>;

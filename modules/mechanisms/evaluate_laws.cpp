@@ -75,9 +75,10 @@ void evaluateWeight(std::span<const double> p, std::span<const double> in, std::
 }
 
 constexpr FiveBarGeometry kLinkage{};
-constexpr std::array<LawParameter, 3> kLinkageParameters{{{"proximal_m", "m", kLinkage.proximal_m, 0.01, 1.0},
-                                                          {"distal_m", "m", kLinkage.distal_m, 0.01, 1.0},
-                                                          {"half_base_m", "m", kLinkage.halfBase_m, 0.0, 1.0}}};
+constexpr std::array<LawParameter, 3> kLinkageParameters{
+    {{"proximal_m", "m", kLinkage.proximal_m, 0.01, 1.0},
+     {"distal_m", "m", kLinkage.distal_m, 0.01, 1.0},
+     {"half_base_m", "m", kLinkage.halfBase_m, 0.0, 1.0}}};
 
 FiveBarLoop loopOf(std::span<const double> p, std::span<const double> in) noexcept {
     FiveBarGeometry geometry;
@@ -93,9 +94,12 @@ std::string linkageProblem(std::span<const double> p, std::span<const double> in
         return {};
     const FiveBarLoop loop = loopOf(p, in);
     if (!loop.closed)
-        return "theta1_rad, theta2_rad: the elbows are " + std::to_string((loop.elbow[1] - loop.elbow[0]).norm()) +
+        return "theta1_rad, theta2_rad: the elbows are " +
+               std::to_string((loop.elbow[1] - loop.elbow[0]).norm()) +
                " m apart: expected more than 0 and at most twice distal_m, or the links do not meet";
-    return std::abs(loop.determinant) > 1e-9 * p[1] * p[1] ? "" : "theta1_rad, theta2_rad: the distal links are in line: expected angles off this singularity";
+    return std::abs(loop.determinant) > 1e-9 * p[1] * p[1]
+               ? ""
+               : "theta1_rad, theta2_rad: the distal links are in line: expected angles off this singularity";
 }
 
 constexpr std::array<LawColumn, 2> kPoseInputs{{{"theta1_rad", "rad"}, {"theta2_rad", "rad"}}};
@@ -110,9 +114,10 @@ constexpr std::array<LawColumn, 8> kPoseOutputs{{{"y_m", "m"},
 
 void evaluatePose(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
     const FiveBarLoop loop = loopOf(p, in);
-    const std::array<double, 8> values{loop.tip.x(),          loop.tip.y(),          loop.jacobian(0, 0),
-                                       loop.jacobian(0, 1),   loop.jacobian(1, 0),   loop.jacobian(1, 1),
-                                       loop.determinant,      FiveBarKinematics::conditionNumber(loop)};
+    const std::array<double, 8> values{loop.tip.x(),        loop.tip.y(),
+                                       loop.jacobian(0, 0), loop.jacobian(0, 1),
+                                       loop.jacobian(1, 0), loop.jacobian(1, 1),
+                                       loop.determinant,    FiveBarKinematics::conditionNumber(loop)};
     for (std::size_t i = 0; i < values.size(); ++i)
         out[i] = values[i];
 }
@@ -148,10 +153,12 @@ constexpr std::array<core::LawDescription, 4> kLaws{{
     {"polar_weight",
      "weight of a mass as heading, pitch and depth forces: as published, and exact with z of D up",
      "P2, Mass Model; models.md §2.1", kWeightInputs, kWeightOutputs, kWeightParameters, &evaluateWeight},
-    {"five_bar_pose", "tip, Jacobian, det A and condition number of the five-bar linkage (D)", "P1 §2; devices.md §5",
-     kPoseInputs, kPoseOutputs, kLinkageParameters, &evaluatePose, &linkageProblem},
-    {"five_bar_efforts", "force at the tip and torque about it to torques of the linkage and the spherical joint (D)",
-     "P1 §2; devices.md §5", kEffortInputs, kEffortOutputs, kLinkageParameters, &evaluateEfforts, &linkageProblem},
+    {"five_bar_pose", "tip, Jacobian, det A and condition number of the five-bar linkage (D)",
+     "P1 §2; devices.md §5", kPoseInputs, kPoseOutputs, kLinkageParameters, &evaluatePose, &linkageProblem},
+    {"five_bar_efforts",
+     "force at the tip and torque about it to torques of the linkage and the spherical joint (D)",
+     "P1 §2; devices.md §5", kEffortInputs, kEffortOutputs, kLinkageParameters, &evaluateEfforts,
+     &linkageProblem},
 }};
 
 } // namespace

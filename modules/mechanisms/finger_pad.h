@@ -18,7 +18,9 @@ public:
     explicit FingerPad(const FingerPadParameters& parameters) noexcept : m_p(parameters) {}
 
     core::Vec3 centre() const noexcept { return {0.0, 0.0, m_p.radius_m + m_p.surface_m}; }
-    double penetration(const FingertipLoop& at) const noexcept { return m_p.radius_m - at.normal.dot(centre() - at.centre); }
+    double penetration(const FingertipLoop& at) const noexcept {
+        return m_p.radius_m - at.normal.dot(centre() - at.centre);
+    }
     core::Vec3 gradient(const FingertipLoop& at) const noexcept { ///< ∂δ/∂(z, β, α)
         return at.centreBy.transpose() * at.normal - at.normalBy.transpose() * (centre() - at.centre);
     }
@@ -30,14 +32,16 @@ public:
     double force(double depth_m, double rate_m_per_s, double relaxed_N = 0.0) const noexcept {
         if (!(depth_m > 0.0))
             return 0.0;
-        return std::max(0.0, elasticForce(depth_m) - relaxed_N + m_p.damping_Ns_per_m * rate_m_per_s * std::min(1.0, depth_m / 0.0002));
+        return std::max(0.0, elasticForce(depth_m) - relaxed_N +
+                                 m_p.damping_Ns_per_m * rate_m_per_s * std::min(1.0, depth_m / 0.0002));
     }
     double energy_J(double depth_m) const noexcept { ///< elastic, ∫F dδ
         const double depth = std::clamp(depth_m, 0.0, 0.01), b = m_p.hardening_per_m;
         return m_p.stiffness_N_per_m / b * (std::expm1(b * depth) / b - depth);
     }
     double depthOf(double force_N) const noexcept { ///< inverse of elasticForce
-        return std::log1p(std::max(0.0, force_N) * m_p.hardening_per_m / m_p.stiffness_N_per_m) / m_p.hardening_per_m;
+        return std::log1p(std::max(0.0, force_N) * m_p.hardening_per_m / m_p.stiffness_N_per_m) /
+               m_p.hardening_per_m;
     }
     double stiffnessAt(double force_N) const noexcept {
         return m_p.stiffness_N_per_m + m_p.hardening_per_m * std::max(0.0, force_N);

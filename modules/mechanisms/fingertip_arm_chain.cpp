@@ -17,8 +17,10 @@ constexpr double kSingular = 1e-6;
 /// A tube of a given length along −y from its joint: a thin rod, with a bearing's radius about its own axis.
 ChainLink tube(const Vec3& origin, double length, double mass) noexcept {
     constexpr double kRadius_m = 0.012;
-    const double across = mass * (length * length / 12.0 + 0.5 * kRadius_m * kRadius_m), along = mass * kRadius_m * kRadius_m;
-    return {origin, Vec3::UnitX(), mass, Vec3(0.0, -0.5 * length, 0.0), Vec3(across, along, across).asDiagonal()};
+    const double across = mass * (length * length / 12.0 + 0.5 * kRadius_m * kRadius_m),
+                 along = mass * kRadius_m * kRadius_m;
+    return {origin, Vec3::UnitX(), mass, Vec3(0.0, -0.5 * length, 0.0),
+            Vec3(across, along, across).asDiagonal()};
 }
 
 /// A ring about the wrist's middle in the plane across its axis of symmetry.
@@ -35,13 +37,16 @@ FingertipArmDynamics::Links fingertipArmLinks(const FingertipArmParameters& p) n
     const Vec3 none = Vec3::Zero();
     const double handle = p.handleMass_kg * p.handleRadius_m * p.handleRadius_m;
     const double lever = p.leverMass_kg * p.leverLength_m * p.leverLength_m / 12.0;
-    return {ChainLink{g.shoulder_D, Vec3::UnitZ(), p.columnMass_kg, none, p.columnInertia_kgm2 * Mat3::Identity()},
+    return {ChainLink{g.shoulder_D, Vec3::UnitZ(), p.columnMass_kg, none,
+                      p.columnInertia_kgm2 * Mat3::Identity()},
             tube(none, g.upper_m, p.upperMass_kg),
             tube(Vec3(0.0, -g.upper_m, 0.0), g.fore_m, p.foreMass_kg),
-            ChainLink{Vec3(0.0, -g.fore_m, 0.0), Vec3::UnitX(), p.ringMass_kg, none, ring(p.ringMass_kg, p.ringRadius_m, 2)},
+            ChainLink{Vec3(0.0, -g.fore_m, 0.0), Vec3::UnitX(), p.ringMass_kg, none,
+                      ring(p.ringMass_kg, p.ringRadius_m, 2)},
             ChainLink{none, Vec3::UnitY(), p.ringMass_kg, none, ring(p.ringMass_kg, p.ringRadius_m, 0)},
             ChainLink{none, Vec3::UnitZ(), p.handleMass_kg, p.handleCentre_T, handle * Mat3::Identity()},
-            ChainLink{p.leverPivot_T, Vec3::UnitZ(), p.leverMass_kg, Vec3(0.0, 0.5 * p.leverLength_m, 0.0), Vec3(lever, 0.01 * lever, lever).asDiagonal()}};
+            ChainLink{p.leverPivot_T, Vec3::UnitZ(), p.leverMass_kg, Vec3(0.0, 0.5 * p.leverLength_m, 0.0),
+                      Vec3(lever, 0.01 * lever, lever).asDiagonal()}};
 }
 
 Vec3 FingertipArmPlace::place_D(const Vec3& q) const noexcept {
@@ -52,8 +57,10 @@ Vec3 FingertipArmPlace::place_D(const Vec3& q) const noexcept {
 
 Mat3 FingertipArmPlace::jacobian(const Vec3& q) const noexcept {
     const double s = std::sin(q[0]), c = std::cos(q[0]);
-    const double outFore = m_geometry.fore_m * std::cos(q[1] + q[2]), downFore = m_geometry.fore_m * std::sin(q[1] + q[2]);
-    const double out = m_geometry.upper_m * std::cos(q[1]) + outFore, down = m_geometry.upper_m * std::sin(q[1]) + downFore;
+    const double outFore = m_geometry.fore_m * std::cos(q[1] + q[2]),
+                 downFore = m_geometry.fore_m * std::sin(q[1] + q[2]);
+    const double out = m_geometry.upper_m * std::cos(q[1]) + outFore,
+                 down = m_geometry.upper_m * std::sin(q[1]) + downFore;
     Mat3 j;
     j << out * c, -down * s, -downFore * s, //
         out * s, down * c, downFore * c,    //
@@ -69,10 +76,12 @@ double FingertipArmPlace::conditionNumber(const Mat3& jacobian) noexcept {
     const double spread = std::sqrt(b.squaredNorm() / 6.0);
     if (!(spread > 0.0))
         return 1.0;
-    const double angle = std::acos(std::clamp(0.5 * b.determinant() / (spread * spread * spread), -1.0, 1.0)) / 3.0;
+    const double angle =
+        std::acos(std::clamp(0.5 * b.determinant() / (spread * spread * spread), -1.0, 1.0)) / 3.0;
     const double largest = mean + 2.0 * spread * std::cos(angle);
     const double smallest = mean + 2.0 * spread * std::cos(angle + 2.0 * core::kPi / 3.0);
-    return smallest > 1e-12 * largest ? std::sqrt(largest / smallest) : std::numeric_limits<double>::infinity();
+    return smallest > 1e-12 * largest ? std::sqrt(largest / smallest)
+                                      : std::numeric_limits<double>::infinity();
 }
 
 const char* wordsFor(ArmReach reach) noexcept {
@@ -93,7 +102,8 @@ const char* wordsFor(ArmReach reach) noexcept {
     return "";
 }
 
-ArmPosture fingertipArmPosture(const FingertipArmParameters& parameters, const Vec3& p_DT, const core::Quat& q_DT, double jaw_rad) noexcept {
+ArmPosture fingertipArmPosture(const FingertipArmParameters& parameters, const Vec3& p_DT,
+                               const core::Quat& q_DT, double jaw_rad) noexcept {
     ArmPosture posture;
     const double norm = q_DT.norm();
     if (!p_DT.allFinite() || !std::isfinite(norm) || !(norm > 0.5) || !std::isfinite(jaw_rad))
@@ -111,9 +121,11 @@ ArmPosture fingertipArmPosture(const FingertipArmParameters& parameters, const V
     FingertipArmJoints& q = posture.q;
     q[0] = std::atan2(from.x(), -from.y());
     q[2] = std::acos(cosine); // the elbow above the line from shoulder to wrist
-    q[1] = std::atan2(-from.z(), out) - std::atan2(g.fore_m * std::sin(q[2]), g.upper_m + g.fore_m * std::cos(q[2]));
+    q[1] = std::atan2(-from.z(), out) -
+           std::atan2(g.fore_m * std::sin(q[2]), g.upper_m + g.fore_m * std::cos(q[2]));
 
-    const double s = std::sin(q[0]), c = std::cos(q[0]), sf = std::sin(q[1] + q[2]), cf = std::cos(q[1] + q[2]);
+    const double s = std::sin(q[0]), c = std::cos(q[0]), sf = std::sin(q[1] + q[2]),
+                 cf = std::cos(q[1] + q[2]);
     Mat3 fore; // R_z(q₁) R_x(q₂ + q₃)
     fore << c, -s * cf, s * sf, s, c * cf, -c * sf, 0.0, sf, cf;
     const Mat3 wrist = fore.transpose() * q_DT.normalized().toRotationMatrix();
@@ -125,7 +137,8 @@ ArmPosture fingertipArmPosture(const FingertipArmParameters& parameters, const V
     q[5] = std::atan2(-wrist(0, 1), wrist(0, 0));
     q[6] = jaw_rad;
     posture.reach = ArmReach::reached;
-    for (int joint = 0; joint < FingertipArmParameters::kJoints && posture.reach == ArmReach::reached; ++joint) {
+    for (int joint = 0; joint < FingertipArmParameters::kJoints && posture.reach == ArmReach::reached;
+         ++joint) {
         const auto i = static_cast<std::size_t>(joint);
         if (q[joint] < parameters.minimum[i] || q[joint] > parameters.maximum[i]) {
             posture.reach = ArmReach::beyondTravel;

@@ -6,7 +6,8 @@
 namespace chiron::mechanisms {
 
 using FingertipArmDynamics = SerialChain<FingertipArmParameters::kJoints>;
-using FingertipArmJoints = FingertipArmDynamics::Vector; ///< yaw, shoulder, elbow, wrist pitch, roll, yaw, jaw; rad
+using FingertipArmJoints =
+    FingertipArmDynamics::Vector; ///< yaw, shoulder, elbow, wrist pitch, roll, yaw, jaw; rad
 
 /// The links of the arm as a chain in D.
 FingertipArmDynamics::Links fingertipArmLinks(const FingertipArmParameters& parameters) noexcept;
@@ -33,10 +34,10 @@ private:
 enum class ArmReach {
     reached,
     notANumber,
-    tooFar,      ///< beyond the stretched arm, or nearer than the folded one
+    tooFar,       ///< beyond the stretched arm, or nearer than the folded one
     overShoulder, ///< straight above or below the shoulder: the yaw is undetermined
-    gimbalLock,  ///< the wrist's first and third axes are in line: only their sum is determined
-    beyondTravel ///< a joint would have to exceed its travel
+    gimbalLock,   ///< the wrist's first and third axes are in line: only their sum is determined
+    beyondTravel  ///< a joint would have to exceed its travel
 };
 const char* wordsFor(ArmReach reach) noexcept;
 
@@ -51,6 +52,7 @@ struct ArmPosture {
 /// Closed form: law of cosines in the arm's plane, then R₃ᵀ R_DT = R_x R_y R_z. Poses within 1e-6 of a
 /// singularity are refused.
 /// Thread: any; allocates nothing.
-ArmPosture fingertipArmPosture(const FingertipArmParameters& parameters, const core::Vec3& p_DT, const core::Quat& q_DT, double jaw_rad = 0.0) noexcept;
+ArmPosture fingertipArmPosture(const FingertipArmParameters& parameters, const core::Vec3& p_DT,
+                               const core::Quat& q_DT, double jaw_rad = 0.0) noexcept;
 
 } // namespace chiron::mechanisms

@@ -35,10 +35,10 @@ struct FingertipArmParameters {
     static constexpr int kJoints = 7;
     /// Joints with an encoder: yaw about z, shoulder and elbow about x, for an arm stretched towards −y.
     static constexpr int kArm = 3;
-    static constexpr int kWrist = 3; ///< first joint of the wrist: about x, y, z
+    static constexpr int kWrist = 3;  ///< first joint of the wrist: about x, y, z
     static constexpr int kHandle = 5; ///< the link that is T
-    static constexpr int kJaw = 6;   ///< the lever of the grasp, about z on the handle; it closes across the
-                                     ///< finger
+    static constexpr int kJaw = 6;    ///< the lever of the grasp, about z on the handle; it closes across the
+                                      ///< finger
     using PerJoint = std::array<double, kJoints>;
 
     FingertipArmGeometry geometry;
@@ -49,10 +49,10 @@ struct FingertipArmParameters {
     double columnInertia_kgm2 = 2.0e-4;
     double upperMass_kg = 0.09;
     double foreMass_kg = 0.06;
-    double ringMass_kg = 0.015;   ///< each of two
+    double ringMass_kg = 0.015; ///< each of two
     double ringRadius_m = 0.045;
     double handleMass_kg = 0.075;
-    double handleRadius_m = 0.035; ///< radius of gyration, isotropic
+    double handleRadius_m = 0.035;                 ///< radius of gyration, isotropic
     core::Vec3 handleCentre_T{0.0, -0.012, 0.012}; ///< centre of mass, from the pad, T
     double leverMass_kg = 0.010;
     core::Vec3 leverPivot_T{0.0, -0.060, 0.0}; ///< T
@@ -64,17 +64,27 @@ struct FingertipArmParameters {
     /// 0.06 N over 50 µm of presliding and 0.5 N·s/m at the pad in the middle of the travel (models.md §4),
     /// plus the bearings of the wrist.
     std::array<LugreParameters, kJoints> friction{
-        LugreParameters{0.020, 120.0, 0.60, 0.050}, LugreParameters{0.020, 120.0, 0.60, 0.050},
-        LugreParameters{0.020, 120.0, 0.60, 0.050}, LugreParameters{4.0e-4, 0.4, 2.0e-3, 1.0e-3},
+        LugreParameters{0.020, 120.0, 0.60, 0.050},   LugreParameters{0.020, 120.0, 0.60, 0.050},
+        LugreParameters{0.020, 120.0, 0.60, 0.050},   LugreParameters{4.0e-4, 0.4, 2.0e-3, 1.0e-3},
         LugreParameters{4.0e-4, 0.4, 2.0e-3, 1.0e-3}, LugreParameters{4.0e-4, 0.4, 2.0e-3, 1.0e-3},
         LugreParameters{1.0e-3, 1.0, 2.0e-3, 5.0e-4}};
 
     // Travel, rad, with rubber stops at its ends. The elbow bends one way only, which selects one of the two
     // postures for a position.
-    PerJoint minimum{core::radFromDeg(-70.0), core::radFromDeg(-85.0), core::radFromDeg(30.0), core::radFromDeg(-170.0),
-                     core::radFromDeg(-75.0), core::radFromDeg(-170.0), 0.0};
-    PerJoint maximum{core::radFromDeg(70.0), core::radFromDeg(60.0), core::radFromDeg(155.0), core::radFromDeg(120.0),
-                     core::radFromDeg(75.0), core::radFromDeg(170.0), 1.6};
+    PerJoint minimum{core::radFromDeg(-70.0),
+                     core::radFromDeg(-85.0),
+                     core::radFromDeg(30.0),
+                     core::radFromDeg(-170.0),
+                     core::radFromDeg(-75.0),
+                     core::radFromDeg(-170.0),
+                     0.0};
+    PerJoint maximum{core::radFromDeg(70.0),
+                     core::radFromDeg(60.0),
+                     core::radFromDeg(155.0),
+                     core::radFromDeg(120.0),
+                     core::radFromDeg(75.0),
+                     core::radFromDeg(170.0),
+                     1.6};
     PerJoint stopStiffness{2000.0, 2000.0, 2000.0, 5.0, 5.0, 5.0, 10.0}; ///< N·m/rad
     PerJoint stopDamping{4.0, 4.0, 4.0, 0.01, 0.01, 0.01, 0.005};        ///< N·m·s/rad, on the way in only
 
@@ -86,7 +96,7 @@ struct FingertipArmParameters {
     /// give; 8 µm at the pad in the middle of the travel. (With the 14 bits of a sensor on the shaft's end a
     /// count would be 0.13 mm at the pad: tests/damping/README.md.)
     int encoderBits = 18;
-    double encoderNoise_counts = 0.2;  ///< SD, white
+    double encoderNoise_counts = 0.2; ///< SD, white
     /// Integral nonlinearity from an off-centre magnet: amplitudes of the terms once and twice per turn, rad.
     std::array<double, 2> encoderRunout_rad{3.5e-4, 1.5e-4};
 
@@ -99,7 +109,9 @@ struct FingertipArmParameters {
 
     int substeps = 4; ///< integration steps per tick, ≥ 4 (4 kHz)
 
-    double encoderResolution_rad() const noexcept { return 2.0 * core::kPi / static_cast<double>(1L << encoderBits); }
+    double encoderResolution_rad() const noexcept {
+        return 2.0 * core::kPi / static_cast<double>(1L << encoderBits);
+    }
 };
 
 } // namespace chiron::mechanisms

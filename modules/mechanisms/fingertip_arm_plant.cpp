@@ -31,7 +31,9 @@ FingertipArmPlant::FingertipArmPlant(const FingertipArmParameters& parameters, s
 void FingertipArmPlant::reset(const Vec3& p_DT) noexcept {
     ArmPosture posture = fingertipArmPosture(m_parameters, p_DT, core::Quat::Identity());
     if (posture.reach != ArmReach::reached)
-        posture = fingertipArmPosture(m_parameters, 0.5 * (m_parameters.boxMinimum_m + m_parameters.boxMaximum_m), core::Quat::Identity());
+        posture =
+            fingertipArmPosture(m_parameters, 0.5 * (m_parameters.boxMinimum_m + m_parameters.boxMaximum_m),
+                                core::Quat::Identity());
     m_q = posture.q;
     m_rates.setZero();
     m_velocityBefore.setZero();
@@ -51,7 +53,8 @@ FingertipArmJoints FingertipArmPlant::stopTorques() const noexcept {
     FingertipArmJoints tau = FingertipArmJoints::Zero();
     for (int joint = 0; joint < kJoints; ++joint) {
         const auto i = static_cast<std::size_t>(joint);
-        const double beyond = m_q[joint] - std::clamp(m_q[joint], m_parameters.minimum[i], m_parameters.maximum[i]);
+        const double beyond =
+            m_q[joint] - std::clamp(m_q[joint], m_parameters.minimum[i], m_parameters.maximum[i]);
         if (beyond == 0.0)
             continue;
         const double inwards = beyond * m_rates[joint] > 0.0 ? m_rates[joint] : 0.0; // no pull on the way out
@@ -64,10 +67,12 @@ void FingertipArmPlant::step(double dt_s, const core::Wrench& onTool_D) noexcept
     const FingertipArmParameters& p = m_parameters;
     FingertipArmDynamics::Matrix inertia = m_dynamics.inertia();
     FingertipArmJoints load = m_dynamics.efforts(kHandle, place(), onTool_D) + stopTorques() -
-                              m_dynamics.inverseDynamics(m_rates, FingertipArmJoints::Zero(), (1.0 - p.counterbalance) * core::kStandardGravity);
+                              m_dynamics.inverseDynamics(m_rates, FingertipArmJoints::Zero(),
+                                                         (1.0 - p.counterbalance) * core::kStandardGravity);
     load[kJaw] += p.fingerStiffness_Nm_per_rad * (m_fingers_rad - m_q[kJaw]);
     for (int joint = 0; joint < kJoints; ++joint)
-        load[joint] += m_friction[static_cast<std::size_t>(joint)].advance(p.friction[static_cast<std::size_t>(joint)], m_rates[joint], dt_s);
+        load[joint] += m_friction[static_cast<std::size_t>(joint)].advance(
+            p.friction[static_cast<std::size_t>(joint)], m_rates[joint], dt_s);
     // (M + dt D) q̇⁺ = M q̇ + dt τ: implicit viscosity never makes energy, however light a joint is.
     const FingertipArmJoints momentum = inertia * m_rates + dt_s * load;
     for (int joint = 0; joint < kJoints; ++joint)
@@ -105,15 +110,19 @@ void FingertipArmPlant::readEncoders() noexcept {
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
         m_counts[axis + kArm] = m_imu.counts()[axis];
-    m_jawCounts = std::clamp(countOf(m_q[kJaw], m_parameters.grasp.resolution_rad()), 0, m_parameters.grasp.steps);
+    m_jawCounts =
+        std::clamp(countOf(m_q[kJaw], m_parameters.grasp.resolution_rad()), 0, m_parameters.grasp.steps);
 }
 
 double FingertipArmPlant::energy_J() const noexcept {
-    double energy = 0.5 * m_rates.dot(m_dynamics.inertia() * m_rates) + (1.0 - m_parameters.counterbalance) * m_dynamics.potential_J();
+    double energy = 0.5 * m_rates.dot(m_dynamics.inertia() * m_rates) +
+                    (1.0 - m_parameters.counterbalance) * m_dynamics.potential_J();
     for (int joint = 0; joint < kJoints; ++joint) {
         const auto i = static_cast<std::size_t>(joint);
-        const double beyond = m_q[joint] - std::clamp(m_q[joint], m_parameters.minimum[i], m_parameters.maximum[i]);
-        energy += 0.5 * (m_parameters.friction[i].bristleStiffness * m_friction[i].bristle() * m_friction[i].bristle() +
+        const double beyond =
+            m_q[joint] - std::clamp(m_q[joint], m_parameters.minimum[i], m_parameters.maximum[i]);
+        energy += 0.5 * (m_parameters.friction[i].bristleStiffness * m_friction[i].bristle() *
+                             m_friction[i].bristle() +
                          m_parameters.stopStiffness[i] * beyond * beyond);
     }
     const double pinch = m_fingers_rad - m_q[kJaw];
@@ -133,7 +142,11 @@ double FingertipArmPlant::apparent(bool turning) const noexcept {
     return mobility.inverse().trace() / 3.0;
 }
 
-double FingertipArmPlant::apparentMass_kg() const noexcept { return apparent(false); }
-double FingertipArmPlant::apparentInertia_kgm2() const noexcept { return apparent(true); }
+double FingertipArmPlant::apparentMass_kg() const noexcept {
+    return apparent(false);
+}
+double FingertipArmPlant::apparentInertia_kgm2() const noexcept {
+    return apparent(true);
+}
 
 } // namespace chiron::mechanisms

@@ -23,19 +23,20 @@ constexpr int kPoseJoints = 6; // the seventh is the lever
 constexpr double kDifference_rad = 1e-6;
 
 /// Visits corners, edges, faces and inside of the box that sessions use.
-template <class Visit>
-void overTheBox(const FingertipArmParameters& p, int steps, Visit&& visit) {
+template <class Visit> void overTheBox(const FingertipArmParameters& p, int steps, Visit&& visit) {
     for (int i = 0; i <= steps; ++i)
         for (int j = 0; j <= steps; ++j)
             for (int k = 0; k <= steps; ++k) {
-                const Vec3 share(static_cast<double>(i) / steps, static_cast<double>(j) / steps, static_cast<double>(k) / steps);
+                const Vec3 share(static_cast<double>(i) / steps, static_cast<double>(j) / steps,
+                                 static_cast<double>(k) / steps);
                 visit(Vec3(p.boxMinimum_m + share.cwiseProduct(p.boxMaximum_m - p.boxMinimum_m)));
             }
 }
 
 /// Attitudes with the pad down, and leaned or turned as far as a hand does in palpation.
 std::array<Vec3, 6> attitudes() {
-    return {Vec3(0.0, 0.0, 0.0), Vec3(0.6, 0.0, 0.0), Vec3(-0.6, 0.0, 0.0), Vec3(0.0, 0.6, 0.0), Vec3(0.0, -0.6, 0.0), Vec3(0.0, 0.0, 0.8)};
+    return {Vec3(0.0, 0.0, 0.0), Vec3(0.6, 0.0, 0.0),  Vec3(-0.6, 0.0, 0.0),
+            Vec3(0.0, 0.6, 0.0), Vec3(0.0, -0.6, 0.0), Vec3(0.0, 0.0, 0.8)};
 }
 
 /// Central difference of the handle's position and attitude by one joint angle.
@@ -63,7 +64,8 @@ double potentialSlope(FingertipArmDynamics& chain, const FingertipArmJoints& q, 
     return (above - chain.potential_J()) / (2.0 * kDifference_rad);
 }
 
-void checkPose(FingertipArmVerification& v, FingertipArmDynamics& chain, const FingertipArmParameters& p, const Vec3& at, const Quat& turn) {
+void checkPose(FingertipArmVerification& v, FingertipArmDynamics& chain, const FingertipArmParameters& p,
+               const Vec3& at, const Quat& turn) {
     ++v.poses;
     const ArmPosture posture = fingertipArmPosture(p, at, turn);
     if (posture.reach != ArmReach::reached)
@@ -71,13 +73,16 @@ void checkPose(FingertipArmVerification& v, FingertipArmDynamics& chain, const F
     ++v.reached;
     chain.place(posture.q);
     v.inverse_m = std::max(v.inverse_m, (chain.joint(kArmHandle) - at).norm());
-    v.inverse_rad = std::max(v.inverse_rad, rotationVectorOf(Quat(chain.orientation(kArmHandle)) * turn.conjugate()).norm());
+    v.inverse_rad = std::max(v.inverse_rad,
+                             rotationVectorOf(Quat(chain.orientation(kArmHandle)) * turn.conjugate()).norm());
     const FingertipArmDynamics::Jacobian jacobian = chain.jacobian(kArmHandle, chain.joint(kArmHandle));
     const FingertipArmJoints gravity = chain.gravity();
     for (int joint = 0; joint < kPoseJoints; ++joint)
-        v.jacobian = std::max(v.jacobian, (jacobian.col(joint) - difference(chain, posture.q, joint)).cwiseAbs().maxCoeff());
+        v.jacobian = std::max(
+            v.jacobian, (jacobian.col(joint) - difference(chain, posture.q, joint)).cwiseAbs().maxCoeff());
     for (int joint = 0; joint < kArmJoints; ++joint)
-        v.gravity_Nm = std::max(v.gravity_Nm, std::abs(gravity[joint] - potentialSlope(chain, posture.q, joint)));
+        v.gravity_Nm =
+            std::max(v.gravity_Nm, std::abs(gravity[joint] - potentialSlope(chain, posture.q, joint)));
     const core::Mat3 ofPlace = FingertipArmPlace(p.geometry).jacobian(posture.q.head<3>());
     v.condition = std::max(v.condition, FingertipArmPlace::conditionNumber(ofPlace));
     const Eigen::RowVector3d counts = p.encoderResolution_rad() * ofPlace.colwise().norm();
@@ -87,12 +92,15 @@ void checkPose(FingertipArmVerification& v, FingertipArmDynamics& chain, const F
 
 /// Checks the arm at rest at a position: its weight on a hand, its sinking without one, the mass that a hand
 /// moves, and the position that its encoders report.
-void checkRest(FingertipArmVerification& v, const FingertipArmParameters& p, std::uint64_t seed, const Vec3& at) {
+void checkRest(FingertipArmVerification& v, const FingertipArmParameters& p, std::uint64_t seed,
+               const Vec3& at) {
     FingertipArmPlant arm(p, seed);
     arm.reset(at);
     const FingertipArmPlace place(p.geometry);
     const auto counts = arm.encoderCounts();
-    v.place_m = std::max(v.place_m, (place.place_D(p.encoderResolution_rad() * Vec3(counts[0], counts[1], counts[2])) - at).norm());
+    v.place_m = std::max(
+        v.place_m,
+        (place.place_D(p.encoderResolution_rad() * Vec3(counts[0], counts[1], counts[2])) - at).norm());
     const Vec3 left = (1.0 - p.counterbalance) * arm.dynamics().gravity().head<3>();
     const core::Mat3 j = place.jacobian(arm.q().head<3>());
     v.weight_N = std::max(v.weight_N, Vec3(j.transpose().inverse() * left).norm());
@@ -163,12 +171,16 @@ double FingertipArmVerification::frictionError() const noexcept {
 
 bool FingertipArmVerification::holds() const noexcept {
     using Bounds = FingertipArmBounds;
-    return poses > 0 && reached == poses && condition <= Bounds::kCondition && inverse_m <= Bounds::kInverse_m && inverse_rad <= Bounds::kInverse_rad &&
-           jacobian <= Bounds::kJacobian && gravity_Nm <= Bounds::kGravity_Nm && weight_N <= Bounds::kWeight_N && sinks_m <= Bounds::kSinks_m &&
-           !drags.empty() && frictionError() <= Bounds::kFriction && countMost_m <= Bounds::kCount_m && place_m <= Bounds::kPlace_m;
+    return poses > 0 && reached == poses && condition <= Bounds::kCondition &&
+           inverse_m <= Bounds::kInverse_m && inverse_rad <= Bounds::kInverse_rad &&
+           jacobian <= Bounds::kJacobian && gravity_Nm <= Bounds::kGravity_Nm &&
+           weight_N <= Bounds::kWeight_N && sinks_m <= Bounds::kSinks_m && !drags.empty() &&
+           frictionError() <= Bounds::kFriction && countMost_m <= Bounds::kCount_m &&
+           place_m <= Bounds::kPlace_m;
 }
 
-FingertipArmVerification verifyFingertipArm(const FingertipArmParameters& parameters, std::uint64_t seed, const FingertipArmVerificationSettings& settings) {
+FingertipArmVerification verifyFingertipArm(const FingertipArmParameters& parameters, std::uint64_t seed,
+                                            const FingertipArmVerificationSettings& settings) {
     FingertipArmVerification v;
     v.encoderBits = parameters.encoderBits;
     v.countLeast_m = v.massLeast_kg = 1e9;

@@ -26,7 +26,8 @@ public:
     /// The motors are off: discards the integrals; the next tick starts from the encoders' position.
     void rest(const core::Vec3& encoders_m) noexcept;
     /// Runs one tick and returns the motor forces, N. `fresh` means that `force_N` is a new reading.
-    core::Vec3 tick(const core::DisplayPose& wanted, double force_N, bool fresh, const core::Vec3& encoders_m) noexcept;
+    core::Vec3 tick(const core::DisplayPose& wanted, double force_N, bool fresh,
+                    const core::Vec3& encoders_m) noexcept;
     const FingertipPose& reference() const noexcept { return m_reference; }
 
     double mostWanted_N() const noexcept { ///< larger requests are cut to this; it is lower while the
@@ -52,19 +53,19 @@ private:
     core::Vec3 m_integral = core::Vec3::Zero();
     core::Vec3 m_before = core::Vec3::Zero(); ///< encoder values of the previous tick
     core::Vec3 m_speed = core::Vec3::Zero();
-    double m_depth_m = 0.0;            ///< s
+    double m_depth_m = 0.0; ///< s
     double m_depthRate_m_per_s = 0.0;
     double m_depthAcceleration_m_per_s2 = 0.0;
-    double m_expected_N = 0.0;         ///< F_s
-    std::array<double, 2> m_lean{};    ///< pitch, roll
+    double m_expected_N = 0.0;      ///< F_s
+    std::array<double, 2> m_lean{}; ///< pitch, roll
     std::array<double, 2> m_leanRate{};
     std::array<double, 2> m_leanAcceleration{};
-    double m_turning = 0.0;            ///< 0 where the platform leans as requested, 1 from 3° off
+    double m_turning = 0.0; ///< 0 where the platform leans as requested, 1 from 3° off
     static constexpr std::size_t kLine = 64;
     std::array<double, kLine> m_expectedLine{};
     std::size_t m_now = 0;
     double m_expectedBefore_N = 0.0;
-    double m_turn = 0.0;               ///< state of the resistors' hysteresis, −1..1
+    double m_turn = 0.0; ///< state of the resistors' hysteresis, −1..1
     double m_correction_m = 0.0;
     double m_errorBefore_N = 0.0;
     bool m_started = false;

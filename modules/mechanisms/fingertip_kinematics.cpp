@@ -30,14 +30,18 @@ Turned turnedBy(double pitch, double roll) noexcept {
     m0a << -sa, 0.0, ca, sb * ca, 0.0, sb * sa, -cb * ca, 0.0, -cb * sa;
     const double y = m0(0, 1) - m0(1, 0), x = m0(0, 0) + m0(1, 1), r2 = x * x + y * y;
     const double r = std::sqrt(r2), cg = x / r, sg = y / r;
-    const auto gammaBy = [&](const Mat3& d) { return (x * (d(0, 1) - d(1, 0)) - y * (d(0, 0) + d(1, 1))) / r2; };
+    const auto gammaBy = [&](const Mat3& d) {
+        return (x * (d(0, 1) - d(1, 0)) - y * (d(0, 0) + d(1, 1))) / r2;
+    };
     Mat3 z, zBy;
     z << cg, -sg, 0.0, sg, cg, 0.0, 0.0, 0.0, 1.0;
     zBy << -sg, -cg, 0.0, cg, -sg, 0.0, 0.0, 0.0, 0.0;
     return {m0 * z, m0b * z + gammaBy(m0b) * (m0 * zBy), m0a * z + gammaBy(m0a) * (m0 * zBy)};
 }
 
-Vec3 centreOf(const Mat3& m, double r) noexcept { return {0.5 * r * (m(0, 0) - m(1, 1)), -r * m(1, 0), 0.0}; }
+Vec3 centreOf(const Mat3& m, double r) noexcept {
+    return {0.5 * r * (m(0, 0) - m(1, 1)), -r * m(1, 0), 0.0};
+}
 
 } // namespace
 
@@ -55,7 +59,8 @@ FingertipLoop FingertipKinematics::loop(const FingertipPose& pose) const noexcep
         const Vec3 arm(r * kCos[k], r * kSin[k], 0.0);
         const Vec3 p = out.centre + t.m * arm;
         Mat3 pBy;
-        pBy << out.centreBy.col(0), out.centreBy.col(1) + t.byPitch * arm, out.centreBy.col(2) + t.byRoll * arm;
+        pBy << out.centreBy.col(0), out.centreBy.col(1) + t.byPitch * arm,
+            out.centreBy.col(2) + t.byRoll * arm;
         const double s = m_geometry.railRadius_m - (kCos[k] * p.x() + kSin[k] * p.y());
         const double rise2 = leg * leg - s * s;
         out.reached = out.reached && rise2 > kLeastLegRise * kLeastLegRise * leg * leg;

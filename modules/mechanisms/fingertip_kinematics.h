@@ -34,10 +34,10 @@ struct FingertipPose {
 /// All kinematic quantities at one pose. Frame F: x across the finger, y along it, z towards the pad; its
 /// origin lies on the axis of the rails.
 struct FingertipLoop {
-    core::Vec3 centre = core::Vec3::Zero();       ///< c = (c_x, c_y, z)
-    core::Mat3 turn = core::Mat3::Identity();     ///< M
-    core::Vec3 normal{0.0, 0.0, 1.0};             ///< of the platform: (sin α, −sin β cos α, cos β cos α)
-    core::Vec3 drives = core::Vec3::Zero();       ///< q_i, m
+    core::Vec3 centre = core::Vec3::Zero();   ///< c = (c_x, c_y, z)
+    core::Mat3 turn = core::Mat3::Identity(); ///< M
+    core::Vec3 normal{0.0, 0.0, 1.0};         ///< of the platform: (sin α, −sin β cos α, cos β cos α)
+    core::Vec3 drives = core::Vec3::Zero();   ///< q_i, m
     core::Mat3 jacobian = core::Mat3::Identity(); ///< G = ∂q/∂(z, β, α)
     core::Mat3 centreBy = core::Mat3::Zero();     ///< ∂c/∂(z, β, α), columns
     core::Mat3 normalBy = core::Mat3::Zero();     ///< ∂n/∂(z, β, α), columns
@@ -46,7 +46,8 @@ struct FingertipLoop {
 
 /// P3's platform: three vertical rails at radius R0 and angles φ_i = 0°, 120°, 240°, with legs of length L to
 /// the joints at radius r (devices.md §5):
-///   p_i = c + M r (cos φ_i, sin φ_i, 0),  s_i = R0 − (cos φ_i p_ix + sin φ_i p_iy),  q_i = p_iz − √(L² − s_i²).
+///   p_i = c + M r (cos φ_i, sin φ_i, 0),  s_i = R0 − (cos φ_i p_ix + sin φ_i p_iy),  q_i = p_iz − √(L² −
+///   s_i²).
 /// Legs that are confined to radial planes force M₁₂ = M₂₁, c_x = r(M₁₁ − M₂₂)/2, c_y = −r M₂₁ with M =
 /// R_x(β) R_y(α) R_z(γ), γ = atan2(M⁰₁₂ − M⁰₂₁, M⁰₁₁ + M⁰₂₂) from M⁰ = R_x(β) R_y(α). P3 does not state which
 /// joints it used. With q˙ = G (z˙, β˙, α˙), drive forces f give the platform the force Gᵀ f. The pose is
@@ -77,7 +78,7 @@ public:
     }
     FingertipPose limited(const FingertipPose& pose) const noexcept; ///< clamps to the travel
 
-    static constexpr double kLeastLegRise = 0.2;       ///< √(L² − s²)/L below which a leg lies too flat to push
+    static constexpr double kLeastLegRise = 0.2; ///< √(L² − s²)/L below which a leg lies too flat to push
     static constexpr double kLeastDeterminant = 0.02; ///< of det G/r², which is 3√3/2 at level
 
 private:

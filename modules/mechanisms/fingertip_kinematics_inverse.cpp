@@ -12,7 +12,9 @@ namespace chiron::mechanisms {
 namespace {
 constexpr double kSlack = 1e-9; ///< a limit itself counts as inside, despite rounding in a round trip
 
-auto refuse(const std::string& what) { return core::fail(core::ErrorCode::badInput, "fingertip platform: " + what); }
+auto refuse(const std::string& what) {
+    return core::fail(core::ErrorCode::badInput, "fingertip platform: " + what);
+}
 
 core::Result<void> checked(const FingertipGeometry& g, const FingertipPose& pose, const FingertipLoop& loop) {
     if (!(std::abs(pose.pitch_rad) <= g.maximumPitch_rad + kSlack))

@@ -21,7 +21,8 @@ struct PadReading {
 /// of `nominal`.
 /// Errors: badInput if fewer than 20 readings lie between 0.05 and `most_N`, or if they do not rise with the
 /// height.
-core::Result<FingerPadParameters> fitPad(const std::vector<PadReading>& readings, double most_N, const FingerPadParameters& nominal);
+core::Result<FingerPadParameters> fitPad(const std::vector<PadReading>& readings, double most_N,
+                                         const FingerPadParameters& nominal);
 
 /// Presses the finger three times up to 2.2 N with a level platform, and fits what the device's own sensors
 /// reported while the force rose; readings on the way back, after relaxation, would make the pad look softer
@@ -30,7 +31,8 @@ core::Result<FingerPadParameters> fitPad(const std::vector<PadReading>& readings
 /// the tick.
 /// Errors: badInput if no finger is met within the travel or the motors do not press it that far, and as for
 /// fitPad.
-core::Result<FingerPadParameters> identifyPad(const FingertipPlatformParameters& parameters, std::uint64_t seed);
+core::Result<FingerPadParameters> identifyPad(const FingertipPlatformParameters& parameters,
+                                              std::uint64_t seed);
 
 /// Returns `parameters` with the identified pad in the controller's parameters.
 core::Result<FingertipPlatformParameters> worn(FingertipPlatformParameters parameters, std::uint64_t seed);

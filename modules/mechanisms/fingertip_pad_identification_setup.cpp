@@ -11,13 +11,15 @@ namespace chiron::mechanisms {
 
 namespace {
 
-constexpr double kMost_N = 2.2;      ///< above P3's palpations, and half of what the pad may get
-constexpr double kLeast_N = 0.05;    ///< below it the readings are noise
+constexpr double kMost_N = 2.2;   ///< above P3's palpations, and half of what the pad may get
+constexpr double kLeast_N = 0.05; ///< below it the readings are noise
 /// A press in an eighth of a second, as in palpation: little has relaxed by then.
 constexpr double kSpeed_m_per_s = 0.012;
 constexpr int kPresses = 3;
 
-core::Error refusal(const char* what) { return {core::ErrorCode::badInput, std::string("finger pad: ") + what}; }
+core::Error refusal(const char* what) {
+    return {core::ErrorCode::badInput, std::string("finger pad: ") + what};
+}
 
 /// F = A e^{β(z − z_m)} − B at one β, and the residual of the readings.
 struct LinearFit {
@@ -47,7 +49,8 @@ LinearFit fitAt(const std::vector<PadReading>& readings, double beta, double mid
 class SlowPress {
 public:
     SlowPress(const FingertipPlatformParameters& parameters, std::uint64_t seed)
-        : m_p(parameters), m_kinematics(parameters.geometry), m_plant(parameters), m_force(parameters.force, seed) {
+        : m_p(parameters), m_kinematics(parameters.geometry), m_plant(parameters),
+          m_force(parameters.force, seed) {
         m_pose.z_m = parameters.geometry.minimumZ_m + 0.002;
         m_plant.reset(m_pose);
         m_before = encoders();
@@ -61,8 +64,9 @@ public:
         m_integral += core::kTickSeconds * m_p.control.integral_N_per_ms * error;
         m_speed += 0.5 * ((at - m_before) / core::kTickSeconds - m_speed);
         m_before = at;
-        const core::Vec3 force = m_p.control.proportional_N_per_m * error + m_integral +
-                                 m_p.control.derivative_Ns_per_m * (core::Vec3::Constant(speed_m_per_s) - m_speed);
+        const core::Vec3 force =
+            m_p.control.proportional_N_per_m * error + m_integral +
+            m_p.control.derivative_Ns_per_m * (core::Vec3::Constant(speed_m_per_s) - m_speed);
         for (int n = 0; n < m_p.substeps; ++n)
             m_plant.step(core::kTickSeconds / m_p.substeps, force);
         m_force.tick(m_plant.padForce_N(), m_plant.padPlace());
@@ -71,7 +75,8 @@ public:
         // The reading below belongs to an earlier height (by the stated delay of the sensors), so heights go
         // through a delay line.
         m_heights[m_now] = sensed.z_m;
-        const std::size_t late = static_cast<std::size_t>(std::clamp(m_p.control.senseDelay_ticks, 0, static_cast<int>(kLine) - 1));
+        const std::size_t late = static_cast<std::size_t>(
+            std::clamp(m_p.control.senseDelay_ticks, 0, static_cast<int>(kLine) - 1));
         const double height_m = m_heights[(m_now + kLine - late) % kLine];
         m_now = (m_now + 1) % kLine;
         return {height_m, m_force.force_N() / (1.0 - m_p.control.sensorHysteresis)};
@@ -100,7 +105,8 @@ private:
 
 } // namespace
 
-core::Result<FingerPadParameters> fitPad(const std::vector<PadReading>& readings, double most_N, const FingerPadParameters& nominal) {
+core::Result<FingerPadParameters> fitPad(const std::vector<PadReading>& readings, double most_N,
+                                         const FingerPadParameters& nominal) {
     std::vector<PadReading> used;
     double middle = 0.0;
     for (const PadReading& r : readings) {
@@ -132,7 +138,8 @@ core::Result<FingerPadParameters> fitPad(const std::vector<PadReading>& readings
     return pad;
 }
 
-core::Result<FingerPadParameters> identifyPad(const FingertipPlatformParameters& parameters, std::uint64_t seed) {
+core::Result<FingerPadParameters> identifyPad(const FingertipPlatformParameters& parameters,
+                                              std::uint64_t seed) {
     SlowPress press(parameters, seed);
     std::vector<PadReading> readings;
     bool met = false;
@@ -140,10 +147,12 @@ core::Result<FingerPadParameters> identifyPad(const FingertipPlatformParameters&
         for (PadReading r = press.tick(0.0); r.force_N < kMost_N; readings.push_back(r)) {
             met = met || r.force_N > 2.0 * kLeast_N;
             if (press.height_m() >= parameters.geometry.maximumZ_m)
-                return tl::unexpected(refusal(met ? "the motors do not press it up to 2.2 N" : "no finger was met within the platform's travel"));
+                return tl::unexpected(refusal(met ? "the motors do not press it up to 2.2 N"
+                                                  : "no finger was met within the platform's travel"));
             r = press.tick(kSpeed_m_per_s);
         }
-        while (press.tick(-kSpeed_m_per_s).force_N > 0.5 * kLeast_N && press.height_m() > parameters.geometry.minimumZ_m) {
+        while (press.tick(-kSpeed_m_per_s).force_N > 0.5 * kLeast_N &&
+               press.height_m() > parameters.geometry.minimumZ_m) {
         }
     }
     return fitPad(readings, kMost_N, parameters.control.pad);

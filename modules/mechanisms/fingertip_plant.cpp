@@ -8,7 +8,8 @@ using core::Vec3;
 FingertipPlant::FingertipPlant(const FingertipPlatformParameters& parameters) noexcept
     : m_p(parameters), m_kinematics(parameters.geometry), m_pad(parameters.pad) {
     const double r2 = m_p.geometry.platformRadius_m * m_p.geometry.platformRadius_m;
-    const double turning = 0.25 * m_p.drive.platformMass_kg * r2 + 1.5 * m_p.drive.carriageMass_kg * r2; // a disc
+    const double turning =
+        0.25 * m_p.drive.platformMass_kg * r2 + 1.5 * m_p.drive.carriageMass_kg * r2; // a disc
     m_mass = {m_p.drive.platformMass_kg + 3.0 * m_p.drive.carriageMass_kg, turning, turning};
     m_band = m_p.drive.bandStiffness_N_per_m * Vec3(1.0, 0.5 * r2, 0.5 * r2);
     reset({});
@@ -44,8 +45,10 @@ void FingertipPlant::step(double dt_s, const Vec3& motorForces) noexcept {
         m_saturated = m_saturated || asked != motorForces[i];
         m_motorForce[i] += lag * (asked - m_motorForce[i]);
         if (const double stretch = gearStretch(i); stretch != 0.0)
-            gear[i] = a.gearStiffness_N_per_m * stretch + a.gearDamping_Ns_per_m * (m_motorRate[i] - driveRates[i]);
-        const double bristle = m_friction[static_cast<std::size_t>(i)].advance(a.friction, m_motorRate[i], dt_s);
+            gear[i] =
+                a.gearStiffness_N_per_m * stretch + a.gearDamping_Ns_per_m * (m_motorRate[i] - driveRates[i]);
+        const double bristle =
+            m_friction[static_cast<std::size_t>(i)].advance(a.friction, m_motorRate[i], dt_s);
         m_motorRate[i] = (m_motorRate[i] + dt_s / a.motorMass_kg * (m_motorForce[i] + bristle - gear[i])) /
                          (1.0 + dt_s * a.friction.viscous / a.motorMass_kg);
         m_motor[i] += dt_s * m_motorRate[i];
@@ -67,7 +70,8 @@ void FingertipPlant::step(double dt_s, const Vec3& motorForces) noexcept {
 void FingertipPlant::stopAtEnds() noexcept {
     const FingertipGeometry& g = m_p.geometry;
     constexpr double kBeyond_m = 0.0005, kBeyond_rad = 0.07;
-    const Vec3 high(g.maximumZ_m + kBeyond_m, g.maximumPitch_rad + kBeyond_rad, g.maximumRoll_rad + kBeyond_rad);
+    const Vec3 high(g.maximumZ_m + kBeyond_m, g.maximumPitch_rad + kBeyond_rad,
+                    g.maximumRoll_rad + kBeyond_rad);
     const Vec3 low(g.minimumZ_m - kBeyond_m, -high[1], -high[2]);
     Vec3 x = m_pose.vector();
     for (int i = 0; i < 3; ++i) {
@@ -80,11 +84,13 @@ void FingertipPlant::stopAtEnds() noexcept {
 }
 
 double FingertipPlant::energy_J() const noexcept {
-    double energy = 0.5 * m_rates.dot(m_mass.cwiseProduct(m_rates)) + 0.5 * m_p.drive.motorMass_kg * m_motorRate.squaredNorm() +
-                    m_pad.energy_J(depth()) + 0.5 * m_pose.vector().dot(m_band.cwiseProduct(m_pose.vector()));
+    double energy = 0.5 * m_rates.dot(m_mass.cwiseProduct(m_rates)) +
+                    0.5 * m_p.drive.motorMass_kg * m_motorRate.squaredNorm() + m_pad.energy_J(depth()) +
+                    0.5 * m_pose.vector().dot(m_band.cwiseProduct(m_pose.vector()));
     for (int i = 0; i < 3; ++i)
         energy += 0.5 * m_p.drive.gearStiffness_N_per_m * gearStretch(i) * gearStretch(i) +
-                  0.5 * m_p.drive.friction.bristleStiffness * m_friction[static_cast<std::size_t>(i)].bristle() *
+                  0.5 * m_p.drive.friction.bristleStiffness *
+                      m_friction[static_cast<std::size_t>(i)].bristle() *
                       m_friction[static_cast<std::size_t>(i)].bristle();
     return energy;
 }

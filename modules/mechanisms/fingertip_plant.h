@@ -30,9 +30,11 @@ public:
     const FingertipPose& pose() const noexcept { return m_pose; }
     const FingertipLoop& loop() const noexcept { return m_loop; }
     const core::Vec3& motors() const noexcept { return m_motor; } ///< q_m, m
-    void shiftFinger(double up_m) noexcept { m_shift_m = up_m; } ///< moves the finger in its holder, along z,
-                                                                 ///< m
-    double padForce_N() const noexcept { return m_padForce_N; }   ///< along the platform's normal, ≥ 0
+    void shiftFinger(double up_m) noexcept {
+        m_shift_m = up_m;
+    }                                                           ///< moves the finger in its holder, along z,
+                                                                ///< m
+    double padForce_N() const noexcept { return m_padForce_N; } ///< along the platform's normal, ≥ 0
     core::Vec2 padPlace() const noexcept { return m_pad.place(m_loop); }
     bool saturated() const noexcept { return m_saturated; } ///< in the last step
     /// Kinetic energy and that of gears, bands and pad, for a pad that does not relax.
@@ -50,11 +52,11 @@ private:
     FingertipPlatformParameters m_p;
     FingertipKinematics m_kinematics;
     FingerPad m_pad;
-    core::Vec3 m_mass;      ///< diagonal of M
-    core::Vec3 m_band;      ///< stiffness for z, β, α
+    core::Vec3 m_mass; ///< diagonal of M
+    core::Vec3 m_band; ///< stiffness for z, β, α
     FingertipPose m_pose;
     FingertipLoop m_loop;
-    core::Vec3 m_rates = core::Vec3::Zero();      ///< ẋ
+    core::Vec3 m_rates = core::Vec3::Zero(); ///< ẋ
     core::Vec3 m_motor = core::Vec3::Zero();
     core::Vec3 m_motorRate = core::Vec3::Zero();
     core::Vec3 m_motorForce = core::Vec3::Zero(); ///< after the amplifier

@@ -3,8 +3,10 @@
 
 namespace chiron::mechanisms {
 
-FingertipPlatform::FingertipPlatform(const FingertipPlatformParameters& parameters, std::uint64_t seed) noexcept
-    : m_parameters(parameters), m_plant(parameters), m_force(parameters.force, seed), m_imu(parameters.imu, seed),
+FingertipPlatform::FingertipPlatform(const FingertipPlatformParameters& parameters,
+                                     std::uint64_t seed) noexcept
+    : m_parameters(parameters), m_plant(parameters), m_force(parameters.force, seed),
+      m_imu(parameters.imu, seed),
       m_controller(parameters.geometry, parameters.drive, parameters.control,
                    core::kTickSeconds * std::max(parameters.force.period_ticks, 1)) {
     m_parameters.substeps = std::max(parameters.substeps, 8);
@@ -12,7 +14,8 @@ FingertipPlatform::FingertipPlatform(const FingertipPlatformParameters& paramete
 }
 
 void FingertipPlatform::reset() noexcept {
-    const FingertipPose clear{m_parameters.control.pad.surface_m - m_parameters.control.clearance_m, 0.0, 0.0};
+    const FingertipPose clear{m_parameters.control.pad.surface_m - m_parameters.control.clearance_m, 0.0,
+                              0.0};
     m_plant.reset(clear);
     m_force.reset();
     m_imu.reset();

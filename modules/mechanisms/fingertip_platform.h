@@ -20,8 +20,8 @@ public:
     /// Runs one tick of 1 ms. `wanted` is to be displayed; with `enabled` false the motors are off.
     void tick(const core::DisplayPose& wanted, bool enabled) noexcept;
 
-    const core::DisplayPose& truth() const noexcept { return m_truth; } ///< the true action on the pad
-    double sensedForce_N() const noexcept { return m_force.force_N(); } ///< from the three resistors
+    const core::DisplayPose& truth() const noexcept { return m_truth; }   ///< the true action on the pad
+    double sensedForce_N() const noexcept { return m_force.force_N(); }   ///< from the three resistors
     double sensedPitch_rad() const noexcept { return m_imu.pitch_rad(); } ///< from the platform's IMU
     double sensedRoll_rad() const noexcept { return m_imu.roll_rad(); }
     bool saturated() const noexcept { return m_saturated; } ///< a motor ran at its limit in the last tick

@@ -9,7 +9,8 @@ constexpr std::array<double, 3> kAlong{0.5, -1.0, 0.5}; ///< e_i at 60°, 180°,
 constexpr std::array<double, 3> kAcross{kHalfRoot3, 0.0, -kHalfRoot3};
 } // namespace
 
-FingertipForceSensors::FingertipForceSensors(const FingertipForceSensorParameters& parameters, std::uint64_t seed) noexcept
+FingertipForceSensors::FingertipForceSensors(const FingertipForceSensorParameters& parameters,
+                                             std::uint64_t seed) noexcept
     : m_p(parameters), m_seed(seed), m_random(seed) {
     m_p.delay_ticks = std::clamp(m_p.delay_ticks, 0, kLine - 1);
     m_p.period_ticks = std::max(m_p.period_ticks, 1);
@@ -61,7 +62,8 @@ bool FingertipForceSensors::tick(double force_N, const core::Vec2& place_m) noex
     std::array<double, 3> share{};
     double sum = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-        share[i] = std::max(0.0, 1.0 / 3.0 + 2.0 / 3.0 * (kAlong[i] * place_m.x() + kAcross[i] * place_m.y()) / m_p.radius_m);
+        share[i] = std::max(
+            0.0, 1.0 / 3.0 + 2.0 / 3.0 * (kAlong[i] * place_m.x() + kAcross[i] * place_m.y()) / m_p.radius_m);
         sum += share[i]; // beyond the tripod's edge the plate rests on two
     }
     std::array<double, 3> load{};
@@ -80,7 +82,8 @@ bool FingertipForceSensors::tick(double force_N, const core::Vec2& place_m) noex
     for (std::size_t i = 0; i < 3; ++i) {
         const Sensor& s = m_sensor[i];
         // While loading it shows too little, while unloading too much; a static load is shown truly.
-        const double shown = load[i] - m_p.hysteresis * (load[i] - m_p.preload_N) * s.turn - m_p.creep * (load[i] - s.late) +
+        const double shown = load[i] - m_p.hysteresis * (load[i] - m_p.preload_N) * s.turn -
+                             m_p.creep * (load[i] - s.late) +
                              m_p.noise_N / std::sqrt(3.0) * m_random.normal();
         m_counts[i] = countsFor(i, shown, m_p.adcNoise_counts * m_random.normal());
         total += loadOf(m_counts[i]) - s.tare_N;

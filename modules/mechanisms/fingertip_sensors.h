@@ -25,15 +25,19 @@ public:
     /// Runs one tick with the force on the plate and its position. Returns true if a reading is new.
     bool tick(double force_N, const core::Vec2& place_m) noexcept;
 
-    double force_N() const noexcept { return m_line[index(m_p.delay_ticks)]; } ///< sum of the three, as the
-                                                                               ///< host knows it
-    const std::array<int, 3>& counts() const noexcept { return m_counts; }     ///< newest
+    double force_N() const noexcept {
+        return m_line[index(m_p.delay_ticks)];
+    }                                                                      ///< sum of the three, as the
+                                                                           ///< host knows it
+    const std::array<int, 3>& counts() const noexcept { return m_counts; } ///< newest
     double resolution_N(double load_N) const noexcept; ///< newtons per count of one sensor at a load on it
     int fullScale() const noexcept { return (1 << m_p.adcBits) - 1; }
 
 private:
     static constexpr int kLine = 64;
-    std::size_t index(int ticksAgo) const noexcept { return static_cast<std::size_t>((m_now + kLine - ticksAgo) % kLine); }
+    std::size_t index(int ticksAgo) const noexcept {
+        return static_cast<std::size_t>((m_now + kLine - ticksAgo) % kLine);
+    }
     int countsFor(std::size_t sensor, double load_N, double noise_counts) const noexcept;
     double loadOf(int counts) const noexcept;
 

@@ -22,19 +22,19 @@ struct FingertipPublished {
 /// Settings of the verification. P3 prints the peak and the number of cycles, but neither the sine's
 /// frequency nor N_s: both are ASSUMPTIONS.
 struct FingertipVerificationSettings {
-    double frequency_Hz = 0.5;   ///< 0.05..5
-    double peak_N = 1.0;         ///< P3; > 0, ≤ 4
-    int poses = 100;             ///< N_s, 1..10000
-    double settle_s = 0.6;       ///< from a pose's command to its reading, 0.1..5
+    double frequency_Hz = 0.5; ///< 0.05..5
+    double peak_N = 1.0;       ///< P3; > 0, ≤ 4
+    int poses = 100;           ///< N_s, 1..10000
+    double settle_s = 0.6;     ///< from a pose's command to its reading, 0.1..5
     /// Amplitude of the finger's movement in its holder, at 0.3 Hz while the sine runs, caused by muscles and
     /// pulse; 0..0.001 m. ASSUMPTION.
     double fingerMoves_m = 0.00015;
-    bool feedback = true;        ///< false: the force loop is cut, and the verification has to notice it
+    bool feedback = true; ///< false: the force loop is cut, and the verification has to notice it
 };
 
 /// Bounds that the platform has to meet on every finger, judged by the true force on the pad.
 struct FingertipBounds {
-    static constexpr double kLimit_N = 4.0;    ///< P3's largest force, at the pad
+    static constexpr double kLimit_N = 4.0; ///< P3's largest force, at the pad
     /// Overshoot beyond the requested force, or beyond the settled one if that is larger, as a share of that
     /// force. A person notices the Weber fraction of force, 7 to 10 % (Jones, Matching forces: constant
     /// errors and differential thresholds, Perception 18, 1989).
@@ -54,8 +54,8 @@ struct FingertipPosed {
 
 struct FingertipVerification {
     FingertipVerificationSettings settings;
-    FingerPadParameters pad;        ///< the real finger
-    FingerPadParameters identified; ///< the finger as the platform identified it with its own sensors
+    FingerPadParameters pad;            ///< the real finger
+    FingerPadParameters identified;     ///< the finger as the platform identified it with its own sensors
     std::array<double, 3> rmse_N{};     ///< per cycle, from the force sensors (as P3)
     std::array<double, 3> rmseTrue_N{}; ///< per cycle, from the true force on the pad
     double meanRmse_N = 0.0, meanRmseTrue_N = 0.0;
@@ -68,7 +68,7 @@ struct FingertipVerification {
     double overshoot = 0.0, overshootOfForce = 0.0;
     /// Largest relative error, in these steps, of the true settled force against the requested one.
     double staticError = 0.0;
-    double oneNewton_N = 0.0;   ///< largest force on the pad in the steps from 0 to 1 N
+    double oneNewton_N = 0.0; ///< largest force on the pad in the steps from 0 to 1 N
     /// Largest force on the pad in all of the checks, mean over a tick: 4 N at once, from 2 N, leaning, and
     /// as a sine.
     double largest_N = 0.0;
@@ -79,9 +79,12 @@ struct FingertipVerification {
     /// True if both of P3's figures are bettered, by the device's own sensors (as P3 measured) and by the
     /// true values, within FingertipBounds.
     bool holds() const noexcept {
-        return meanRmse_N < FingertipPublished::kMeanRmse_N && meanError_deg < FingertipPublished::kMeanError_deg &&
-               meanRmseTrue_N < FingertipPublished::kMeanRmse_N && meanErrorTrue_deg < FingertipPublished::kMeanError_deg &&
-               overshootOfForce <= FingertipBounds::kOvershootOfForce && largest_N <= FingertipBounds::kLimit_N;
+        return meanRmse_N < FingertipPublished::kMeanRmse_N &&
+               meanError_deg < FingertipPublished::kMeanError_deg &&
+               meanRmseTrue_N < FingertipPublished::kMeanRmse_N &&
+               meanErrorTrue_deg < FingertipPublished::kMeanError_deg &&
+               overshootOfForce <= FingertipBounds::kOvershootOfForce &&
+               largest_N <= FingertipBounds::kLimit_N;
     }
 };
 
@@ -93,7 +96,8 @@ struct FingertipVerification {
 /// with N_s terms (P3's sum runs from 0 to N_s, one too many). Steps and the largest requests follow. The
 /// same seed gives the same bits. Allocates; not for the tick.
 /// Errors: badInput for settings out of range, or if no finger is found.
-core::Result<FingertipVerification> verifyFingertip(const FingertipPlatformParameters& parameters, std::uint64_t seed,
+core::Result<FingertipVerification> verifyFingertip(const FingertipPlatformParameters& parameters,
+                                                    std::uint64_t seed,
                                                     const FingertipVerificationSettings& settings = {});
 
 /// Seven fingers other than `assumed`: half and twice the stiffness, a thick and a thin finger (softer and
@@ -110,8 +114,9 @@ struct FingertipOnFinger {
     std::string finger; ///< as FingertipFinger
     FingertipVerification verified;
 };
-core::Result<std::vector<FingertipOnFinger>> verifyFingertipOnFingers(const FingertipPlatformParameters& parameters, std::uint64_t seed,
-                                                                      const FingertipVerificationSettings& settings = {});
+core::Result<std::vector<FingertipOnFinger>>
+verifyFingertipOnFingers(const FingertipPlatformParameters& parameters, std::uint64_t seed,
+                         const FingertipVerificationSettings& settings = {});
 bool holdsOnAll(const std::vector<FingertipOnFinger>& fingers) noexcept; ///< false if there are none
 
 /// How the results change when one property of the plant gets worse by the factors 0, 1, 2, 4 (for the
@@ -123,8 +128,9 @@ struct FingertipDegradation {
     double largest_N = 0.0; ///< as FingertipVerification
     bool holds = false;
 };
-core::Result<std::vector<FingertipDegradation>> degradeFingertip(const FingertipPlatformParameters& parameters, std::uint64_t seed,
-                                                                 const FingertipVerificationSettings& settings = {});
+core::Result<std::vector<FingertipDegradation>>
+degradeFingertip(const FingertipPlatformParameters& parameters, std::uint64_t seed,
+                 const FingertipVerificationSettings& settings = {});
 
 /// Friction of one drive, identified by moving all three together slowly, off the pad, at two speeds in both
 /// directions (Tholey's method, as in friction_identification.h): N, N·s/m, from the requested motor forces.
@@ -136,7 +142,8 @@ FingertipFriction identifyFingertipFriction(const FingertipPlatformParameters& p
 
 /// Returns b + B while a finger presses: three drives with the identified friction, and the pad (N·s/m). It
 /// is the default for the stiffness cap, both on the command line and on the station's screen.
-constexpr double fingertipDamping_Ns_per_m(const FingertipFriction& friction, const FingertipPlatformParameters& parameters) noexcept {
+constexpr double fingertipDamping_Ns_per_m(const FingertipFriction& friction,
+                                           const FingertipPlatformParameters& parameters) noexcept {
     return 3.0 * friction.viscous_Ns_per_m + parameters.pad.damping_Ns_per_m;
 }
 

@@ -17,7 +17,9 @@ constexpr double kTick = core::kTickSeconds;
 constexpr double kFingerMoves_Hz = 0.3;
 
 core::Result<void> checked(const FingertipVerificationSettings& s) {
-    const auto refuse = [](const char* what) { return core::fail(core::ErrorCode::badInput, std::string("fingertip verification: ") + what); };
+    const auto refuse = [](const char* what) {
+        return core::fail(core::ErrorCode::badInput, std::string("fingertip verification: ") + what);
+    };
     if (!(s.frequency_Hz >= 0.05 && s.frequency_Hz <= 5.0))
         return refuse("a frequency of 0.05 to 5 Hz is expected");
     if (!(s.peak_N > 0.0 && s.peak_N <= 4.0))
@@ -31,7 +33,8 @@ core::Result<void> checked(const FingertipVerificationSettings& s) {
     return {};
 }
 
-void followSine(const FingertipPlatformParameters& parameters, std::uint64_t seed, FingertipVerification& out) {
+void followSine(const FingertipPlatformParameters& parameters, std::uint64_t seed,
+                FingertipVerification& out) {
     FingertipPlatform platform(parameters, seed);
     const double period_s = 1.0 / out.settings.frequency_Hz;
     const int cycle = static_cast<int>(std::lround(period_s / kTick));
@@ -40,8 +43,10 @@ void followSine(const FingertipPlatformParameters& parameters, std::uint64_t see
         double measured2 = 0.0, true2 = 0.0;
         for (int n = 0; n < cycle; ++n) {
             const double t = (static_cast<double>(c) * cycle + n) * kTick;
-            const double reference = 0.5 * out.settings.peak_N * (1.0 - std::cos(2.0 * core::kPi * out.settings.frequency_Hz * t));
-            platform.shiftFinger(out.settings.fingerMoves_m * std::sin(2.0 * core::kPi * kFingerMoves_Hz * t));
+            const double reference =
+                0.5 * out.settings.peak_N * (1.0 - std::cos(2.0 * core::kPi * out.settings.frequency_Hz * t));
+            platform.shiftFinger(out.settings.fingerMoves_m *
+                                 std::sin(2.0 * core::kPi * kFingerMoves_Hz * t));
             platform.tick({reference, 0.0, 0.0}, true);
             const double turn = 2.0 * core::kPi * out.settings.frequency_Hz * t;
             const double sensed = platform.sensedForce_N(), real = platform.truth().normalForce_N;
@@ -61,7 +66,8 @@ void followSine(const FingertipPlatformParameters& parameters, std::uint64_t see
         out.meanRmseTrue_N += out.rmseTrue_N[c] / 3.0;
     }
     out.gain = given.norm() / wanted.norm();
-    out.phase_deg = core::degFromRad(std::remainder(std::atan2(wanted.y(), wanted.x()) - std::atan2(given.y(), given.x()), 2.0 * core::kPi));
+    out.phase_deg = core::degFromRad(std::remainder(
+        std::atan2(wanted.y(), wanted.x()) - std::atan2(given.y(), given.x()), 2.0 * core::kPi));
 }
 
 double heldFor(FingertipPlatform& platform, const core::DisplayPose& wanted, int ticks, double& mean_N) {
@@ -76,7 +82,8 @@ double heldFor(FingertipPlatform& platform, const core::DisplayPose& wanted, int
     return most;
 }
 
-void takeSteps(const FingertipPlatformParameters& parameters, std::uint64_t seed, FingertipVerification& out) {
+void takeSteps(const FingertipPlatformParameters& parameters, std::uint64_t seed,
+               FingertipVerification& out) {
     FingertipPlatform platform(parameters, seed);
     constexpr int kHold = 1200, kTimes = 3;
     constexpr std::array<std::array<double, 2>, 3> kSteps{{{0.0, 1.0}, {1.0, 1.5}, {2.0, 3.0}}};
@@ -97,12 +104,15 @@ void takeSteps(const FingertipPlatformParameters& parameters, std::uint64_t seed
 
 /// Makes the largest permitted requests: P3's 4 N at once, from 2 N, leaning to the corners, and as a sine of
 /// 0.5 Hz.
-void askTheMost(const FingertipPlatformParameters& parameters, std::uint64_t seed, FingertipVerification& out) {
+void askTheMost(const FingertipPlatformParameters& parameters, std::uint64_t seed,
+                FingertipVerification& out) {
     FingertipPlatform platform(parameters, seed);
     constexpr double kMost = FingertipBounds::kLimit_N;
     const FingertipGeometry& g = parameters.geometry;
     double mean = 0.0;
-    const auto ask = [&](const core::DisplayPose& wanted) { out.largest_N = std::max(out.largest_N, heldFor(platform, wanted, 800, mean)); };
+    const auto ask = [&](const core::DisplayPose& wanted) {
+        out.largest_N = std::max(out.largest_N, heldFor(platform, wanted, 800, mean));
+    };
     ask({0.0, 0.0, 0.0});
     ask({kMost, 0.0, 0.0});
     ask({2.0, 0.0, 0.0});
@@ -120,8 +130,7 @@ void askTheMost(const FingertipPlatformParameters& parameters, std::uint64_t see
 struct MeanAndSd {
     double mean = 0.0, sd = 0.0;
 };
-template <class Error>
-MeanAndSd overPoses(const std::vector<FingertipPosed>& poses, Error error) {
+template <class Error> MeanAndSd overPoses(const std::vector<FingertipPosed>& poses, Error error) {
     MeanAndSd result;
     const auto count = static_cast<double>(poses.size());
     for (const FingertipPosed& pose : poses)
@@ -133,7 +142,8 @@ MeanAndSd overPoses(const std::vector<FingertipPosed>& poses, Error error) {
     return result;
 }
 
-void takePoses(const FingertipPlatformParameters& parameters, std::uint64_t seed, FingertipVerification& out) {
+void takePoses(const FingertipPlatformParameters& parameters, std::uint64_t seed,
+               FingertipVerification& out) {
     FingertipPlatform platform(parameters, seed);
     core::Random random = core::Random::stream(seed, "fingertip/poses");
     const FingertipGeometry& g = parameters.geometry;
@@ -151,10 +161,12 @@ void takePoses(const FingertipPlatformParameters& parameters, std::uint64_t seed
         out.poses.push_back(pose);
     }
     const MeanAndSd measured = overPoses(out.poses, [](const FingertipPosed& p) {
-        return core::degFromRad(std::hypot(p.referencePitch_rad - p.measuredPitch_rad, p.referenceRoll_rad - p.measuredRoll_rad));
+        return core::degFromRad(
+            std::hypot(p.referencePitch_rad - p.measuredPitch_rad, p.referenceRoll_rad - p.measuredRoll_rad));
     });
     const MeanAndSd real = overPoses(out.poses, [](const FingertipPosed& p) {
-        return core::degFromRad(std::hypot(p.referencePitch_rad - p.truePitch_rad, p.referenceRoll_rad - p.trueRoll_rad));
+        return core::degFromRad(
+            std::hypot(p.referencePitch_rad - p.truePitch_rad, p.referenceRoll_rad - p.trueRoll_rad));
     });
     out.meanError_deg = measured.mean;
     out.sdError_deg = measured.sd;
@@ -189,7 +201,8 @@ FingertipPlatformParameters degraded(FingertipPlatformParameters p, const std::s
         p.force.hysteresis *= factor;
         p.force.creep *= factor;
     } else if (what == "adc") {
-        p.force.adcBits = factor == 0.0 ? 16 : p.force.adcBits - static_cast<int>(std::lround(std::log2(factor)));
+        p.force.adcBits =
+            factor == 0.0 ? 16 : p.force.adcBits - static_cast<int>(std::lround(std::log2(factor)));
     } else if (what == "delay") {
         p.force.delay_ticks = static_cast<int>(std::lround(p.force.delay_ticks * factor));
     } else if (what == "friction") {
@@ -231,7 +244,8 @@ double effortAt(const FingertipPlatformParameters& parameters, double speed) {
 
 } // namespace
 
-core::Result<FingertipVerification> verifyFingertip(const FingertipPlatformParameters& parameters, std::uint64_t seed,
+core::Result<FingertipVerification> verifyFingertip(const FingertipPlatformParameters& parameters,
+                                                    std::uint64_t seed,
                                                     const FingertipVerificationSettings& settings) {
     CHIRON_TRY(checked(settings));
     auto identified = worn(parameters, seed);
@@ -252,7 +266,8 @@ core::Result<FingertipVerification> verifyFingertip(const FingertipPlatformParam
 }
 
 std::vector<FingertipFinger> otherFingers(const FingerPadParameters& assumed) {
-    const auto other = [&assumed](double stiffness, double hardening, double radius, double surface_m, double damping, double relaxation) {
+    const auto other = [&assumed](double stiffness, double hardening, double radius, double surface_m,
+                                  double damping, double relaxation) {
         FingerPadParameters p = assumed;
         p.stiffness_N_per_m *= stiffness;
         p.hardening_per_m *= hardening;
@@ -271,8 +286,9 @@ std::vector<FingertipFinger> otherFingers(const FingerPadParameters& assumed) {
             {"stiffest", other(2.0, 1.4, 0.85, 0.0006, 0.5, 0.2)}};
 }
 
-core::Result<std::vector<FingertipOnFinger>> verifyFingertipOnFingers(const FingertipPlatformParameters& parameters, std::uint64_t seed,
-                                                                      const FingertipVerificationSettings& settings) {
+core::Result<std::vector<FingertipOnFinger>>
+verifyFingertipOnFingers(const FingertipPlatformParameters& parameters, std::uint64_t seed,
+                         const FingertipVerificationSettings& settings) {
     std::vector<FingertipOnFinger> table;
     for (const auto& [name, pad] : otherFingers(parameters.control.pad)) { // the finger that the controller
                                                                            // starts with
@@ -286,18 +302,21 @@ core::Result<std::vector<FingertipOnFinger>> verifyFingertipOnFingers(const Fing
 }
 
 bool holdsOnAll(const std::vector<FingertipOnFinger>& fingers) noexcept {
-    return !fingers.empty() && std::all_of(fingers.begin(), fingers.end(), [](const FingertipOnFinger& f) { return f.verified.holds(); });
+    return !fingers.empty() && std::all_of(fingers.begin(), fingers.end(),
+                                           [](const FingertipOnFinger& f) { return f.verified.holds(); });
 }
 
-core::Result<std::vector<FingertipDegradation>> degradeFingertip(const FingertipPlatformParameters& parameters, std::uint64_t seed,
-                                                                 const FingertipVerificationSettings& settings) {
+core::Result<std::vector<FingertipDegradation>>
+degradeFingertip(const FingertipPlatformParameters& parameters, std::uint64_t seed,
+                 const FingertipVerificationSettings& settings) {
     std::vector<FingertipDegradation> table;
     for (const char* what : {"force_noise", "adc", "delay", "friction", "backlash", "imu"}) {
         for (const double factor : {0.0, 1.0, 2.0, 4.0}) {
             const auto verified = verifyFingertip(degraded(parameters, what, factor), seed, settings);
             CHIRON_TRY(verified);
-            table.push_back({what, factor, verified->meanRmse_N, verified->meanRmseTrue_N, verified->meanError_deg,
-                             verified->meanErrorTrue_deg, verified->largest_N, verified->holds()});
+            table.push_back({what, factor, verified->meanRmse_N, verified->meanRmseTrue_N,
+                             verified->meanError_deg, verified->meanErrorTrue_deg, verified->largest_N,
+                             verified->holds()});
         }
     }
     return table;

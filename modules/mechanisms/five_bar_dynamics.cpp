@@ -43,7 +43,8 @@ FiveBarMatrix FiveBarDynamics::inertia() const noexcept {
     }
     const Eigen::Matrix2d tips = m_loop.jacobian.transpose() * m_loop.jacobian;
     Eigen::Matrix2d links = (p.jointMass_kg + 2.0 * p.distalMass_kg / 3.0) * tips;
-    const double own = (p.proximalMass_kg + p.distalMass_kg) / 3.0 * p.geometry.proximal_m * p.geometry.proximal_m;
+    const double own =
+        (p.proximalMass_kg + p.distalMass_kg) / 3.0 * p.geometry.proximal_m * p.geometry.proximal_m;
     for (int leg = 0; leg < 2; ++leg) {
         const Vec2& elbow = m_loop.tangent[static_cast<std::size_t>(leg)];
         links(leg, leg) += own;
@@ -77,8 +78,8 @@ FiveBarVector FiveBarDynamics::bias(const FiveBarVector& rates) const noexcept {
     for (int leg = 0; leg < 2; ++leg) {
         const Vec2 elbow = m_loop.elbowBias(leg, bars[leg]);
         atTip += p.distalMass_kg / 6.0 * (2.0 * tip + elbow);
-        h[leg] += p.distalMass_kg / 6.0 *
-                  m_loop.tangent[static_cast<std::size_t>(leg)].dot(2.0 * elbow + tip);
+        h[leg] +=
+            p.distalMass_kg / 6.0 * m_loop.tangent[static_cast<std::size_t>(leg)].dot(2.0 * elbow + tip);
     }
     h.head<2>() += m_loop.jacobian.transpose() * atTip;
     return h;
@@ -91,16 +92,17 @@ FiveBarVector FiveBarDynamics::gravity() const noexcept {
         g[k] = p.endoscopeMass_kg * m_partial[static_cast<std::size_t>(k)].z();
     g.head<2>() += (p.jointMass_kg + p.distalMass_kg) * m_loop.jacobian.row(1).transpose();
     for (int leg = 0; leg < 2; ++leg)
-        g[leg] += 0.5 * (p.proximalMass_kg + p.distalMass_kg) * m_loop.tangent[static_cast<std::size_t>(leg)].y();
+        g[leg] +=
+            0.5 * (p.proximalMass_kg + p.distalMass_kg) * m_loop.tangent[static_cast<std::size_t>(leg)].y();
     return core::kStandardGravity * g;
 }
 
 double FiveBarDynamics::potential_J() const noexcept {
     const FiveBarPlantParameters& p = m_parameters;
     const double elbows = m_loop.elbow[0].y() + m_loop.elbow[1].y();
-    return core::kStandardGravity *
-           (p.endoscopeMass_kg * (m_loop.tip.y() + m_behind.z()) + (p.jointMass_kg + p.distalMass_kg) * m_loop.tip.y() +
-            0.5 * (p.proximalMass_kg + p.distalMass_kg) * elbows);
+    return core::kStandardGravity * (p.endoscopeMass_kg * (m_loop.tip.y() + m_behind.z()) +
+                                     (p.jointMass_kg + p.distalMass_kg) * m_loop.tip.y() +
+                                     0.5 * (p.proximalMass_kg + p.distalMass_kg) * elbows);
 }
 
 FiveBarVector FiveBarDynamics::efforts(const core::Wrench& wrench_D) const noexcept {

@@ -42,7 +42,8 @@ public:
     static FiveBarVector solve(FiveBarMatrix m, FiveBarVector b) noexcept;
 
 private:
-    core::Vec3 inertiaTimes(const core::Vec3& w) const noexcept; ///< of the endoscope, about its centre of mass
+    core::Vec3
+    inertiaTimes(const core::Vec3& w) const noexcept; ///< of the endoscope, about its centre of mass
 
     FiveBarPlantParameters m_parameters;
     FiveBarKinematics m_kinematics;

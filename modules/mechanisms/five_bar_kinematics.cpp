@@ -45,14 +45,16 @@ Vec2 FiveBarLoop::biasAcceleration(const Vec2& rates) const noexcept {
         const auto leg = static_cast<std::size_t>(i);
         right[i] = rod[leg].dot(elbowBias(i, rates[i])) - (velocity - rates[i] * tangent[leg]).squaredNorm();
     }
-    return Vec2(rod[1].y() * right[0] - rod[0].y() * right[1], rod[0].x() * right[1] - rod[1].x() * right[0]) /
+    return Vec2(rod[1].y() * right[0] - rod[0].y() * right[1],
+                rod[0].x() * right[1] - rod[1].x() * right[0]) /
            determinant;
 }
 
 core::Vec3 FiveBarKinematics::force_D(const FiveBarLoop& loop, const Vec2& efforts) noexcept {
     const Eigen::Matrix2d& j = loop.jacobian;
     const double det = j(0, 0) * j(1, 1) - j(0, 1) * j(1, 0);
-    return toD(Vec2(j(1, 1) * efforts[0] - j(1, 0) * efforts[1], j(0, 0) * efforts[1] - j(0, 1) * efforts[0]) / det);
+    return toD(
+        Vec2(j(1, 1) * efforts[0] - j(1, 0) * efforts[1], j(0, 0) * efforts[1] - j(0, 1) * efforts[0]) / det);
 }
 
 double FiveBarKinematics::conditionNumber(const FiveBarLoop& loop) noexcept {

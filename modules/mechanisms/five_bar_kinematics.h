@@ -15,11 +15,11 @@ namespace chiron::mechanisms {
 /// largest to its smallest singular value anywhere in the workspace that urethra insertion needs (y_D
 /// −75…65 mm, z_D −20…135 mm): ratio 1.9, condition number ≤ 1.85.
 struct FiveBarGeometry {
-    double proximal_m = 0.140;   ///< l1, base joint to elbow, both legs
-    double distal_m = 0.220;     ///< l2, elbow to tip, both legs
-    double halfBase_m = 0.060;   ///< half the distance between the base joints
+    double proximal_m = 0.140;     ///< l1, base joint to elbow, both legs
+    double distal_m = 0.220;       ///< l2, elbow to tip, both legs
+    double halfBase_m = 0.060;     ///< half the distance between the base joints
     double baseForward_m = -0.005; ///< y_D of the base's middle
-    double baseUp_m = -0.175;    ///< z_D of the base joints: the linkage stands beneath its workspace
+    double baseUp_m = -0.175;      ///< z_D of the base joints: the linkage stands beneath its workspace
 };
 
 /// The closed loop at one pair of base angles. Plane vectors are (X_V, Y_V) = (y_D, z_D), m.
@@ -40,7 +40,8 @@ struct FiveBarLoop {
 
 /// P1's five-bar linkage in the patient's plane of symmetry (P1 §2; equations devices.md §5):
 ///   P_i = A_i + l1 (cos θ_i, sin θ_i),  D = |P2 − P1|,  û = (P2 − P1)/D,  X = P1 + û D/2 + û⊥ √(l2² − D²/4);
-///   J = A⁻¹B, rows of A: (X − P_i)ᵀ, B_ii = (X − P_i)·l1(−sin θ_i, cos θ_i);  τ = JᵀF;  singular where det A = 0.
+///   J = A⁻¹B, rows of A: (X − P_i)ᵀ, B_ii = (X − P_i)·l1(−sin θ_i, cos θ_i);  τ = JᵀF;  singular where det A
+///   = 0.
 /// Vendor axes V: X_V = y_D (into the patient), Y_V = z_D (up), Z_V = x_D (normal to the plane); same origin.
 /// Angles are measured from X_V towards Y_V. Leg 1 is on the trainee's side with its elbow towards them, leg
 /// 2 beyond: there is one assembly mode. Only toD() and toPlane() convert between V and D. Pure.

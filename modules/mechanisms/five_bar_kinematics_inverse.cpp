@@ -12,7 +12,8 @@ namespace chiron::mechanisms {
 core::Result<std::array<double, 2>> FiveBarKinematics::inverse(const core::Vec3& p_DT) const {
     const FiveBarGeometry& g = m_geometry;
     const auto refuse = [&](const char* why) {
-        return core::fail(core::ErrorCode::badInput, "five-bar linkage: tip at y " + std::to_string(p_DT.y()) + " m, z " +
+        return core::fail(core::ErrorCode::badInput, "five-bar linkage: tip at y " +
+                                                         std::to_string(p_DT.y()) + " m, z " +
                                                          std::to_string(p_DT.z()) + " m: " + why);
     };
     std::array<double, 2> theta{};
@@ -30,7 +31,8 @@ core::Result<std::array<double, 2>> FiveBarKinematics::inverse(const core::Vec3&
     theta[0] += theta[0] < 0.0 ? 2.0 * core::kPi : 0.0;
     theta[1] += theta[1] < -core::kPi ? 2.0 * core::kPi : 0.0;
     const FiveBarLoop made = loop(theta[0], theta[1]);
-    if (!made.closed || !((made.tip - toPlane(p_DT)).norm() < 1e-9) || !(made.elbow[0].x() < made.elbow[1].x()))
+    if (!made.closed || !((made.tip - toPlane(p_DT)).norm() < 1e-9) ||
+        !(made.elbow[0].x() < made.elbow[1].x()))
         return refuse("only with its legs crossed or hanging, which is another assembly mode");
     return theta;
 }

@@ -11,7 +11,9 @@ namespace {
 constexpr int kAxes = static_cast<int>(FiveBarPlantParameters::kAxes);
 using PerAxis = FiveBarPlantParameters::PerAxis;
 
-PerAxis toValues(const FiveBarVector& v) noexcept { return {v[0], v[1], v[2], v[3], v[4]}; }
+PerAxis toValues(const FiveBarVector& v) noexcept {
+    return {v[0], v[1], v[2], v[3], v[4]};
+}
 FiveBarVector toVector(const PerAxis& values) noexcept {
     FiveBarVector v;
     v << values[0], values[1], values[2], values[3], values[4];
@@ -66,7 +68,8 @@ FiveBarVector FiveBarPlant::stopTorques() const noexcept {
     FiveBarVector tau = FiveBarVector::Zero();
     for (int axis = 0; axis < kAxes; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
-        const double beyond = m_q[axis] - std::clamp(m_q[axis], m_parameters.minimum[i], m_parameters.maximum[i]);
+        const double beyond =
+            m_q[axis] - std::clamp(m_q[axis], m_parameters.minimum[i], m_parameters.maximum[i]);
         if (beyond == 0.0)
             continue;
         const double inwards = beyond * m_rates[axis] > 0.0 ? m_rates[axis] : 0.0; // no pull on the way out
@@ -86,11 +89,12 @@ void FiveBarPlant::step(double dt_s, const core::Wrench& onTool_D) noexcept {
         tendon[axis] = p.tendonStiffness[i] * (m_motorAngle[axis] - m_q[axis]) +
                        p.tendonDamping[i] * (m_motorRate[axis] - m_rates[axis]);
         const double bristle = m_friction[i].advance(p.friction[i], m_motorRate[axis], dt_s);
-        m_motorRate[axis] = (m_motorRate[axis] + dt_s * (m_motor[axis] - tendon[axis] + bristle) / p.rotorInertia[i]) /
-                            (1.0 + p.friction[i].viscous * dt_s / p.rotorInertia[i]);
+        m_motorRate[axis] =
+            (m_motorRate[axis] + dt_s * (m_motor[axis] - tendon[axis] + bristle) / p.rotorInertia[i]) /
+            (1.0 + p.friction[i].viscous * dt_s / p.rotorInertia[i]);
     }
-    const FiveBarVector load = tendon + stopTorques() + m_dynamics.efforts(onTool_D) - m_dynamics.bias(m_rates) -
-                               (1.0 - p.counterbalance) * m_dynamics.gravity();
+    const FiveBarVector load = tendon + stopTorques() + m_dynamics.efforts(onTool_D) -
+                               m_dynamics.bias(m_rates) - (1.0 - p.counterbalance) * m_dynamics.gravity();
     m_rates += dt_s * FiveBarDynamics::solve(m_dynamics.inertia(), load);
     m_q += dt_s * m_rates;
     m_motorAngle += dt_s * m_motorRate;
@@ -106,7 +110,8 @@ ToolMotion FiveBarPlant::motion() const noexcept {
     const SphericalJoint& joint = m_dynamics.joint();
     const FiveBarLoop& loop = m_dynamics.loop();
     return {FiveBarKinematics::toD(loop.tip), joint.orientation_DT(),
-            FiveBarKinematics::toD(loop.jacobian * m_rates.head<2>()), joint.angularVelocity_D(m_rates.tail<3>())};
+            FiveBarKinematics::toD(loop.jacobian * m_rates.head<2>()),
+            joint.angularVelocity_D(m_rates.tail<3>())};
 }
 
 double FiveBarPlant::energy_J() const noexcept {

@@ -44,11 +44,13 @@ struct FiveBarPlantParameters {
     // long, drum radius 30 mm for the linkage; 0.9 mm rope (EA ≈ 22.5 kN), 0.6 m, drums of 15 and 10 mm for
     // the spherical joint: 2 EA r²/L. The drums measure 20 rope diameters and more, as steel rope needs. On
     // thinner ropes the rotors oscillate with friction (drivers/simulated/README.md).
-    PerAxis tendonStiffness{607.5, 607.5, 16.9, 16.9, 7.5};    ///< N·m/rad
-    PerAxis tendonDamping{0.090, 0.090, 8.0e-3, 8.0e-3, 1.0e-3}; ///< N·m·s/rad, a tenth of critical with the rotor
-    PerAxis rotorInertia{4.0e-4, 4.0e-4, 1.0e-4, 1.0e-4, 4.0e-6};   ///< kg·m², capstan ratios 10, 10, 10, 10, 2
+    PerAxis tendonStiffness{607.5, 607.5, 16.9, 16.9, 7.5}; ///< N·m/rad
+    PerAxis tendonDamping{0.090, 0.090, 8.0e-3, 8.0e-3,
+                          1.0e-3}; ///< N·m·s/rad, a tenth of critical with the rotor
+    PerAxis rotorInertia{4.0e-4, 4.0e-4, 1.0e-4, 1.0e-4, 4.0e-6}; ///< kg·m², capstan ratios 10, 10, 10, 10, 2
 
-    // Friction of motors and capstans: 0.1 N at the tip over 50 µm of presliding, 2 % and 3 % of the largest torques.
+    // Friction of motors and capstans: 0.1 N at the tip over 50 µm of presliding, 2 % and 3 % of the largest
+    // torques.
     std::array<LugreParameters, kAxes> friction{
         LugreParameters{0.0125, 35.0, 0.10, 0.0100}, LugreParameters{0.0125, 35.0, 0.10, 0.0100},
         LugreParameters{0.003, 3.0, 3.0e-3, 1.0e-3}, LugreParameters{0.003, 3.0, 3.0e-3, 1.0e-3},
@@ -64,17 +66,18 @@ struct FiveBarPlantParameters {
 
     /// rad per count, on the motor axes through the capstans: 40960 counts per turn of the joint, at most
     /// 22 µm at the tip.
-    PerAxis resolution{1.5339807878856412e-4, 1.5339807878856412e-4, 1.5339807878856412e-4, 1.5339807878856412e-4,
-                       1.5339807878856412e-4};
+    PerAxis resolution{1.5339807878856412e-4, 1.5339807878856412e-4, 1.5339807878856412e-4,
+                       1.5339807878856412e-4, 1.5339807878856412e-4};
     int sampleDelay_ticks = 0; ///< 0..3: age of the counts when the host reads them
 
-    // Travel, rad, and the rubber stops at its ends (damping: half of critical with the lightest inertia behind it).
-    PerAxis minimum{core::radFromDeg(90.0), core::radFromDeg(-13.0), core::radFromDeg(-63.1), core::radFromDeg(-30.0),
-                    -core::kPi};
-    PerAxis maximum{core::radFromDeg(193.0), core::radFromDeg(90.0), core::radFromDeg(63.1), core::radFromDeg(30.0),
-                    core::kPi};
+    // Travel, rad, and the rubber stops at its ends (damping: half of critical with the lightest inertia
+    // behind it).
+    PerAxis minimum{core::radFromDeg(90.0), core::radFromDeg(-13.0), core::radFromDeg(-63.1),
+                    core::radFromDeg(-30.0), -core::kPi};
+    PerAxis maximum{core::radFromDeg(193.0), core::radFromDeg(90.0), core::radFromDeg(63.1),
+                    core::radFromDeg(30.0), core::kPi};
     PerAxis stopStiffness{2000.0, 2000.0, 200.0, 200.0, 20.0}; ///< N·m/rad
-    PerAxis stopDamping{1.0, 1.0, 0.5, 0.5, 0.01};          ///< N·m·s/rad, on the way in only
+    PerAxis stopDamping{1.0, 1.0, 0.5, 0.5, 0.01};             ///< N·m·s/rad, on the way in only
 
     int substeps = 4; ///< integration steps per tick, ≥ 4 (4 kHz)
 };

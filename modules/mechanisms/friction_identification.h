@@ -19,8 +19,8 @@ struct AxisFriction {
 struct FrictionSweep {
     /// rad/s; along depth a fifth of it in m/s, so that the tip is about as fast.
     double slow = 0.05;
-    double fast = 0.15;         ///< the second speed, which separates viscous from Coulomb friction; > slow
-    double halfTravel = 0.10;   ///< rad either side of the middle; along depth a fifth of it in m
+    double fast = 0.15;       ///< the second speed, which separates viscous from Coulomb friction; > slow
+    double halfTravel = 0.10; ///< rad either side of the middle; along depth a fifth of it in m
     /// Share of a sweep that is left out, half at either end, 0..0.9, so that bristles and servo settle.
     double settled = 0.3;
 };
@@ -37,7 +37,7 @@ struct FrictionSweep {
 /// LuGre without Stribeck effect, devices.md §5.
 /// Errors: badInput for a sweep out of range or travel that leaves the axes' limits; doesNotHold if a motor
 /// ran at its limit.
-core::Result<std::array<std::optional<AxisFriction>, 4>> identifyFriction(GimbalPlant& plant, const GimbalCoordinates& middle,
-                                                                          const FrictionSweep& sweep = {});
+core::Result<std::array<std::optional<AxisFriction>, 4>>
+identifyFriction(GimbalPlant& plant, const GimbalCoordinates& middle, const FrictionSweep& sweep = {});
 
 } // namespace chiron::mechanisms

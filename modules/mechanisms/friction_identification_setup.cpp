@@ -14,15 +14,19 @@ namespace {
 constexpr std::array<std::size_t, 3> kMotorAxes{0, 1, 3};
 /// Bandwidth of the position servo that moves and holds the axes: well below that of the amplifiers' lag.
 constexpr double kServo_Hz = 8.0;
-constexpr double kServoDamping = 0.8;     ///< of critical
-constexpr double kSpeedLag_s = 0.005;     ///< lag of the speed that the servo computes from counts
-constexpr double kMetresPerRadian = 0.2;  ///< depth relative to heading and pitch: the tip's distance from
-                                          ///< the pivot
-constexpr double kTurn_s = 0.3;           ///< pause at rest at each end
+constexpr double kServoDamping = 0.8;    ///< of critical
+constexpr double kSpeedLag_s = 0.005;    ///< lag of the speed that the servo computes from counts
+constexpr double kMetresPerRadian = 0.2; ///< depth relative to heading and pitch: the tip's distance from
+                                         ///< the pivot
+constexpr double kTurn_s = 0.3;          ///< pause at rest at each end
 
-double unitOf(std::size_t axis) { return axis == 3 ? kMetresPerRadian : 1.0; }
+double unitOf(std::size_t axis) {
+    return axis == 3 ? kMetresPerRadian : 1.0;
+}
 
-std::array<double, 4> valuesOf(const GimbalCoordinates& q) { return {q.h, q.p, q.r, q.d}; }
+std::array<double, 4> valuesOf(const GimbalCoordinates& q) {
+    return {q.h, q.p, q.r, q.d};
+}
 
 /// The plant under a position servo that sees only counts.
 class Servo {
@@ -46,7 +50,8 @@ public:
             const double raw = (now[a] - m_seen[a]) / core::kTickSeconds;
             m_speed[a] += core::kTickSeconds / (core::kTickSeconds + kSpeedLag_s) * (raw - m_speed[a]);
             const double wantedSpeed = a == axis ? speed : 0.0;
-            efforts[static_cast<int>(a)] = m_stiffness[a] * (m_wanted[a] - now[a]) + m_damping[a] * (wantedSpeed - m_speed[a]);
+            efforts[static_cast<int>(a)] =
+                m_stiffness[a] * (m_wanted[a] - now[a]) + m_damping[a] * (wantedSpeed - m_speed[a]);
         }
         m_seen = now;
         m_plant.beginTick(efforts, true);
@@ -99,33 +104,39 @@ double frictionAt(Servo& servo, std::size_t axis, double speed, double half, dou
     return 0.5 * (forwards - backwards);
 }
 
-core::Result<void> check(const GimbalPlantParameters& p, const GimbalCoordinates& middle, const FrictionSweep& sweep) {
-    if (!(sweep.slow > 0.0 && sweep.fast > sweep.slow && sweep.fast <= 1.0 && sweep.halfTravel > 0.0 && sweep.settled >= 0.0 &&
-          sweep.settled <= 0.9))
-        return core::fail(core::ErrorCode::badInput,
-                          "friction sweep: expected 0 < slow < fast <= 1 rad/s, a travel above 0, and a settled share of 0 to 0.9");
+core::Result<void> check(const GimbalPlantParameters& p, const GimbalCoordinates& middle,
+                         const FrictionSweep& sweep) {
+    if (!(sweep.slow > 0.0 && sweep.fast > sweep.slow && sweep.fast <= 1.0 && sweep.halfTravel > 0.0 &&
+          sweep.settled >= 0.0 && sweep.settled <= 0.9))
+        return core::fail(core::ErrorCode::badInput, "friction sweep: expected 0 < slow < fast <= 1 rad/s, a "
+                                                     "travel above 0, and a settled share of 0 to 0.9");
     const std::array<double, 4> q = valuesOf(middle);
     for (const std::size_t axis : kMotorAxes)
-        if (const double half = sweep.halfTravel * unitOf(axis); !(q[axis] - half >= p.minimum[axis] && q[axis] + half <= p.maximum[axis]))
-            return core::fail(core::ErrorCode::badInput, "friction sweep: axis " + std::to_string(axis) +
-                                                             " (h, p, r, d) would leave its travel; expected it inside");
+        if (const double half = sweep.halfTravel * unitOf(axis);
+            !(q[axis] - half >= p.minimum[axis] && q[axis] + half <= p.maximum[axis]))
+            return core::fail(core::ErrorCode::badInput,
+                              "friction sweep: axis " + std::to_string(axis) +
+                                  " (h, p, r, d) would leave its travel; expected it inside");
     return {};
 }
 
 } // namespace
 
-core::Result<std::array<std::optional<AxisFriction>, 4>> identifyFriction(GimbalPlant& plant, const GimbalCoordinates& middle,
-                                                                          const FrictionSweep& sweep) {
+core::Result<std::array<std::optional<AxisFriction>, 4>>
+identifyFriction(GimbalPlant& plant, const GimbalCoordinates& middle, const FrictionSweep& sweep) {
     CHIRON_TRY(check(plant.parameters(), middle, sweep));
     std::array<std::optional<AxisFriction>, 4> found;
     for (const std::size_t axis : kMotorAxes) {
         Servo servo(plant, middle);
         const double unit = unitOf(axis);
-        const double slow = frictionAt(servo, axis, sweep.slow * unit, sweep.halfTravel * unit, sweep.settled);
-        const double fast = frictionAt(servo, axis, sweep.fast * unit, sweep.halfTravel * unit, sweep.settled);
+        const double slow =
+            frictionAt(servo, axis, sweep.slow * unit, sweep.halfTravel * unit, sweep.settled);
+        const double fast =
+            frictionAt(servo, axis, sweep.fast * unit, sweep.halfTravel * unit, sweep.settled);
         if (servo.saturated())
-            return core::fail(core::ErrorCode::doesNotHold, "friction sweep: the motor of axis " + std::to_string(axis) +
-                                                                " (h, p, r, d) ran at its limit; expected less friction than it overcomes");
+            return core::fail(core::ErrorCode::doesNotHold,
+                              "friction sweep: the motor of axis " + std::to_string(axis) +
+                                  " (h, p, r, d) ran at its limit; expected less friction than it overcomes");
         AxisFriction friction;
         friction.viscous = (fast - slow) / ((sweep.fast - sweep.slow) * unit);
         friction.coulomb = slow - friction.viscous * sweep.slow * unit;

@@ -35,7 +35,9 @@ public:
     }
     /// One integration step of 1 ms / substeps under a force on the tool at the tip (D).
     void integrate(double dt_s, const core::Vec3& f_T_D) noexcept;
-    void step(double dt_s, const core::Wrench& onTool_D) noexcept override { integrate(dt_s, onTool_D.force); }
+    void step(double dt_s, const core::Wrench& onTool_D) noexcept override {
+        integrate(dt_s, onTool_D.force);
+    }
     /// Ends a tick after its steps: reads the encoders.
     void endTick() noexcept override;
 

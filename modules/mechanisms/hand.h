@@ -35,8 +35,10 @@ public:
 
     const core::Vec3& p_D() const noexcept { return m_p; }
     const core::Vec3& v_D() const noexcept { return m_v; }
-    const HandIntention& acting() const noexcept { return m_acting; } ///< the delayed intention that is now
-                                                                      ///< in effect
+    const HandIntention& acting() const noexcept {
+        return m_acting;
+    } ///< the delayed intention that is now
+      ///< in effect
 
 private:
     static constexpr std::size_t kLine = 512;

@@ -25,12 +25,20 @@ struct HandParameters {
     double wristTremorRms_rad = 0.5e-3; ///< per axis, for the free hand; the arm's tremor at a lever of 0.2 m
 
     static constexpr HandParameters light() noexcept {
-        return {.mass_kg = 0.1, .damping_Ns_per_m = 2.0, .stiffness_N_per_m = 100.0,
-                .wristInertia_kgm2 = 0.002, .wristDamping_Nms_per_rad = 0.03, .wristStiffness_Nm_per_rad = 0.8};
+        return {.mass_kg = 0.1,
+                .damping_Ns_per_m = 2.0,
+                .stiffness_N_per_m = 100.0,
+                .wristInertia_kgm2 = 0.002,
+                .wristDamping_Nms_per_rad = 0.03,
+                .wristStiffness_Nm_per_rad = 0.8};
     }
     static constexpr HandParameters firm() noexcept {
-        return {.mass_kg = 1.0, .damping_Ns_per_m = 20.0, .stiffness_N_per_m = 800.0,
-                .wristInertia_kgm2 = 0.008, .wristDamping_Nms_per_rad = 0.15, .wristStiffness_Nm_per_rad = 5.0};
+        return {.mass_kg = 1.0,
+                .damping_Ns_per_m = 20.0,
+                .stiffness_N_per_m = 800.0,
+                .wristInertia_kgm2 = 0.008,
+                .wristDamping_Nms_per_rad = 0.15,
+                .wristStiffness_Nm_per_rad = 5.0};
     }
 };
 

@@ -12,9 +12,9 @@ namespace chiron::mechanisms {
 /// Parameters of a grasper's handle and the fingers in it. P2 fitted "a potentiometer to allow continual
 /// tracking of the grasper position" and names neither range nor converter; all numbers are ASSUMPTIONS.
 struct JawParameters {
-    double widest_rad = 1.6;         ///< opening angle between the jaws at the handle's stop; 0 is closed
-    int steps = 1023;                ///< over that range: a 10-bit converter, as P3 names for its sensors
-    double fingerLag_s = 0.04;       ///< lag of the handle behind the fingers' intention, > 0
+    double widest_rad = 1.6;   ///< opening angle between the jaws at the handle's stop; 0 is closed
+    int steps = 1023;          ///< over that range: a 10-bit converter, as P3 names for its sensors
+    double fingerLag_s = 0.04; ///< lag of the handle behind the fingers' intention, > 0
     /// Largest speed, > 0: open to closed in a quarter of a second.
     double fingerSpeed_rad_per_s = 6.0;
 
@@ -39,8 +39,9 @@ public:
     /// Advances by one tick towards the angle that the fingers want, rad.
     void advance(double wanted_rad) noexcept {
         const double wanted = std::clamp(wanted_rad, 0.0, m_parameters.widest_rad);
-        const double speed = std::clamp((wanted - m_angle_rad) / m_parameters.fingerLag_s,
-                                        -m_parameters.fingerSpeed_rad_per_s, m_parameters.fingerSpeed_rad_per_s);
+        const double speed =
+            std::clamp((wanted - m_angle_rad) / m_parameters.fingerLag_s, -m_parameters.fingerSpeed_rad_per_s,
+                       m_parameters.fingerSpeed_rad_per_s);
         m_angle_rad = std::clamp(m_angle_rad + core::kTickSeconds * speed, 0.0, m_parameters.widest_rad);
         m_potentiometer.push({m_angle_rad});
     }

@@ -37,7 +37,8 @@ public:
     virtual void endTick() noexcept = 0; ///< reads the encoders
 
     virtual ToolMotion motion() const noexcept = 0;
-    virtual std::span<const std::int32_t> encoderCounts() const noexcept = 0; ///< as the host sees them, delayed
+    virtual std::span<const std::int32_t>
+    encoderCounts() const noexcept = 0; ///< as the host sees them, delayed
     /// Wrench on the tool in D that the motors really gave over the last tick, without the part that carries
     /// the weight.
     virtual core::Wrench measured_D() const noexcept = 0;

@@ -19,10 +19,10 @@ struct ChainLink {
     /// Position of the joint from the joint before, in the frame of the link before (the base's for the
     /// first).
     core::Vec3 origin_m = core::Vec3::Zero();
-    core::Vec3 axis = core::Vec3::UnitZ();    ///< unit vector, the same in both frames
+    core::Vec3 axis = core::Vec3::UnitZ(); ///< unit vector, the same in both frames
     double mass_kg = 0.0;
-    core::Vec3 centreOfMass_m = core::Vec3::Zero();  ///< from the joint, in the link's own frame
-    core::Mat3 inertia_kgm2 = core::Mat3::Zero();    ///< about the centre of mass, in the link's own frame
+    core::Vec3 centreOfMass_m = core::Vec3::Zero(); ///< from the joint, in the link's own frame
+    core::Mat3 inertia_kgm2 = core::Mat3::Zero();   ///< about the centre of mass, in the link's own frame
 };
 
 /// Rigid-body kinematics and dynamics of N revolute joints in series on a fixed base:
@@ -33,8 +33,7 @@ struct ChainLink {
 /// Unit: SI.
 /// Frame: B (base), for everything.
 /// Thread: any; allocates nothing.
-template <int N>
-class SerialChain {
+template <int N> class SerialChain {
 public:
     using Vector = Eigen::Matrix<double, N, 1>;
     using Matrix = Eigen::Matrix<double, N, N>;
@@ -63,7 +62,9 @@ public:
     const core::Vec3& joint(int link) const noexcept { return m_bodies[at(link)].origin; }
     const core::Vec3& axis(int link) const noexcept { return m_bodies[at(link)].axis; }
     /// Returns a point of a link that is given in the link's frame, m.
-    core::Vec3 point(int link, const core::Vec3& fromJoint_m) const noexcept { return joint(link) + orientation(link) * fromJoint_m; }
+    core::Vec3 point(int link, const core::Vec3& fromJoint_m) const noexcept {
+        return joint(link) + orientation(link) * fromJoint_m;
+    }
 
     /// Jacobian of a point (in B) that belongs to a link; the columns of joints beyond that link are 0.
     Jacobian jacobian(int link, const core::Vec3& point_B) const noexcept {
@@ -81,7 +82,8 @@ public:
             tau[i] = axis(i).cross(point_B - joint(i)).dot(wrench_B.force) + axis(i).dot(wrench_B.torque);
         return tau;
     }
-    void velocity(int link, const core::Vec3& point_B, const Vector& rates, core::Vec3& v_B, core::Vec3& w_B) const noexcept {
+    void velocity(int link, const core::Vec3& point_B, const Vector& rates, core::Vec3& v_B,
+                  core::Vec3& w_B) const noexcept {
         v_B.setZero();
         w_B.setZero();
         for (int i = 0; i <= link; ++i) {
@@ -92,9 +94,11 @@ public:
 
     /// Returns the efforts that give these accelerations, by recursive Newton–Euler. `down_m_per_s2`:
     /// gravity, along −z of B.
-    Vector inverseDynamics(const Vector& rates, const Vector& accelerations, double down_m_per_s2) const noexcept {
+    Vector inverseDynamics(const Vector& rates, const Vector& accelerations,
+                           double down_m_per_s2) const noexcept {
         std::array<core::Vec3, static_cast<std::size_t>(N)> force, moment;
-        core::Vec3 w = core::Vec3::Zero(), dw = core::Vec3::Zero(), a(0.0, 0.0, down_m_per_s2), at_m = core::Vec3::Zero();
+        core::Vec3 w = core::Vec3::Zero(), dw = core::Vec3::Zero(), a(0.0, 0.0, down_m_per_s2),
+                   at_m = core::Vec3::Zero();
         for (int i = 0; i < N; ++i) {
             const Body& body = m_bodies[at(i)];
             const core::Vec3 way = body.origin - at_m;
@@ -122,7 +126,9 @@ public:
     }
     /// c: Coriolis and centrifugal terms.
     Vector bias(const Vector& rates) const noexcept { return inverseDynamics(rates, Vector::Zero(), 0.0); }
-    Vector gravity() const noexcept { return inverseDynamics(Vector::Zero(), Vector::Zero(), core::kStandardGravity); } ///< g = ∂V/∂q
+    Vector gravity() const noexcept {
+        return inverseDynamics(Vector::Zero(), Vector::Zero(), core::kStandardGravity);
+    } ///< g = ∂V/∂q
 
     /// M(q): symmetric, and positive definite as long as every joint carries some inertia.
     Matrix inertia() const noexcept {
@@ -135,8 +141,10 @@ public:
             const double own = m_links[at(j)].mass_kg;
             const core::Vec3 ownCentre = body.origin + body.arm;
             const double sum = mass + own;
-            const core::Vec3 joined = sum > 0.0 ? core::Vec3((mass * centre + own * ownCentre) / sum) : ownCentre;
-            about += body.inertia + pointInertia(mass, centre - joined) + pointInertia(own, ownCentre - joined);
+            const core::Vec3 joined =
+                sum > 0.0 ? core::Vec3((mass * centre + own * ownCentre) / sum) : ownCentre;
+            about +=
+                body.inertia + pointInertia(mass, centre - joined) + pointInertia(own, ownCentre - joined);
             mass = sum;
             centre = joined;
             const core::Vec3 push = mass * body.axis.cross(centre - body.origin);
@@ -150,7 +158,8 @@ public:
     double potential_J() const noexcept { ///< of the weight; 0 at the height of B's origin
         double energy = 0.0;
         for (int i = 0; i < N; ++i)
-            energy += m_links[at(i)].mass_kg * core::kStandardGravity * (m_bodies[at(i)].origin.z() + m_bodies[at(i)].arm.z());
+            energy += m_links[at(i)].mass_kg * core::kStandardGravity *
+                      (m_bodies[at(i)].origin.z() + m_bodies[at(i)].arm.z());
         return energy;
     }
 
@@ -188,7 +197,7 @@ private:
         const double c = std::cos(angle), s = std::sin(angle), v = 1.0 - c;
         core::Mat3 r;
         r << c + v * u.x() * u.x(), v * u.x() * u.y() - s * u.z(), v * u.x() * u.z() + s * u.y(), //
-            v * u.x() * u.y() + s * u.z(), c + v * u.y() * u.y(), v * u.y() * u.z() - s * u.x(),   //
+            v * u.x() * u.y() + s * u.z(), c + v * u.y() * u.y(), v * u.y() * u.z() - s * u.x(),  //
             v * u.x() * u.z() - s * u.y(), v * u.y() * u.z() + s * u.x(), c + v * u.z() * u.z();
         return r;
     }

@@ -31,7 +31,7 @@ public:
     const core::Quat& orientation_DT() const noexcept { return m_q_DT; }
     const core::Vec3& yawAxis_D() const noexcept { return m_yawAxis_D; } ///< y′
     const core::Vec3& view_D() const noexcept { return m_view_D; }       ///< a
-    core::Vec3 column(int axis) const noexcept; ///< of J_ω
+    core::Vec3 column(int axis) const noexcept;                          ///< of J_ω
 
     core::Vec3 angularVelocity_D(const core::Vec3& rates) const noexcept {
         return rates[0] * core::Vec3::UnitX() + rates[1] * m_yawAxis_D + rates[2] * m_view_D;

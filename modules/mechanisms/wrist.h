@@ -11,7 +11,8 @@ namespace chiron::mechanisms {
 
 /// The wrist that turns the tool, the rotational counterpart of Hand: an isotropic inertia that a spring and
 /// a damper pull towards the desired orientation and that holds the tool through a stiff damped grip:
-///   I ω˙ = k log(q_d q⁻¹) + b (ω_d − ω) + τ_tremor − τ_grip,  τ_grip = k_g log(q q_T⁻¹) + b_g (ω − ω_T)  (on the tool).
+///   I ω˙ = k log(q_d q⁻¹) + b (ω_d − ω) + τ_tremor − τ_grip,  τ_grip = k_g log(q q_T⁻¹) + b_g (ω − ω_T)  (on
+///   the tool).
 /// log is the rotation vector, whose spring torque is the gradient of ½ k angle². The reaction delay is in
 /// Hand, which hands over the intention that acts. Source: models.md §4.
 /// Unit: SI.

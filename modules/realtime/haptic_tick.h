@@ -12,9 +12,13 @@ class TickSource;
 /// not allocate, lock, log, throw or use Qt.
 class HapticTick {
 public:
-    std::uint64_t index() const noexcept { return m_index; } ///< ticks executed before this one; each is a
-                                                             ///< model step of 1 ms
-    std::int64_t now_ns() const noexcept { return m_now_ns; } ///< monotonic; a missed deadline shows only here
+    std::uint64_t index() const noexcept {
+        return m_index;
+    } ///< ticks executed before this one; each is a
+      ///< model step of 1 ms
+    std::int64_t now_ns() const noexcept {
+        return m_now_ns;
+    } ///< monotonic; a missed deadline shows only here
 
 private:
     friend class TickSource;

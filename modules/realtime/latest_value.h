@@ -16,20 +16,22 @@ namespace chiron::realtime {
 /// Of the three slots the writer owns one and the reader one; `m_middle` holds the index of the third and a
 /// bit that says whether that slot is new. Each side exchanges its slot with the middle one (Simpson 1990
 /// describes the family; the exchange form needs no sequence numbers).
-template <class T>
-class LatestValue {
-    static_assert(std::is_trivially_copyable_v<T>, "only values that can be copied bytewise travel between threads");
+template <class T> class LatestValue {
+    static_assert(std::is_trivially_copyable_v<T>,
+                  "only values that can be copied bytewise travel between threads");
 
 public:
-    explicit LatestValue(const T& initial = T{}) noexcept : m_slots{Slot{initial}, Slot{initial}, Slot{initial}} {}
+    explicit LatestValue(const T& initial = T{}) noexcept
+        : m_slots{Slot{initial}, Slot{initial}, Slot{initial}} {}
     LatestValue(const LatestValue&) = delete;
     LatestValue& operator=(const LatestValue&) = delete;
 
     /// Writer only; wait-free.
     void publish(const T& value) noexcept {
         m_slots[m_writing].value = value;
-        m_writing = m_middle.exchange(static_cast<std::uint8_t>(m_writing | kNews), std::memory_order_acq_rel) &
-                    kIndexMask;
+        m_writing =
+            m_middle.exchange(static_cast<std::uint8_t>(m_writing | kNews), std::memory_order_acq_rel) &
+            kIndexMask;
     }
 
     /// Reader only; wait-free. Copies the newest value; returns true if it was not read before.

@@ -9,7 +9,9 @@
 
 namespace chiron::realtime {
 
-std::int64_t MonotonicClock::now_ns() const noexcept { return core::monotonicNow_ns(); }
+std::int64_t MonotonicClock::now_ns() const noexcept {
+    return core::monotonicNow_ns();
+}
 
 void MonotonicClock::waitUntil(std::int64_t deadline_ns) const noexcept {
     const std::int64_t wake_ns = deadline_ns - kSpin_ns;

@@ -20,16 +20,14 @@ struct RunReport {
 /// stays contiguous; a gap shows only in now_ns.
 /// Thread: run() is called on the haptic thread, after setUpRealtimeThread(); `stop` may be set from any
 /// other.
-template <class Clock>
-class PeriodicRunner {
+template <class Clock> class PeriodicRunner {
 public:
     PeriodicRunner(Clock& clock, TickSource& ticks) noexcept : m_clock(clock), m_ticks(ticks) {}
     PeriodicRunner(const PeriodicRunner&) = delete;
     PeriodicRunner& operator=(const PeriodicRunner&) = delete;
 
     /// Runs until `stop` is set or the task ends the run; the first tick starts at once.
-    template <TickTask Task>
-    RunReport run(Task& task, const std::atomic<bool>& stop) noexcept {
+    template <TickTask Task> RunReport run(Task& task, const std::atomic<bool>& stop) noexcept {
         RunReport report;
         std::int64_t deadline_ns = m_clock.now_ns();
         bool goOn = true;
@@ -68,12 +66,12 @@ public:
     AsFastRunner(const AsFastRunner&) = delete;
     AsFastRunner& operator=(const AsFastRunner&) = delete;
 
-    template <TickTask Task>
-    RunReport run(Task& task, const std::atomic<bool>& stop) noexcept {
+    template <TickTask Task> RunReport run(Task& task, const std::atomic<bool>& stop) noexcept {
         RunReport report;
         bool goOn = true;
         while (goOn && !stop.load(std::memory_order_acquire)) {
-            const HapticTick now = m_ticks.next(static_cast<std::int64_t>(m_ticks.executed()) * kTickPeriod_ns);
+            const HapticTick now =
+                m_ticks.next(static_cast<std::int64_t>(m_ticks.executed()) * kTickPeriod_ns);
             goOn = runTick(task, now);
             ++report.executed;
         }

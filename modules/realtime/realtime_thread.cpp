@@ -27,10 +27,10 @@ void askForPriority(int priority, RealtimeStatus& status) {
     parameter.sched_priority = priority;
     const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter);
     status.priorityGranted = error == 0;
-    status.priorityDetail =
-        error == 0 ? "SCHED_FIFO priority " + std::to_string(priority)
-                   : std::string("no real-time priority: ") + std::strerror(error) +
-                         " (an rtprio limit of at least " + std::to_string(priority) + " for this user would permit it)";
+    status.priorityDetail = error == 0 ? "SCHED_FIFO priority " + std::to_string(priority)
+                                       : std::string("no real-time priority: ") + std::strerror(error) +
+                                             " (an rtprio limit of at least " + std::to_string(priority) +
+                                             " for this user would permit it)";
 }
 
 void lockMemory(RealtimeStatus& status) {
@@ -44,8 +44,8 @@ void lockMemory(RealtimeStatus& status) {
     // ONFAULT locks only pages that were touched, so that memory that was merely reserved does not fill the
     // machine.
     status.memoryLocked = mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
-    status.memoryDetail = status.memoryLocked ? "memory locked"
-                                              : std::string("memory not locked: ") + std::strerror(errno);
+    status.memoryDetail =
+        status.memoryLocked ? "memory locked" : std::string("memory not locked: ") + std::strerror(errno);
 }
 
 } // namespace

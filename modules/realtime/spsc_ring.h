@@ -12,10 +12,10 @@ namespace chiron::realtime {
 /// masked. Each side keeps a cached copy of the other's index and reads the shared one only when the copy
 /// says full or empty, so that a push costs one release store.
 /// Thread: tryPush() on one thread, tryPop() on one other; allocates nothing after construction.
-template <class T, std::size_t N>
-class SpscRing {
+template <class T, std::size_t N> class SpscRing {
     static_assert(N >= 2 && (N & (N - 1)) == 0, "the capacity is a power of two");
-    static_assert(std::is_trivially_copyable_v<T>, "only values that can be copied bytewise travel between threads");
+    static_assert(std::is_trivially_copyable_v<T>,
+                  "only values that can be copied bytewise travel between threads");
 
 public:
     SpscRing() = default;

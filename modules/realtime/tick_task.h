@@ -32,8 +32,7 @@ concept ObservesTiming = requires(T& task, const TickTiming& timing) {
 };
 
 /// Runs one tick; returns true if the run goes on.
-template <TickTask Task>
-bool runTick(Task& task, const HapticTick& now) noexcept {
+template <TickTask Task> bool runTick(Task& task, const HapticTick& now) noexcept {
     if constexpr (std::is_same_v<decltype(task.tick(now)), bool>) {
         return task.tick(now);
     } else {

@@ -49,8 +49,7 @@ template <unsigned width> void pack(const std::uint64_t* values, std::uint8_t* o
         std::array<std::uint64_t, kWords<width>> words{};
         [&]<std::size_t... i>(std::index_sequence<i...>) {
             (packValue<width, i>(values, words.data()), ...);
-        }
-        (std::make_index_sequence<kBlockValues>());
+        }(std::make_index_sequence<kBlockValues>());
         std::memcpy(out, words.data(), kBlockValues * width / 8);
     }
 }
@@ -63,8 +62,7 @@ template <unsigned width> void unpack(const std::uint8_t* in, std::uint64_t* val
         std::memcpy(words.data(), in, kBlockValues * width / 8);
         [&]<std::size_t... i>(std::index_sequence<i...>) {
             (unpackValue<width, i>(words.data(), values), ...);
-        }
-        (std::make_index_sequence<kBlockValues>());
+        }(std::make_index_sequence<kBlockValues>());
     }
 }
 

@@ -69,7 +69,8 @@ public:
     /// Returns the table that this program writes for the given tools (1..kMaxTools) and scene. The channels
     /// "quantity.<id>", which belong to no tool and have their own resolutions, follow those of the tools.
     /// Errors: wrongUse naming the tool or quantity.
-    static core::Result<ChannelTable> forTools(std::span<const ToolChannels> tools, const SceneChannels& scene = {});
+    static core::Result<ChannelTable> forTools(std::span<const ToolChannels> tools,
+                                               const SceneChannels& scene = {});
     /// Makes a table of any list of channels after checking it (unique ids, finite positive resolutions,
     /// references).
     /// Errors: badInput.

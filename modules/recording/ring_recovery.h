@@ -30,7 +30,7 @@ public:
     } ///< frames that the drain had marked as stored
     std::uint64_t dropped() const noexcept {
         return m_header.dropped;
-    }                      ///< lost because the ring was full; if not 0, the recording is incomplete
+    } ///< lost because the ring was full; if not 0, the recording is incomplete
     /// False if the machine was restarted since; then the newest samples may be missing.
     bool sameBoot() const;
     /// The frames after the committed ones, in order, up to the first slot that is missing or damaged. The

@@ -92,7 +92,8 @@ core::Result<void> addScene(std::vector<Channel>& out, const SceneChannels& scen
     for (std::size_t i = 0; i < scene.quantities.size(); ++i) {
         const core::QuantityDescription& quantity = scene.quantities[i];
         if (!isIdentifier(quantity.id)) // the id becomes the name of a column in trace files
-            return core::fail(core::ErrorCode::wrongUse, "recording: quantity " + std::to_string(i) + " \"" + quantity.id +
+            return core::fail(core::ErrorCode::wrongUse, "recording: quantity " + std::to_string(i) + " \"" +
+                                                             quantity.id +
                                                              "\": expected letters, digits and _");
         out.push_back(quantised(kNoTool, "quantity." + quantity.id, quantity.unit, quantity.resolution, ""));
         out.back().slot = static_cast<std::uint8_t>(i);
@@ -104,7 +105,8 @@ core::Result<void> addScene(std::vector<Channel>& out, const SceneChannels& scen
 }
 } // namespace
 
-core::Result<ChannelTable> ChannelTable::forTools(std::span<const ToolChannels> tools, const SceneChannels& scene) {
+core::Result<ChannelTable> ChannelTable::forTools(std::span<const ToolChannels> tools,
+                                                  const SceneChannels& scene) {
     if (tools.empty() || tools.size() > core::kMaxTools)
         return core::fail(core::ErrorCode::wrongUse, "recording: " + std::to_string(tools.size()) +
                                                          " tools, expected 1.." +

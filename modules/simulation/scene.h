@@ -3,8 +3,8 @@
 
 #include "core/command.h"
 #include "core/contact_bits.h"
-#include "core/session_state.h"
 #include "core/quantity.h"
+#include "core/session_state.h"
 #include "core/tool_state.h"
 #include "core/visible_cues.h"
 #include "realtime/haptic_tick.h"
@@ -31,10 +31,11 @@ struct SceneInput {
     bool answer = false;         ///< a participant's answer arrived this tick
     std::uint16_t answered = 0;  ///< argument of that command: the outcome that the participant named
     core::ForceState force = core::ForceState::off; ///< state in the previous tick, for the cues
-    SlowUpdate slow = SlowUpdate::asDue; ///< when the slow model's answer takes effect
+    SlowUpdate slow = SlowUpdate::asDue;            ///< when the slow model's answer takes effect
     /// The damping that all laws together may apply to each tool, in W: b_max of its device divided by the
     /// workspace scale. No law exceeds it.
-    std::array<double, core::kMaxTools> dampingBudget_Ns_per_m{kUnboundedDamping, kUnboundedDamping, kUnboundedDamping, kUnboundedDamping};
+    std::array<double, core::kMaxTools> dampingBudget_Ns_per_m{kUnboundedDamping, kUnboundedDamping,
+                                                               kUnboundedDamping, kUnboundedDamping};
 };
 
 /// Output of a scene for one tick.
@@ -68,7 +69,7 @@ struct SceneOutput {
     bool energyByBody = false;
     std::array<double, core::kMaxTools> bodyEnergy_J{};
     std::array<double, core::kMaxTools> bodyStiffness_N_per_m{};
-    std::array<std::uint8_t, core::kMaxTools> contact{};   ///< core::contact_bits of each tool; recorded
+    std::array<std::uint8_t, core::kMaxTools> contact{}; ///< core::contact_bits of each tool; recorded
     /// Recorded; each exercise names its quantities in this order.
     std::array<double, core::kMaxQuantities> quantities{};
 };

@@ -8,11 +8,11 @@ namespace chiron::simulation {
 /// Says at which tick the answer of a slow model takes effect (architecture.md, Determinism). The answer to a
 /// request that the scene made at tick n is due at tick n + L.
 enum class SlowUpdate : std::uint8_t {
-    asDue,     ///< faster than real time: exactly at n + L; the tick itself computes the answer, in lock-step
+    asDue, ///< faster than real time: exactly at n + L; the tick itself computes the answer, in lock-step
     /// Real time: at n + L, or at the first later tick that finds the answer; that tick is recorded.
     whenReady,
-    now,       ///< replay: at this tick, computed in lock-step
-    notNow,    ///< replay: not at this tick
+    now,    ///< replay: at this tick, computed in lock-step
+    notNow, ///< replay: not at this tick
 };
 
 /// A model that is too slow for the tick and is stepped beside it. It takes the request of tick n and answers

@@ -40,7 +40,8 @@ public:
     /// Advances by one tick of `dt_s` and returns the factor. `wanted_N` and `wanted_Nm` ≥ 0 are the force
     /// and torque of the law. `outside`: the tool does not touch this body. `breached`: the tool is at a pose
     /// for which the law is not defined, and the tissue gives way whatever its load is there.
-    double step(double wanted_N, bool outside, double dt_s, double wanted_Nm = 0.0, bool breached = false) noexcept {
+    double step(double wanted_N, bool outside, double dt_s, double wanted_Nm = 0.0,
+                bool breached = false) noexcept {
         m_yielded = false;
         const bool found = m_fresh;
         m_fresh = false;
@@ -82,7 +83,7 @@ private:
 
     YieldLaw m_law;
     double m_since_s = 0.0;
-    double m_from_N = 0.0;  ///< force from which the fall starts
+    double m_from_N = 0.0; ///< force from which the fall starts
     double m_from_Nm = 0.0;
     bool m_fresh = true; ///< no step has been made yet
     bool m_through = false;

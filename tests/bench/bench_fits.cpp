@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Psychometric fits beside R's glm with psyphy's m-AFC link on the same data: one maximum-likelihood fit with a fixed and with a free
-// lapse, 2,000 bootstrap fits, and the Bayesian fit (peer: python-psignifit, published figure where it is not installed).
+// Psychometric fits beside R's glm with psyphy's m-AFC link on the same data: one maximum-likelihood fit with
+// a fixed and with a free lapse, 2,000 bootstrap fits, and the Bayesian fit (peer: python-psignifit,
+// published figure where it is not installed).
 #include "bench/alternating.h"
 #include "bench/bench_table.h"
 #include "psychophysics/fits/fit.h"
@@ -20,8 +21,10 @@ namespace {
 
 constexpr int kRepeats = 5;
 // Palamedes' demonstration of signal detection fits: 8 levels × 100 trials of 2AFC.
-const PsychometricData kData{{1, 2, 3, 4, 5, 6, 7, 8}, {51, 53, 55, 69, 72, 86, 95, 99}, {100, 100, 100, 100, 100, 100, 100, 100}};
-const PsychometricData kYesNo{{-3, -2, -1, 0, 1, 2, 3}, {2, 13, 28, 56, 73, 91, 93}, {100, 100, 100, 100, 100, 100, 100}};
+const PsychometricData kData{
+    {1, 2, 3, 4, 5, 6, 7, 8}, {51, 53, 55, 69, 72, 86, 95, 99}, {100, 100, 100, 100, 100, 100, 100, 100}};
+const PsychometricData kYesNo{
+    {-3, -2, -1, 0, 1, 2, 3}, {2, 13, 28, 56, 73, 91, 93}, {100, 100, 100, 100, 100, 100, 100}};
 
 constexpr const char* kScript = R"(
 x <- c(1,2,3,4,5,6,7,8); k <- c(51,53,55,69,72,86,95,99); n <- rep(100, 8)
@@ -46,7 +49,8 @@ RTimes runR(const std::string& script) {
     RTimes times;
     const std::string command = "Rscript --vanilla '" + script + "' 2>/dev/null";
     const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
-    times.measured = pipe && std::fscanf(pipe.get(), "%lf %lf %lf %lf", &times.one_s, &times.bootstrap_s, &times.intercept, &times.slope) == 4;
+    times.measured = pipe && std::fscanf(pipe.get(), "%lf %lf %lf %lf", &times.one_s, &times.bootstrap_s,
+                                         &times.intercept, &times.slope) == 4;
     return times;
 }
 
@@ -56,7 +60,8 @@ double timed(int calls, const std::function<void()>& work) {
                for (int i = 0; i < calls; ++i) {
                    work();
                }
-           }) / calls;
+           }) /
+           calls;
 }
 
 FitOptions likelihood(Asymptote lapse) {
@@ -67,8 +72,9 @@ FitOptions likelihood(Asymptote lapse) {
     return options;
 }
 
-BenchRow row(const char* work, const char* peer, const char* unit, double factor, const std::vector<double>& theirs, const std::vector<double>& ours,
-             double published, double goal) {
+BenchRow row(const char* work, const char* peer, const char* unit, double factor,
+             const std::vector<double>& theirs, const std::vector<double>& ours, double published,
+             double goal) {
     BenchRow line{.work = work, .peer = peer, .unit = unit};
     const bool measured = !theirs.empty();
     line.peerMedian = factor * (measured ? median(theirs) : published);
@@ -108,11 +114,12 @@ int main(int argc, char** argv) {
         yesNoTimes.push_back(timed(3, [&] { fitBayesian(kYesNo, yesNo); }));
     }
     std::remove(script.c_str());
-    std::vector<BenchRow> rows{row("ML fit, fixed lapse", "R glm + psyphy", "us", 1e6, rOne, fixedTimes, 1.2e-3, 400.0),
-                               row("ML fit, free lapse", "R glm + psyphy (fixed)", "us", 1e6, rOne, freeTimes, 1.2e-3, 50.0),
-                               row("2,000 bootstrap fits, BCa", "R glm + psyphy", "ms", 1e3, rMany, bootstrapTimes, 3.3, 200.0),
-                               row("Bayesian fit, 2AFC", "python-psignifit", "ms", 1e3, {}, choiceTimes, 1.04, 20.0),
-                               row("Bayesian fit, yes-no", "python-psignifit", "ms", 1e3, {}, yesNoTimes, 8.0, 16.0)};
+    std::vector<BenchRow> rows{
+        row("ML fit, fixed lapse", "R glm + psyphy", "us", 1e6, rOne, fixedTimes, 1.2e-3, 400.0),
+        row("ML fit, free lapse", "R glm + psyphy (fixed)", "us", 1e6, rOne, freeTimes, 1.2e-3, 50.0),
+        row("2,000 bootstrap fits, BCa", "R glm + psyphy", "ms", 1e3, rMany, bootstrapTimes, 3.3, 200.0),
+        row("Bayesian fit, 2AFC", "python-psignifit", "ms", 1e3, {}, choiceTimes, 1.04, 20.0),
+        row("Bayesian fit, yes-no", "python-psignifit", "ms", 1e3, {}, yesNoTimes, 8.0, 16.0)};
     if (r.measured) {
         const FitResult fit = fitMaximumLikelihood(kData, fixed);
         const double slope = unitsOf(fit.function).spread / fit.best.width;

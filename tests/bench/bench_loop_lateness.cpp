@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How late the 1 kHz loop starts its ticks while two processes are busy and a third writes and fsyncs: PeriodicRunner on a
-// thread that setUpRealtimeThread() prepared, beside a QTimer (Qt::PreciseTimer, 1 ms) in an event loop. Both run the same
-// haptic loop on the sphere-apex scene.
+// How late the 1 kHz loop starts its ticks while two processes are busy and a third writes and fsyncs:
+// PeriodicRunner on a thread that setUpRealtimeThread() prepared, beside a QTimer (Qt::PreciseTimer, 1 ms) in
+// an event loop. Both run the same haptic loop on the sphere-apex scene.
 #include "bench/alternating.h"
 #include "bench/bench_table.h"
 #include "bench/disturbers.h"
@@ -48,12 +48,14 @@ struct Punctuality {
         lastStart_ns = start_ns;
     }
     double lateShare() const {
-        const auto late = std::count_if(late_us.begin(), late_us.end(), [](double us) { return us > kLate_us; });
+        const auto late =
+            std::count_if(late_us.begin(), late_us.end(), [](double us) { return us > kLate_us; });
         return late_us.empty() ? 0.0 : static_cast<double>(late) / static_cast<double>(late_us.size());
     }
     double cpuShare() const { return wall_s > 0.0 ? cpu_s / wall_s : 0.0; }
     void closeRepeat() {
-        p99_us.push_back(percentile({late_us.end() - static_cast<std::ptrdiff_t>(kTicks), late_us.end()}, 0.99));
+        p99_us.push_back(
+            percentile({late_us.end() - static_cast<std::ptrdiff_t>(kTicks), late_us.end()}, 0.99));
     }
 };
 
@@ -65,7 +67,8 @@ struct Loop {
     std::unique_ptr<tests::LoopBench> bench;
 
     Loop() {
-        auto made = recording::CrashRing::create({.folder = recording::defaultRingFolder(), .session = getpid()});
+        auto made =
+            recording::CrashRing::create({.folder = recording::defaultRingFolder(), .session = getpid()});
         if (!made) {
             std::fprintf(stderr, "%s\n", made.error().message.c_str());
             std::exit(1);
@@ -73,8 +76,8 @@ struct Loop {
         ring = std::move(*made);
         haptics::SafetySettings safety;
         safety.heartbeatWatched = false;
-        bench = std::make_unique<tests::LoopBench>(std::vector<haptics::LoopTool>{{device, {}}}, inputs, *ring,
-                                                   tests::apexScene(), safety);
+        bench = std::make_unique<tests::LoopBench>(std::vector<haptics::LoopTool>{{device, {}}}, inputs,
+                                                   *ring, tests::apexScene(), safety);
         inputs.post({core::CommandKind::start});
     }
     ~Loop() { (void)ring->remove(); }
@@ -119,17 +122,19 @@ void runPeriodic(Punctuality& result) {
     result.closeRepeat();
 }
 
-/// One QTimer's ticks. Its own schedule counts: a timeout that is over when it should be armed begins a new one (as Qt
-/// does), so the peer is not charged twice for one delay.
+/// One QTimer's ticks. Its own schedule counts: a timeout that is over when it should be armed begins a new
+/// one (as Qt does), so the peer is not charged twice for one delay.
 class TimerTicks {
 public:
     TimerTicks(haptics::HapticLoop& loop, Punctuality& result, QEventLoop& events)
-        : m_loop(loop), m_result(result), m_events(events), m_deadline_ns(core::monotonicNow_ns() + 1'000'000) {}
+        : m_loop(loop), m_result(result), m_events(events),
+          m_deadline_ns(core::monotonicNow_ns() + 1'000'000) {}
     void timeout() {
         const std::int64_t start_ns = core::monotonicNow_ns();
         m_result.started(start_ns, m_ticks.executed() == 0);
         m_loop.tick(m_ticks.next(start_ns));
-        m_result.late_us.push_back(1e-3 * static_cast<double>(std::max<std::int64_t>(0, start_ns - m_deadline_ns)));
+        m_result.late_us.push_back(1e-3 *
+                                   static_cast<double>(std::max<std::int64_t>(0, start_ns - m_deadline_ns)));
         m_result.duration_us.push_back(1e-3 * static_cast<double>(core::monotonicNow_ns() - start_ns));
         m_deadline_ns += 1'000'000;
         if (m_deadline_ns < start_ns) {
@@ -171,12 +176,13 @@ void runTimer(Punctuality& result, bool askForPriority) {
     result.closeRepeat();
 }
 
-/// Time that the virtual machine's processors wanted and did not get, since boot, all of them together; 0 where unknown.
+/// Time that the virtual machine's processors wanted and did not get, since boot, all of them together; 0
+/// where unknown.
 double stolenSeconds() {
     unsigned long long user = 0, nice = 0, system = 0, idle = 0, wait = 0, irq = 0, softirq = 0, steal = 0;
     if (std::FILE* file = std::fopen("/proc/stat", "r")) {
-        if (std::fscanf(file, "cpu %llu %llu %llu %llu %llu %llu %llu %llu", &user, &nice, &system, &idle, &wait, &irq,
-                        &softirq, &steal) != 8)
+        if (std::fscanf(file, "cpu %llu %llu %llu %llu %llu %llu %llu %llu", &user, &nice, &system, &idle,
+                        &wait, &irq, &softirq, &steal) != 8)
             steal = 0;
         std::fclose(file);
     }
@@ -190,7 +196,8 @@ std::string judged(const Punctuality& ours, bool reached) {
 
 /// The peer with the priority that ours has: what is left is the timer itself.
 BenchRow priorityRow(const Punctuality& ours, const Punctuality& fifo) {
-    BenchRow row{.work = "lateness, p99 of a repeat", .peer = "the same QTimer with our priority", .unit = "us"};
+    BenchRow row{
+        .work = "lateness, p99 of a repeat", .peer = "the same QTimer with our priority", .unit = "us"};
     row.peerMedian = median(fifo.p99_us);
     row.oursMedian = median(ours.p99_us);
     if (!fifo.status.priorityGranted)
@@ -205,8 +212,9 @@ std::vector<BenchRow> rowsOf(const Punctuality& ours, const Punctuality& peer) {
     p99.oursMedian = median(ours.p99_us);
     p99.p99 = percentile(ours.late_us, 0.99);
     p99.p999 = percentile(ours.late_us, 0.999);
-    p99.agreement = text("%zu and %zu ticks, %llu and %llu deadlines skipped", peer.late_us.size(), ours.late_us.size(),
-                         static_cast<unsigned long long>(peer.skipped), static_cast<unsigned long long>(ours.skipped));
+    p99.agreement =
+        text("%zu and %zu ticks, %llu and %llu deadlines skipped", peer.late_us.size(), ours.late_us.size(),
+             static_cast<unsigned long long>(peer.skipped), static_cast<unsigned long long>(ours.skipped));
     p99.goal = "ratio ≥ 100";
     p99.reached = judged(ours, p99.ratio().value_or(0.0) >= 100.0);
     BenchRow p50{.work = "lateness, median", .peer = timer, .unit = "us"};
@@ -225,7 +233,8 @@ std::vector<BenchRow> rowsOf(const Punctuality& ours, const Punctuality& peer) {
     cpu.oursMedian = 100.0 * ours.cpuShare();
     cpu.goal = "≤ 12";
     cpu.reached = judged(ours, *cpu.oursMedian <= 12.0);
-    BenchRow tick{.work = "whole tick at 1 kHz, disturbed", .peer = "the same tick from QTimer", .unit = "us"};
+    BenchRow tick{
+        .work = "whole tick at 1 kHz, disturbed", .peer = "the same tick from QTimer", .unit = "us"};
     tick.peerMedian = median(peer.duration_us);
     tick.oursMedian = median(ours.duration_us);
     tick.p99 = percentile(ours.duration_us, 0.99);
@@ -252,6 +261,7 @@ int main(int argc, char** argv) {
     std::printf("The host took %.2f %% of the processors' time away (steal).\n",
                 100.0 * (stolenSeconds() - before_s) / (wall * std::thread::hardware_concurrency()));
     std::printf("%d repeats of %.1f s each, alternating. PeriodicRunner: %s; %s.\n", kRepeats,
-                1e-3 * static_cast<double>(kTicks), ours.status.priorityDetail.c_str(), ours.status.memoryDetail.c_str());
+                1e-3 * static_cast<double>(kTicks), ours.status.priorityDetail.c_str(),
+                ours.status.memoryDetail.c_str());
     return 0;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What contact with a mesh costs: a 1 mm tool on a bumpy organ along a recorded path, beside Bullet's rays (a god-object) and
-// Embree's point query, in turn; whether the cost grows with the mesh; and how far any tick is from looking at every triangle.
+// What contact with a mesh costs: a 1 mm tool on a bumpy organ along a recorded path, beside Bullet's rays (a
+// god-object) and Embree's point query, in turn; whether the cost grows with the mesh; and how far any tick
+// is from looking at every triangle.
 #include "bench/alternating.h"
 #include "bench/bench_table.h"
 #include "bench/mesh_peers.h"
@@ -37,8 +38,9 @@ struct Recorded {
     std::vector<Vec3> point; ///< its lowest place: what a point must do to touch alike
 };
 
-/// The default hand (0.45 kg with the device, 300 N/m, 6.5 N·s/m; models.md §4) wanders over the organ at 20 to 60 mm/s, wants to be up to
-/// 6 mm inside, now and then lifts, trembles at 9 Hz, and meets the organ: its places, once a millisecond.
+/// The default hand (0.45 kg with the device, 300 N/m, 6.5 N·s/m; models.md §4) wanders over the organ at 20
+/// to 60 mm/s, wants to be up to 6 mm inside, now and then lifts, trembles at 9 Hz, and meets the organ: its
+/// places, once a millisecond.
 Recorded record(const TriangleMesh& mesh) {
     const MeshContact contact(plain(), kRadius_m);
     MeshContactState state;
@@ -46,11 +48,16 @@ Recorded record(const TriangleMesh& mesh) {
     Vec3 x(0.0, 0.0, 0.030), v = Vec3::Zero(), held = Vec3::Zero();
     core::Random random(17);
     for (int n = 0; n < kTicks; ++n) {
-        const double t = 0.001 * n, theta = 1.57 - 1.3 * std::cos(0.9 * t), phi = 1.3 * t + 0.5 * std::sin(2.3 * t);
-        const Vec3 axes(0.040, 0.030, 0.025), on = Vec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)).cwiseProduct(axes);
+        const double t = 0.001 * n, theta = 1.57 - 1.3 * std::cos(0.9 * t),
+                     phi = 1.3 * t + 0.5 * std::sin(2.3 * t);
+        const Vec3 axes(0.040, 0.030, 0.025),
+            on = Vec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta))
+                     .cwiseProduct(axes);
         const Vec3 up = on.cwiseQuotient(axes.cwiseProduct(axes)).normalized();
         const double inside = 0.0025 + 0.0035 * std::sin(2.9 * t);
-        const Vec3 wanted = on + (kRadius_m - inside) * up + 1e-4 * Vec3(std::sin(56.0 * t), std::sin(57.0 * t + 1.0), std::sin(55.0 * t + 2.0));
+        const Vec3 wanted =
+            on + (kRadius_m - inside) * up +
+            1e-4 * Vec3(std::sin(56.0 * t), std::sin(57.0 * t + 1.0), std::sin(55.0 * t + 2.0));
         for (int i = 0; i < 8; ++i) {
             v += 0.000125 * (300.0 * (wanted - x) - 6.5 * v + held) / 0.45;
             x += 0.000125 * v;
@@ -78,11 +85,15 @@ template <class Tick> double nsEach(const std::vector<Vec3>& path, Tick&& tick) 
 double contactOnce(const MeshContact& contact, const TriangleMesh& mesh, const std::vector<Vec3>& path) {
     MeshContactState state;
     std::uint64_t n = 0;
-    return nsEach(path, [&](const Vec3& p) { return contact.respond(mesh, p, Vec3::Zero(), n++, state).contact.force.x(); });
+    return nsEach(path, [&](const Vec3& p) {
+        return contact.respond(mesh, p, Vec3::Zero(), n++, state).contact.force.x();
+    });
 }
 
-/// The largest distance (N) of any tick's force from that of the nearest place of all triangles, and how many ticks touch.
-std::pair<double, int> agreement(const MeshContact& contact, const TriangleMesh& mesh, const std::vector<Vec3>& path) {
+/// The largest distance (N) of any tick's force from that of the nearest place of all triangles, and how many
+/// ticks touch.
+std::pair<double, int> agreement(const MeshContact& contact, const TriangleMesh& mesh,
+                                 const std::vector<Vec3>& path) {
     simulation::testing::BruteForce brute(mesh);
     MeshContactState state;
     double worst = 0.0;
@@ -92,8 +103,11 @@ std::pair<double, int> agreement(const MeshContact& contact, const TriangleMesh&
         const MeshResponse mine = contact.respond(mesh, p, Vec3::Zero(), n++, state);
         const MeshPlace place = brute.nearest(p);
         const Vec3 way = pointAt(mesh, place) - p;
-        const double side = way.dot(pseudoNormal(mesh, place)) > 0.0 ? 1.0 : -1.0, depth = side * way.norm() + kRadius_m;
-        const Vec3 theirs = depth > 0.0 && way.norm() > 1e-6 ? Vec3(500.0 * depth * side * way.normalized()) : Vec3(500.0 * std::max(0.0, depth) * mine.contact.normal);
+        const double side = way.dot(pseudoNormal(mesh, place)) > 0.0 ? 1.0 : -1.0,
+                     depth = side * way.norm() + kRadius_m;
+        const Vec3 theirs = depth > 0.0 && way.norm() > 1e-6
+                                ? Vec3(500.0 * depth * side * way.normalized())
+                                : Vec3(500.0 * std::max(0.0, depth) * mine.contact.normal);
         worst = std::max(worst, (mine.contact.force - theirs).norm());
         touching += mine.contact.inContact ? 1 : 0;
     }
@@ -138,20 +152,27 @@ void againstPeers(std::vector<BenchRow>& rows) {
     row.p999 = percentile(single, 0.999);
     row.allocations = allocations;
     row.agreement = text("%.3f N", worst);
-    const auto add = [&](const char* peer, std::optional<double> ns, const char* goal, std::optional<double> atLeast) {
+    const auto add = [&](const char* peer, std::optional<double> ns, const char* goal,
+                         std::optional<double> atLeast) {
         BenchRow one = row;
         one.peer = peer;
         one.peerMedian = ns;
         one.goal = goal;
-        one.reached = atLeast ? verdict(ns ? std::optional<bool>(*one.ratio() >= *atLeast && allocations == 0 && worst <= 0.2) : std::nullopt) : "–";
+        one.reached = atLeast ? verdict(ns ? std::optional<bool>(*one.ratio() >= *atLeast &&
+                                                                 allocations == 0 && worst <= 0.2)
+                                           : std::nullopt)
+                              : "–";
         rows.push_back(one);
     };
-    const auto measured = [](const std::vector<double>& values) { return values.empty() ? std::nullopt : std::optional<double>(median(values)); };
+    const auto measured = [](const std::vector<double>& values) {
+        return values.empty() ? std::nullopt : std::optional<double>(median(values));
+    };
     add("Bullet, god-object, world's rays", measured(bullet), "≥ 8, 0 alloc., ≤ 0.2 N", 8.0);
     add("Bullet, god-object, shape's rays", measured(bulletBare), "≥ 8, 0 alloc., ≤ 0.2 N", 8.0);
     add("Embree, point query", measured(embrees), "–", std::nullopt);
     add("CHAI3D (published)", kChai3d_ns, "≥ 300", 300.0);
-    std::printf("%d of %d ticks touch; p50 of single ticks %.0f ns, each with one clock read\n\n", touching, kTicks, percentile(single, 0.5));
+    std::printf("%d of %d ticks touch; p50 of single ticks %.0f ns, each with one clock read\n\n", touching,
+                kTicks, percentile(single, 0.5));
 }
 
 void bySize(std::vector<BenchRow>& rows) {
@@ -180,7 +201,8 @@ void bySize(std::vector<BenchRow>& rows) {
     const TriangleMesh& mesh = meshes[1];
     std::vector<double> query;
     for (int r = 0; r < kRepeats; ++r)
-        query.push_back(nsEach(paths[1].tool, [&](const Vec3& p) { return nearestOnMesh(mesh, p).signedDistance_m; }));
+        query.push_back(
+            nsEach(paths[1].tool, [&](const Vec3& p) { return nearestOnMesh(mesh, p).signedDistance_m; }));
     BenchRow row{.work = "our tree's query every tick (to acquire), 50,000"};
     row.oursMedian = median(query);
     rows.push_back(row);
@@ -195,6 +217,8 @@ int main() {
     againstPeers(rows);
     bySize(rows);
     printTable(rows);
-    std::printf("%d repeats of %d ticks in turn, processor time; Bullet's path is that of the tip's lowest point.\n", kRepeats, kTicks);
+    std::printf(
+        "%d repeats of %d ticks in turn, processor time; Bullet's path is that of the tip's lowest point.\n",
+        kRepeats, kTicks);
     return 0;
 }

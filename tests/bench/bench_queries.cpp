@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Peak force and path length of 5,000 ten-minute sessions from the per-second summaries of the product's database, beside
-// the same question to rows of samples. Twenty sessions are really recorded (samples kept); their summaries are copied into
-// the others'. Usage: bench_queries [FOLDER with 2 GB of room]
+// Peak force and path length of 5,000 ten-minute sessions from the per-second summaries of the product's
+// database, beside the same question to rows of samples. Twenty sessions are really recorded (samples kept);
+// their summaries are copied into the others'. Usage: bench_queries [FOLDER with 2 GB of room]
 #include "bench/alternating.h"
 #include "bench/bench_table.h"
 #include "bench/sample_rows.h"
 #include "bench/summary_site.h"
 
 #include <QCoreApplication>
-#include <cstdio>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 using namespace chiron;
@@ -21,8 +21,7 @@ constexpr int kSessions = 5'000;
 constexpr int kRepeats = 5;
 constexpr double kGoal = 1000.0;
 
-template <class Value>
-Value orExit(core::Result<Value> value) {
+template <class Value> Value orExit(core::Result<Value> value) {
     if (!value) {
         std::fprintf(stderr, "%s\n", value.error().message.c_str());
         std::exit(1);
@@ -30,8 +29,8 @@ Value orExit(core::Result<Value> value) {
     return std::move(*value);
 }
 
-/// How far the two answers are apart, at most, over the recorded sessions: both come from the stored samples, added up in
-/// another order.
+/// How far the two answers are apart, at most, over the recorded sessions: both come from the stored samples,
+/// added up in another order.
 struct Agreement {
     double force_N = 0.0;
     double path_relative = 0.0;
@@ -44,7 +43,8 @@ struct Agreement {
 
 int main(int argc, char** argv) {
     const QCoreApplication application(argc, argv); // Qt loads the SQLite driver as a plugin
-    const std::filesystem::path folder = std::filesystem::path(argc > 1 ? argv[1] : ".") / "chiron-bench-queries";
+    const std::filesystem::path folder =
+        std::filesystem::path(argc > 1 ? argv[1] : ".") / "chiron-bench-queries";
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     printHeading("Peak force and path length of 5,000 ten-minute sessions");
@@ -72,7 +72,8 @@ int main(int argc, char** argv) {
                               kSessions);
     }
 
-    BenchRow all{.work = "all 5,000 sessions in one question, each", .peer = "SQLite row a sample", .unit = "us"};
+    BenchRow all{
+        .work = "all 5,000 sessions in one question, each", .peer = "SQLite row a sample", .unit = "us"};
     all.peerMedian = 1e6 * median(rowsTime);
     all.oursMedian = 1e6 * median(allTime);
     all.agreement = text("force within %.1e N, path within %.1e", agreement.force_N, agreement.path_relative);
@@ -83,8 +84,10 @@ int main(int argc, char** argv) {
     one.oursMedian = 1e6 * median(oneTime);
     one.agreement = all.agreement;
     printTable({all, one});
-    std::printf("CPU time. %d recorded sessions, %.1f MB of samples kept; 5,000 sessions have %lld summary rows; database %.0f MB.\n",
-                kRecorded, 1e-6 * static_cast<double>(site.sampleBytes()), static_cast<long long>(site.summaryRows()),
+    std::printf("CPU time. %d recorded sessions, %.1f MB of samples kept; 5,000 sessions have %lld summary "
+                "rows; database %.0f MB.\n",
+                kRecorded, 1e-6 * static_cast<double>(site.sampleBytes()),
+                static_cast<long long>(site.summaryRows()),
                 1e-6 * static_cast<double>(std::filesystem::file_size(folder / "site.db")));
     std::filesystem::remove_all(folder);
     return 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a trial of QUEST+ costs (choose and take the answer in), beside jsquest-plus (npm) on the same grid and answers, in turn; and the
-// set-up of three grids.
+// What a trial of QUEST+ costs (choose and take the answer in), beside jsquest-plus (npm) on the same grid
+// and answers, in turn; and the set-up of three grids.
 #include "bench/alternating.h"
 #include "bench/bench_table.h"
 #include "core/fp_environment.h"
@@ -34,8 +34,10 @@ std::vector<double> even(double from, double to, int count) {
 QuestPlusSpec grid(int stimuli, int thresholds, int slopes, int lapses) {
     QuestPlusSpec spec;
     spec.stimuli = {{"intensity", even(-2.0, 0.0, stimuli)}};
-    spec.parameters = {{"threshold", even(-2.0, 0.0, thresholds), {}, false}, {"slope", even(1.0, 7.0, slopes), {}, false},
-                       {"lower_asymptote", {0.5}, {}, false}, {"lapse_rate", even(0.0, 0.09, lapses), {}, false}};
+    spec.parameters = {{"threshold", even(-2.0, 0.0, thresholds), {}, false},
+                       {"slope", even(1.0, 7.0, slopes), {}, false},
+                       {"lower_asymptote", {0.5}, {}, false},
+                       {"lapse_rate", even(0.0, 0.09, lapses), {}, false}};
     spec.stop = {.trials = kTrials};
     return spec;
 }
@@ -99,15 +101,19 @@ QJsonObject peer(const QuestPlusSpec& spec, const std::vector<int>& answers, con
     if (!std::ifstream(module))
         return {};
     const std::string file = folder + "/quest_plus_task.json";
-    const QJsonObject task{{"stimuli", array(spec.stimuli[0].second)}, {"threshold", array(spec.parameters[0].values)},
-                           {"slope", array(spec.parameters[1].values)}, {"lapse", array(spec.parameters[3].values)},
+    const QJsonObject task{{"stimuli", array(spec.stimuli[0].second)},
+                           {"threshold", array(spec.parameters[0].values)},
+                           {"slope", array(spec.parameters[1].values)},
+                           {"lapse", array(spec.parameters[3].values)},
                            {"responses", array({answers.begin(), answers.end()})}};
     std::ofstream(file) << QJsonDocument(task).toJson().toStdString();
-    const std::string out = said("node '" CHIRON_SOURCE_DIR "/tests/bench/quest_plus_peer.mjs' '" + module + "' '" + file + "'");
+    const std::string out =
+        said("node '" CHIRON_SOURCE_DIR "/tests/bench/quest_plus_peer.mjs' '" + module + "' '" + file + "'");
     return QJsonDocument::fromJson(QByteArray::fromStdString(out)).object();
 }
 
-void compare(std::vector<BenchRow>& rows, const char* name, const QuestPlusSpec& spec, double goal, const std::string& folder) {
+void compare(std::vector<BenchRow>& rows, const char* name, const QuestPlusSpec& spec, double goal,
+             const std::string& folder) {
     std::shared_ptr<const QuestPlusModel> model = *questPlusModel(spec);
     const std::vector<int> answers = answersOf(*model);
     std::vector<double> own, theirs;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What handing a frame of one tool to another thread costs the haptic thread: the crash ring and SpscRing beside a deque
-// under a mutex, each emptied meanwhile by a consumer that looks every 20 µs.
+// What handing a frame of one tool to another thread costs the haptic thread: the crash ring and SpscRing
+// beside a deque under a mutex, each emptied meanwhile by a consumer that looks every 20 µs.
 #include "bench/alternating.h"
 #include "bench/bench_table.h"
 #include "bench/no_system_call.h"
@@ -52,16 +52,17 @@ struct Pushes {
     std::uint64_t refused = 0;
 };
 
-/// Waits for the gap, and for a consumer that has lost its processor: at 2 million frames a second a ring of 4 s at 1 kHz
-/// lasts 2 ms.
+/// Waits for the gap, and for a consumer that has lost its processor: at 2 million frames a second a ring of
+/// 4 s at 1 kHz lasts 2 ms.
 void pause(std::int64_t until_ns, std::uint64_t pushed, const std::atomic<std::uint64_t>& arrived) {
-    while (core::monotonicNow_ns() < until_ns || pushed > arrived.load(std::memory_order_relaxed) + kMostWaiting) {
+    while (core::monotonicNow_ns() < until_ns ||
+           pushed > arrived.load(std::memory_order_relaxed) + kMostWaiting) {
     }
 }
 
-/// `push(n)` on this thread, `take()` (gives how many it took) on another until all has arrived or was refused.
-template <class Push, class Take>
-void run(Pushes& result, double clock_ns, Push&& push, Take&& take) {
+/// `push(n)` on this thread, `take()` (gives how many it took) on another until all has arrived or was
+/// refused.
+template <class Push, class Take> void run(Pushes& result, double clock_ns, Push&& push, Take&& take) {
     std::atomic<bool> done{false};
     std::atomic<std::uint64_t> arrived{0};
     std::thread consumer([&] {
@@ -106,7 +107,8 @@ void throughMutex(Pushes& result, double clock_ns, const std::vector<OneTool>& f
     std::mutex mutex;
     std::deque<OneTool> queue;
     std::deque<OneTool> taken;
-    run(result, clock_ns,
+    run(
+        result, clock_ns,
         [&](std::size_t n) {
             const std::lock_guard lock(mutex);
             queue.push_back(frames[n % frames.size()]);
@@ -123,7 +125,8 @@ void throughMutex(Pushes& result, double clock_ns, const std::vector<OneTool>& f
 void throughSpscRing(Pushes& result, double clock_ns, const std::vector<OneTool>& frames) {
     const auto ring = std::make_unique<realtime::SpscRing<OneTool, 4096>>();
     OneTool taken;
-    run(result, clock_ns, [&](std::size_t n) { return ring->tryPush(frames[n % frames.size()]); },
+    run(
+        result, clock_ns, [&](std::size_t n) { return ring->tryPush(frames[n % frames.size()]); },
         [&] {
             std::uint64_t count = 0;
             while (ring->tryPop(taken))
@@ -140,7 +143,8 @@ void throughCrashRing(Pushes& result, double clock_ns, const std::vector<core::H
     }
     recording::RingDrain drain(**ring);
     std::vector<core::HapticFrame> taken(256);
-    run(result, clock_ns, [&](std::size_t n) { return (*ring)->tryPush(frames[n % frames.size()]); },
+    run(
+        result, clock_ns, [&](std::size_t n) { return (*ring)->tryPush(frames[n % frames.size()]); },
         [&] {
             std::uint64_t count = 0;
             while (const std::size_t some = drain.read(taken))
@@ -158,8 +162,9 @@ BenchRow rowOf(const char* work, const Pushes& ours, const Pushes& peer) {
     row.p99 = percentile(ours.single_ns, 0.99);
     row.p999 = percentile(ours.single_ns, 0.999);
     row.allocations = ours.allocations;
-    row.agreement = text("%llu of %llu arrived, %llu refused", static_cast<unsigned long long>(ours.arrived),
-                         static_cast<unsigned long long>(peer.arrived), static_cast<unsigned long long>(ours.refused));
+    row.agreement =
+        text("%llu of %llu arrived, %llu refused", static_cast<unsigned long long>(ours.arrived),
+             static_cast<unsigned long long>(peer.arrived), static_cast<unsigned long long>(ours.refused));
     return row;
 }
 
@@ -199,11 +204,14 @@ int main() {
     BenchRow ring = rowOf("SpscRing, push", spsc, locked);
     BenchRow recorder = rowOf("crash ring with checksum, push", crash, locked);
     const auto quiet = pushesWithoutSystemCall(frames);
-    recorder.agreement += quiet ? (*quiet ? ", no system call" : ", SYSTEM CALLS") : ", system calls not measured";
+    recorder.agreement +=
+        quiet ? (*quiet ? ", no system call" : ", SYSTEM CALLS") : ", system calls not measured";
     recorder.goal = "≤ 15 in the haptic thread, no system call";
-    recorder.reached = verdict(*recorder.oursMedian <= kGoal_ns && crash.allocations == 0 && quiet.value_or(false));
+    recorder.reached =
+        verdict(*recorder.oursMedian <= kGoal_ns && crash.allocations == 0 && quiet.value_or(false));
     printTable({peer, ring, recorder});
-    std::printf("%d repeats of %zu single pushes (tails, a clock read of %.0f ns taken off) and %zu batches of %zu (medians); "
+    std::printf("%d repeats of %zu single pushes (tails, a clock read of %.0f ns taken off) and %zu batches "
+                "of %zu (medians); "
                 "%zu bytes a frame.\n",
                 kRepeats, kPushes, clock_ns, kPushes / kBatch, kBatch, sizeof(OneTool));
     return 0;

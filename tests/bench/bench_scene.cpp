@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// First frame of the 3D scene against a bare Qt3D window (one process each, alternating), its frames a second with a
-// moving tip at 1024x768, and those of the endoscope's view, without and with depth of field, beside P1's 26 and 13. Needs a display: xvfb-run -a -s "-screen 0 1280x1024x24" bench_scene
+// First frame of the 3D scene against a bare Qt3D window (one process each, alternating), its frames a second
+// with a moving tip at 1024x768, and those of the endoscope's view, without and with depth of field, beside
+// P1's 26 and 13. Needs a display: xvfb-run -a -s "-screen 0 1280x1024x24" bench_scene
 #include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "bench/alternating.h"
+#include "core/laparoscopy_cues.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/laparoscopy_samples.h"
 #include "gui/scene3d/palpation_samples.h"
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/urethra_samples.h"
-#include "core/laparoscopy_cues.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 #include <QApplication>
@@ -55,12 +56,12 @@ Subject urethra(bool depthOfField) {
     subject.setup = scene3d::samples::urethraSetup();
     subject.setup.depthOfField = depthOfField;
     subject.at = [setup = subject.setup](double t_s) {
-        scene3d::SceneState state = scene3d::samples::urethraState(
-            setup, {.s_m = 0.060 + 0.040 * std::sin(1.5 * t_s),
-                    .ex_m = 0.001 * std::sin(2.0 * t_s),
-                    .en_m = 0.001 * std::cos(2.0 * t_s),
-                    .pitch_rad = 0.15 * std::sin(1.1 * t_s),
-                    .yaw_rad = 0.10 * std::sin(1.7 * t_s)});
+        scene3d::SceneState state =
+            scene3d::samples::urethraState(setup, {.s_m = 0.060 + 0.040 * std::sin(1.5 * t_s),
+                                                   .ex_m = 0.001 * std::sin(2.0 * t_s),
+                                                   .en_m = 0.001 * std::cos(2.0 * t_s),
+                                                   .pitch_rad = 0.15 * std::sin(1.1 * t_s),
+                                                   .yaw_rad = 0.10 * std::sin(1.7 * t_s)});
         state.tool[0].force_N = {0.4, -1.0 + 0.5 * std::sin(3.0 * t_s), 0.6};
         return state;
     };
@@ -77,7 +78,8 @@ Subject tube() {
 Subject ovary() {
     return {scene3d::samples::handlingSetup(), [](double t_s) {
                 scene3d::SceneState state = scene3d::samples::handlingState(true);
-                state.exercise.own<core::LaparoscopyCues>().body[1].squeeze_m = 0.002 + 0.002 * std::sin(3.0 * t_s);
+                state.exercise.own<core::LaparoscopyCues>().body[1].squeeze_m =
+                    0.002 + 0.002 * std::sin(3.0 * t_s);
                 state.exercise.own<core::LaparoscopyCues>().body[1].p_W[0] += 0.01 * std::sin(2.0 * t_s);
                 return state;
             }};

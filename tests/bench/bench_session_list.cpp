@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of 5,000 sessions, from asking for it to its first paint with rows, beside making, showing and first painting an
-// empty QMainWindow in the same process, in turn; then how long a filter takes. Needs a display; starts itself under xvfb-run
-// where there is none.
+// The list of 5,000 sessions, from asking for it to its first paint with rows, beside making, showing and
+// first painting an empty QMainWindow in the same process, in turn; then how long a filter takes. Needs a
+// display; starts itself under xvfb-run where there is none.
 #include "bench/alternating.h"
 #include "bench/bench_table.h"
 #include "desktop/sessions/session_table_model.h"
@@ -134,7 +134,8 @@ int main(int argc, char** argv) {
     QApplication::setStyle(QStringLiteral("Fusion"));
     printHeading("The list of 5,000 sessions");
     tests::DesktopFixture desktop;
-    tests::storeManySessions(desktop.database(), {desktop.actor("tina"), desktop.actor("theo")}, kSessions, true);
+    tests::storeManySessions(desktop.database(), {desktop.actor("tina"), desktop.actor("theo")}, kSessions,
+                             true);
     desktop.logIn("tom");
     QTest::qWait(500);
     showList(desktop); // the icons and fonts that the rest of the program has loaded by then
@@ -154,7 +155,9 @@ int main(int argc, char** argv) {
     all.oursMedian = median(whole);
     BenchRow narrow{.work = "a filter of three words", .unit = "ms"};
     narrow.oursMedian = median(filter);
-    printTable({rowOf("first paint with rows, by the wall clock", ours, peer), rowOf("the same, processor time", oursCpu, peerCpu), all, narrow});
-    std::printf("ours / peer: %.2f by the wall clock, %.2f in processor time\n", median(ours) / median(peer), median(oursCpu) / median(peerCpu));
+    printTable({rowOf("first paint with rows, by the wall clock", ours, peer),
+                rowOf("the same, processor time", oursCpu, peerCpu), all, narrow});
+    std::printf("ours / peer: %.2f by the wall clock, %.2f in processor time\n", median(ours) / median(peer),
+                median(oursCpu) / median(peerCpu));
     return 0;
 }

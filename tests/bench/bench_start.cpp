@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From exec to the first paint: the program at its login, beside a program with an empty QMainWindow, in turn. Needs a display;
-// starts itself under xvfb-run where there is none. Usage: bench_start FOLDER
+// From exec to the first paint: the program at its login, beside a program with an empty QMainWindow, in
+// turn. Needs a display; starts itself under xvfb-run where there is none. Usage: bench_start FOLDER
 #include "bench/alternating.h"
 #include "bench/bench_table.h"
 #include "bench/started_process.h"
@@ -33,7 +33,9 @@ std::string makeSite(const std::filesystem::path& folder) {
     auto database = database::Database::create(file, options);
     if (!database)
         giveUp(database.error().message);
-    if (auto made = database::AccountService(**database).createFirstAdministrator("ada", "eleven-fine-horses", "Ada"); !made)
+    if (auto made =
+            database::AccountService(**database).createFirstAdministrator("ada", "eleven-fine-horses", "Ada");
+        !made)
         giveUp(made.error().message);
     return file;
 }
@@ -53,11 +55,13 @@ struct Starts {
     }
     void print(const char* program) {
         for (const auto& [what, times] : wall_ms)
-            std::printf("  %-13s exec to %-14s %7.1f ms, processor %6.1f ms\n", program, what.c_str(), median(times), median(cpu_ms[what]));
+            std::printf("  %-13s exec to %-14s %7.1f ms, processor %6.1f ms\n", program, what.c_str(),
+                        median(times), median(cpu_ms[what]));
     }
 };
 
-BenchRow rowOf(const char* work, std::map<std::string, std::vector<double>>& ours, std::map<std::string, std::vector<double>>& peer) {
+BenchRow rowOf(const char* work, std::map<std::string, std::vector<double>>& ours,
+               std::map<std::string, std::vector<double>>& peer) {
     BenchRow row{.work = work, .peer = "empty QMainWindow", .unit = "ms"};
     row.peerMedian = median(peer["first_paint"]);
     row.oursMedian = median(ours["first_paint"]);
@@ -71,7 +75,8 @@ BenchRow rowOf(const char* work, std::map<std::string, std::vector<double>>& our
 
 int main(int argc, char** argv) {
     if (!std::getenv("DISPLAY")) {
-        execlp("xvfb-run", "xvfb-run", "-a", "-s", "-screen 0 1280x720x24", argv[0], argc > 1 ? argv[1] : ".", nullptr);
+        execlp("xvfb-run", "xvfb-run", "-a", "-s", "-screen 0 1280x720x24", argv[0], argc > 1 ? argv[1] : ".",
+               nullptr);
         giveUp("there is no display, and xvfb-run is not installed: not measured");
     }
     const QCoreApplication application(argc, argv); // Qt loads the SQLite driver as a plugin
@@ -79,7 +84,8 @@ int main(int argc, char** argv) {
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     const std::string file = makeSite(folder);
-    const std::vector<std::string> ours{CHIRON_PROGRAM, "--database", file, "--settings", (folder / "desktop.ini").string()};
+    const std::vector<std::string> ours{CHIRON_PROGRAM, "--database", file, "--settings",
+                                        (folder / "desktop.ini").string()};
     const std::vector<std::string> peer{CHIRON_EMPTY_WINDOW};
     printHeading("From exec to first paint");
     startUntil(ours, "first_paint"); // files into the page cache

@@ -20,20 +20,32 @@ std::string number(std::optional<double> value) {
     if (!value)
         return "–";
     const double size = std::abs(*value);
-    return text(size >= 1000.0 ? "%.0f" : size >= 10.0 ? "%.1f" : size >= 0.1 || size == 0.0 ? "%.2f" : "%.4f", *value);
+    return text(size >= 1000.0               ? "%.0f"
+                : size >= 10.0               ? "%.1f"
+                : size >= 0.1 || size == 0.0 ? "%.2f"
+                                             : "%.4f",
+                *value);
 }
 
 Cells cellsOf(const BenchRow& row) {
-    return {row.work,         row.peer,       row.unit,
-            number(row.peerMedian), number(row.oursMedian), number(row.ratio()),
-            number(row.p99),  number(row.p999),
+    return {row.work,
+            row.peer,
+            row.unit,
+            number(row.peerMedian),
+            number(row.oursMedian),
+            number(row.ratio()),
+            number(row.p99),
+            number(row.p999),
             row.allocations ? std::to_string(*row.allocations) : std::string("–"),
-            row.agreement,    row.goal,       row.reached};
+            row.agreement,
+            row.goal,
+            row.reached};
 }
 
 /// Columns on a screen, not bytes: continuation bytes of UTF-8 take none.
 std::size_t widthOf(const std::string& cell) {
-    return static_cast<std::size_t>(std::count_if(cell.begin(), cell.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    return static_cast<std::size_t>(
+        std::count_if(cell.begin(), cell.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 void printCells(const Cells& cells, const std::array<std::size_t, 12>& widths) {
@@ -80,8 +92,8 @@ void printHeading(const char* title) {
 }
 
 void printTable(const std::vector<BenchRow>& rows) {
-    std::vector<Cells> lines{{"work", "peer", "unit", "peer median", "ours median", "ratio", "p99", "p99.9", "allocations",
-                              "agreement", "goal", "reached"}};
+    std::vector<Cells> lines{{"work", "peer", "unit", "peer median", "ours median", "ratio", "p99", "p99.9",
+                              "allocations", "agreement", "goal", "reached"}};
     for (const BenchRow& row : rows)
         lines.push_back(cellsOf(row));
     std::array<std::size_t, 12> widths{};

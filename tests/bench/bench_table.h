@@ -15,8 +15,8 @@ struct BenchRow {
     std::string unit = "ns";
     std::optional<double> peerMedian = std::nullopt;
     std::optional<double> oursMedian = std::nullopt;
-    std::optional<double> p99 = std::nullopt;  ///< ours
-    std::optional<double> p999 = std::nullopt; ///< ours
+    std::optional<double> p99 = std::nullopt;                ///< ours
+    std::optional<double> p999 = std::nullopt;               ///< ours
     std::optional<std::uint64_t> allocations = std::nullopt; ///< ours, in all that was measured
     std::string agreement = "–";
     std::string goal = "–";

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a whole tick costs: device packet, scene, supervisor, crash ring and display state, for every level of the
-// sphere-apex exercise and of palpation; and the force law alone. Back to back, so caches are warm: bench_loop_lateness shows the tick at 1 kHz.
+// What a whole tick costs: device packet, scene, supervisor, crash ring and display state, for every level of
+// the sphere-apex exercise and of palpation; and the force law alone. Back to back, so caches are warm:
+// bench_loop_lateness shows the tick at 1 kHz.
 #include "bench/alternating.h"
 #include "bench/bench_table.h"
 #include "bench/tick_session.h"
 #include "core/clock.h"
 #include "core/fp_environment.h"
-#include "session/tool_positions.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
+#include "session/tool_positions.h"
 
 #include <cstdio>
 
@@ -16,7 +17,7 @@ using namespace chiron::bench;
 
 namespace {
 constexpr int kRepeats = 7;
-constexpr int kLevels = 4;      ///< of sphere_apex
+constexpr int kLevels = 4;     ///< of sphere_apex
 constexpr int kPalpations = 5; ///< levels of palpation, one or two tools
 constexpr std::size_t kTicks = 30'000;
 constexpr std::size_t kWarmUp_ticks = 2'000;
@@ -51,16 +52,17 @@ BenchRow rowOf(const std::string& work, const Passes& passes, const std::string&
     row.agreement = agreement;
     const std::uint64_t wrong = passes.otherForbidden + passes.dropped;
     if (wrong > 0)
-        row.agreement += text("; %llu forbidden calls or dropped frames", static_cast<unsigned long long>(wrong));
+        row.agreement +=
+            text("; %llu forbidden calls or dropped frames", static_cast<unsigned long long>(wrong));
     if (judged) {
         row.goal = "median ≤ 1000, p99.9 ≤ 5000, 0 allocations";
-        row.reached = verdict(*row.oursMedian <= kMedianGoal_ns && *row.p999 <= kTailGoal_ns && passes.allocations + wrong == 0);
+        row.reached = verdict(*row.oursMedian <= kMedianGoal_ns && *row.p999 <= kTailGoal_ns &&
+                              passes.allocations + wrong == 0);
     }
     return row;
 }
 
-template <class Value>
-Value orExit(core::Result<Value> value) {
+template <class Value> Value orExit(core::Result<Value> value) {
     if (!value) {
         std::fprintf(stderr, "%s\n", value.error().message.c_str());
         std::exit(1);
@@ -72,11 +74,12 @@ Value orExit(core::Result<Value> value) {
 void addLaw(std::vector<BenchRow>& rows, const RecordedSession& recorded, const char* name, bool judged) {
     const auto positions = orExit(session::ToolPositions::create(recorded.setup));
     const auto& parameters = recorded.setup.level.parameters.as<simulation::SphereApexParameters>();
-    const simulation::HemisphereContact law(
-        simulation::sphereApexContact(parameters, simulation::planSphereApexTrials(parameters, recorded.setup.seed)[0]));
+    const simulation::HemisphereContact law(simulation::sphereApexContact(
+        parameters, simulation::planSphereApexTrials(parameters, recorded.setup.seed)[0]));
     std::vector<core::Vec3> places;
     for (const core::HapticFrame& frame : recorded.frames)
-        if (const core::Vec3 p = positions->p_WT_m(0, frame.tool[0]); law.respond(p, core::Vec3::Zero()).inContact)
+        if (const core::Vec3 p = positions->p_WT_m(0, frame.tool[0]);
+            law.respond(p, core::Vec3::Zero()).inContact)
             places.push_back(p);
     if (places.empty())
         return;
@@ -122,9 +125,11 @@ int main() {
     std::vector<BenchRow> rows;
     std::vector<RecordedSession> sessions;
     for (int level = 1; level <= kLevels; ++level)
-        sessions.push_back(orExit(recordSession("sphere_apex", level, 40 + static_cast<std::uint64_t>(level), kTicks)));
+        sessions.push_back(
+            orExit(recordSession("sphere_apex", level, 40 + static_cast<std::uint64_t>(level), kTicks)));
     for (int level = 1; level <= kPalpations; ++level)
-        sessions.push_back(orExit(recordSession("palpation", level, 40 + static_cast<std::uint64_t>(level), kTicks)));
+        sessions.push_back(
+            orExit(recordSession("palpation", level, 40 + static_cast<std::uint64_t>(level), kTicks)));
     std::vector<Passes> alone(sessions.size()), plant(sessions.size());
     for (int r = 0; r < kRepeats; ++r) // levels and ways alternate
         for (std::size_t i = 0; i < sessions.size(); ++i) {
@@ -135,13 +140,15 @@ int main() {
         const RecordedSession& s = sessions[i];
         const std::size_t same = orExit(sameFrames(s));
         const char* id = s.setup.level.id.c_str();
-        rows.push_back(rowOf(text("tick, level %d %s, %zu tool(s), recorded device", s.setup.level.number, id, s.setup.devices.size()), alone[i],
-                             text("%zu of %zu frames same bits", same, s.frames.size()), true));
+        rows.push_back(rowOf(text("tick, level %d %s, %zu tool(s), recorded device", s.setup.level.number, id,
+                                  s.setup.devices.size()),
+                             alone[i], text("%zu of %zu frames same bits", same, s.frames.size()), true));
         rows.push_back(rowOf("the same with simulated plant and hand", plant[i], "–", false));
     }
     addLaw(rows, sessions[1], "hemisphere law alone, level 2", true);
     addLaw(rows, sessions[2], "hemisphere law, varied stiffness, friction (level 3)", false);
     printTable(rows);
-    std::printf("%d repeats of %zu ticks; each time includes one clock read of %.0f ns.\n", kRepeats, kTicks, clockCost_ns());
+    std::printf("%d repeats of %zu ticks; each time includes one clock read of %.0f ns.\n", kRepeats, kTicks,
+                clockCost_ns());
     return 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a finger on tissue costs: P3's contact with lumps on the flat pad and on curved tissue, beside the same law in plain code
-// (coordinates, library functions) in turn.
+// What a finger on tissue costs: P3's contact with lumps on the flat pad and on curved tissue, beside the
+// same law in plain code (coordinates, library functions) in turn.
 #include "bench/alternating.h"
 #include "bench/bench_table.h"
 #include "core/clock.h"
@@ -22,8 +22,8 @@ using core::Vec3;
 namespace {
 
 constexpr int kRepeats = 15;
-constexpr int kTicks = 20'000;          // 20 s at 1 kHz
-constexpr double kChai3d_ns = 220.0;    // CHAI3D's sphere, published in speed.md; not measured here
+constexpr int kTicks = 20'000;       // 20 s at 1 kHz
+constexpr double kChai3d_ns = 220.0; // CHAI3D's sphere, published in speed.md; not measured here
 
 TissueParameters pad() {
     TissueParameters p;
@@ -39,14 +39,16 @@ TissueParameters curved(int bumps) {
     return p;
 }
 
-/// A finger that wanders over the tissue with 20 to 60 mm/s, 0 to 4 mm deep, never off it, with a tremor of 9 Hz.
+/// A finger that wanders over the tissue with 20 to 60 mm/s, 0 to 4 mm deep, never off it, with a tremor of 9
+/// Hz.
 std::vector<core::ToolState> wandering(const TissueContact& contact) {
     std::vector<core::ToolState> path;
     for (int n = 0; n < kTicks; ++n) {
         const double t = 0.001 * n;
         const Vec2 xy(0.022 * std::sin(1.1 * t) + 1e-4 * std::sin(57.0 * t), 0.018 * std::cos(1.7 * t));
         core::ToolState tool;
-        tool.p_WT = contact.surface().pointAt(xy) - (0.00205 + 0.002 * std::sin(2.9 * t)) * contact.surface().normalAt(xy);
+        tool.p_WT = contact.surface().pointAt(xy) -
+                    (0.00205 + 0.002 * std::sin(2.9 * t)) * contact.surface().normalAt(xy);
         tool.v_WT = path.empty() ? Vec3(Vec3::Zero()) : Vec3((tool.p_WT - path.back().p_WT) / 0.001);
         tool.q_WT = core::Quat(Eigen::AngleAxisd(0.3 * std::sin(0.7 * t), Vec3(0.6, 0.8, 0.0)));
         path.push_back(tool);
@@ -71,7 +73,8 @@ struct PlainPad {
         const double c = h - lambda * d, H2 = c * c + 5.0 / 3.0 * a * a, S = rho * rho + H2;
         const double strength = 8.0 / core::kPi * a * std::pow(R, 3) * (m - 1.0) / (1.0 + 0.4 * (m - 1.0));
         const double chi = strength * H2 / std::pow(S, 3);
-        const double byDepth = -2.0 * lambda * c * strength * (1.0 / std::pow(S, 3) - 3.0 * H2 / std::pow(S, 4));
+        const double byDepth =
+            -2.0 * lambda * c * strength * (1.0 / std::pow(S, 3) - 3.0 * H2 / std::pow(S, 4));
         const double byPlace = -6.0 * rho * strength * H2 / std::pow(S, 4);
         const double lateral = -0.5 * k * d * d * byPlace;
         const double fe = k * d * (1.0 + chi) + 0.5 * k * d * d * byDepth;
@@ -90,7 +93,8 @@ struct PlainPad {
             zy *= mu * fn / pull;
         }
         const double ux = rho > 0.0 ? x / rho : 0.0, uy = rho > 0.0 ? y / rho : 0.0;
-        const Vec3 f(lateral * ux - drag * tool.v_WT.x() - 800.0 * zx, lateral * uy - drag * tool.v_WT.y() - 700.0 * zy, fn);
+        const Vec3 f(lateral * ux - drag * tool.v_WT.x() - 800.0 * zx,
+                     lateral * uy - drag * tool.v_WT.y() - 700.0 * zy, fn);
         const double size = f.norm(), s = std::min(1.0, size / 0.05);
         const double t = std::hypot(f.x(), f.y());
         alpha = std::atan2(t, fn) * s * s * (3.0 - 2.0 * s);
@@ -99,7 +103,8 @@ struct PlainPad {
         if (t > 0.0 && flat > 0.0) {
             shown.roll_rad = alpha * (f.x() * xT.x() + f.y() * xT.y()) / (t * flat);
             shown.pitch_rad = -alpha * (f.y() * xT.x() - f.x() * xT.y()) / (t * flat);
-            const double over = std::max({1.0, std::abs(shown.pitch_rad) / (core::kPi / 6), std::abs(shown.roll_rad) / (core::kPi / 9)});
+            const double over = std::max({1.0, std::abs(shown.pitch_rad) / (core::kPi / 6),
+                                          std::abs(shown.roll_rad) / (core::kPi / 9)});
             shown.roll_rad /= over;
             shown.pitch_rad /= over;
         }
@@ -152,7 +157,8 @@ void flatPad(std::vector<BenchRow>& rows) {
         core::DisplayPose shown;
         const Vec3 theirs = plain.respond(tool, alpha, shown);
         const TissueResponse r = contact.respond(tool, touch);
-        worst = std::max({worst, (r.force - theirs).norm(), std::abs(r.lean_rad - alpha), std::abs(r.display.roll_rad - shown.roll_rad),
+        worst = std::max({worst, (r.force - theirs).norm(), std::abs(r.lean_rad - alpha),
+                          std::abs(r.display.roll_rad - shown.roll_rad),
                           std::abs(r.display.pitch_rad - shown.pitch_rad)});
     }
     BenchRow row{.work = "flat pad, three layers, one lump, friction, lean", .peer = "plain code"};
@@ -171,8 +177,12 @@ void flatPad(std::vector<BenchRow>& rows) {
 
 void other(std::vector<BenchRow>& rows, const char* name, const TissueParameters& parameters, int lumps) {
     TissueContact contact(parameters);
-    const std::array<Lump, 6> all{{{Vec2(0, 0), 0.012, 0.0075, 10}, {Vec2(0.02, 0), 0.012, 0.0075, 3}, {Vec2(0, 0.015), 0.01, 0.005, 10},
-                                   {Vec2(-0.02, 0), 0.012, 0.0075, 5}, {Vec2(0, -0.015), 0.01, 0.005, 8}, {Vec2(0.015, 0.015), 0.01, 0.004, 12}}};
+    const std::array<Lump, 6> all{{{Vec2(0, 0), 0.012, 0.0075, 10},
+                                   {Vec2(0.02, 0), 0.012, 0.0075, 3},
+                                   {Vec2(0, 0.015), 0.01, 0.005, 10},
+                                   {Vec2(-0.02, 0), 0.012, 0.0075, 5},
+                                   {Vec2(0, -0.015), 0.01, 0.005, 8},
+                                   {Vec2(0.015, 0.015), 0.01, 0.004, 12}}};
     contact.setLumps(std::span(all).first(static_cast<std::size_t>(lumps)));
     const auto path = wandering(contact);
     std::vector<double> ours;
@@ -200,6 +210,7 @@ int main() {
     other(rows, "one bump, one lump", curved(1), 1);
     other(rows, "dome with a furrow, three lumps", curved(2), 3);
     printTable(rows);
-    std::printf("%d repeats of %d ticks in turn; throughput: CPU time of all divided by their number.\n", kRepeats, kTicks);
+    std::printf("%d repeats of %d ticks in turn; throughput: CPU time of all divided by their number.\n",
+                kRepeats, kTicks);
     return 0;
 }

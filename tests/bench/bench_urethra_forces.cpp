@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What P1's forces cost: UrethraForces beside the plain reference (every section, every spring) on the same insertion.
+// What P1's forces cost: UrethraForces beside the plain reference (every section, every spring) on the same
+// insertion.
 #include "bench/alternating.h"
 #include "bench/bench_table.h"
 #include "core/clock.h"
 #include "core/fp_environment.h"
 #include "core/random.h"
 #include "core/units.h"
-#include "realtime/tick_guard.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
+#include "realtime/tick_guard.h"
 #include "support/urethra_reference_forces.h"
 
 #include <cmath>
@@ -20,12 +21,13 @@ using core::Vec3;
 namespace {
 
 constexpr int kRepeats = 9;
-constexpr int kTicks = 20'000; // 20 s at 1 kHz: in, a look round, out
+constexpr int kTicks = 20'000;       // 20 s at 1 kHz: in, a look round, out
 constexpr double kGoal = 0.83 / 0.2; // the goal was set as 0.2 µs where plain code took 0.83 µs
 
-/// An insertion as a hand makes it: in for 12 s, 3 s in the bladder, out; off the centre by waves of `offset_m` with
-/// tremor on top, tilted up to 9°.
-std::vector<simulation::EndoscopeMotion> insertion(const simulation::UrethraCentreline& line, double offset_m) {
+/// An insertion as a hand makes it: in for 12 s, 3 s in the bladder, out; off the centre by waves of
+/// `offset_m` with tremor on top, tilted up to 9°.
+std::vector<simulation::EndoscopeMotion> insertion(const simulation::UrethraCentreline& line,
+                                                   double offset_m) {
     core::Random random(7);
     std::vector<simulation::EndoscopeMotion> path;
     const double deepest = line.length_m() + 0.020;
@@ -33,7 +35,9 @@ std::vector<simulation::EndoscopeMotion> insertion(const simulation::UrethraCent
         const double t = 0.001 * i;
         const double way = t < 12.0 ? t / 12.0 : t < 15.0 ? 1.0 : (20.0 - t) / 5.0;
         const simulation::CentrelinePoint at = line.at(-0.012 + (deepest + 0.012) * way);
-        const auto wave = [&](double hertz, double phase) { return std::sin(2.0 * core::kPi * hertz * t + phase); };
+        const auto wave = [&](double hertz, double phase) {
+            return std::sin(2.0 * core::kPi * hertz * t + phase);
+        };
         simulation::EndoscopeMotion m;
         const double ex = offset_m * (0.7 * wave(0.31, 0.2) + 0.3 * wave(1.1, 1.0)) + 5e-5 * wave(9.0, 0.0);
         const double en = offset_m * (0.7 * wave(0.23, 1.9) + 0.3 * wave(0.9, 0.4)) + 5e-5 * wave(9.0, 1.6);
@@ -48,7 +52,8 @@ std::vector<simulation::EndoscopeMotion> insertion(const simulation::UrethraCent
 }
 
 /// CPU time of one call over the path, ns.
-template <class Respond> double nsEach(const std::vector<simulation::EndoscopeMotion>& path, Respond&& respond) {
+template <class Respond>
+double nsEach(const std::vector<simulation::EndoscopeMotion>& path, Respond&& respond) {
     double sum = 0.0;
     const double spent_s = cpuSeconds([&] {
         for (const simulation::EndoscopeMotion& m : path)
@@ -59,7 +64,8 @@ template <class Respond> double nsEach(const std::vector<simulation::EndoscopeMo
     return 1e9 * spent_s / static_cast<double>(path.size());
 }
 
-void compare(std::vector<BenchRow>& rows, const char* name, const simulation::UrethraForceSettings& settings, double offset_m) {
+void compare(std::vector<BenchRow>& rows, const char* name, const simulation::UrethraForceSettings& settings,
+             double offset_m) {
     const simulation::UrethraForces forces({}, {}, settings);
     const testing::UrethraReferenceForces plain({}, {}, settings);
     const auto path = insertion(forces.centreline(), offset_m);
@@ -78,7 +84,8 @@ void compare(std::vector<BenchRow>& rows, const char* name, const simulation::Ur
         const simulation::UrethraResponse mine = forces.respond(m);
         single.push_back(static_cast<double>(core::monotonicNow_ns() - start_ns));
         const testing::ReferenceResponse theirs = plain.respond(m);
-        worst = std::max({worst, (mine.wrench_A.force - theirs.force).norm(), (mine.wrench_A.torque - theirs.torque).norm()});
+        worst = std::max({worst, (mine.wrench_A.force - theirs.force).norm(),
+                          (mine.wrench_A.torque - theirs.torque).norm()});
     }
     BenchRow row{.work = name, .peer = "plain code"};
     row.peerMedian = median(peers);
@@ -105,6 +112,7 @@ int main() {
     compare(rows, "26 drawn sections, offsets to 0.8 mm", drawn, 0.0008);
     compare(rows, "26 drawn sections, offsets to 3 mm", drawn, 0.003);
     printTable(rows);
-    std::printf("%d repeats of %d poses in turn; p99 and p99.9 of single calls include one clock read.\n", kRepeats, kTicks);
+    std::printf("%d repeats of %d poses in turn; p99 and p99.9 of single calls include one clock read.\n",
+                kRepeats, kTicks);
     return 0;
 }

@@ -11,8 +11,8 @@
 
 namespace chiron::bench {
 
-/// What a loop must live with: processes that use all the time they get, and one that writes 64 KiB and fsyncs, again and
-/// again, into a file of `folder`. They end with this object, or with this process.
+/// What a loop must live with: processes that use all the time they get, and one that writes 64 KiB and
+/// fsyncs, again and again, into a file of `folder`. They end with this object, or with this process.
 class Disturbers {
 public:
     Disturbers(int busy, const std::filesystem::path& folder) {
@@ -26,7 +26,8 @@ public:
             static char block[65536];
             const int descriptor = open(file.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
             for (long n = 0;; ++n)
-                if (pwrite(descriptor, block, sizeof block, (n % 256) * static_cast<long>(sizeof block)) < 0 ||
+                if (pwrite(descriptor, block, sizeof block, (n % 256) * static_cast<long>(sizeof block)) <
+                        0 ||
                     fsync(descriptor) != 0)
                     _exit(1);
         });
@@ -43,8 +44,7 @@ public:
     }
 
 private:
-    template <class Work>
-    void start(Work&& work) {
+    template <class Work> void start(Work&& work) {
         const pid_t child = fork();
         if (child == 0) {
             prctl(PR_SET_PDEATHSIG, SIGKILL);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The peer of bench_start: a program with nothing but an empty QMainWindow. Says when it has painted itself for the first time.
+// The peer of bench_start: a program with nothing but an empty QMainWindow. Says when it has painted itself
+// for the first time.
 #include "desktop/frame/start_trace.h"
 
 #include <QApplication>

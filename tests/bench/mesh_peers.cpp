@@ -25,11 +25,13 @@ constexpr double kMm = 1e3;
 constexpr float kSkin_mm = 1e-3F; // the proxy stays so far above the surface, or the next ray starts inside
 
 btVector3 toBullet(const Vec3& p) {
-    return {static_cast<btScalar>(kMm * p.x()), static_cast<btScalar>(kMm * p.y()), static_cast<btScalar>(kMm * p.z())};
+    return {static_cast<btScalar>(kMm * p.x()), static_cast<btScalar>(kMm * p.y()),
+            static_cast<btScalar>(kMm * p.z())};
 }
 
 struct NearestHit : btTriangleRaycastCallback {
-    NearestHit(const btVector3& from, const btVector3& to) : btTriangleRaycastCallback(from, to, kF_FilterBackfaces) {}
+    NearestHit(const btVector3& from, const btVector3& to)
+        : btTriangleRaycastCallback(from, to, kF_FilterBackfaces) {}
     btScalar reportHit(const btVector3& hitNormal, btScalar fraction, int, int) override {
         normal = hitNormal;
         return fraction;
@@ -68,7 +70,8 @@ struct BulletGodObject::World {
     }
 };
 
-BulletGodObject::BulletGodObject(const simulation::TriangleMesh& mesh, bool bare) : m_world(std::make_unique<World>()) {
+BulletGodObject::BulletGodObject(const simulation::TriangleMesh& mesh, bool bare)
+    : m_world(std::make_unique<World>()) {
     World& w = *m_world;
     w.bare = bare;
     for (const auto& v : mesh.vertices()) {
@@ -78,8 +81,9 @@ BulletGodObject::BulletGodObject(const simulation::TriangleMesh& mesh, bool bare
     for (const auto& t : mesh.triangles())
         for (const std::uint32_t v : t.vertex)
             w.indices.push_back(static_cast<int>(v));
-    w.array = std::make_unique<btTriangleIndexVertexArray>(static_cast<int>(mesh.triangles().size()), w.indices.data(), static_cast<int>(3 * sizeof(int)),
-                                                           static_cast<int>(mesh.vertices().size()), w.vertices.data(), static_cast<int>(3 * sizeof(btScalar)));
+    w.array = std::make_unique<btTriangleIndexVertexArray>(
+        static_cast<int>(mesh.triangles().size()), w.indices.data(), static_cast<int>(3 * sizeof(int)),
+        static_cast<int>(mesh.vertices().size()), w.vertices.data(), static_cast<int>(3 * sizeof(btScalar)));
     w.shape = std::make_unique<btBvhTriangleMeshShape>(w.array.get(), true);
     w.object.setCollisionShape(w.shape.get());
     w.world.addCollisionObject(&w.object);
@@ -123,7 +127,9 @@ Vec3 BulletGodObject::force(const Vec3& p, double stiffness_N_per_m) {
         }
     }
     const btVector3 stretch = w.proxy - device;
-    return stiffness_N_per_m / kMm * Vec3(static_cast<double>(stretch.x()), static_cast<double>(stretch.y()), static_cast<double>(stretch.z()));
+    return stiffness_N_per_m / kMm *
+           Vec3(static_cast<double>(stretch.x()), static_cast<double>(stretch.y()),
+                static_cast<double>(stretch.z()));
 }
 
 #else
@@ -158,7 +164,8 @@ struct EmbreeNearest::Scene {
     static bool look(RTCPointQueryFunctionArguments* arguments) {
         auto* best = static_cast<Best*>(arguments->userPtr);
         const simulation::SurfaceTriangle& t = best->mesh->triangle(arguments->primID);
-        const Vec3 &a = best->mesh->position(t.vertex[0]), &b = best->mesh->position(t.vertex[1]), &c = best->mesh->position(t.vertex[2]);
+        const Vec3 &a = best->mesh->position(t.vertex[0]), &b = best->mesh->position(t.vertex[1]),
+                   &c = best->mesh->position(t.vertex[2]);
         const Vec3 w = simulation::nearestWeights(a, b, c, best->p);
         const Vec3 point = w[0] * a + w[1] * b + w[2] * c;
         const double d2 = (point - best->p).squaredNorm();
@@ -177,8 +184,10 @@ EmbreeNearest::EmbreeNearest(const simulation::TriangleMesh& mesh) : m_scene(std
     s.scene = rtcNewScene(s.device);
     rtcSetSceneBuildQuality(s.scene, RTC_BUILD_QUALITY_HIGH);
     RTCGeometry geometry = rtcNewGeometry(s.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices().size()));
-    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), mesh.triangles().size()));
+    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices().size()));
+    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), mesh.triangles().size()));
     for (const auto& v : mesh.vertices())
         for (Eigen::Index axis = 0; axis < 3; ++axis)
             *vertices++ = static_cast<float>(v.position[axis]);
@@ -207,7 +216,8 @@ Vec3 EmbreeNearest::nearest(const Vec3& p) {
     const double within = s.distance < 0.0 ? 1e3 : 1.00001 * (s.distance + (p - s.last).norm()) + 1e-6;
     s.best.p = p;
     s.best.distance2 = within * within;
-    RTCPointQuery query{static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()), 0.0F, static_cast<float>(within)};
+    RTCPointQuery query{static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()), 0.0F,
+                        static_cast<float>(within)};
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
     rtcPointQuery(s.scene, &query, &context, nullptr, &s.best);

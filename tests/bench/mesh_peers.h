@@ -8,9 +8,9 @@
 
 namespace chiron::bench {
 
-/// Bullet as a haptic god-object: the proxy goes towards the tool by rays against a btBvhTriangleMeshShape; a ray that hits gives
-/// a plane along which the goal is projected, three at most (Zilles & Salisbury 1995). In millimetres, single precision, as
-/// Debian builds it. Without Bullet, available() is false.
+/// Bullet as a haptic god-object: the proxy goes towards the tool by rays against a btBvhTriangleMeshShape; a
+/// ray that hits gives a plane along which the goal is projected, three at most (Zilles & Salisbury 1995). In
+/// millimetres, single precision, as Debian builds it. Without Bullet, available() is false.
 class BulletGodObject {
 public:
     /// `bare`: rays against the shape itself (its quickest way); else through btCollisionWorld::rayTest.
@@ -27,7 +27,8 @@ private:
     std::unique_ptr<World> m_world;
 };
 
-/// Embree's point query: the nearest triangle every tick, by its tree, begun with the radius that the last tick left. High build quality.
+/// Embree's point query: the nearest triangle every tick, by its tree, begun with the radius that the last
+/// tick left. High build quality.
 class EmbreeNearest {
 public:
     explicit EmbreeNearest(const simulation::TriangleMesh& mesh);

@@ -10,10 +10,9 @@
 
 namespace chiron::bench {
 
-/// Runs `work` in a child process that the kernel kills at its first system call (strict seccomp; exit alone is allowed).
-/// True if it came to its end; nothing where the kernel has no seccomp.
-template <class Work>
-std::optional<bool> makesNoSystemCall(Work&& work) {
+/// Runs `work` in a child process that the kernel kills at its first system call (strict seccomp; exit alone
+/// is allowed). True if it came to its end; nothing where the kernel has no seccomp.
+template <class Work> std::optional<bool> makesNoSystemCall(Work&& work) {
     constexpr int kNoSeccomp = 3;
     const pid_t child = fork();
     if (child == 0) {
@@ -23,7 +22,8 @@ std::optional<bool> makesNoSystemCall(Work&& work) {
         syscall(SYS_exit, 0);
     }
     int status = 0;
-    if (child < 0 || waitpid(child, &status, 0) != child || (WIFEXITED(status) && WEXITSTATUS(status) == kNoSeccomp))
+    if (child < 0 || waitpid(child, &status, 0) != child ||
+        (WIFEXITED(status) && WEXITSTATUS(status) == kNoSeccomp))
         return std::nullopt;
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }

@@ -13,7 +13,8 @@ SampleRows::SampleRows(const std::filesystem::path& file, const std::vector<Samp
     std::filesystem::remove(m_file);
     sqlite3_open(file.c_str(), &m_database);
     sqliteExec(m_database, "PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA mmap_size=1073741824");
-    std::string create = "CREATE TABLE sample(tick INTEGER PRIMARY KEY, paused INTEGER", insert = "INSERT INTO sample VALUES(?,?";
+    std::string create = "CREATE TABLE sample(tick INTEGER PRIMARY KEY, paused INTEGER",
+                insert = "INSERT INTO sample VALUES(?,?";
     for (std::size_t i = 0; i < kRowChannels; ++i) {
         create += ", c" + std::to_string(i) + " REAL";
         insert += ",?";
@@ -45,15 +46,17 @@ SampleRows::~SampleRows() {
 
 Totals SampleRows::ask() {
     sqlite3_stmt* select = nullptr;
-    sqlite3_prepare_v2(m_database, "SELECT c2, c3, c4, c6, c7, c8 FROM sample WHERE paused = 0 ORDER BY tick", -1, &select,
-                       nullptr);
+    sqlite3_prepare_v2(m_database, "SELECT c2, c3, c4, c6, c7, c8 FROM sample WHERE paused = 0 ORDER BY tick",
+                       -1, &select, nullptr);
     Totals totals;
     core::Vec3 last = core::Vec3::Zero();
     bool hasLast = false;
     double peak2 = 0.0;
     while (sqlite3_step(select) == SQLITE_ROW) {
-        const core::Vec3 p(sqlite3_column_double(select, 0), sqlite3_column_double(select, 1), sqlite3_column_double(select, 2));
-        const core::Vec3 f(sqlite3_column_double(select, 3), sqlite3_column_double(select, 4), sqlite3_column_double(select, 5));
+        const core::Vec3 p(sqlite3_column_double(select, 0), sqlite3_column_double(select, 1),
+                           sqlite3_column_double(select, 2));
+        const core::Vec3 f(sqlite3_column_double(select, 3), sqlite3_column_double(select, 4),
+                           sqlite3_column_double(select, 5));
         peak2 = std::max(peak2, f.squaredNorm());
         if (hasLast)
             totals.path_m += (p - last).norm();

@@ -25,13 +25,15 @@ long long now_ns() {
 }
 
 /// Adds the times of whole lines; true when `last` was among them.
-bool readLines(std::string& text, long long begin_ns, const std::string& last, std::map<std::string, StartStep>& times) {
+bool readLines(std::string& text, long long begin_ns, const std::string& last,
+               std::map<std::string, StartStep>& times) {
     for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n')) {
         char what[64] = {};
         long long at_ns = 0;
         long long cpu_ns = 0;
         if (std::sscanf(text.c_str(), "chiron-start %63s %lld %lld", what, &at_ns, &cpu_ns) == 3)
-            times.emplace(what, StartStep{static_cast<double>(at_ns - begin_ns) * 1e-6, static_cast<double>(cpu_ns) * 1e-6});
+            times.emplace(what, StartStep{static_cast<double>(at_ns - begin_ns) * 1e-6,
+                                          static_cast<double>(cpu_ns) * 1e-6});
         text.erase(0, end + 1);
     }
     return times.contains(last);
@@ -39,7 +41,8 @@ bool readLines(std::string& text, long long begin_ns, const std::string& last, s
 
 } // namespace
 
-std::map<std::string, StartStep> startUntil(const std::vector<std::string>& command, const std::string& last) {
+std::map<std::string, StartStep> startUntil(const std::vector<std::string>& command,
+                                            const std::string& last) {
     setenv("CHIRON_START_TRACE", "1", 1);
     int ends[2] = {};
     if (pipe(ends) != 0)
@@ -54,7 +57,8 @@ std::map<std::string, StartStep> startUntil(const std::vector<std::string>& comm
     arguments.push_back(nullptr);
     pid_t child = 0;
     const long long begin_ns = now_ns();
-    const int failed = posix_spawn(&child, command.front().c_str(), &actions, nullptr, arguments.data(), environ);
+    const int failed =
+        posix_spawn(&child, command.front().c_str(), &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     close(ends[1]);
     std::map<std::string, StartStep> times;

@@ -36,22 +36,28 @@ core::Result<catalogue::ExerciseLevel> longLevel() {
     QJsonObject inner = json["level"].toObject();
     QJsonObject parameters = inner["parameters"].toObject();
     if (!parameters.contains("trials"))
-        return core::fail(core::ErrorCode::badInput, "the resolved level does not say how many trials it has");
-    parameters["trials"] = 400; // more than content may ask for: ten minutes of them, for the quickest operator too
+        return core::fail(core::ErrorCode::badInput,
+                          "the resolved level does not say how many trials it has");
+    parameters["trials"] =
+        400; // more than content may ask for: ten minutes of them, for the quickest operator too
     inner["parameters"] = parameters;
     json["level"] = inner;
     return catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
 }
 
-constexpr const char* kCopySession =
-    "INSERT INTO session SELECT ?, person_id, exercise, level, content_id, seed, operator_name, felt, device_json,"
-    " mapping_json, supervisor_json, versions_json, build_id, cpu_class, force_limit_n, planned_trials, familiarisation,"
-    " realtime, demonstration, ring_file, channel_table, started_utc, utc_offset_min, state, ended_utc, ticks, frames,"
-    " dropped, chunks, recording_bytes, loop_json, seal, archived, recording_erased, void_reason, void_reason_hash,"
-    " voided_by, state_before_void, digest FROM session WHERE id = ?";
+constexpr const char* kCopySession = "INSERT INTO session SELECT ?, person_id, exercise, level, content_id, "
+                                     "seed, operator_name, felt, device_json,"
+                                     " mapping_json, supervisor_json, versions_json, build_id, cpu_class, "
+                                     "force_limit_n, planned_trials, familiarisation,"
+                                     " realtime, demonstration, ring_file, channel_table, started_utc, "
+                                     "utc_offset_min, state, ended_utc, ticks, frames,"
+                                     " dropped, chunks, recording_bytes, loop_json, seal, archived, "
+                                     "recording_erased, void_reason, void_reason_hash,"
+                                     " voided_by, state_before_void, digest FROM session WHERE id = ?";
 constexpr const char* kCopySummaries =
     "INSERT INTO second_summary SELECT ?, second, tool, frames, path_length_m, maximum_force_n, mean_force_n,"
-    " impulse_ns, time_over_limit_s, events, digest FROM second_summary WHERE session_id = ? ORDER BY second, tool";
+    " impulse_ns, time_over_limit_s, events, digest FROM second_summary WHERE session_id = ? ORDER BY "
+    "second, tool";
 } // namespace
 
 SummarySite::SummarySite(const std::filesystem::path& file) : m_file(file.string()) {
@@ -98,7 +104,8 @@ core::Result<bool> SummarySite::replicate(int sessions) {
     const auto first = static_cast<std::int64_t>(m_recorded.back()) + 1;
     for (int n = static_cast<int>(m_recorded.size()); n < sessions; ++n) {
         const std::int64_t id = first + n;
-        const auto from = static_cast<std::int64_t>(m_recorded[static_cast<std::size_t>(n) % m_recorded.size()]);
+        const auto from =
+            static_cast<std::int64_t>(m_recorded[static_cast<std::size_t>(n) % m_recorded.size()]);
         for (const char* sql : {kCopySession, kCopySummaries})
             CHIRON_TRY(database::Query::run(**writer, sql, {id, from}));
     }
@@ -112,18 +119,20 @@ core::Result<bool> SummarySite::replicate(int sessions) {
 }
 
 core::Result<Totals> SummarySite::ask(int recorded) {
-    auto query = database::Query::run(*m_reader,
-                                      "SELECT max(maximum_force_n), total(path_length_m) FROM second_summary "
-                                      "WHERE session_id = ?",
-                                      {static_cast<std::int64_t>(m_recorded[static_cast<std::size_t>(recorded)])});
+    auto query =
+        database::Query::run(*m_reader,
+                             "SELECT max(maximum_force_n), total(path_length_m) FROM second_summary "
+                             "WHERE session_id = ?",
+                             {static_cast<std::int64_t>(m_recorded[static_cast<std::size_t>(recorded)])});
     CHIRON_TRY(query);
     CHIRON_TRY(query->next());
     return Totals{query->real(0), query->real(1)};
 }
 
 core::Result<std::vector<Totals>> SummarySite::askAll() {
-    auto query = database::Query::run(*m_reader, "SELECT max(maximum_force_n), total(path_length_m) FROM second_summary "
-                                                 "GROUP BY session_id");
+    auto query = database::Query::run(*m_reader,
+                                      "SELECT max(maximum_force_n), total(path_length_m) FROM second_summary "
+                                      "GROUP BY session_id");
     CHIRON_TRY(query);
     std::vector<Totals> all;
     auto row = query->next();
@@ -134,7 +143,7 @@ core::Result<std::vector<Totals>> SummarySite::askAll() {
 
 core::Result<std::vector<Sample>> SummarySite::samples(int recorded) {
     auto stored = session::SessionView::open(*m_reader, database::Actor::simulated(),
-                                               m_recorded[static_cast<std::size_t>(recorded)]);
+                                             m_recorded[static_cast<std::size_t>(recorded)]);
     CHIRON_TRY(stored);
     std::vector<Sample> all;
     auto done = (*stored)->eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {

@@ -13,8 +13,8 @@
 
 namespace chiron::bench {
 
-/// A site of the product's own database: sessions recorded by the product's own run, and copies of their rows of
-/// `session` and `second_summary` under further ids.
+/// A site of the product's own database: sessions recorded by the product's own run, and copies of their rows
+/// of `session` and `second_summary` under further ids.
 class SummarySite {
 public:
     explicit SummarySite(const std::filesystem::path& file);
@@ -24,11 +24,12 @@ public:
 
     /// Runs ten minutes of haptics alone by a scripted operator, which varies with the seed.
     core::Result<bool> record(std::uint64_t seed);
-    /// Copies the recorded sessions' summaries until there are `sessions` of them; no more recording after this.
+    /// Copies the recorded sessions' summaries until there are `sessions` of them; no more recording after
+    /// this.
     core::Result<bool> replicate(int sessions);
 
-    core::Result<Totals> ask(int recorded);       ///< of the n-th recorded session, from summaries
-    core::Result<std::vector<Totals>> askAll();   ///< of every session, from summaries
+    core::Result<Totals> ask(int recorded);                  ///< of the n-th recorded session, from summaries
+    core::Result<std::vector<Totals>> askAll();              ///< of every session, from summaries
     core::Result<std::vector<Sample>> samples(int recorded); ///< from its chunks
     std::int64_t summaryRows() const noexcept { return m_summaryRows; }
     std::uint64_t sampleBytes() const noexcept { return m_sampleBytes; }

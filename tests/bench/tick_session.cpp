@@ -26,7 +26,8 @@ constexpr std::uint64_t kDrainEvery_ticks = 20; // as the writer thread's 20 ms
 
 /// Stored nowhere: what the writer thread does with a chunk is measured by bench_recording.
 struct ForgetfulSink final : recording::TrialSink {
-    core::Result<void> write(std::span<const recording::Chunk>, std::span<const recording::SecondSummary>) override {
+    core::Result<void> write(std::span<const recording::Chunk>,
+                             std::span<const recording::SecondSummary>) override {
         return {};
     }
 };
@@ -42,13 +43,15 @@ struct Recording {
     core::Result<void> start(const session::SessionSetup& setup) {
         auto tools = session::ToolPositions::create(setup);
         auto table = session::channelTableFor(setup);
-        auto made = recording::CrashRing::create({.folder = recording::defaultRingFolder(), .session = getpid(),
+        auto made = recording::CrashRing::create({.folder = recording::defaultRingFolder(),
+                                                  .session = getpid(),
                                                   .tools = static_cast<int>(setup.devices.size())});
         if (!tools || !table || !made)
             return tl::unexpected(!tools ? tools.error() : !table ? table.error() : made.error());
         positions = std::move(*tools);
         ring = std::move(*made);
-        recorder = std::make_unique<recording::Recorder>(std::move(*table), *positions, sink, recording::RecorderSettings{});
+        recorder = std::make_unique<recording::Recorder>(std::move(*table), *positions, sink,
+                                                         recording::RecorderSettings{});
         drain = std::make_unique<recording::FrameDrain>(*ring, *recorder);
         return {};
     }
@@ -142,7 +145,8 @@ std::unique_ptr<simulation::IScene> sceneOf(const session::SessionSetup& setup) 
     return (*session::exerciseKind(setup.level.exercise))->makeScene(setup);
 }
 
-core::Result<RecordedSession> recordSession(const char* exercise, int level, std::uint64_t seed, std::size_t ticks) {
+core::Result<RecordedSession> recordSession(const char* exercise, int level, std::uint64_t seed,
+                                            std::size_t ticks) {
     const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
     CHIRON_TRY(catalogue);
     RecordedSession recorded;
@@ -156,8 +160,7 @@ core::Result<RecordedSession> recordSession(const char* exercise, int level, std
     recorded.setup.mappings = station->mappings();
     haptics::LiveInputs inputs;
     tests::FrameStore store(ticks);
-    tests::LoopBench bench(toolsOf(*station), inputs, store, sceneOf(recorded.setup),
-                           recorded.setup.safety);
+    tests::LoopBench bench(toolsOf(*station), inputs, store, sceneOf(recorded.setup), recorded.setup.safety);
     inputs.post({core::CommandKind::start});
     realtime::TickSource source;
     for (std::size_t n = 0; n < ticks; ++n)
@@ -173,8 +176,8 @@ core::Result<TickTimes> timeWithPlant(const RecordedSession& recorded) {
     if (auto started = recording.start(recorded.setup); !station || !started)
         return tl::unexpected(!station ? station.error() : started.error());
     haptics::LiveInputs inputs;
-    tests::LoopBench bench(toolsOf(*station), inputs, *recording.ring,
-                           sceneOf(recorded.setup), recorded.setup.safety);
+    tests::LoopBench bench(toolsOf(*station), inputs, *recording.ring, sceneOf(recorded.setup),
+                           recorded.setup.safety);
     inputs.post({core::CommandKind::start});
     return timeTicks(*bench.loop, recording, recorded.frames.size(), [](std::size_t) {});
 }
@@ -195,8 +198,8 @@ core::Result<std::size_t> sameFrames(const RecordedSession& recorded) {
     Playback playback;
     CHIRON_TRY(playback.open(recorded.setup));
     tests::FrameStore store(recorded.frames.size());
-    tests::LoopBench bench(playback.tools(recorded.setup), playback.inputs, store,
-                           sceneOf(recorded.setup), recorded.setup.safety);
+    tests::LoopBench bench(playback.tools(recorded.setup), playback.inputs, store, sceneOf(recorded.setup),
+                           recorded.setup.safety);
     realtime::TickSource source;
     for (const core::HapticFrame& frame : recorded.frames) {
         playback.prepare(frame);
@@ -204,10 +207,12 @@ core::Result<std::size_t> sameFrames(const RecordedSession& recorded) {
     }
     std::size_t same = 0;
     for (std::size_t n = 0; n < store.frames.size(); ++n)
-        same += std::memcmp(&store.frames[n].header, &recorded.frames[n].header, sizeof(core::TickHeader)) == 0 &&
-                        std::memcmp(&store.frames[n].tool[0], &recorded.frames[n].tool[0], sizeof(core::ToolFrame)) == 0
-                    ? 1
-                    : 0;
+        same +=
+            std::memcmp(&store.frames[n].header, &recorded.frames[n].header, sizeof(core::TickHeader)) == 0 &&
+                    std::memcmp(&store.frames[n].tool[0], &recorded.frames[n].tool[0],
+                                sizeof(core::ToolFrame)) == 0
+                ? 1
+                : 0;
     return same;
 }
 

@@ -2,10 +2,10 @@
 #include "catalogue/catalogue.h"
 #include "catalogue/schema.h"
 #include "core/languages.h"
-#include "scoring/metric_catalogue.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
-#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "scoring/metric_catalogue.h"
 
 #include <QDirIterator>
 #include <QJsonDocument>
@@ -79,7 +79,8 @@ void TestContent::sphereApexHasItsSixLevels() {
 void TestContent::everyTextIsInEveryLanguage() {
     const auto complete = [](const Translated& text) {
         const auto languages = core::languageIds();
-        return std::all_of(languages.begin(), languages.end(), [&](const std::string& language) { return text.contains(language); });
+        return std::all_of(languages.begin(), languages.end(),
+                           [&](const std::string& language) { return text.contains(language); });
     };
     for (const Exercise& exercise : shipped().exercises()) {
         QVERIFY(complete(exercise.title) && complete(exercise.objective));
@@ -107,17 +108,26 @@ void TestContent::textsHaveNoStrayCharacters() {
 
 // architecture.md: keys carry units (`stiffness_N_per_m`).
 void TestContent::keysCarryTheirUnits() {
-    const std::map<QString, QString> suffix{{"mm", "_mm"},          {"s", "_s"},
-                                            {"N", "_N"},            {"N/m", "_N_per_m"},
-                                            {"N·s/m", "_N_s_per_m"}, {"1/m", "_per_m"},
-                                            {"N/m³", "_N_per_m3"},  {"N·s/m²", "_N_s_per_m2"},
-                                            {"N·m/rad", "_N_m_per_rad"}, {"deg", "_deg"},
-                                            {"Fr", "_Fr"},          {"um", "_um"},
-                                            {"g", "_g"},            {"ms", "_ms"},
-                                            {"mm/s", "_mm_per_s"},  {"mN·m", "_mN_m"},
+    const std::map<QString, QString> suffix{{"mm", "_mm"},
+                                            {"s", "_s"},
+                                            {"N", "_N"},
+                                            {"N/m", "_N_per_m"},
+                                            {"N·s/m", "_N_s_per_m"},
+                                            {"1/m", "_per_m"},
+                                            {"N/m³", "_N_per_m3"},
+                                            {"N·s/m²", "_N_s_per_m2"},
+                                            {"N·m/rad", "_N_m_per_rad"},
+                                            {"deg", "_deg"},
+                                            {"Fr", "_Fr"},
+                                            {"um", "_um"},
+                                            {"g", "_g"},
+                                            {"ms", "_ms"},
+                                            {"mm/s", "_mm_per_s"},
+                                            {"mN·m", "_mN_m"},
                                             {"Hz", "_Hz"}};
     for (const auto& exercise : shipped().exercises()) {
-        const auto schema = readSchema(kContent + "/schema", QString::fromStdString(exercise.id) + QStringLiteral("_parameters"));
+        const auto schema = readSchema(kContent + "/schema",
+                                       QString::fromStdString(exercise.id) + QStringLiteral("_parameters"));
         QVERIFY(schema.has_value());
         for (const auto& [key, property] : schema->properties) {
             QVERIFY2(!property->defaultValue.isUndefined(), qPrintable(key));
@@ -140,11 +150,13 @@ void TestContent::blindLevelsTellNothing() {
 }
 
 void TestContent::levelsHaveGatesOnTheirHeadlines() {
-    for (const auto& exercise : shipped().exercises()) // what chance gives stands beside every score that has such a level
+    for (const auto& exercise :
+         shipped().exercises()) // what chance gives stands beside every score that has such a level
         for (const ExerciseLevel& level : exercise.levels)
             for (const auto& metric : level.metrics) {
                 const std::string chance = metric.id + "_by_chance";
-                const bool told = std::any_of(level.metrics.begin(), level.metrics.end(), [&](const auto& m) { return m.id == chance; });
+                const bool told = std::any_of(level.metrics.begin(), level.metrics.end(),
+                                              [&](const auto& m) { return m.id == chance; });
                 QVERIFY2(scoring::findMetric(chance) == nullptr || told, (level.id + ": " + chance).c_str());
             }
     for (const ExerciseLevel& level : shipped().find("sphere_apex")->levels) {
@@ -153,9 +165,23 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
             gated.insert(gate.metric);
         QVERIFY(gated.contains("apex_error_mean") && gated.contains("apex_misses"));
         QVERIFY(gated.contains("force_time_over_limit"));
-        std::set<std::string> ofASphere{"time", "path_length", "path_inefficiency", "force_max", "force_mean", "force_p95", "force_rms", "force_peak_rate",
-                                        "force_impulse_over_limit", "force_time_over_limit", "critical_errors",
-                                        "apex_error_mean", "apex_error_mean_by_chance", "apex_error_sd", "apex_bias_x", "apex_bias_y", "apex_misses"};
+        std::set<std::string> ofASphere{"time",
+                                        "path_length",
+                                        "path_inefficiency",
+                                        "force_max",
+                                        "force_mean",
+                                        "force_p95",
+                                        "force_rms",
+                                        "force_peak_rate",
+                                        "force_impulse_over_limit",
+                                        "force_time_over_limit",
+                                        "critical_errors",
+                                        "apex_error_mean",
+                                        "apex_error_mean_by_chance",
+                                        "apex_error_sd",
+                                        "apex_bias_x",
+                                        "apex_bias_y",
+                                        "apex_misses"};
         if (level.id == "soft_organ") // of two rates
             ofASphere.insert({"prediction_error_rms", "held_error_rms"});
         std::set<std::string> measured;
@@ -165,49 +191,61 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
     }
 }
 
-// No level passes who missed lumps, saw them everywhere, or pressed too hard; what is not asked for is not scored.
+// No level passes who missed lumps, saw them everywhere, or pressed too hard; what is not asked for is not
+// scored.
 void TestContent::palpationLevelsHaveTheirGates() {
-    for (const ExerciseLevel& level : shipped().find("palpation")->levels) // the base rate is measured by: nobody is told it
+    for (const ExerciseLevel& level :
+         shipped().find("palpation")->levels) // the base rate is measured by: nobody is told it
         for (const auto& [language, text] : level.objective)
-            for (const char* told : {"one of them", "of the eight", "eine davon", "eines davon", "der acht", "από αυτ", "από τα οκτώ"})
+            for (const char* told : {"one of them", "of the eight", "eine davon", "eines davon", "der acht",
+                                     "από αυτ", "από τα οκτώ"})
                 QVERIFY2(text.find(told) == std::string::npos, level.id.c_str());
     for (const ExerciseLevel& level : shipped().find("palpation")->levels) {
         std::map<std::string, scoring::Gate> gates;
         for (const auto& gate : level.gates)
             gates[gate.metric] = gate;
-        QVERIFY2(gates["palpation_misses"].maximum && gates["palpation_false_alarms"].maximum, level.id.c_str());
+        QVERIFY2(gates["palpation_misses"].maximum && gates["palpation_false_alarms"].maximum,
+                 level.id.c_str());
         QVERIFY2(gates["force_time_over_limit"].maximum, level.id.c_str());
         QVERIFY2(gates["critical_errors"].maximum == 0.0, level.id.c_str());
-        QCOMPARE(gates.contains("coverage"), level.number > 1); // hidden lumps: the whole area has to be searched
+        QCOMPARE(gates.contains("coverage"),
+                 level.number > 1); // hidden lumps: the whole area has to be searched
         std::set<std::string> asked;
         for (const auto& metric : level.metrics)
             asked.insert(metric.id);
-        for (const char* id : {"palpation_hits", "palpation_misses", "palpation_false_alarms", "localisation_error", "coverage", "force_band_time",
-                               "searching_time", "pressing_time"})
+        for (const char* id :
+             {"palpation_hits", "palpation_misses", "palpation_false_alarms", "localisation_error",
+              "coverage", "force_band_time", "searching_time", "pressing_time"})
             QVERIFY2(asked.contains(id), id);
         QCOMPARE(asked.contains("palpation_d_prime"), level.number > 1);
         QCOMPARE(asked.contains("hardness_order"), level.number == 3);
-        QVERIFY2(!asked.contains("size_error"), level.id.c_str()); // content/README.md: what a finger feels does not tell it
+        QVERIFY2(!asked.contains("size_error"),
+                 level.id.c_str()); // content/README.md: what a finger feels does not tell it
     }
 }
 
-// Whoever breaks through tissue fails, on every level on which tissue can give way, however well the rest went.
+// Whoever breaks through tissue fails, on every level on which tissue can give way, however well the rest
+// went.
 void TestContent::tissueThatGivesWayFails() {
     for (const auto& exercise : shipped().exercises())
         for (const ExerciseLevel& level : exercise.levels) {
-            const auto gate = std::find_if(level.gates.begin(), level.gates.end(), [](const scoring::Gate& g) { return g.metric == "critical_errors"; });
+            const auto gate =
+                std::find_if(level.gates.begin(), level.gates.end(),
+                             [](const scoring::Gate& g) { return g.metric == "critical_errors"; });
             QVERIFY2(gate != level.gates.end() && gate->maximum == 0.0, level.id.c_str());
         }
 }
 
 namespace {
-/// The most that the wall answers across to a shaft that is pushed on straight up to the level's goal, but not beyond the canal.
+/// The most that the wall answers across to a shaft that is pushed on straight up to the level's goal, but
+/// not beyond the canal.
 double mostAcross_N(const simulation::UrethraInsertionParameters& p) {
     const simulation::UrethraForces forces(p.anatomy, p.endoscope, p.forces);
     const double goal_m = p.goalDepth_m > 0.0 ? p.goalDepth_m : forces.centreline().length_m();
     double most_N = 0.0;
     for (double z_m = 0.0; z_m < p.anatomy.zEnd_m; z_m += 0.0005) {
-        const auto r = forces.respond({core::Vec3(0.0, 0.0, z_m), core::Vec3::UnitZ(), core::Vec3::Zero(), core::Vec3::Zero()});
+        const auto r = forces.respond(
+            {core::Vec3(0.0, 0.0, z_m), core::Vec3::UnitZ(), core::Vec3::Zero(), core::Vec3::Zero()});
         if (r.foot.at.s_m < goal_m)
             most_N = std::max(most_N, r.lateral_A.norm());
     }
@@ -216,7 +254,8 @@ double mostAcross_N(const simulation::UrethraInsertionParameters& p) {
 } // namespace
 
 // No level passes who hurt the wall, did not arrive, or was stopped by the clock.
-/// Who misses a pass mark is told what to do differently, in every language; and no advice is for what no level asks for.
+/// Who misses a pass mark is told what to do differently, in every language; and no advice is for what no
+/// level asks for.
 void TestContent::everyPassMarkHasAdvice() {
     for (const Exercise& exercise : shipped().exercises()) {
         std::set<std::string> gated;
@@ -224,7 +263,8 @@ void TestContent::everyPassMarkHasAdvice() {
             for (const scoring::Gate& gate : level.gates)
                 gated.insert(gate.metric);
         for (const std::string& metric : gated) {
-            const auto advice = std::find_if(exercise.advice.begin(), exercise.advice.end(), [&](const Advice& one) { return one.metric == metric; });
+            const auto advice = std::find_if(exercise.advice.begin(), exercise.advice.end(),
+                                             [&](const Advice& one) { return one.metric == metric; });
             QVERIFY2(advice != exercise.advice.end(), (exercise.id + ": " + metric).c_str());
             for (const std::string& language : core::languageIds())
                 QVERIFY2(!advice->text.at(language).empty(), (exercise.id + ": " + metric).c_str());
@@ -257,8 +297,10 @@ void TestContent::urethraLevelsHaveTheirGates() {
         std::map<std::string, scoring::Gate> gates;
         for (const auto& gate : level.gates)
             gates[gate.metric] = gate;
-        QVERIFY(gates.contains("trauma_events") && gates.contains("force_time_over_limit") && gates.contains("critical_errors"));
-        QVERIFY(!gates.contains("offset_rms") && !gates.contains("offset_max")); // where it hurts the wall says so; elsewhere it does not
+        QVERIFY(gates.contains("trauma_events") && gates.contains("force_time_over_limit") &&
+                gates.contains("critical_errors"));
+        QVERIFY(!gates.contains("offset_rms") &&
+                !gates.contains("offset_max")); // where it hurts the wall says so; elsewhere it does not
         QVERIFY(gates.contains("time") && *gates["time"].maximum < p.trialLimit_s);
         QCOMPARE(*gates["procedure_completed"].minimum, 100.0);
         if (p.landmarks.empty())
@@ -266,17 +308,23 @@ void TestContent::urethraLevelsHaveTheirGates() {
         else
             QCOMPARE(*gates["landmarks_seen"].minimum, 100.0);
         QCOMPARE(gates.contains("curve_alignment"), level.number > 1);
-        QCOMPARE(gates.contains("alignment_rms"), p.landmarks.empty()); // who looks round in the bladder is not aligned there
-        QVERIFY2(mostAcross_N(p) > 4.0, level.id.c_str()); // who pushes straight in, neither steering nor turning, makes a critical error
+        QCOMPARE(gates.contains("alignment_rms"),
+                 p.landmarks.empty()); // who looks round in the bladder is not aligned there
+        QVERIFY2(
+            mostAcross_N(p) > 4.0,
+            level.id.c_str()); // who pushes straight in, neither steering nor turning, makes a critical error
     }
     const auto& levels = shipped().find("urethra_insertion")->levels;
     const auto stricter = [&](const char* metric) {
         const auto limit = [&](const ExerciseLevel& level) {
-            return *std::find_if(level.gates.begin(), level.gates.end(), [&](const auto& gate) { return gate.metric == metric; })->maximum;
+            return *std::find_if(level.gates.begin(), level.gates.end(), [&](const auto& gate) {
+                        return gate.metric == metric;
+                    })->maximum;
         };
         return limit(levels[4]) < limit(levels[2]);
     };
-    QVERIFY(stricter("trauma_events") && stricter("time") && stricter("force_time_over_limit")); // the last level asks for more than the third
+    QVERIFY(stricter("trauma_events") && stricter("time") &&
+            stricter("force_time_over_limit")); // the last level asks for more than the third
 }
 
 void TestContent::onlyJsonAndReadmesAreShipped() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Translations stand in a file per language beside the content: all of them are there, a language is a line and files, and no digest of a task
-// depends on them.
+// Translations stand in a file per language beside the content: all of them are there, a language is a line
+// and files, and no digest of a task depends on them.
 #include "catalogue/canonical_json.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/content_texts.h"
@@ -24,7 +24,9 @@ namespace {
 const QString kLevel = QStringLiteral("exercises/sphere_apex/levels/visible.json");
 const QString kGerman = QStringLiteral("exercises/sphere_apex/texts/de.json");
 
-QStringList keysOf(const char* path) { return QString::fromUtf8(path).split(u'/'); }
+QStringList keysOf(const char* path) {
+    return QString::fromUtf8(path).split(u'/');
+}
 
 /// `json` with `value` at the end of `keys`; undefined: taken out.
 QJsonObject with(QJsonObject json, const QStringList& keys, const QJsonValue& value) {
@@ -37,14 +39,17 @@ QJsonObject with(QJsonObject json, const QStringList& keys, const QJsonValue& va
     return json;
 }
 
-QJsonObject objectIn(const ContentCopy& copy, const QString& file) { return QJsonDocument::fromJson(copy.read(file)).object(); }
+QJsonObject objectIn(const ContentCopy& copy, const QString& file) {
+    return QJsonDocument::fromJson(copy.read(file)).object();
+}
 
 void change(const ContentCopy& copy, const QString& file, const QStringList& keys, const QJsonValue& value) {
     copy.write(file, QJsonDocument(with(objectIn(copy, file), keys, value)).toJson());
 }
 
 /// Why the content is not read; empty: it is.
-std::string faultOf(const ContentCopy& copy, const std::vector<std::string>& languages = core::languageIds()) {
+std::string faultOf(const ContentCopy& copy,
+                    const std::vector<std::string>& languages = core::languageIds()) {
     if (const auto catalogue = Catalogue::load(copy.directory(), languages); !catalogue)
         return catalogue.error().message;
     if (const auto studies = StudyCatalogue::load(copy.directory(), languages); !studies)
@@ -63,7 +68,8 @@ Catalogue loaded(const ContentCopy& copy) {
 /// Every folder that has files of languages.
 QStringList textFolders(const ContentCopy& copy) {
     QStringList folders;
-    QDirIterator it(copy.path(QString()), {QStringLiteral("texts")}, QDir::Dirs, QDirIterator::Subdirectories);
+    QDirIterator it(copy.path(QString()), {QStringLiteral("texts")}, QDir::Dirs,
+                    QDirIterator::Subdirectories);
     while (it.hasNext())
         folders << it.next();
     return folders;
@@ -73,8 +79,11 @@ QStringList textFolders(const ContentCopy& copy) {
 bool hasTextByLanguage(const QJsonValue& value) {
     const QJsonObject object = value.toObject();
     const QJsonArray array = value.toArray();
-    return object.contains(QStringLiteral("en")) || std::any_of(object.begin(), object.end(), [](const QJsonValue& each) { return hasTextByLanguage(each); }) ||
-           std::any_of(array.begin(), array.end(), [](const QJsonValue& each) { return hasTextByLanguage(each); });
+    return object.contains(QStringLiteral("en")) ||
+           std::any_of(object.begin(), object.end(),
+                       [](const QJsonValue& each) { return hasTextByLanguage(each); }) ||
+           std::any_of(array.begin(), array.end(),
+                       [](const QJsonValue& each) { return hasTextByLanguage(each); });
 }
 
 } // namespace
@@ -148,9 +157,11 @@ void TestContentTexts::aLanguageIsALineAndFiles() {
     }
     const auto studies = StudyCatalogue::load(copy.directory(), languages);
     QVERIFY(studies->missingTexts().empty());
-    QCOMPARE(studies->find("surgeons")->questionnaires.front().items.front().text.at("xx"), studies->find("surgeons")->questionnaires.front().items.front().text.at("de"));
+    QCOMPARE(studies->find("surgeons")->questionnaires.front().items.front().text.at("xx"),
+             studies->find("surgeons")->questionnaires.front().items.front().text.at("de"));
     const auto instruments = loadInstruments(copy.directory(), languages);
-    QCOMPARE(instruments->front().questionnaire.title.at("xx"), instruments->front().questionnaire.title.at("de"));
+    QCOMPARE(instruments->front().questionnaire.title.at("xx"),
+             instruments->front().questionnaire.title.at("de"));
 }
 
 void TestContentTexts::whatIsMissingIsToldAndShownInEnglish() {
@@ -158,8 +169,9 @@ void TestContentTexts::whatIsMissingIsToldAndShownInEnglish() {
     change(copy, kGerman, keysOf("levels/visible/title"), QJsonValue::Undefined);
     change(copy, QStringLiteral("objects/texts/el.json"), {QStringLiteral("ovary")}, QJsonValue::Undefined);
     const Catalogue catalogue = loaded(copy);
-    const std::vector<MissingText> expected{{"el", copy.path(QStringLiteral("objects/ovary.json")).toStdString(), "$.title"},
-                                            {"de", copy.path(kLevel).toStdString(), "$.title"}};
+    const std::vector<MissingText> expected{
+        {"el", copy.path(QStringLiteral("objects/ovary.json")).toStdString(), "$.title"},
+        {"de", copy.path(kLevel).toStdString(), "$.title"}};
     QVERIFY(catalogue.missingTexts() == expected);
     const ExerciseLevel& level = *catalogue.find("sphere_apex", 1);
     QCOMPARE(textIn(level.title, "de"), level.title.at("en"));
@@ -174,28 +186,47 @@ void TestContentTexts::textsForNothingAreRefused_data() {
     QTest::addColumn<QString>("keys");
     QTest::addColumn<QJsonValue>("value");
     QTest::addColumn<QString>("says");
-    const auto row = [](const char* tag, const char* file, const char* keys, const QJsonValue& value, const char* says) {
-        QTest::newRow(tag) << QString::fromLatin1(file) << QString::fromLatin1(keys) << value << QString::fromLatin1(says);
+    const auto row = [](const char* tag, const char* file, const char* keys, const QJsonValue& value,
+                        const char* says) {
+        QTest::newRow(tag) << QString::fromLatin1(file) << QString::fromLatin1(keys) << value
+                           << QString::fromLatin1(says);
     };
     const char* german = "exercises/sphere_apex/texts/de.json";
-    row("level", german, "levels/visibel/title", "x", "$.levels.visibel: the content has no such part: expected one of ");
-    row("part", german, "level/visible", QJsonObject{}, "$.level: the content has no such part: expected one of exercise, levels; did you mean \"levels\"?");
-    row("key of a level", german, "levels/visible/titel", "x", "$.levels.visible.titel: the content has no such text: expected one of ");
-    row("key that is no text", german, "levels/visible/number", "x", "$.levels.visible.number: the content has no such text");
-    row("text that English lacks", german, "levels/visible/shown_force_variant", QJsonObject{{"note", "x"}}, "$.levels.visible.shown_force_variant: the content has no such text");
-    row("advice", german, "exercise/advice/time_and_again/text", "x", "$.exercise.advice.time_and_again: the content has no such metric: expected one of ");
-    row("mark", german, "exercise/legend/arrow/text", "x", "$.exercise.legend.arrow: the content has no such mark: expected one of ");
-    row("no text", german, "levels/visible/title", 7, "$.levels.visible.title: another type: expected a text");
-    row("several languages", german, "levels/visible/title", QJsonObject{{"de", "x"}}, "$.levels.visible.title: an object: expected a text");
-    row("empty", german, "levels/visible/title", "", "$.levels.visible.title: \"\": expected a text of so many characters, 1 to 800");
-    row("a text for a level", german, "levels/visible", "x", "$.levels.visible: \"x\": expected an object with texts");
-    row("list for a list with names", german, "exercise/legend", QJsonArray{"x"}, "$.exercise.legend: an array of 1: expected an object");
-    row("preset", "exercises/urethra_insertion/texts/de.json", "presets/narrow/title", "x", "$.presets.narrow: the content has no such part");
-    row("object", "objects/texts/el.json", "liver/title", "x", "$.liver: the content has no such part: expected one of ");
+    row("level", german, "levels/visibel/title", "x",
+        "$.levels.visibel: the content has no such part: expected one of ");
+    row("part", german, "level/visible", QJsonObject{},
+        "$.level: the content has no such part: expected one of exercise, levels; did you mean \"levels\"?");
+    row("key of a level", german, "levels/visible/titel", "x",
+        "$.levels.visible.titel: the content has no such text: expected one of ");
+    row("key that is no text", german, "levels/visible/number", "x",
+        "$.levels.visible.number: the content has no such text");
+    row("text that English lacks", german, "levels/visible/shown_force_variant", QJsonObject{{"note", "x"}},
+        "$.levels.visible.shown_force_variant: the content has no such text");
+    row("advice", german, "exercise/advice/time_and_again/text", "x",
+        "$.exercise.advice.time_and_again: the content has no such metric: expected one of ");
+    row("mark", german, "exercise/legend/arrow/text", "x",
+        "$.exercise.legend.arrow: the content has no such mark: expected one of ");
+    row("no text", german, "levels/visible/title", 7,
+        "$.levels.visible.title: another type: expected a text");
+    row("several languages", german, "levels/visible/title", QJsonObject{{"de", "x"}},
+        "$.levels.visible.title: an object: expected a text");
+    row("empty", german, "levels/visible/title", "",
+        "$.levels.visible.title: \"\": expected a text of so many characters, 1 to 800");
+    row("a text for a level", german, "levels/visible", "x",
+        "$.levels.visible: \"x\": expected an object with texts");
+    row("list for a list with names", german, "exercise/legend", QJsonArray{"x"},
+        "$.exercise.legend: an array of 1: expected an object");
+    row("preset", "exercises/urethra_insertion/texts/de.json", "presets/narrow/title", "x",
+        "$.presets.narrow: the content has no such part");
+    row("object", "objects/texts/el.json", "liver/title", "x",
+        "$.liver: the content has no such part: expected one of ");
     row("study", "studies/texts/el.json", "tickling/title", "x", "$.tickling: the content has no such part");
-    row("condition", "studies/texts/el.json", "apex/conditions/no_such/title", "x", "$.apex.conditions.no_such: the content has no such id");
-    row("question", "instruments/texts/de.json", "sus/items/fun/text", "x", "$.sus.items.fun: the content has no such id: expected one of ");
-    row("answers", "instruments/texts/de.json", "edinburgh/items/writing/choices", QJsonArray{"x"}, ".choices: an array of 1: expected an array of ");
+    row("condition", "studies/texts/el.json", "apex/conditions/no_such/title", "x",
+        "$.apex.conditions.no_such: the content has no such id");
+    row("question", "instruments/texts/de.json", "sus/items/fun/text", "x",
+        "$.sus.items.fun: the content has no such id: expected one of ");
+    row("answers", "instruments/texts/de.json", "edinburgh/items/writing/choices", QJsonArray{"x"},
+        ".choices: an array of 1: expected an array of ");
 }
 
 void TestContentTexts::textsForNothingAreRefused() {
@@ -218,9 +249,13 @@ void TestContentTexts::filesOfStrangeLanguagesAreRefused() {
         const QString file = QStringLiteral("exercises/palpation/texts/") + QLatin1String(name);
         copy.write(file, "{}\n");
         const QString fault = QString::fromStdString(faultOf(copy));
-        return fault.startsWith(copy.path(file) + u':') && fault.contains(QLatin1String(says)) ? QString() : fault + QStringLiteral(" (no fault in " ) + file + u')';
+        return fault.startsWith(copy.path(file) + u':') && fault.contains(QLatin1String(says))
+                   ? QString()
+                   : fault + QStringLiteral(" (no fault in ") + file + u')';
     };
-    QCOMPARE(refused("xx.json", "the unknown language \"xx\": expected the file of a language of the program: de, el"), QString());
+    QCOMPARE(refused("xx.json",
+                     "the unknown language \"xx\": expected the file of a language of the program: de, el"),
+             QString());
     QCOMPARE(refused("en.json", "expected them in the content files themselves"), QString());
     const ContentCopy twice; // in the level as files had it before, and in the file of the language
     change(twice, kLevel, {QStringLiteral("title")}, QJsonObject{{"en", "Sphere"}, {"de", "Kugel"}});
@@ -228,7 +263,10 @@ void TestContentTexts::filesOfStrangeLanguagesAreRefused() {
     const ContentCopy stranger;
     change(stranger, kLevel, {QStringLiteral("title")}, QJsonObject{{"en", "Sphere"}, {"xx", "Kugel"}});
     const std::string fault = faultOf(stranger);
-    QVERIFY2(fault.starts_with(stranger.path(kLevel).toStdString()) && fault.find("$.title.xx: an unknown language: expected one of en, de, el") != std::string::npos, fault.c_str());
+    QVERIFY2(fault.starts_with(stranger.path(kLevel).toStdString()) &&
+                 fault.find("$.title.xx: an unknown language: expected one of en, de, el") !=
+                     std::string::npos,
+             fault.c_str());
 }
 
 void TestContentTexts::theTaskHasNoTexts() {
@@ -236,12 +274,16 @@ void TestContentTexts::theTaskHasNoTexts() {
     const Catalogue catalogue = loaded(copy);
     for (const Exercise& exercise : catalogue.exercises())
         for (const ExerciseLevel& level : exercise.levels) {
-            const QJsonObject document = QJsonDocument::fromJson(QByteArray::fromStdString(level.resolvedJson)).object();
+            const QJsonObject document =
+                QJsonDocument::fromJson(QByteArray::fromStdString(level.resolvedJson)).object();
             QVERIFY2(hasTextByLanguage(document), level.id.c_str());
             const QJsonObject task = withoutTexts(document);
             QVERIFY2(!hasTextByLanguage(task), level.id.c_str());
-            for (const char* judged : {"parameters", "metrics", "gates", "cues", "number", "id", "needs_force"}) // all the rest stays
-                QVERIFY2(task["level"].toObject()[QLatin1String(judged)] == document["level"].toObject()[QLatin1String(judged)], judged);
+            for (const char* judged : {"parameters", "metrics", "gates", "cues", "number", "id",
+                                       "needs_force"}) // all the rest stays
+                QVERIFY2(task["level"].toObject()[QLatin1String(judged)] ==
+                             document["level"].toObject()[QLatin1String(judged)],
+                         judged);
             QCOMPARE(taskSha256(level.resolvedJson), sha256Hex(canonicalJson(task)));
         }
 }
@@ -252,13 +294,19 @@ void TestContentTexts::aTextChangesNoTask() {
     change(copy, kGerman, keysOf("levels/visible/objective"), "Ein anderer Text.");
     const Catalogue german = loaded(copy);
     change(copy, kLevel, {QStringLiteral("goal")}, "Another text.");
-    change(copy, QStringLiteral("exercises/sphere_apex/exercise.json"), {QStringLiteral("objective")}, "Another text.");
+    change(copy, QStringLiteral("exercises/sphere_apex/exercise.json"), {QStringLiteral("objective")},
+           "Another text.");
     const Catalogue english = loaded(copy);
-    const auto level = [](const Catalogue& catalogue) -> const ExerciseLevel& { return *catalogue.find("sphere_apex", 1); };
-    const auto texts = [](const Catalogue& catalogue, const char* language) { return catalogue.find("sphere_apex")->textsSha256.at(language); };
+    const auto level = [](const Catalogue& catalogue) -> const ExerciseLevel& {
+        return *catalogue.find("sphere_apex", 1);
+    };
+    const auto texts = [](const Catalogue& catalogue, const char* language) {
+        return catalogue.find("sphere_apex")->textsSha256.at(language);
+    };
     QCOMPARE(taskSha256(level(german).resolvedJson), taskSha256(level(before).resolvedJson));
     QCOMPARE(taskSha256(level(english).resolvedJson), taskSha256(level(before).resolvedJson));
-    QVERIFY(level(german).resolvedSha256 != level(before).resolvedSha256); // what a session stores has the texts that were shown
+    QVERIFY(level(german).resolvedSha256 !=
+            level(before).resolvedSha256); // what a session stores has the texts that were shown
     QVERIFY(texts(german, "de") != texts(before, "de"));
     QCOMPARE(texts(german, "en"), texts(before, "en"));
     QCOMPARE(texts(german, "el"), texts(before, "el"));
@@ -269,15 +317,18 @@ void TestContentTexts::aTextChangesNoTask() {
 void TestContentTexts::aNumberChangesTheTask() {
     const ContentCopy copy;
     const Catalogue before = loaded(copy);
-    const auto task = [](const Catalogue& catalogue) { return taskSha256(catalogue.find("sphere_apex", 1)->resolvedJson); };
+    const auto task = [](const Catalogue& catalogue) {
+        return taskSha256(catalogue.find("sphere_apex", 1)->resolvedJson);
+    };
     const auto differs = [&](const QStringList& keys, const QJsonValue& value) {
         const QByteArray valid = copy.read(kLevel);
         change(copy, kLevel, keys, value);
         const Catalogue after = loaded(copy);
         copy.write(kLevel, valid);
-        return task(after) != task(before) && after.find("sphere_apex")->textsSha256 == before.find("sphere_apex")->textsSha256;
+        return task(after) != task(before) &&
+               after.find("sphere_apex")->textsSha256 == before.find("sphere_apex")->textsSha256;
     };
-    QVERIFY(differs(keysOf("parameters/radius_mm"), 21)); // felt
+    QVERIFY(differs(keysOf("parameters/radius_mm"), 21));                                         // felt
     QVERIFY(differs({QStringLiteral("feedback")}, !objectIn(copy, kLevel)["feedback"].toBool())); // told
     QJsonArray gates = objectIn(copy, kLevel)["gates"].toArray();
     QJsonObject gate = gates[0].toObject();
@@ -287,17 +338,20 @@ void TestContentTexts::aNumberChangesTheTask() {
     QCOMPARE(task(loaded(copy)), task(before));
 }
 
-// Content of users, and what was shipped before: each text in all its languages in the content file. What is stored with a session is the same.
+// Content of users, and what was shipped before: each text in all its languages in the content file. What is
+// stored with a session is the same.
 void TestContentTexts::filesWithAllLanguagesAreReadAsBefore() {
     const ContentCopy copy;
     const Catalogue before = loaded(copy);
     const auto studies = StudyCatalogue::load(copy.directory());
     const QString schemas = copy.path(QStringLiteral("schema"));
-    const auto inPlace = [&](const QString& folder, const QString& file, const char* schemaName, const QStringList& place) {
+    const auto inPlace = [&](const QString& folder, const QString& file, const char* schemaName,
+                             const QStringList& place) {
         auto texts = ContentTexts::read(copy.path(folder), core::languageIds());
         const auto schema = readSchema(schemas, QLatin1String(schemaName));
         Problems problems;
-        const QJsonObject json = texts->laid(objectIn(copy, file), *schema, place, file, QStringLiteral("$"), problems);
+        const QJsonObject json =
+            texts->laid(objectIn(copy, file), *schema, place, file, QStringLiteral("$"), problems);
         copy.write(file, QJsonDocument(json).toJson());
     };
     for (const Exercise& exercise : before.exercises()) {
@@ -305,16 +359,20 @@ void TestContentTexts::filesWithAllLanguagesAreReadAsBefore() {
         inPlace(folder, folder + QStringLiteral("/exercise.json"), "exercise", {QStringLiteral("exercise")});
         for (const ExerciseLevel& level : exercise.levels) {
             const QString id = QString::fromStdString(level.id);
-            inPlace(folder, folder + QStringLiteral("/levels/") + id + QStringLiteral(".json"), "level", {QStringLiteral("levels"), id});
+            inPlace(folder, folder + QStringLiteral("/levels/") + id + QStringLiteral(".json"), "level",
+                    {QStringLiteral("levels"), id});
         }
     }
     for (const auto& study : studies->studies()) {
         const QString id = QString::fromStdString(study.id);
-        inPlace(QStringLiteral("studies"), QStringLiteral("studies/") + id + QStringLiteral(".json"), "study", {id});
+        inPlace(QStringLiteral("studies"), QStringLiteral("studies/") + id + QStringLiteral(".json"), "study",
+                {id});
     }
     QVERIFY(objectIn(copy, kLevel)["title"].toObject().contains("de"));
     for (const Exercise& exercise : before.exercises())
-        QVERIFY(QDir(copy.path(QStringLiteral("exercises/") + QString::fromStdString(exercise.id) + QStringLiteral("/texts"))).removeRecursively());
+        QVERIFY(QDir(copy.path(QStringLiteral("exercises/") + QString::fromStdString(exercise.id) +
+                               QStringLiteral("/texts")))
+                    .removeRecursively());
     QVERIFY(QDir(copy.path(QStringLiteral("studies/texts"))).removeRecursively());
     const Catalogue after = loaded(copy);
     for (std::size_t i = 0; i < before.exercises().size(); ++i) {
@@ -325,8 +383,11 @@ void TestContentTexts::filesWithAllLanguagesAreReadAsBefore() {
             QCOMPARE(is.levels[n].resolvedJson, was.levels[n].resolvedJson);
             QCOMPARE(is.levels[n].resolvedSha256, was.levels[n].resolvedSha256);
         }
-        for (const char* language : {"en", "de", "el"}) // presets keep their file here, so this exercise's texts of them are gone
-            QVERIFY2(is.textsSha256.at(language) == was.textsSha256.at(language) || was.id == "urethra_insertion", language);
+        for (const char* language :
+             {"en", "de", "el"}) // presets keep their file here, so this exercise's texts of them are gone
+            QVERIFY2(is.textsSha256.at(language) == was.textsSha256.at(language) ||
+                         was.id == "urethra_insertion",
+                     language);
     }
     const auto again = StudyCatalogue::load(copy.directory());
     QVERIFY2(again.has_value(), again ? "" : again.error().message.c_str());
@@ -335,18 +396,21 @@ void TestContentTexts::filesWithAllLanguagesAreReadAsBefore() {
 }
 
 void TestContentTexts::whatWasStoredBeforeHasTheTaskOfToday() {
-    // As a program stored it whose content had two languages in its level files, other words, and no goal yet.
+    // As a program stored it whose content had two languages in its level files, other words, and no goal
+    // yet.
     const ContentCopy copy;
     const ExerciseLevel today = *loaded(copy).find("sphere_apex", 2);
     QJsonObject document = QJsonDocument::fromJson(QByteArray::fromStdString(today.resolvedJson)).object();
     const QJsonObject words{{"en", "Earlier words."}, {"de", "Frühere Worte."}};
-    for (const char* path : {"exercise/title", "exercise/objective", "level/title", "level/objective", "level/measured", "level/shown_force_variant/note"})
+    for (const char* path : {"exercise/title", "exercise/objective", "level/title", "level/objective",
+                             "level/measured", "level/shown_force_variant/note"})
         document = with(document, keysOf(path), words);
     document = with(document, keysOf("level/goal"), QJsonValue::Undefined);
     const auto stored = fromResolvedJson(canonicalJson(document));
     QVERIFY2(stored.has_value(), stored ? "" : stored.error().message.c_str());
-    QCOMPARE(stored->title.at("de"), std::string("Frühere Worte."));       // it opens with the words it was done with,
-    QCOMPARE(stored->resolvedSha256, sha256Hex(canonicalJson(document)));  // its digest is what it was,
+    QCOMPARE(stored->title.at("de"),
+             std::string("Frühere Worte.")); // it opens with the words it was done with,
+    QCOMPARE(stored->resolvedSha256, sha256Hex(canonicalJson(document))); // its digest is what it was,
     QVERIFY(stored->resolvedSha256 != today.resolvedSha256);
     QCOMPARE(taskSha256(stored->resolvedJson), taskSha256(today.resolvedJson)); // and it was the same task
     QCOMPARE(taskSha256("{\"level\":3}"), std::string());

@@ -53,7 +53,8 @@ void TestMalformedContent::everyMutationIsRefused() {
     QMap<QString, int> tried;
     for (int round = 0; round < kRounds; ++round)
         for (int kind = 0; kind < ContentMutator::kKinds; ++kind) {
-            const QString file = files[static_cast<qsizetype>(random.below(static_cast<std::uint64_t>(files.size())))];
+            const QString file =
+                files[static_cast<qsizetype>(random.below(static_cast<std::uint64_t>(files.size())))];
             const QByteArray valid = copy.read(file);
             const Mutation mutation = ContentMutator(valid, random).mutate(kind);
             copy.write(file, mutation.text);

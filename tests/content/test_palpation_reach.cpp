@@ -4,8 +4,8 @@
 #include "core/fp_environment.h"
 #include "core/random.h"
 #include "core/units.h"
-#include "realtime/haptic_tick.h"
 #include "modules/exercises/palpation/simulation/palpation_scene.h"
+#include "realtime/haptic_tick.h"
 
 #include <QRandomGenerator>
 #include <QtTest>
@@ -26,7 +26,8 @@ const catalogue::ExerciseLevel* levelOf(const char* id) {
     return nullptr;
 }
 
-/// A hand that wanders through the whole workspace, at 0.3 m/s at most: three oscillations an axis whose speeds add up to that.
+/// A hand that wanders through the whole workspace, at 0.3 m/s at most: three oscillations an axis whose
+/// speeds add up to that.
 class Wander {
 public:
     explicit Wander(core::Random& random) {
@@ -34,9 +35,11 @@ public:
             for (int i = 0; i < 3; ++i) {
                 m_rate[axis][i] = random.uniform(1.0, 12.0);
                 m_phase[axis][i] = random.uniform(0.0, 2.0 * core::kPi);
-                m_reach_m[axis][i] = std::min(0.03, kSpeed / std::sqrt(3.0) / 3.0 / m_rate[axis][i]) * random.uniform(0.3, 1.0);
+                m_reach_m[axis][i] = std::min(0.03, kSpeed / std::sqrt(3.0) / 3.0 / m_rate[axis][i]) *
+                                     random.uniform(0.3, 1.0);
             }
-        m_middle = Vec3(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.01));
+        m_middle =
+            Vec3(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.01));
     }
     core::ToolState at(double t_s) const {
         core::ToolState tool;
@@ -60,7 +63,8 @@ private:
 
 } // namespace
 
-// Every level of palpation along random paths through, over and below the tissue: what models.md and data.md promise of each.
+// Every level of palpation along random paths through, over and below the tissue: what models.md and data.md
+// promise of each.
 class TestPalpationReach : public QObject {
     Q_OBJECT
 private slots:
@@ -80,14 +84,16 @@ private:
 
 void TestPalpationReach::anywhere_data() {
     QTest::addColumn<QByteArray>("id");
-    for (const char* id : {"visible_lump", "hidden_single", "size_and_hardness", "several_or_none", "clinical_pattern"})
+    for (const char* id :
+         {"visible_lump", "hidden_single", "size_and_hardness", "several_or_none", "clinical_pattern"})
         QTest::newRow(id) << QByteArray(id);
 }
 
 void TestPalpationReach::anywhere() {
     QFETCH(QByteArray, id);
     const auto parameters = levelOf(id)->parameters.as<simulation::PalpationParameters>();
-    QVERIFY(parameters.yield.force_N > parameters.maximumForce_N && parameters.yield.force_N <= 3.0 * parameters.maximumForce_N);
+    QVERIFY(parameters.yield.force_N > parameters.maximumForce_N &&
+            parameters.yield.force_N <= 3.0 * parameters.maximumForce_N);
     core::Random random = core::Random::stream(m_seed, id.constData());
     constexpr int kPaths = 200;
     constexpr int kTicks = 1000;
@@ -117,22 +123,27 @@ void TestPalpationReach::anywhere() {
             const std::uint8_t contact = out.contact[0];
             QVERIFY(force.allFinite());
             most_N = std::max(most_N, force.norm());
-            QVERIFY2(force.norm() <= parameters.yield.force_N + 1e-9, qPrintable(QString("%1 N").arg(force.norm())));
+            QVERIFY2(force.norm() <= parameters.yield.force_N + 1e-9,
+                     qPrintable(QString("%1 N").arg(force.norm())));
             const bool through = (contact & core::contact_bits::kThrough) != 0;
             if (tick > 2 && !through && !wasThrough) {
-                // Twice the stiffest of the contact, friction with it, and damping that comes in over its depth. On curved tissue a
-                // foot moves 5 times as far as its finger at 0.8 of the radius of curvature, where the change-over begins; there a
-                // lump's lateral force changes by ½ k d² χ'' 5² = 57 k (d = 8.9 mm, χ'' ≤ 6 χ/H² with χ ≤ 1, H² = 1.05·10⁻⁴ m²: 8 mm deep).
+                // Twice the stiffest of the contact, friction with it, and damping that comes in over its
+                // depth. On curved tissue a foot moves 5 times as far as its finger at 0.8 of the radius of
+                // curvature, where the change-over begins; there a lump's lateral force changes by ½ k d² χ''
+                // 5² = 57 k (d = 8.9 mm, χ'' ≤ 6 χ/H² with χ ≤ 1, H² = 1.05·10⁻⁴ m²: 8 mm deep).
                 const double k = response.normalStiffness_N_per_m();
                 const auto& tissue = parameters.tissue;
-                const double slope = (2.0 * std::max(k, out.contactStiffness_N_per_m) + (response.surface().flat() ? 2.0 : 57.0) * k +
-                                      0.3 * 1.5 * tissue.damping_Ns_per_m.maxCoeff() / tissue.dampingDepth_m) *
-                                         (1.0 + tissue.friction) +
-                                     std::max(tissue.tangentAlong_N_per_m, tissue.tangentAcross_N_per_m);
+                const double slope =
+                    (2.0 * std::max(k, out.contactStiffness_N_per_m) +
+                     (response.surface().flat() ? 2.0 : 57.0) * k +
+                     0.3 * 1.5 * tissue.damping_Ns_per_m.maxCoeff() / tissue.dampingDepth_m) *
+                        (1.0 + tissue.friction) +
+                    std::max(tissue.tangentAlong_N_per_m, tissue.tangentAcross_N_per_m);
                 const double way = (in.tools.tools[0].p_WT - place).norm();
                 steepest_N = std::max(steepest_N, (force - before).norm() - slope * way);
             }
-            const double above = in.tools.tools[0].p_WT.z() - response.surface().heightAt(in.tools.tools[0].p_WT.head<2>()).z_m;
+            const double above = in.tools.tools[0].p_WT.z() -
+                                 response.surface().heightAt(in.tools.tools[0].p_WT.head<2>()).z_m;
             if (above > 0.0)
                 QVERIFY2(force.norm() == 0.0, qPrintable(QString("%1 N in the air").arg(force.norm())));
             contacts += above < 0.0 ? 1 : 0;
@@ -143,13 +154,15 @@ void TestPalpationReach::anywhere() {
             wasThrough = through;
         }
     }
-    qInfo("%s: %d ticks in tissue, %d beyond the checked range, gave way %d times, at most %.2f N, steepest %.3f N over its slope", id.constData(),
-          contacts, beyond, yields, most_N, steepest_N);
+    qInfo("%s: %d ticks in tissue, %d beyond the checked range, gave way %d times, at most %.2f N, steepest "
+          "%.3f N over its slope",
+          id.constData(), contacts, beyond, yields, most_N, steepest_N);
     QVERIFY(contacts > kPaths * kTicks / 20 && yields > 0 && beyond > 0);
     QVERIFY2(steepest_N <= 0.1, qPrintable(QString::number(steepest_N)));
 }
 
-// A finger that is pressed on and on: once through, nothing holds it, and lifted out and put back it feels tissue again.
+// A finger that is pressed on and on: once through, nothing holds it, and lifted out and put back it feels
+// tissue again.
 void TestPalpationReach::pressedTooHard() {
     QFETCH(QByteArray, id);
     const auto parameters = levelOf(id)->parameters.as<simulation::PalpationParameters>();

@@ -21,14 +21,16 @@ namespace {
 
 using core::Vec3;
 
-constexpr double kFriction_N = 2.7;     ///< μN in the stricture (models.md §1.2)
+constexpr double kFriction_N = 2.7; ///< μN in the stricture (models.md §1.2)
 constexpr double kAcross_N_per_m = 1120.0;
 constexpr double kWall_N_per_m = 1000.0;
-constexpr double kPressed_m = 0.008;    ///< that the hand wants to be in the wall
+constexpr double kPressed_m = 0.008; ///< that the hand wants to be in the wall
 constexpr double kArming_s = 3.0;
 constexpr double kAmplitude_m = 0.016, kPeriod_s = 4.0, kRest_s = 1.5;
 
-bool isFiveBar(const std::string& mechanism) { return mechanism == "five_bar_spherical"; }
+bool isFiveBar(const std::string& mechanism) {
+    return mechanism == "five_bar_spherical";
+}
 
 struct Way {
     Vec3 start_D;
@@ -37,11 +39,13 @@ struct Way {
 
 Way wayOf(const std::string& mechanism, int pose) {
     if (isFiveBar(mechanism))
-        return pose == 0 ? Way{{0.0, -0.04, 0.01}, Vec3::UnitY()} : Way{{0.0, 0.02, 0.08}, Vec3(0.0, 0.6, 0.8)};
+        return pose == 0 ? Way{{0.0, -0.04, 0.01}, Vec3::UnitY()}
+                         : Way{{0.0, 0.02, 0.08}, Vec3(0.0, 0.6, 0.8)};
     return pose == 0 ? Way{{0.0, 0.0, 0.05}, Vec3::UnitX()} : Way{{0.04, 0.03, 0.07}, -Vec3::UnitZ()};
 }
 
-/// Rubs to and fro, stands still between, and keeps the tool as it was held; or leans on the wall and slides it up and down.
+/// Rubs to and fro, stands still between, and keeps the tool as it was held; or leans on the wall and slides
+/// it up and down.
 class Rubbing final : public mechanisms::HandStrategy {
 public:
     Rubbing(const Way& way, bool presses) : m_way(way), m_presses(presses) {}
@@ -52,7 +56,8 @@ public:
         const double t = std::max(0.0, seen.time_s - kArming_s), cycle = kPeriod_s + kRest_s;
         const double moving = t - cycle * std::floor(t / cycle);
         const double phase = 2.0 * core::kPi * std::min(1.0, moving / kPeriod_s);
-        const double x = m_presses ? kPressed_m * (0.75 - 0.25 * std::cos(phase)) * std::min(1.0, t) : kAmplitude_m * std::sin(phase);
+        const double x = m_presses ? kPressed_m * (0.75 - 0.25 * std::cos(phase)) * std::min(1.0, t)
+                                   : kAmplitude_m * std::sin(phase);
         mechanisms::HandIntention wanted;
         wanted.p_DDesired = m_way.start_D + x * m_way.along_D;
         wanted.q_DDesired = m_q_DT;
@@ -70,7 +75,8 @@ private:
 class BenchScene final : public simulation::IScene {
 public:
     BenchScene(const BenchCase& wanted, const Way& way) : m_case(wanted), m_way(way) {}
-    void respond(const realtime::HapticTick&, const simulation::SceneInput& in, simulation::SceneOutput& out) noexcept override {
+    void respond(const realtime::HapticTick&, const simulation::SceneInput& in,
+                 simulation::SceneOutput& out) noexcept override {
         out = simulation::SceneOutput{};
         out.tissue.count = in.tools.count;
         out.phase = core::TrialPhase::running;
@@ -92,7 +98,8 @@ public:
         case BenchLoad::canal: {
             const Vec3 along = v.dot(m_way.along_D) * m_way.along_D;
             const Vec3 off = from - from.dot(m_way.along_D) * m_way.along_D;
-            force += friction(along, 0.5 * b) - 0.5 * b * along - kAcross_N_per_m * off - b * (v - along); // the wall damps across it
+            force += friction(along, 0.5 * b) - 0.5 * b * along - kAcross_N_per_m * off -
+                     b * (v - along); // the wall damps across it
             out.storedEnergy_J = 0.5 * kAcross_N_per_m * off.squaredNorm();
             out.contactStiffness_N_per_m = kAcross_N_per_m;
             break;
@@ -100,7 +107,8 @@ public:
         case BenchLoad::wall: {
             const double depth = from.dot(m_way.along_D), weight = std::clamp(depth / 0.0005, 0.0, 1.0);
             if (depth > 0.0)
-                force -= std::max(0.0, kWall_N_per_m * depth + b * weight * v.dot(m_way.along_D)) * m_way.along_D;
+                force -=
+                    std::max(0.0, kWall_N_per_m * depth + b * weight * v.dot(m_way.along_D)) * m_way.along_D;
             out.storedEnergy_J = depth > 0.0 ? 0.5 * kWall_N_per_m * depth * depth : 0.0;
             out.contactStiffness_N_per_m = depth > 0.0 ? kWall_N_per_m : 0.0;
             break;
@@ -134,10 +142,13 @@ public:
 };
 
 mechanisms::HandParameters handNamed(const std::string& name) {
-    return name == "light" ? mechanisms::HandParameters::light() : name == "firm" ? mechanisms::HandParameters::firm() : mechanisms::HandParameters{};
+    return name == "light"  ? mechanisms::HandParameters::light()
+           : name == "firm" ? mechanisms::HandParameters::firm()
+                            : mechanisms::HandParameters{};
 }
 
-std::unique_ptr<devices::IDevice> deviceOf(const std::string& mechanism, const Way& way, const std::string& hand, std::uint64_t seed,
+std::unique_ptr<devices::IDevice> deviceOf(const std::string& mechanism, const Way& way,
+                                           const std::string& hand, std::uint64_t seed,
                                            std::unique_ptr<mechanisms::HandStrategy> strategy) {
     if (isFiveBar(mechanism)) {
         devices::SimulatedEndoscopeDevice::Configuration configuration;
@@ -162,8 +173,12 @@ std::unique_ptr<devices::IDevice> deviceOf(const std::string& mechanism, const W
 
 } // namespace
 
-std::vector<std::string> benchMechanisms() { return {"five_bar_spherical", "gimbal_hprd", "fingertip_arm"}; }
-std::vector<std::string> benchHands() { return {"default", "light", "firm"}; }
+std::vector<std::string> benchMechanisms() {
+    return {"five_bar_spherical", "gimbal_hprd", "fingertip_arm"};
+}
+std::vector<std::string> benchHands() {
+    return {"default", "light", "firm"};
+}
 std::vector<BenchLoad> benchLoads() {
     return {BenchLoad::viscous, BenchLoad::friction, BenchLoad::both, BenchLoad::canal, BenchLoad::wall};
 }
@@ -175,12 +190,15 @@ std::string nameOf(BenchLoad load) {
 
 double budgetOf(const std::string& mechanism) {
     const Way way = wayOf(mechanism, 0);
-    return deviceOf(mechanism, way, "default", 1, std::make_unique<Rubbing>(way, false))->descriptor().maximumDamping_Ns_per_m;
+    return deviceOf(mechanism, way, "default", 1, std::make_unique<Rubbing>(way, false))
+        ->descriptor()
+        .maximumDamping_Ns_per_m;
 }
 
 BenchResult runBench(const BenchCase& wanted) {
     const Way way = wayOf(wanted.mechanism, wanted.pose);
-    auto device = deviceOf(wanted.mechanism, way, wanted.hand, wanted.seed, std::make_unique<Rubbing>(way, wanted.load == BenchLoad::wall));
+    auto device = deviceOf(wanted.mechanism, way, wanted.hand, wanted.seed,
+                           std::make_unique<Rubbing>(way, wanted.load == BenchLoad::wall));
     if (wanted.budget_Ns_per_m > 0.0)
         device = std::make_unique<WithBudget>(std::move(device), wanted.budget_Ns_per_m);
     (void)device->open();

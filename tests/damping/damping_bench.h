@@ -23,9 +23,10 @@ struct BenchCase {
     std::string mechanism; ///< "five_bar_spherical", "gimbal_hprd" or "fingertip_arm"
     std::string hand;      ///< default, light, firm
     BenchLoad load = BenchLoad::viscous;
-    int pose = 0;          ///< 0..kBenchPoses − 1
+    int pose = 0; ///< 0..kBenchPoses − 1
     double damping_Ns_per_m = 0.0;
-    double budget_Ns_per_m = 0.0; ///< 0: that of the device's descriptor, which the laws then keep to; else another
+    double budget_Ns_per_m =
+        0.0; ///< 0: that of the device's descriptor, which the laws then keep to; else another
     std::uint64_t seed = 1;
     double seconds = 12.0;
 };
@@ -38,13 +39,14 @@ std::string nameOf(BenchLoad load);
 double budgetOf(const std::string& mechanism); ///< b_max of its descriptor
 
 struct BenchResult {
-    double fast_N = 0.0;      ///< FastForce: root mean square above 20 Hz of the worst half second
-    double largest_N = 0.0;   ///< commanded
+    double fast_N = 0.0;    ///< FastForce: root mean square above 20 Hz of the worst half second
+    double largest_N = 0.0; ///< commanded
     std::uint64_t windows = 0;
     std::uint64_t injected = 0; ///< ticks in which the passivity controller damped
 };
 
-/// One hand on one mechanism, through loop and supervisor: it rubs along the way at up to 25 mm/s, rests, and goes on.
+/// One hand on one mechanism, through loop and supervisor: it rubs along the way at up to 25 mm/s, rests, and
+/// goes on.
 BenchResult runBench(const BenchCase& wanted);
 
 } // namespace chiron::tests

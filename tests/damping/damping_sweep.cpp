@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints how much damping each simulated mechanism carries before it shakes: damping_sweep [SEEDS] [SECONDS] [MECHANISM]. Not a test: it asserts nothing.
+// Prints how much damping each simulated mechanism carries before it shakes: damping_sweep [SEEDS] [SECONDS]
+// [MECHANISM]. Not a test: it asserts nothing.
 #include "damping/damping_bench.h"
 
 #include <algorithm>
@@ -12,14 +13,17 @@ int main(int argc, char** argv) {
     const int seeds = argc > 1 ? std::atoi(argv[1]) : 2;
     const double seconds = argc > 2 ? std::atof(argv[2]) : 12.0;
     const double dampings[] = {10, 20, 25, 30, 35, 40, 45, 50, 60, 75, 100};
-    std::printf("Commanded force above 20 Hz, N rms of the worst half second, over %d seeds and %d poses.\n| mechanism | hand | load |", seeds, kBenchPoses);
+    std::printf("Commanded force above 20 Hz, N rms of the worst half second, over %d seeds and %d poses.\n| "
+                "mechanism | hand | load |",
+                seeds, kBenchPoses);
     for (const double b : dampings)
         std::printf(" %g |", b);
     std::printf("\n|---|---|---|");
     for (std::size_t i = 0; i < std::size(dampings); ++i)
         std::printf("---|");
     std::printf("\n");
-    const std::vector<std::string> mechanisms = argc > 3 ? std::vector<std::string>{argv[3]} : benchMechanisms();
+    const std::vector<std::string> mechanisms =
+        argc > 3 ? std::vector<std::string>{argv[3]} : benchMechanisms();
     for (const std::string& mechanism : mechanisms)
         for (const std::string& hand : benchHands())
             for (const BenchLoad load : benchLoads()) {
@@ -28,7 +32,9 @@ int main(int argc, char** argv) {
                     double worst = 0.0;
                     for (int seed = 1; seed <= seeds; ++seed)
                         for (int pose = 0; pose < kBenchPoses; ++pose)
-                            worst = std::max(worst, runBench({mechanism, hand, load, pose, b, b, static_cast<std::uint64_t>(seed), seconds}).fast_N);
+                            worst = std::max(worst, runBench({mechanism, hand, load, pose, b, b,
+                                                              static_cast<std::uint64_t>(seed), seconds})
+                                                        .fast_N);
                     std::printf(" %s%.3f%s |", worst > 0.1 ? "**" : "", worst, worst > 0.1 ? "**" : "");
                     std::fflush(stdout);
                 }

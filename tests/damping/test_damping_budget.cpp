@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a descriptor states as b_max its mechanism carries with margin, in every hand and under every load, and far beyond it the same
-// mechanism shakes: so the bench can tell.
+// What a descriptor states as b_max its mechanism carries with margin, in every hand and under every load,
+// and far beyond it the same mechanism shakes: so the bench can tell.
 #include "damping/damping_bench.h"
 
 #include <QtTest>
@@ -14,11 +14,12 @@ namespace {
 
 constexpr double kQuiet_N = 0.1; ///< above 20 Hz, root mean square of half a second
 constexpr double kMargin = 1.25;
-constexpr double kShakes_N = 0.2; ///< with more than the budget counts and a trembling hand may be felt a little more; what shakes comes to newtons
+constexpr double kShakes_N = 0.2; ///< with more than the budget counts and a trembling hand may be felt a
+                                  ///< little more; what shakes comes to newtons
 
 std::string named(const BenchCase& c) {
-    return c.mechanism + ", " + c.hand + " hand, " + nameOf(c.load) + ", pose " + std::to_string(c.pose) + ", " + std::to_string(c.damping_Ns_per_m) +
-           " N·s/m, seed " + std::to_string(c.seed);
+    return c.mechanism + ", " + c.hand + " hand, " + nameOf(c.load) + ", pose " + std::to_string(c.pose) +
+           ", " + std::to_string(c.damping_Ns_per_m) + " N·s/m, seed " + std::to_string(c.seed);
 }
 
 } // namespace
@@ -51,7 +52,8 @@ void TestDampingBudget::theBudgetIsCarriedWithMargin() {
     const std::uint64_t first = 1;
     const double seconds = 7.0;
 #endif
-    std::printf("%s: b_max %g N·s/m, seeds from %llu\n", qPrintable(mechanism), budget, static_cast<unsigned long long>(first));
+    std::printf("%s: b_max %g N·s/m, seeds from %llu\n", qPrintable(mechanism), budget,
+                static_cast<unsigned long long>(first));
     for (const std::string& hand : benchHands())
         for (const BenchLoad load : benchLoads()) {
             double worst = 0.0;
@@ -59,14 +61,23 @@ void TestDampingBudget::theBudgetIsCarriedWithMargin() {
                 for (int pose = 0; pose < kBenchPoses; ++pose) {
                     for (const double times : {1.0, kMargin}) {
                         const double b = times * budget;
-                        const BenchCase one{mechanism.toStdString(), hand, load, pose, b, b, first + static_cast<std::uint64_t>(seed), seconds};
+                        const BenchCase one{mechanism.toStdString(),
+                                            hand,
+                                            load,
+                                            pose,
+                                            b,
+                                            b,
+                                            first + static_cast<std::uint64_t>(seed),
+                                            seconds};
                         const BenchResult result = runBench(one);
                         QVERIFY(result.windows > 0);
-                        QVERIFY2(result.fast_N <= (times > 1.0 ? kShakes_N : kQuiet_N), (named(one) + ": " + std::to_string(result.fast_N) + " N").c_str());
+                        QVERIFY2(result.fast_N <= (times > 1.0 ? kShakes_N : kQuiet_N),
+                                 (named(one) + ": " + std::to_string(result.fast_N) + " N").c_str());
                         worst = std::max(worst, result.fast_N);
                     }
                 }
-            std::printf("  %-8s %-9s %.3f N rms above 20 Hz, up to %g times as much\n", hand.c_str(), nameOf(load).c_str(), worst, kMargin);
+            std::printf("  %-8s %-9s %.3f N rms above 20 Hz, up to %g times as much\n", hand.c_str(),
+                        nameOf(load).c_str(), worst, kMargin);
         }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stricture, where friction, viscosity and injected damping once added up to more than the five-bar carries: quiet as the product is,
-// and shaking in some session with the sum left free.
+// The stricture, where friction, viscosity and injected damping once added up to more than the five-bar
+// carries: quiet as the product is, and shaking in some session with the sum left free.
 #include "ladder/ladder.h"
 
 #include <QtTest>
@@ -31,9 +31,13 @@ void TestDampingLevels::theStrictureDoesNotShake() {
     std::printf("%s%s", tests::heading().c_str(), tests::lines(climbed).c_str());
     for (const auto& [name, sessions] : climbed.byOperator)
         for (const tests::LadderSession& session : sessions) {
-            const QString who = QStringLiteral("%1, seed %2: %3 N").arg(QString::fromStdString(name)).arg(session.seed).arg(session.fast_N);
+            const QString who = QStringLiteral("%1, seed %2: %3 N")
+                                    .arg(QString::fromStdString(name))
+                                    .arg(session.seed)
+                                    .arg(session.fast_N);
             QVERIFY2(session.fast_N <= 0.1, qPrintable(who));
-            QVERIFY2(session.damped == 0, qPrintable(who)); // its laws are conservative: nothing to inject for
+            QVERIFY2(session.damped == 0,
+                     qPrintable(who)); // its laws are conservative: nothing to inject for
         }
 }
 
@@ -42,7 +46,8 @@ void TestDampingLevels::withoutTheBudgetItDoes() {
     settings.seeds = 4;
     settings.first = m_first;
     settings.checkEvery = 0;
-    settings.budget_Ns_per_m = 100.0; // friction up to the level's own 50, viscosity 4, injection the rest, as when each was bounded alone
+    settings.budget_Ns_per_m = 100.0; // friction up to the level's own 50, viscosity 4, injection the rest,
+                                      // as when each was bounded alone
     const tests::LadderLevel climbed = tests::climb(*m_catalogue.find("urethra_insertion", 4), settings);
     std::printf("%s%s", tests::heading().c_str(), tests::lines(climbed).c_str());
     double worst = 0.0;

@@ -8,7 +8,8 @@
 
 namespace chiron::tests {
 
-/// A device that says it carries another damping than it says itself: what a session would be like with that budget.
+/// A device that says it carries another damping than it says itself: what a session would be like with that
+/// budget.
 class WithBudget final : public devices::IDevice {
 public:
     WithBudget(std::unique_ptr<devices::IDevice> device, double budget_Ns_per_m)
@@ -20,8 +21,12 @@ public:
     core::Result<void> open() override { return m_device->open(); }
     void close() noexcept override { m_device->close(); }
     core::DeviceSample read(const realtime::HapticTick& now) noexcept override { return m_device->read(now); }
-    void command(const realtime::HapticTick& now, const devices::ForceCommand& command) noexcept override { m_device->command(now, command); }
-    void show(const realtime::HapticTick& now, const core::VisibleCues& cues) noexcept override { m_device->show(now, cues); }
+    void command(const realtime::HapticTick& now, const devices::ForceCommand& command) noexcept override {
+        m_device->command(now, command);
+    }
+    void show(const realtime::HapticTick& now, const core::VisibleCues& cues) noexcept override {
+        m_device->show(now, cues);
+    }
 
 private:
     std::unique_ptr<devices::IDevice> m_device;

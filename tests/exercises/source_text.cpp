@@ -27,7 +27,8 @@ bool beginsRaw(const QString& text, qsizetype place) {
 
 /// An apostrophe after a letter or digit separates digits (1'000).
 bool beginsLiteral(const QString& text, qsizetype place) {
-    return text[place] == kQuote || (text[place] == kApostrophe && (place == 0 || !text[place - 1].isLetterOrNumber()));
+    return text[place] == kQuote ||
+           (text[place] == kApostrophe && (place == 0 || !text[place - 1].isLetterOrNumber()));
 }
 
 /// Where the literal's closing quote stands; the end of the line where it has none.

@@ -8,8 +8,9 @@ namespace chiron::test {
 
 /// A C++ file as the compiler sees it: without comments.
 struct SourceText {
-    QString code;         ///< string literals included; of a raw one only the quotes
-    QStringList literals; ///< what stands between the quotes of each string literal, escapes as they are written
+    QString code; ///< string literals included; of a raw one only the quotes
+    QStringList
+        literals; ///< what stands between the quotes of each string literal, escapes as they are written
 };
 
 SourceText readSource(const QString& text);

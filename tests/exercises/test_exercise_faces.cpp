@@ -2,12 +2,12 @@
 // What screens and reports ask of every exercise, asked of each.
 #include "catalogue/catalogue.h"
 #include "desktop/exercise_face.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "session/exercise_kind.h"
 #include "session/moment_rule.h"
 #include "session_report/exercise_section.h"
 #include "session_report/exercise_words.h"
 #include "session_report/tool_words.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <QDir>
 #include <QSet>
@@ -18,7 +18,8 @@ using namespace chiron;
 
 namespace {
 
-/// Level 1 of each exercise as it is shipped, and one of those that studies alone use, with the values that parameters begin with.
+/// Level 1 of each exercise as it is shipped, and one of those that studies alone use, with the values that
+/// parameters begin with.
 const std::vector<catalogue::ExerciseLevel>& everyLevel() {
     static const std::vector<catalogue::ExerciseLevel> kLevels = [] {
         const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
@@ -35,7 +36,9 @@ const std::vector<catalogue::ExerciseLevel>& everyLevel() {
     return kLevels;
 }
 
-const desktop::ExerciseFace& faceOf(const catalogue::ExerciseLevel& level) { return **desktop::exerciseFace(level.exercise); }
+const desktop::ExerciseFace& faceOf(const catalogue::ExerciseLevel& level) {
+    return **desktop::exerciseFace(level.exercise);
+}
 
 } // namespace
 
@@ -51,7 +54,8 @@ private slots:
     void rulesOfMomentsAreOfWhatThereIs();
 };
 
-/// A rule that says where a metric was worst is of a metric that a level asks for, and of marks or a quantity that there are.
+/// A rule that says where a metric was worst is of a metric that a level asks for, and of marks or a quantity
+/// that there are.
 void TestExerciseFaces::rulesOfMomentsAreOfWhatThereIs() {
     const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
     QVERIFY(catalogue);
@@ -62,18 +66,24 @@ void TestExerciseFaces::rulesOfMomentsAreOfWhatThereIs() {
         for (const session::MomentRule& rule : (*kind)->momentRules()) {
             ++rules;
             const std::string which = exercise.id + ": " + std::string(rule.metric);
-            const auto anyLevel = [&](auto holds) { return std::any_of(exercise.levels.begin(), exercise.levels.end(), holds); };
+            const auto anyLevel = [&](auto holds) {
+                return std::any_of(exercise.levels.begin(), exercise.levels.end(), holds);
+            };
             QVERIFY2(anyLevel([&](const catalogue::ExerciseLevel& level) {
-                         return std::any_of(level.metrics.begin(), level.metrics.end(), [&](const auto& metric) { return rule.isOf(metric.id); });
+                         return std::any_of(level.metrics.begin(), level.metrics.end(),
+                                            [&](const auto& metric) { return rule.isOf(metric.id); });
                      }),
                      which.c_str());
-            const bool ofMarks = rule.by == session::MomentRule::By::largestMark || rule.by == session::MomentRule::By::firstMark;
+            const bool ofMarks = rule.by == session::MomentRule::By::largestMark ||
+                                 rule.by == session::MomentRule::By::firstMark;
             QVERIFY2(ofMarks == !rule.marks.empty(), which.c_str());
             if (rule.by != session::MomentRule::By::largestQuantity)
                 continue;
             QVERIFY2(anyLevel([&](const catalogue::ExerciseLevel& level) {
                          const auto quantities = (*kind)->quantities(level);
-                         return std::any_of(quantities.begin(), quantities.end(), [&](const auto& quantity) { return quantity.id == rule.quantity; });
+                         return std::any_of(quantities.begin(), quantities.end(), [&](const auto& quantity) {
+                             return quantity.id == rule.quantity;
+                         });
                      }),
                      which.c_str());
         }
@@ -87,7 +97,8 @@ void TestExerciseFaces::everyFolderIsAsked() {
     for (const catalogue::ExerciseLevel& level : everyLevel())
         asked << QString::fromStdString(level.exercise);
     asked.sort();
-    QCOMPARE(asked, QDir(QStringLiteral(CHIRON_SOURCE_DIR "/app/exercises")).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name));
+    QCOMPARE(asked, QDir(QStringLiteral(CHIRON_SOURCE_DIR "/app/exercises"))
+                        .entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name));
 }
 
 void TestExerciseFaces::theyAreKnownByTheirIds() {
@@ -96,7 +107,8 @@ void TestExerciseFaces::theyAreKnownByTheirIds() {
     for (const catalogue::ExerciseLevel& level : everyLevel()) {
         const auto face = desktop::exerciseFace(level.exercise);
         QVERIFY2(face && (*face)->id() == level.exercise, level.exercise.c_str());
-        QVERIFY2(none.error().message.find(level.exercise) != std::string::npos, none.error().message.c_str());
+        QVERIFY2(none.error().message.find(level.exercise) != std::string::npos,
+                 none.error().message.c_str());
     }
 }
 
@@ -125,7 +137,8 @@ void TestExerciseFaces::aSessionWithoutTrialsIsShownAsOne() {
 
 void TestExerciseFaces::aReportHasOneSectionAtMost() {
     for (const catalogue::ExerciseLevel& level : everyLevel())
-        QVERIFY2(level.exercise != "comparison" || !session_report::exerciseSectionOf({}, level), "studies have reports of their own");
+        QVERIFY2(level.exercise != "comparison" || !session_report::exerciseSectionOf({}, level),
+                 "studies have reports of their own");
     catalogue::ExerciseLevel unknown = everyLevel().front();
     unknown.exercise = "knitting";
     QVERIFY(!session_report::exerciseSectionOf({}, unknown));

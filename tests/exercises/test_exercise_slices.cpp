@@ -27,7 +27,9 @@ QStringList foldersIn(const QString& path) {
 
 /// Every exercise that has a folder on a floor.
 QStringList exercises() {
-    QStringList ids = foldersIn(QStringLiteral("app/exercises")) + foldersIn(QStringLiteral("curriculum/exercises")) + foldersIn(QStringLiteral("modules/exercises"));
+    QStringList ids = foldersIn(QStringLiteral("app/exercises")) +
+                      foldersIn(QStringLiteral("curriculum/exercises")) +
+                      foldersIn(QStringLiteral("modules/exercises"));
     ids.removeDuplicates();
     ids.sort();
     return ids;
@@ -43,13 +45,15 @@ bool mayNameExercises(const QString& path) {
     static const QRegularExpression own(
         QStringLiteral("^(app|curriculum|modules)/exercises/%1/").arg(anyExercise()));
     static const QRegularExpression catalogue(
-        QStringLiteral("^((app|modules)/exercises/[a-z0-9_]+_catalogue|curriculum/catalogue/exercise_contents|curriculum/scoring/(metric|critical_error)_catalogue)\\.cpp$"));
+        QStringLiteral("^((app|modules)/exercises/[a-z0-9_]+_catalogue|curriculum/catalogue/"
+                       "exercise_contents|curriculum/scoring/(metric|critical_error)_catalogue)\\.cpp$"));
     return own.match(path).hasMatch() || catalogue.match(path).hasMatch();
 }
 
 /// The psychophysics laboratory presents its objects as sessions of `comparison`, which is made for it alone.
 bool isOfTheLaboratory(const QString& path) {
-    return path.startsWith(QStringLiteral("app/session/study/")) || path.startsWith(QStringLiteral("app/desktop/study_run/"));
+    return path.startsWith(QStringLiteral("app/session/study/")) ||
+           path.startsWith(QStringLiteral("app/desktop/study_run/"));
 }
 
 bool includesAnExercise(const SourceText& source, bool butComparison) {
@@ -57,7 +61,8 @@ bool includesAnExercise(const SourceText& source, bool butComparison) {
         QStringLiteral("^[ \\t]*#[ \\t]*include[ \\t]*\"([^\"]*/)?exercises/%1/").arg(anyExercise()),
         QRegularExpression::MultilineOption);
     for (auto each = include.globalMatch(source.code); each.hasNext();)
-        if (const auto match = each.next(); !butComparison || match.captured(2) != QStringLiteral("comparison"))
+        if (const auto match = each.next();
+            !butComparison || match.captured(2) != QStringLiteral("comparison"))
             return true;
     return false;
 }
@@ -68,13 +73,15 @@ bool namesAnExercise(const SourceText& source) {
         named.removeAll(QStringLiteral("comparison")); // also a word for other things
         return named;
     }();
-    return std::any_of(source.literals.begin(), source.literals.end(), [](const QString& literal) { return ids.contains(literal); });
+    return std::any_of(source.literals.begin(), source.literals.end(),
+                       [](const QString& literal) { return ids.contains(literal); });
 }
 
 /// "includes", "names", "both", or empty.
 QString whatItDoes(const QString& text, const QString& path = {}) {
     const SourceText source = readSource(text);
-    const bool includes = includesAnExercise(source, isOfTheLaboratory(path)), names = namesAnExercise(source);
+    const bool includes = includesAnExercise(source, isOfTheLaboratory(path)),
+               names = namesAnExercise(source);
     if (includes && names)
         return QStringLiteral("both");
     return includes ? QStringLiteral("includes") : names ? QStringLiteral("names") : QString();
@@ -83,7 +90,8 @@ QString whatItDoes(const QString& text, const QString& path = {}) {
 QStringList productSources() {
     QStringList files;
     for (const char* floor : {"app", "modules", "curriculum", "database"})
-        for (QDirIterator it(kRoot + u'/' + QLatin1String(floor), {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+        for (QDirIterator it(kRoot + u'/' + QLatin1String(floor),
+                             {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
                              QDirIterator::Subdirectories);
              it.hasNext();)
             files << QDir(kRoot).relativeFilePath(it.next());
@@ -121,8 +129,9 @@ private slots:
 };
 
 void TestExerciseSlices::codeIsReadWithoutComments() {
-    const SourceText source = readSource(QStringLiteral("a(\"x//\\\"y\"); // \"no\"\n"
-                                                        "/* \"no\" */b('\"', 1'000, \"z\") R\"q(raw \"in\")q\" end"));
+    const SourceText source =
+        readSource(QStringLiteral("a(\"x//\\\"y\"); // \"no\"\n"
+                                  "/* \"no\" */b('\"', 1'000, \"z\") R\"q(raw \"in\")q\" end"));
     QCOMPARE(source.literals, (QStringList{"x//\\\"y", "z", "raw \"in\""}));
     QCOMPARE(source.code, QStringLiteral("a(\"x//\\\"y\"); \n b('\"', 1'000, \"z\") R\"\" end"));
     QCOMPARE(readSource(QStringLiteral("/* open")).code, QStringLiteral(" "));
@@ -132,18 +141,22 @@ void TestExerciseSlices::codeIsReadWithoutComments() {
 void TestExerciseSlices::whatAFileDoesIsFound() {
     const QString include = QStringLiteral("#include \"app/exercises/palpation/session/palpation_kind.h\"\n");
     QCOMPARE(whatItDoes(include), QStringLiteral("includes"));
-    QCOMPARE(whatItDoes(QStringLiteral("#include \"modules/exercises/elastic_tube/operators/a.h\"\n")), QStringLiteral("includes"));
+    QCOMPARE(whatItDoes(QStringLiteral("#include \"modules/exercises/elastic_tube/operators/a.h\"\n")),
+             QStringLiteral("includes"));
     QCOMPARE(whatItDoes(QStringLiteral("#include \"operators/laparoscopy/a.h\"\n")), QString());
     QCOMPARE(whatItDoes(QStringLiteral("// ") + include), QString());
     QCOMPARE(whatItDoes(QStringLiteral("id == \"palpation\"")), QStringLiteral("names"));
     QCOMPARE(whatItDoes(QStringLiteral("// \"palpation\"\n\"palpation_hits\" \"comparison\"")), QString());
-    const QString comparison = QStringLiteral("#include \"modules/exercises/comparison/simulation/a.h\"\n"), laboratory = QStringLiteral("app/session/study/a.cpp");
+    const QString comparison = QStringLiteral("#include \"modules/exercises/comparison/simulation/a.h\"\n"),
+                  laboratory = QStringLiteral("app/session/study/a.cpp");
     QCOMPARE(whatItDoes(comparison), QStringLiteral("includes"));
     QCOMPARE(whatItDoes(comparison, laboratory), QString());
     QCOMPARE(whatItDoes(comparison + include, laboratory), QStringLiteral("includes"));
     QCOMPARE(whatItDoes(include + QStringLiteral("QStringLiteral(\"sphere_apex\")")), QStringLiteral("both"));
-    QVERIFY(mayNameExercises("modules/exercises/palpation/operators/a.cpp") && mayNameExercises("app/exercises/flat_catalogue.cpp"));
-    QVERIFY(!mayNameExercises("modules/operators/laparoscopy/a.cpp") && !mayNameExercises("app/session/exercise_kind.h"));
+    QVERIFY(mayNameExercises("modules/exercises/palpation/operators/a.cpp") &&
+            mayNameExercises("app/exercises/flat_catalogue.cpp"));
+    QVERIFY(!mayNameExercises("modules/operators/laparoscopy/a.cpp") &&
+            !mayNameExercises("app/session/exercise_kind.h"));
 }
 
 void TestExerciseSlices::nothingElseNamesAnExercise() {
@@ -162,10 +175,12 @@ void TestExerciseSlices::nothingElseNamesAnExercise() {
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
 }
 
-/// On the floor of the modules an exercise stands for itself: what it shares with another is in a folder named after what it is.
+/// On the floor of the modules an exercise stands for itself: what it shares with another is in a folder
+/// named after what it is.
 void TestExerciseSlices::noSceneOrOperatorKnowsAnotherExercise() {
     static const QRegularExpression own(QStringLiteral("^modules/exercises/([a-z0-9_]+)/"));
-    static const QRegularExpression include(QStringLiteral("#[ \\t]*include[ \\t]*\"modules/exercises/([a-z0-9_]+)/"));
+    static const QRegularExpression include(
+        QStringLiteral("#[ \\t]*include[ \\t]*\"modules/exercises/([a-z0-9_]+)/"));
     QStringList wrong;
     int read = 0;
     for (const QString& path : productSources()) {
@@ -199,7 +214,9 @@ void TestExerciseSlices::everyFolderIsBuilt() {
             const QString own = folder + u'/' + id;
             const QString parts = contentOf(own + QStringLiteral("/CMakeLists.txt"));
             for (const QString& part : foldersIn(own))
-                if (!parts.contains(QStringLiteral(" IN %1\n").arg(part)) && !parts.contains(QStringLiteral(" IN %1)").arg(part)) && !parts.contains(QStringLiteral("add_subdirectory(%1)").arg(part)))
+                if (!parts.contains(QStringLiteral(" IN %1\n").arg(part)) &&
+                    !parts.contains(QStringLiteral(" IN %1)").arg(part)) &&
+                    !parts.contains(QStringLiteral("add_subdirectory(%1)").arg(part)))
                     wrong << QStringLiteral("%1/CMakeLists.txt: no chiron_part(… IN %2").arg(own, part);
         }
     }
@@ -213,18 +230,22 @@ void TestExerciseSlices::everyExerciseIsInTheLists() {
         const QString code = readSource(contentOf(QLatin1String(each.list))).code;
         for (const QString& id : foldersIn(folder)) {
             const QString parts = contentOf(folder + u'/' + id + QStringLiteral("/CMakeLists.txt"));
-            const bool adds = parts.contains(QStringLiteral("chiron_part(%1 IN ").arg(QLatin1String(each.module)));
+            const bool adds =
+                parts.contains(QStringLiteral("chiron_part(%1 IN ").arg(QLatin1String(each.module)));
             const bool listed = code.contains(QStringLiteral("#include \"%1/%2/").arg(folder, id));
             if (adds != listed)
                 wrong << QStringLiteral("%1: %2: %3")
                              .arg(QLatin1String(each.list), id,
-                                  adds ? QStringLiteral("not listed") : QStringLiteral("listed, but adds nothing to the module"));
+                                  adds ? QStringLiteral("not listed")
+                                       : QStringLiteral("listed, but adds nothing to the module"));
         }
     }
     for (const QString& id : exercises()) {
-        if (!contentOf(QStringLiteral("app/exercises/%1/CMakeLists.txt").arg(id)).contains(QLatin1String("(session IN ")))
+        if (!contentOf(QStringLiteral("app/exercises/%1/CMakeLists.txt").arg(id))
+                 .contains(QLatin1String("(session IN ")))
             wrong << QStringLiteral("app/exercises/%1: cannot be run").arg(id);
-        if (!contentOf(QStringLiteral("curriculum/exercises/%1/CMakeLists.txt").arg(id)).contains(QLatin1String("(catalogue IN ")))
+        if (!contentOf(QStringLiteral("curriculum/exercises/%1/CMakeLists.txt").arg(id))
+                 .contains(QLatin1String("(catalogue IN ")))
             wrong << QStringLiteral("curriculum/exercises/%1: its levels cannot be read").arg(id);
     }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));

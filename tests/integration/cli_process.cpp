@@ -12,7 +12,8 @@ constexpr int kPatience_ms = 120000; // never asserted, only to end a hanging ru
 namespace {
 
 /// Starts it with an environment of its own.
-void start(QProcess& process, const QStringList& arguments, const QByteArray& input, const QMap<QString, QString>& variables) {
+void start(QProcess& process, const QStringList& arguments, const QByteArray& input,
+           const QMap<QString, QString>& variables) {
     static const QTemporaryDir home; // nothing of the person who runs the tests is read or written
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     for (const char* name :

@@ -19,11 +19,12 @@ struct CliRun {
 CliRun runCli(const QStringList& arguments, const QByteArray& input = {},
               const QMap<QString, QString>& variables = {});
 
-/// The same, but killed by SIGKILL after so many milliseconds. True: it died of it; false: it was over before.
+/// The same, but killed by SIGKILL after so many milliseconds. True: it died of it; false: it was over
+/// before.
 bool killCli(const QStringList& arguments, int after_ms);
 
-/// Empty if the run is a proper refusal: this exit status, one line on stderr that holds every mention, nothing on
-/// stdout, no signal. Otherwise what is wrong with it.
+/// Empty if the run is a proper refusal: this exit status, one line on stderr that holds every mention,
+/// nothing on stdout, no signal. Otherwise what is wrong with it.
 QString refusalFault(const CliRun& run, int exitCode, const QStringList& mentions);
 
 /// The names of all commands ("user add"), read from the program's own help, so that a new one is tested

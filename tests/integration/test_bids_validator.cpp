@@ -8,8 +8,9 @@
 #include <QStandardPaths>
 #include <QtTest>
 
-// Exports are BIDS by the judgement of others: the bids-validator (npm, of the BIDS community; scripts/setup fetches it) finds no
-// error in a study's export with behaviour, motion, forces and events, nor in a single session's.
+// Exports are BIDS by the judgement of others: the bids-validator (npm, of the BIDS community; scripts/setup
+// fetches it) finds no error in a study's export with behaviour, motion, forces and events, nor in a single
+// session's.
 class TestBidsValidator : public QObject {
     Q_OBJECT
 private slots:
@@ -19,7 +20,9 @@ private slots:
     void brokenExportIsNoticed();
 
 private:
-    CliRun cli(const QStringList& arguments) { return runCli(arguments + QStringList{"--database", m_folder.filePath("study.db"), "--json"}); }
+    CliRun cli(const QStringList& arguments) {
+        return runCli(arguments + QStringList{"--database", m_folder.filePath("study.db"), "--json"});
+    }
     QTemporaryDir m_folder;
 };
 
@@ -35,7 +38,8 @@ struct Judgement {
 
 Judgement judge(const QString& folder) {
     QProcess process;
-    process.start(QStringLiteral("node"), {QStringLiteral(CHIRON_BIDS_VALIDATOR), folder, QStringLiteral("--json")});
+    process.start(QStringLiteral("node"),
+                  {QStringLiteral(CHIRON_BIDS_VALIDATOR), folder, QStringLiteral("--json")});
     Judgement judgement;
     if (!process.waitForFinished(kPatience_ms))
         return judgement;
@@ -49,12 +53,17 @@ Judgement judge(const QString& folder) {
 
 } // namespace
 
-// Two participants: one with two sittings of rendered presentations, one without rendering and so without motion.
+// Two participants: one with two sittings of rendered presentations, one without rendering and so without
+// motion.
 void TestBidsValidator::initTestCase() {
-    if (QStandardPaths::findExecutable("node").isEmpty() || !QFile::exists(QStringLiteral(CHIRON_BIDS_VALIDATOR)))
-        QSKIP("BIDS EXPORTS ARE NOT CHECKED: node or " CHIRON_BIDS_VALIDATOR " is missing; scripts/setup fetches them");
+    if (QStandardPaths::findExecutable("node").isEmpty() ||
+        !QFile::exists(QStringLiteral(CHIRON_BIDS_VALIDATOR)))
+        QSKIP("BIDS EXPORTS ARE NOT CHECKED: node or " CHIRON_BIDS_VALIDATOR
+              " is missing; scripts/setup fetches them");
     QVERIFY(m_folder.isValid());
-    const QStringList run{"study", "run", "stiffness_elastic_tube", "--observer", "weber:0.12,lapse:0.02", "--seed", "1", "--trials", "2", "--participant"};
+    const QStringList run{
+        "study",    "run", "stiffness_elastic_tube", "--observer", "weber:0.12,lapse:0.02", "--seed", "1",
+        "--trials", "2",   "--participant"};
     for (const QStringList& who : {QStringList{"S01"}, QStringList{"S01"}, QStringList{"S02", "--quick"}}) {
         const CliRun done = cli(run + who);
         QVERIFY2(done.exitCode == 0, done.err.constData());
@@ -63,7 +72,8 @@ void TestBidsValidator::initTestCase() {
 
 void TestBidsValidator::studyHasNoErrors() {
     const QString folder = m_folder.filePath("study");
-    QCOMPARE(cli({"study", "export", "stiffness_elastic_tube", "--format", "bids", "--out", folder}).exitCode, 0);
+    QCOMPARE(cli({"study", "export", "stiffness_elastic_tube", "--format", "bids", "--out", folder}).exitCode,
+             0);
     QCOMPARE(QDir(folder + "/sub-S01/motion").entryList({"*_motion.tsv"}, QDir::Files).size(), 2);
     const Judgement judgement = judge(folder);
     QVERIFY(judgement.reached);
@@ -81,7 +91,8 @@ void TestBidsValidator::sessionHasNoErrors() {
 // That the validator finds errors at all.
 void TestBidsValidator::brokenExportIsNoticed() {
     const QString folder = m_folder.filePath("broken");
-    QCOMPARE(cli({"study", "export", "stiffness_elastic_tube", "--format", "bids", "--out", folder}).exitCode, 0);
+    QCOMPARE(cli({"study", "export", "stiffness_elastic_tube", "--format", "bids", "--out", folder}).exitCode,
+             0);
     QVERIFY(QFile::remove(folder + "/dataset_description.json"));
     const Judgement judgement = judge(folder);
     QVERIFY(judgement.reached);

@@ -106,9 +106,12 @@ void TestCliAccounts::peopleComeAndChange() {
 }
 
 void TestCliAccounts::theSiteHasAName() {
-    const auto told = [this] { return object(runCli({"site", "name", "--database", m_database, "--json"}))["name"].toString(); };
+    const auto told = [this] {
+        return object(runCli({"site", "name", "--database", m_database, "--json"}))["name"].toString();
+    };
     QCOMPARE(told(), QString());
-    QCOMPARE(object(as("alice", kAlice, {"site", "name", "  Klinik Größe  "}))["name"].toString(), QStringLiteral("Klinik Größe"));
+    QCOMPARE(object(as("alice", kAlice, {"site", "name", "  Klinik Größe  "}))["name"].toString(),
+             QStringLiteral("Klinik Größe"));
     QCOMPARE(told(), QStringLiteral("Klinik Größe")); // anybody may read it
     QCOMPARE(as("bob", kBob, {"site", "name", "Bob's"}).exitCode, 2);
     QCOMPARE(runCli({"site", "name", "Nobody's", "--database", m_database}).exitCode, 2);
@@ -148,24 +151,30 @@ void TestCliAccounts::passwordsChange() {
     QCOMPARE(object(as("bob", reset, {"user", "passwd"}, kBob))["changed"].toBool(), true);
 }
 
-/// The recovery code from `init` sets a new password for the administrator and works once; the next recovery needs the new code.
+/// The recovery code from `init` sets a new password for the administrator and works once; the next recovery
+/// needs the new code.
 void TestCliAccounts::aForgottenPasswordIsRecovered() {
     const QStringList recover{"user", "recover", "alice", "--database", m_database, "--json"};
     const QString other = QStringLiteral("another horse battery");
-    const CliRun wrong = runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", other}, {"CHIRON_NEW_PASSWORD", other}});
+    const CliRun wrong =
+        runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", other}, {"CHIRON_NEW_PASSWORD", other}});
     QCOMPARE(wrong.exitCode, 2);
     QVERIFY(wrong.out.isEmpty());
     QCOMPARE(as("alice", kAlice, {"user", "list"}).exitCode, 0); // the old password still works
 
-    const QJsonObject first = object(runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", m_recoveryCode}, {"CHIRON_NEW_PASSWORD", other}}));
+    const QJsonObject first = object(
+        runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", m_recoveryCode}, {"CHIRON_NEW_PASSWORD", other}}));
     QCOMPARE(first["name"].toString(), QStringLiteral("alice"));
     const QString next = first["recovery_code"].toString();
     QVERIFY(next.size() >= 16 && next != m_recoveryCode);
     QCOMPARE(as("alice", other, {"user", "list"}).exitCode, 0);
     QCOMPARE(as("alice", kAlice, {"user", "list"}).exitCode, 2);
 
-    QCOMPARE(runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", m_recoveryCode}, {"CHIRON_NEW_PASSWORD", kAlice}}).exitCode, 2); // this code has been used
-    const CliRun piped = runCli(recover + QStringList{"--password-stdin"}, next.toUtf8() + "\n" + kAlice.toUtf8() + "\n");
+    QCOMPARE(runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", m_recoveryCode}, {"CHIRON_NEW_PASSWORD", kAlice}})
+                 .exitCode,
+             2); // this code has been used
+    const CliRun piped =
+        runCli(recover + QStringList{"--password-stdin"}, next.toUtf8() + "\n" + kAlice.toUtf8() + "\n");
     QVERIFY2(piped.exitCode == 0, piped.err.constData());
     QCOMPARE(as("alice", kAlice, {"user", "list"}).exitCode, 0);
     m_recoveryCode = object(piped)["recovery_code"].toString();
@@ -182,10 +191,16 @@ void TestCliAccounts::aSecondAdministratorMakesARecoveryCode() {
     QVERIFY(code.size() >= 16 && code != first["recovery_code"].toString());
     const QStringList recover{"user", "recover", "maria", "--database", m_database, "--json"};
     const QString other = QStringLiteral("another long word");
-    QCOMPARE(runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", first["recovery_code"].toString()}, {"CHIRON_NEW_PASSWORD", other}}).exitCode, 2);
-    QCOMPARE(runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", code}, {"CHIRON_NEW_PASSWORD", other}}).exitCode, 0);
+    QCOMPARE(
+        runCli(recover, {},
+               {{"CHIRON_RECOVERY_CODE", first["recovery_code"].toString()}, {"CHIRON_NEW_PASSWORD", other}})
+            .exitCode,
+        2);
+    QCOMPARE(runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", code}, {"CHIRON_NEW_PASSWORD", other}}).exitCode,
+             0);
     QCOMPARE(as("maria", other, {"user", "list"}).exitCode, 0);
-    QCOMPARE(as("bob", kBob, {"user", "recovery-code"}).exitCode, 2); // administrators only: others are helped by one
+    QCOMPARE(as("bob", kBob, {"user", "recovery-code"}).exitCode,
+             2); // administrators only: others are helped by one
     QCOMPARE(as("alice", kAlice, {"user", "disable", "maria"}).exitCode, 0);
 }
 
@@ -205,43 +220,56 @@ void TestCliAccounts::rosterIsAllOrNothing() {
 }
 
 void TestCliAccounts::rosterOfASpreadsheet() {
-    const QString german = file("Kurs.csv", "Nachname;Vorname;Anmeldename;Rolle;Gruppe\r\nM\xfcller;J\xf6rg;mueller;Lernende Person;A\r\nFred;Fritz;FRED;Ausbilder/in;A\r\n");
+    const QString german =
+        file("Kurs.csv", "Nachname;Vorname;Anmeldename;Rolle;Gruppe\r\nM\xfcller;J\xf6rg;mueller;Lernende "
+                         "Person;A\r\nFred;Fritz;FRED;Ausbilder/in;A\r\n");
     const QJsonObject done = object(as("alice", kAlice, {"user", "import-csv", german}));
     QCOMPARE(done["imported"].toInt(), 1);
     QCOMPARE(done["skipped"].toInt(), 1); // fred is there
     QCOMPARE(done["ignored_columns"].toArray(), QJsonArray{"Gruppe"});
     const QJsonObject made = done["passwords"].toArray().at(0).toObject();
     QCOMPARE(made["name"].toString(), QStringLiteral("mueller"));
-    QCOMPARE(object(as("mueller", made["initial_password"].toString(), {"user", "passwd"}, kBob))["changed"].toBool(), true);
-    const QJsonObject updated = object(as("alice", kAlice, {"user", "import-csv", german, "--existing", "update"}));
+    QCOMPARE(object(as("mueller", made["initial_password"].toString(), {"user", "passwd"}, kBob))["changed"]
+                 .toBool(),
+             true);
+    const QJsonObject updated =
+        object(as("alice", kAlice, {"user", "import-csv", german, "--existing", "update"}));
     QCOMPARE(updated["updated"].toInt(), 1);
     QCOMPARE(updated["imported"].toInt(), 0);
     const QJsonArray people = QJsonDocument::fromJson(as("alice", kAlice, {"user", "list"}).out).array();
-    const auto fred = std::find_if(people.begin(), people.end(), [](const QJsonValue& person) { return person["name"] == QStringLiteral("fred"); });
+    const auto fred = std::find_if(people.begin(), people.end(), [](const QJsonValue& person) {
+        return person["name"] == QStringLiteral("fred");
+    });
     QVERIFY(fred != people.end());
     QCOMPARE((*fred)[QStringLiteral("display_name")].toString(), QStringLiteral("Fritz Fred"));
     QCOMPARE((*fred)[QStringLiteral("roles")].toArray(), QJsonArray{"trainer"});
     QCOMPARE(as("alice", kAlice, {"user", "import-csv", german, "--existing", "replace"}).exitCode, 2);
-    const CliRun excel = as("alice", kAlice, {"user", "import-csv", file("Kurs.xlsx", QByteArray("PK\x03\x04", 4) + "[Content_Types].xml")});
+    const CliRun excel =
+        as("alice", kAlice,
+           {"user", "import-csv", file("Kurs.xlsx", QByteArray("PK\x03\x04", 4) + "[Content_Types].xml")});
     QCOMPARE(excel.exitCode, 3);
     QVERIFY2(excel.err.contains("Kurs.xlsx") && excel.err.contains("save it as CSV"), excel.err.constData());
 }
 
 void TestCliAccounts::renaming() {
-    const QJsonObject renamed = object(as("alice", kAlice, {"user", "rename", "fred", "--name", "frederic", "--display-name", "Frédéric"}));
+    const QJsonObject renamed = object(
+        as("alice", kAlice, {"user", "rename", "fred", "--name", "frederic", "--display-name", "Frédéric"}));
     QCOMPARE(renamed["name"].toString(), QStringLiteral("frederic"));
     QCOMPARE(renamed["display_name"].toString(), QStringLiteral("Frédéric"));
     const QJsonObject held = object(as("alice", kAlice, {"person", "export", "frederic"}));
-    QVERIFY2(held["earlier_names"].toArray().size() >= 1, qPrintable(QString::fromUtf8(QJsonDocument(held).toJson().left(400))));
+    QVERIFY2(held["earlier_names"].toArray().size() >= 1,
+             qPrintable(QString::fromUtf8(QJsonDocument(held).toJson().left(400))));
     QCOMPARE(held["earlier_names"].toArray().at(0)["name"].toString(), QStringLiteral("fred"));
-    QCOMPARE(as("alice", kAlice, {"user", "rename", "fred", "--name", "fritz"}).exitCode, 3);            // nobody has that name now
-    QCOMPARE(as("alice", kAlice, {"user", "rename", "frederic", "--name", "ALICE"}).exitCode, 3);        // taken
-    QCOMPARE(as("alice", kAlice, {"user", "rename", "frederic"}).exitCode, 2);                           // to what?
-    QCOMPARE(as("bob", kBob, {"user", "rename", "bob", "--name", "robert"}).exitCode, 2);                // not one's own
+    QCOMPARE(as("alice", kAlice, {"user", "rename", "fred", "--name", "fritz"}).exitCode,
+             3); // nobody has that name now
+    QCOMPARE(as("alice", kAlice, {"user", "rename", "frederic", "--name", "ALICE"}).exitCode, 3); // taken
+    QCOMPARE(as("alice", kAlice, {"user", "rename", "frederic"}).exitCode, 2);                    // to what?
+    QCOMPARE(as("bob", kBob, {"user", "rename", "bob", "--name", "robert"}).exitCode, 2); // not one's own
 }
 
 void TestCliAccounts::anOldRosterKnowsWhoWasRenamed() {
-    const QString old = file("old.csv", "login name;full name;role\nFred;Fritz Fred;trainee\n"); // frederic by now
+    const QString old =
+        file("old.csv", "login name;full name;role\nFred;Fritz Fred;trainee\n"); // frederic by now
     const QJsonObject skipped = object(as("alice", kAlice, {"user", "import-csv", old}));
     QCOMPARE(skipped["imported"].toInt(), 0);
     QCOMPARE(skipped["skipped"].toInt(), 1);
@@ -249,16 +277,20 @@ void TestCliAccounts::anOldRosterKnowsWhoWasRenamed() {
     QCOMPARE(told["line"].toInt(), 2);
     QCOMPARE(told["name"].toString(), QStringLiteral("Fred"));
     QCOMPARE(told["name_today"].toString(), QStringLiteral("frederic"));
-    const QJsonObject updated = object(as("alice", kAlice, {"user", "import-csv", old, "--existing", "update"}));
+    const QJsonObject updated =
+        object(as("alice", kAlice, {"user", "import-csv", old, "--existing", "update"}));
     QCOMPARE(updated["updated"].toInt(), 1);
     QCOMPARE(updated["imported"].toInt(), 0);
-    QCOMPARE(updated["names"].toArray().at(0)["earlier_full_name"].toString(), QStringLiteral("Fritz Fred")); // which is not given back
+    QCOMPARE(updated["names"].toArray().at(0)["earlier_full_name"].toString(),
+             QStringLiteral("Fritz Fred")); // which is not given back
     const QJsonArray people = QJsonDocument::fromJson(as("alice", kAlice, {"user", "list"}).out).array();
     QStringList names;
     for (const QJsonValue& person : people)
         names << person["name"].toString() << person["display_name"].toString();
     QVERIFY(names.contains(QStringLiteral("Frédéric")));
-    QVERIFY2(names.contains(QStringLiteral("frederic")) && !names.contains(QStringLiteral("Fred"), Qt::CaseInsensitive), qPrintable(names.join(QLatin1Char(' '))));
+    QVERIFY2(names.contains(QStringLiteral("frederic")) &&
+                 !names.contains(QStringLiteral("Fred"), Qt::CaseInsensitive),
+             qPrintable(names.join(QLatin1Char(' '))));
 }
 
 void TestCliAccounts::aWrongPasswordIsRefused() {

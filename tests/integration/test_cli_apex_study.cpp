@@ -9,8 +9,8 @@
 #include <cmath>
 #include <vector>
 
-// The study of the apex from outside: rendered sphere by sphere in the exercise's own scene, gone on with at the trial, replayed,
-// scored, analysed and exported; and the observer for planning, which says what it is.
+// The study of the apex from outside: rendered sphere by sphere in the exercise's own scene, gone on with at
+// the trial, replayed, scored, analysed and exported; and the observer for planning, which says what it is.
 class TestCliApexStudy : public QObject {
     Q_OBJECT
 private slots:
@@ -25,9 +25,13 @@ private slots:
     void refusals();
 
 private:
-    CliRun cli(const QStringList& arguments) { return runCli(arguments + QStringList{"--database", m_database, "--json"}); }
+    CliRun cli(const QStringList& arguments) {
+        return runCli(arguments + QStringList{"--database", m_database, "--json"});
+    }
     QJsonObject apex(const QString& participant, const QStringList& more = {}) {
-        const CliRun run = cli(QStringList{"study", "run", "apex", "--participant", participant, "--observer", "weber:0.1", "--seed", "4"} + more);
+        const CliRun run = cli(QStringList{"study", "run", "apex", "--participant", participant, "--observer",
+                                           "weber:0.1", "--seed", "4"} +
+                               more);
         if (run.exitCode != 0)
             qWarning("%s", run.err.constData());
         return QJsonDocument::fromJson(run.out).object();
@@ -46,10 +50,13 @@ QJsonObject object(const CliRun& run) {
     return QJsonDocument::fromJson(run.out).object();
 }
 
-bool counts(const QJsonValue& trial) { return !trial["practice"].toBool() && trial["spoiled"].toString().isEmpty(); }
+bool counts(const QJsonValue& trial) {
+    return !trial["practice"].toBool() && trial["spoiled"].toString().isEmpty();
+}
 
 int scored(const QJsonArray& trials) {
-    return static_cast<int>(std::count_if(trials.begin(), trials.end(), [](const QJsonValue& trial) { return counts(trial); }));
+    return static_cast<int>(
+        std::count_if(trials.begin(), trials.end(), [](const QJsonValue& trial) { return counts(trial); }));
 }
 
 std::vector<double> errors(const QJsonArray& trials, const char* key) {
@@ -74,7 +81,9 @@ double sd(const std::vector<double>& values) {
     return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
-bool near(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
+bool near(double a, double b) {
+    return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b));
+}
 
 } // namespace
 
@@ -92,14 +101,17 @@ void TestCliApexStudy::everyMarkIsATrialOfASession() {
         QVERIFY(trial["session_id"].toInt() > 0);
         if (!counts(trial))
             continue;
-        const double x = trial["mark"]["error_x_m"].toDouble(1.0), y = trial["mark"]["error_y_m"].toDouble(1.0);
+        const double x = trial["mark"]["error_x_m"].toDouble(1.0),
+                     y = trial["mark"]["error_y_m"].toDouble(1.0);
         QVERIFY(near(trial["value"].toDouble(), std::hypot(x, y)));
         QVERIFY2(std::hypot(x, y) < 0.02, "a mark off the ball");
         QVERIFY(near(trial["mark"]["error_x_percent"].toDouble(), x / 0.02 * 100.0));
         QVERIFY(!trial["mark"]["planned"].toBool(true));
         QVERIFY(trial["mark"]["in_contact"].toBool());
         QVERIFY(trial["fidelity"]["contacts"].toInt() > 0);
-        QVERIFY2(std::abs(trial["fidelity"]["places"].toArray().first()["rendered"].toDouble() / 500.0 - 1.0) < 0.15, "the sphere felt other than asked for");
+        QVERIFY2(std::abs(trial["fidelity"]["places"].toArray().first()["rendered"].toDouble() / 500.0 -
+                          1.0) < 0.15,
+                 "the sphere felt other than asked for");
     }
     QVERIFY(sd(errors(m_trials, "error_x_m")) > 0.0002);
     QCOMPARE(apex("S01")["trials"].toArray(), m_trials); // completed: nothing is added
@@ -168,20 +180,25 @@ void TestCliApexStudy::theAnalysisIsThatOfTheRows() {
 // Nothing is rendered, and everything that tells of it says so.
 void TestCliApexStudy::thePlannedObserverSaysSo() {
     const QString elsewhere = m_folder.filePath("planned.db");
-    const CliRun run = runCli({"study", "run", "apex", "--participant", "S01", "--observer", "weber:0.1", "--quick", "--database", elsewhere, "--json"});
+    const CliRun run = runCli({"study", "run", "apex", "--participant", "S01", "--observer", "weber:0.1",
+                               "--quick", "--database", elsewhere, "--json"});
     const QJsonArray trials = object(run)["trials"].toArray();
     QCOMPARE(scored(trials), 10);
     for (const QJsonValue& trial : trials) {
         QCOMPARE(trial["session_id"].toInt(), 0);
         QVERIFY(trial["mark"]["planned"].toBool());
     }
-    const QJsonObject analysis = object(runCli({"study", "analyse", "apex", "--database", elsewhere, "--json"}));
-    QVERIFY(analysis["conditions"][0]["apex"]["warnings"].toVariant().toStringList().join(u' ').contains("planned:"));
+    const QJsonObject analysis =
+        object(runCli({"study", "analyse", "apex", "--database", elsewhere, "--json"}));
+    QVERIFY(analysis["conditions"][0]["apex"]["warnings"].toVariant().toStringList().join(u' ').contains(
+        "planned:"));
 }
 
-// By the observer for planning, whose mean absolute error is the published one: 17.8 √(2/π) = 14.2 % of the radius.
+// By the observer for planning, whose mean absolute error is the published one: 17.8 √(2/π) = 14.2 % of the
+// radius.
 void TestCliApexStudy::planTellsOfErrors() {
-    const QJsonObject plan = object(runCli({"study", "plan", "apex", "--observer", "weber:0.1", "--runs", "200", "--database", m_folder.filePath("none.db"), "--json"}));
+    const QJsonObject plan = object(runCli({"study", "plan", "apex", "--observer", "weber:0.1", "--runs",
+                                            "200", "--database", m_folder.filePath("none.db"), "--json"}));
     const QJsonObject apex = plan["conditions"].toArray().first()["apex"].toObject();
     QVERIFY(std::abs(apex["mean_absolute_percent"].toDouble() - 14.2) < 0.3);
     QCOMPARE(apex["participants"].toInt(), 12);
@@ -192,7 +209,9 @@ void TestCliApexStudy::planTellsOfErrors() {
 }
 
 void TestCliApexStudy::exportsHoldTheErrors() {
-    QCOMPARE(cli({"study", "export", "apex", "--format", "csv,bids", "--out", m_folder.filePath("out")}).exitCode, 0);
+    QCOMPARE(
+        cli({"study", "export", "apex", "--format", "csv,bids", "--out", m_folder.filePath("out")}).exitCode,
+        0);
     QFile file(m_folder.filePath("out/csv/trials.csv"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
@@ -208,8 +227,10 @@ void TestCliApexStudy::exportsHoldTheErrors() {
     const std::vector<double> marks = errors(m_trials, "error_x_m");
     QCOMPARE(stored.size(), marks.size());
     for (std::size_t i = 0; i < marks.size(); ++i)
-        QVERIFY2(std::abs(stored[i] - marks[i]) < 1e-9, qPrintable(QStringLiteral("%1 %2").arg(stored[i]).arg(marks[i])));
-    const QStringList beh = QDir(m_folder.filePath("out/bids/sub-S01/beh")).entryList({"*_beh.tsv"}, QDir::Files);
+        QVERIFY2(std::abs(stored[i] - marks[i]) < 1e-9,
+                 qPrintable(QStringLiteral("%1 %2").arg(stored[i]).arg(marks[i])));
+    const QStringList beh =
+        QDir(m_folder.filePath("out/bids/sub-S01/beh")).entryList({"*_beh.tsv"}, QDir::Files);
     QCOMPARE(beh.size(), 1);
     QFile tsv(m_folder.filePath("out/bids/sub-S01/beh/" + beh.first()));
     QVERIFY(tsv.open(QIODevice::ReadOnly));
@@ -220,11 +241,14 @@ void TestCliApexStudy::refusals() {
     const auto fault = [&](const QStringList& observer, int status, const QStringList& mentions) {
         return refusalFault(cli(QStringList{"study", "run"} + observer), status, mentions);
     };
-    const QString unknown = fault({"apex", "--participant", "X1", "--observer", "operator:nobody"}, 3, {"nobody", "expert"});
+    const QString unknown =
+        fault({"apex", "--participant", "X1", "--observer", "operator:nobody"}, 3, {"nobody", "expert"});
     QVERIFY2(unknown.isEmpty(), qPrintable(unknown));
-    const QString elsewhere = fault({"stiffness_elastic_tube", "--participant", "X1", "--observer", "operator:expert"}, 2, {"apex"});
+    const QString elsewhere = fault(
+        {"stiffness_elastic_tube", "--participant", "X1", "--observer", "operator:expert"}, 2, {"apex"});
     QVERIFY2(elsewhere.isEmpty(), qPrintable(elsewhere));
-    const QString other = fault({"apex", "--participant", "S01", "--observer", "operator:expert"}, 2, {"enrolled"});
+    const QString other =
+        fault({"apex", "--participant", "S01", "--observer", "operator:expert"}, 2, {"enrolled"});
     QVERIFY2(other.isEmpty(), qPrintable(other));
     const QString mixed = fault({"apex", "--participant", "S01", "--observer", "weber:heavy"}, 3, {"heavy"});
     QVERIFY2(mixed.isEmpty(), qPrintable(mixed));

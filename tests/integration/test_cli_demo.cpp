@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs `chiron-cli demo` on a small catalogue, and checks that people, scripted sessions, study and reports are there and in the database.
+// Runs `chiron-cli demo` on a small catalogue, and checks that people, scripted sessions, study and reports
+// are there and in the database.
 #include "cli_process.h"
 #include "support/content_copy.h"
 
@@ -20,7 +21,8 @@ void makeSmall(const ContentCopy& content) {
     for (const QString& exercise : exercises.entryList(QDir::Dirs | QDir::NoDotAndDotDot))
         if (exercise != QLatin1String("sphere_apex"))
             QDir(exercises.filePath(exercise)).removeRecursively();
-    QDir(exercises.filePath(QStringLiteral("sphere_apex/texts"))).removeRecursively(); // translations of levels that are gone
+    QDir(exercises.filePath(QStringLiteral("sphere_apex/texts")))
+        .removeRecursively(); // translations of levels that are gone
     const QDir levels(exercises.filePath(QStringLiteral("sphere_apex/levels")));
     for (const QString& level : levels.entryList(QDir::Files)) {
         const QString file = QStringLiteral("exercises/sphere_apex/levels/") + level;
@@ -49,7 +51,8 @@ private slots:
 
 private:
     CliRun demo(const QStringList& more) const {
-        return runCli(QStringList{"demo"} + more, {}, {{"CHIRON_CONTENT", QString::fromStdString(m_content.directory())}});
+        return runCli(QStringList{"demo"} + more, {},
+                      {{"CHIRON_CONTENT", QString::fromStdString(m_content.directory())}});
     }
 
     ContentCopy m_content;
@@ -70,9 +73,11 @@ void TestCliDemo::makesAWholeSite() {
         for (const QJsonValue& file : made[QLatin1String(files)].toArray())
             QVERIFY2(QFileInfo(file.toString()).size() > 1000, qPrintable(file.toString()));
     }
-    // Each of the four operators and the three trainees did both levels; two trainees did the first one several times, better and better.
+    // Each of the four operators and the three trainees did both levels; two trainees did the first one
+    // several times, better and better.
     std::map<std::pair<QString, int>, int> times;
-    std::map<QString, QStringList> hands; // of each person at the first level, in the order in which they were done
+    std::map<QString, QStringList>
+        hands; // of each person at the first level, in the order in which they were done
     for (const QJsonValue& value : made["sessions"].toArray()) {
         const QJsonObject session = value.toObject();
         QCOMPARE(session["exercise"].toString(), QStringLiteral("sphere_apex"));
@@ -87,17 +92,23 @@ void TestCliDemo::makesAWholeSite() {
     for (const int level : {1, 2})
         QCOMPARE(times[std::pair(QStringLiteral("unsafe"), level)], 1);
     for (const char* trained : {"novice", "intermediate", "expert"})
-        QCOMPARE(times[std::pair(QString::fromLatin1(trained), 2)], 2); // the simulated account's and a trainee's
+        QCOMPARE(times[std::pair(QString::fromLatin1(trained), 2)],
+                 2); // the simulated account's and a trainee's
     QCOMPARE(times.size(), std::size_t{8});
     QCOMPARE(hands[QStringLiteral("nikos")], QStringList({"novice", "novice", "novice", "intermediate"}));
-    QCOMPARE(hands[QStringLiteral("ines")], QStringList({"novice", "novice", "intermediate", "intermediate", "expert"}));
+    QCOMPARE(hands[QStringLiteral("ines")],
+             QStringList({"novice", "novice", "intermediate", "intermediate", "expert"}));
     QCOMPARE(hands[QStringLiteral("eva")], QStringList{"expert"});
     QVERIFY2(run.err.contains("Ines Improving, attempt 5 of 5"), run.err.constData());
 
-    // The database holds what the command reported, and its people can log in with the password that it printed.
+    // The database holds what the command reported, and its people can log in with the password that it
+    // printed.
     const QMap<QString, QString> password{{"CHIRON_PASSWORD", made["password"].toString()}};
     const auto ask = [&](const QStringList& words, const char* as) {
-        return QJsonDocument::fromJson(runCli(words + QStringList{"--as", as, "--database", made["database"].toString(), "--json"}, {}, password).out);
+        return QJsonDocument::fromJson(
+            runCli(words + QStringList{"--as", as, "--database", made["database"].toString(), "--json"}, {},
+                   password)
+                .out);
     };
     QCOMPARE(ask({"user", "list"}, "amalia").array().size(), 6);
     const QJsonArray listed = ask({"session", "list"}, "theo").object()["sessions"].toArray();
@@ -114,7 +125,8 @@ void TestCliDemo::makesNoneOverAnother() {
     const QString fault = refusalFault(run, 3, {"chiron.db", "exists already"});
     QVERIFY2(fault.isEmpty(), qPrintable(fault));
     QVERIFY(file.open(QIODevice::ReadOnly) && file.readAll() == "mine");
-    QCOMPARE(QDir(m_folder.filePath("taken")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList{"chiron.db"});
+    QCOMPARE(QDir(m_folder.filePath("taken")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+             QStringList{"chiron.db"});
 }
 
 void TestCliDemo::refusesWhatItCannotUse_data() {
@@ -123,8 +135,11 @@ void TestCliDemo::refusesWhatItCannotUse_data() {
     QTest::addColumn<QString>("mention");
     QFile file(m_folder.filePath("a_file"));
     QVERIFY(file.open(QIODevice::WriteOnly));
-    QTest::newRow("no seed") << QStringList{"--folder", m_folder.filePath("none"), "--seed", "many"} << 2 << QStringLiteral("many");
-    QTest::newRow("a file where a folder should be") << QStringList{"--folder", m_folder.filePath("a_file/inside")} << 4 << QStringLiteral("cannot be made");
+    QTest::newRow("no seed") << QStringList{"--folder", m_folder.filePath("none"), "--seed", "many"} << 2
+                             << QStringLiteral("many");
+    QTest::newRow("a file where a folder should be")
+        << QStringList{"--folder", m_folder.filePath("a_file/inside")} << 4
+        << QStringLiteral("cannot be made");
 }
 
 void TestCliDemo::refusesWhatItCannotUse() {

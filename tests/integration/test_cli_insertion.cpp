@@ -20,7 +20,9 @@ private slots:
     void aTraceWithoutOrientationIsRefused();
 
 private:
-    CliRun cli(const QStringList& arguments) { return runCli(arguments + QStringList{"--database", m_database, "--json"}); }
+    CliRun cli(const QStringList& arguments) {
+        return runCli(arguments + QStringList{"--database", m_database, "--json"});
+    }
     static QJsonObject object(const CliRun& run) {
         if (run.exitCode != 0)
             qWarning("%s", run.err.constData());
@@ -65,7 +67,9 @@ QString TestCliInsertion::write(const char* name, bool oriented) {
     return out.fileName();
 }
 
-void TestCliInsertion::initTestCase() { m_database = m_folder.filePath("site.db"); }
+void TestCliInsertion::initTestCase() {
+    m_database = m_folder.filePath("site.db");
+}
 
 void TestCliInsertion::trainedScoredReplayedExported() {
     const QJsonObject trained =
@@ -84,12 +88,14 @@ void TestCliInsertion::trainedScoredReplayedExported() {
     const QString folder = m_folder.filePath("exported");
     QCOMPARE(cli({"session", "export", id, "--format", "csv,json", "--folder", folder}).exitCode, 0);
     const QString ids = QStringList(values.keys()).join(u',');
-    const QJsonObject measured = object(runCli({"metrics", folder + "/session_" + id + ".csv", "--metric", ids, "--json"}));
+    const QJsonObject measured =
+        object(runCli({"metrics", folder + "/session_" + id + ".csv", "--metric", ids, "--json"}));
     QCOMPARE(valuesOf(measured), values); // as exported, to the last digit
 }
 
 void TestCliInsertion::aTraceWithoutOrientationIsRefused() {
-    const CliRun run = cli({"train", "urethra_insertion", "--level", "1", "--operator", write("flat.csv", false)});
+    const CliRun run =
+        cli({"train", "urethra_insertion", "--level", "1", "--operator", write("flat.csv", false)});
     QCOMPARE(run.exitCode, 3);
     QVERIFY2(run.err.contains("qw"), run.err.constData());
 }

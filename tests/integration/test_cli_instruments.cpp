@@ -7,8 +7,8 @@
 #include <QtTest>
 #include <cmath>
 
-// Graspers from outside: what the catalogue says of instruments, two hands in one session, their samples exported and scored
-// again, traces of one and of both, and the map by which the gimbal renders force.
+// Graspers from outside: what the catalogue says of instruments, two hands in one session, their samples
+// exported and scored again, traces of one and of both, and the map by which the gimbal renders force.
 class TestCliInstruments : public QObject {
     Q_OBJECT
 private slots:
@@ -22,14 +22,17 @@ private slots:
     void theBaseIsMountedAsOneLikes();
 
 private:
-    CliRun cli(const QStringList& arguments) { return runCli(arguments + QStringList{"--database", m_database, "--json"}); }
+    CliRun cli(const QStringList& arguments) {
+        return runCli(arguments + QStringList{"--database", m_database, "--json"});
+    }
     QJsonObject object(const CliRun& run) {
         if (run.exitCode != 0)
             qWarning("%s", run.err.constData());
         return QJsonDocument::fromJson(run.out).object();
     }
     QJsonArray devicesOf(const QJsonObject& trained) {
-        return object(cli({"session", "show", QString::number(trained["session_id"].toInt())}))["devices"].toArray();
+        return object(cli({"session", "show", QString::number(trained["session_id"].toInt())}))["devices"]
+            .toArray();
     }
     /// A trace file with rows of these tools, one second, jaw open.
     QString trace(const QString& name, const QList<int>& tools);
@@ -51,7 +54,9 @@ QMap<QString, QJsonValue> valuesOf(const QJsonArray& metrics) {
     return values;
 }
 
-QString idsOf(const QJsonObject& document) { return QStringList(valuesOf(document["metrics"].toArray()).keys()).join(u','); }
+QString idsOf(const QJsonObject& document) {
+    return QStringList(valuesOf(document["metrics"].toArray()).keys()).join(u',');
+}
 
 } // namespace
 
@@ -64,7 +69,11 @@ QString TestCliInstruments::trace(const QString& name, const QList<int>& tools) 
     QByteArray text = "t_s,x_mm,y_mm,z_mm,jaw_deg,tool\n";
     for (int i = 0; i < 50; ++i)
         for (const int tool : tools)
-            text += QStringLiteral("%1,%2,0,50,60,%3\n").arg(0.02 * i).arg(tool == 0 ? 40 : -40).arg(tool).toUtf8();
+            text += QStringLiteral("%1,%2,0,50,60,%3\n")
+                        .arg(0.02 * i)
+                        .arg(tool == 0 ? 40 : -40)
+                        .arg(tool)
+                        .toUtf8();
     QFile out(m_folder.filePath(name));
     if (!out.open(QIODevice::WriteOnly) || out.write(text) != text.size())
         qFatal("the test's own file could not be written");
@@ -72,14 +81,17 @@ QString TestCliInstruments::trace(const QString& name, const QList<int>& tools) 
 }
 
 void TestCliInstruments::theCatalogueTellsInstrumentsAndQuantities() {
-    const QJsonArray tube = object(runCli({"exercise", "show", "elastic_tube", "--json"}))["levels"].toArray();
+    const QJsonArray tube =
+        object(runCli({"exercise", "show", "elastic_tube", "--json"}))["levels"].toArray();
     QVERIFY(tube.size() >= kTwoHanded);
     QCOMPARE(tube[0]["tools"].toInt(), 1);
     QCOMPARE(tube[kTwoHanded - 1]["tools"].toInt(), 2);
     QVERIFY(tube[0]["mounting"].toArray().isEmpty());
-    QCOMPARE(tube[tube.size() - 1]["tools"].toInt(), 3); // two hands and a retractor, as the level mounts them
+    QCOMPARE(tube[tube.size() - 1]["tools"].toInt(),
+             3); // two hands and a retractor, as the level mounts them
     QCOMPARE(tube[tube.size() - 1]["mounting"].toArray().size(), qsizetype{3});
-    QVERIFY(std::abs(tube[tube.size() - 1]["mounting"].toArray()[2].toObject()["tilt_deg"].toDouble() + 10.0) < 1e-9);
+    QVERIFY(std::abs(tube[tube.size() - 1]["mounting"].toArray()[2].toObject()["tilt_deg"].toDouble() +
+                     10.0) < 1e-9);
     const QJsonArray quantities = tube[0]["quantities"].toArray();
     QVERIFY(!quantities.isEmpty());
     QCOMPARE(quantities[0]["id"].toString(), QStringLiteral("tension_N"));
@@ -95,7 +107,8 @@ void TestCliInstruments::theCatalogueTellsInstrumentsAndQuantities() {
 
 /// data.md: scores are computed from stored channels, and from an exported file to the last digit.
 void TestCliInstruments::twoHandsAreExportedAndScoredTheSame() {
-    m_twoHanded = object(cli({"train", "elastic_tube", "--level", QString::number(kTwoHanded), "--operator", "expert", "--seed", "3"}));
+    m_twoHanded = object(cli({"train", "elastic_tube", "--level", QString::number(kTwoHanded), "--operator",
+                              "expert", "--seed", "3"}));
     QCOMPARE(m_twoHanded["state"].toString(), QStringLiteral("completed"));
     const QString id = QString::number(m_twoHanded["session_id"].toInt());
     QCOMPARE(devicesOf(m_twoHanded).size(), 2);
@@ -106,7 +119,8 @@ void TestCliInstruments::twoHandsAreExportedAndScoredTheSame() {
     QFile file(m_export);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray header = file.readLine();
-    for (const char* column : {"jaw_deg", "tool", "quantity_tension_N", "truth_target_N", "failed", "completed"})
+    for (const char* column :
+         {"jaw_deg", "tool", "quantity_tension_N", "truth_target_N", "failed", "completed"})
         QVERIFY2(header.contains(column), column);
     const QJsonObject again = object(runCli({"metrics", m_export, "--metric", idsOf(m_twoHanded), "--json"}));
     QCOMPARE(valuesOf(again["metrics"].toArray()), valuesOf(m_twoHanded["metrics"].toArray()));
@@ -120,30 +134,38 @@ void TestCliInstruments::twoHandsAreExportedAndScoredTheSame() {
 /// What one session recorded plays both instruments of another.
 void TestCliInstruments::anExportIsATraceOfBothHands() {
     QVERIFY(!m_export.isEmpty());
-    const QJsonObject played = object(cli({"train", "elastic_tube", "--level", QString::number(kTwoHanded), "--operator", m_export, "--seed", "3"}));
+    const QJsonObject played = object(cli({"train", "elastic_tube", "--level", QString::number(kTwoHanded),
+                                           "--operator", m_export, "--seed", "3"}));
     QVERIFY(played["session_id"].toInt() > 0);
     const QJsonArray devices = devicesOf(played);
     QCOMPARE(devices.size(), 2);
     for (const QJsonValue& device : devices)
         QCOMPARE(device["driver"].toString(), QStringLiteral("replay"));
-    QCOMPARE(object(cli({"replay", QString::number(played["session_id"].toInt())}))["identical"].toBool(), true);
+    QCOMPARE(object(cli({"replay", QString::number(played["session_id"].toInt())}))["identical"].toBool(),
+             true);
 }
 
 void TestCliInstruments::aTraceThatLacksAHandIsRefused() {
     const QString level = QString::number(kTwoHanded);
     const CliRun one = cli({"train", "elastic_tube", "--level", level, "--operator", trace("one.csv", {0})});
     QCOMPARE(one.exitCode, 3);
-    QVERIFY2(one.err.contains("one.csv: no row of tool 1; the level needs rows of tools 0 to 1 (column tool)"), one.err.constData());
-    const CliRun left = cli({"train", "elastic_tube", "--level", level, "--operator", trace("left.csv", {1})});
+    QVERIFY2(
+        one.err.contains("one.csv: no row of tool 1; the level needs rows of tools 0 to 1 (column tool)"),
+        one.err.constData());
+    const CliRun left =
+        cli({"train", "elastic_tube", "--level", level, "--operator", trace("left.csv", {1})});
     QCOMPARE(left.exitCode, 3);
     QVERIFY2(left.err.contains("no row of tool 0"), left.err.constData());
-    QCOMPARE(cli({"train", "elastic_tube", "--level", level, "--operator", trace("both.csv", {0, 1})}).exitCode, 0);
+    QCOMPARE(
+        cli({"train", "elastic_tube", "--level", level, "--operator", trace("both.csv", {0, 1})}).exitCode,
+        0);
     QFile bare(m_folder.filePath("bare.csv"));
     QVERIFY(bare.open(QIODevice::WriteOnly) && bare.write("t_s,x_mm,y_mm,z_mm\n0,0,0,50\n1,0,0,50\n") > 0);
     bare.close();
     const CliRun noJaw = cli({"train", "elastic_tube", "--operator", bare.fileName()});
     QCOMPARE(noJaw.exitCode, 3);
-    QVERIFY2(noJaw.err.contains("bare.csv: no jaw; a grasper needs the column jaw_deg"), noJaw.err.constData());
+    QVERIFY2(noJaw.err.contains("bare.csv: no jaw; a grasper needs the column jaw_deg"),
+             noJaw.err.constData());
 }
 
 void TestCliInstruments::theForceMapIsChosenAndKept() {
@@ -155,14 +177,17 @@ void TestCliInstruments::theForceMapIsChosenAndKept() {
     QCOMPARE(devicesOf(exact).at(0).toObject()["force_map"].toString(), QStringLiteral("exact"));
     QCOMPARE(devicesOf(published).at(0).toObject()["force_map"].toString(), QStringLiteral("as-published"));
     QVERIFY(valuesOf(exact["metrics"].toArray()) != valuesOf(published["metrics"].toArray())); // it is felt
-    QCOMPARE(object(cli({"replay", QString::number(published["session_id"].toInt())}))["identical"].toBool(), true);
+    QCOMPARE(object(cli({"replay", QString::number(published["session_id"].toInt())}))["identical"].toBool(),
+             true);
 }
 
 void TestCliInstruments::theForceMapIsRefusedWhereItMeansNothing() {
-    const CliRun fiveBar = cli({"train", "urethra_insertion", "--operator", "novice", "--force-map", "as-published"});
+    const CliRun fiveBar =
+        cli({"train", "urethra_insertion", "--operator", "novice", "--force-map", "as-published"});
     QCOMPARE(fiveBar.exitCode, 2);
     QVERIFY2(fiveBar.err.contains("urethra_insertion is not done on the gimbal"), fiveBar.err.constData());
-    const CliRun played = cli({"train", "elastic_tube", "--operator", trace("map.csv", {0}), "--force-map", "as-published"});
+    const CliRun played =
+        cli({"train", "elastic_tube", "--operator", trace("map.csv", {0}), "--force-map", "as-published"});
     QCOMPARE(played.exitCode, 2);
     QVERIFY2(played.err.contains("a trace feels nothing"), played.err.constData());
     const CliRun word = cli({"train", "sphere_apex", "--operator", "novice", "--force-map", "polar"});
@@ -170,10 +195,12 @@ void TestCliInstruments::theForceMapIsRefusedWhereItMeansNothing() {
     QVERIFY2(word.err.contains("as-published"), word.err.constData());
 }
 
-/// P2's flexible mounting: the same hands reach the same tube with bases that stand askew; stored, replayed and scored alike.
+/// P2's flexible mounting: the same hands reach the same tube with bases that stand askew; stored, replayed
+/// and scored alike.
 void TestCliInstruments::theBaseIsMountedAsOneLikes() {
-    const QJsonObject turned = object(cli({"train", "elastic_tube", "--level", QString::number(kTwoHanded), "--operator", "expert", "--seed", "3",
-                                           "--base-turn", "15,10,-5"}));
+    const QJsonObject turned =
+        object(cli({"train", "elastic_tube", "--level", QString::number(kTwoHanded), "--operator", "expert",
+                    "--seed", "3", "--base-turn", "15,10,-5"}));
     QCOMPARE(turned["state"].toString(), QStringLiteral("completed"));
     QCOMPARE(turned["passed"].toBool(), true);
     for (const QJsonValue& device : devicesOf(turned))
@@ -182,12 +209,15 @@ void TestCliInstruments::theBaseIsMountedAsOneLikes() {
     QCOMPARE(object(cli({"replay", id}))["identical"].toBool(), true);
     QCOMPARE(object(cli({"score", id}))["same"].toBool(), true);
     QCOMPARE(cli({"session", "export", id, "--format", "csv", "--folder", m_folder.path()}).exitCode, 0);
-    const QJsonObject again = object(runCli({"metrics", m_folder.filePath("session_" + id + ".csv"), "--metric", idsOf(turned), "--json"}));
-    QCOMPARE(valuesOf(again["metrics"].toArray()), valuesOf(turned["metrics"].toArray())); // poses in W, forces alike
+    const QJsonObject again = object(runCli(
+        {"metrics", m_folder.filePath("session_" + id + ".csv"), "--metric", idsOf(turned), "--json"}));
+    QCOMPARE(valuesOf(again["metrics"].toArray()),
+             valuesOf(turned["metrics"].toArray())); // poses in W, forces alike
     for (const char* bad : {"15", "15,10", "60,0,0", "a,b,c", "0,0,0,0"}) {
         const CliRun refused = cli({"train", "elastic_tube", "--operator", "expert", "--base-turn", bad});
         QCOMPARE(refused.exitCode, 3);
-        QVERIFY2(refused.err.contains("--base-turn") && refused.err.contains("three angles"), refused.err.constData());
+        QVERIFY2(refused.err.contains("--base-turn") && refused.err.contains("three angles"),
+                 refused.err.constData());
     }
     const CliRun point = cli({"train", "sphere_apex", "--operator", "expert", "--base-turn", "5,0,0"});
     QCOMPARE(point.exitCode, 2);

@@ -11,7 +11,8 @@
 
 using namespace chiron;
 
-// Meshes from outside: checked, put right, refused with the place, and written as content that the catalogue takes.
+// Meshes from outside: checked, put right, refused with the place, and written as content that the catalogue
+// takes.
 class TestCliMesh : public QObject {
     Q_OBJECT
 private slots:
@@ -47,7 +48,9 @@ simulation::MeshShape organ() {
     return *simulation::makeMeshShape(source);
 }
 
-QJsonObject object(const CliRun& run) { return QJsonDocument::fromJson(run.out).object(); }
+QJsonObject object(const CliRun& run) {
+    return QJsonDocument::fromJson(run.out).object();
+}
 
 const std::string kTetrahedron = "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\nf 1 3 2\nf 1 2 4\nf 2 3 4\n";
 
@@ -58,7 +61,8 @@ void TestCliMesh::checkReports_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::newRow("OBJ") << "organ.obj" << QByteArray::fromStdString(simulation::writeObj(organ()));
     QTest::newRow("STL") << "organ.stl" << QByteArray::fromStdString(simulation::writeStl(organ()));
-    QTest::newRow("binary STL") << "binary.stl" << QByteArray::fromStdString(simulation::writeBinaryStl(organ()));
+    QTest::newRow("binary STL") << "binary.stl"
+                                << QByteArray::fromStdString(simulation::writeBinaryStl(organ()));
 }
 
 void TestCliMesh::checkReports() {
@@ -73,14 +77,19 @@ void TestCliMesh::checkReports() {
     QCOMPARE(report["shells"].toInt(), 1);
     const QJsonArray size = report["size_mm"].toArray();
     QVERIFY(std::abs(size[0].toDouble() - 40.0) < 1.0 && std::abs(size[2].toDouble() - 20.0) < 1.0);
-    QVERIFY(std::abs(object(runCli({"mesh", "check", path, "--unit", "cm", "--json"}))["size_mm"].toArray()[0].toDouble() /
-                         size[0].toDouble() - 10.0) < 1e-6);
+    QVERIFY(std::abs(object(runCli({"mesh", "check", path, "--unit", "cm", "--json"}))["size_mm"]
+                             .toArray()[0]
+                             .toDouble() /
+                         size[0].toDouble() -
+                     10.0) < 1e-6);
     const CliRun words = runCli({"mesh", "check", path});
-    QVERIFY2(words.out.contains(QByteArray::number(report["triangles"].toInt()) + " triangles"), words.out.constData());
+    QVERIFY2(words.out.contains(QByteArray::number(report["triangles"].toInt()) + " triangles"),
+             words.out.constData());
 }
 
 void TestCliMesh::repairsAreTold() {
-    const CliRun run = runCli({"mesh", "check", file("turned.obj", kTetrahedron + "f 1 3 4\n"), "--json"}); // the last looks inwards
+    const CliRun run = runCli({"mesh", "check", file("turned.obj", kTetrahedron + "f 1 3 4\n"),
+                               "--json"}); // the last looks inwards
     QVERIFY2(run.exitCode == 0, run.err.constData());
     const QJsonArray findings = object(run)["findings"].toArray();
     QCOMPARE(findings.size(), 1);
@@ -91,12 +100,16 @@ void TestCliMesh::repairsAreTold() {
 void TestCliMesh::refusedWithThePlace_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<QStringList>("mentions");
-    QTest::newRow("a hole") << QByteArray::fromStdString(kTetrahedron) << QStringList{"given.obj: edge ", "expected"};
+    QTest::newRow("a hole") << QByteArray::fromStdString(kTetrahedron)
+                            << QStringList{"given.obj: edge ", "expected"};
     QTest::newRow("no number") << QByteArray("v 0 0 0\nv 1 x 0\n") << QStringList{"given.obj: line 2"};
-    QTest::newRow("no vertex") << QByteArray::fromStdString(kTetrahedron + "f 1 4 9\n") << QStringList{"line 8"};
+    QTest::newRow("no vertex") << QByteArray::fromStdString(kTetrahedron + "f 1 4 9\n")
+                               << QStringList{"line 8"};
     QTest::newRow("neither") << QByteArray("hello\n") << QStringList{"OBJ or STL"};
     const QByteArray binary = QByteArray::fromStdString(simulation::writeBinaryStl(organ()));
-    QTest::newRow("binary STL cut off") << binary.left(binary.size() - 7) << QStringList{QStringLiteral("byte %1").arg(binary.size() - 7), "cut off", "triangles"};
+    QTest::newRow("binary STL cut off")
+        << binary.left(binary.size() - 7)
+        << QStringList{QStringLiteral("byte %1").arg(binary.size() - 7), "cut off", "triangles"};
     const QByteArray textual = QByteArray::fromStdString(simulation::writeStl(organ()));
     QTest::newRow("STL as text, cut off") << textual.left(textual.size() / 2) << QStringList{"line "};
     QTest::newRow("empty") << QByteArray() << QStringList{"an empty file"};
@@ -106,7 +119,9 @@ void TestCliMesh::refusedWithThePlace() {
     QFETCH(QByteArray, bytes);
     QFETCH(QStringList, mentions);
     const QString path = file("given.obj", bytes.toStdString());
-    for (const QStringList& words : {QStringList{"mesh", "check", path}, {"mesh", "check", path, "--json"}, {"mesh", "import", path, "--id", "x"}}) {
+    for (const QStringList& words : {QStringList{"mesh", "check", path},
+                                     {"mesh", "check", path, "--json"},
+                                     {"mesh", "import", path, "--id", "x"}}) {
         const QString fault = refusalFault(runCli(words), 3, mentions);
         QVERIFY2(fault.isEmpty(), qPrintable(fault));
     }
@@ -139,8 +154,10 @@ void TestCliMesh::aLargeImportIsContentToo() {
     source.edge_m = 0.001;
     const auto shape = simulation::makeMeshShape(source);
     QVERIFY(shape.has_value());
-    QVERIFY2(shape->triangles.size() > 60'000 && shape->triangles.size() < 100'000, qPrintable(QString::number(shape->triangles.size())));
-    const CliRun run = runCli({"mesh", "import", file("large.obj", simulation::writeObj(*shape)), "--id", "large"});
+    QVERIFY2(shape->triangles.size() > 60'000 && shape->triangles.size() < 100'000,
+             qPrintable(QString::number(shape->triangles.size())));
+    const CliRun run =
+        runCli({"mesh", "import", file("large.obj", simulation::writeObj(*shape)), "--id", "large"});
     QVERIFY2(run.exitCode == 0, run.err.constData());
     QVERIFY(run.out.size() > 1 << 20);
     const ContentCopy copy;
@@ -153,7 +170,8 @@ void TestCliMesh::aLargeImportIsContentToo() {
 void TestCliMesh::idsAreChecked() {
     const QString path = file("organ.obj", simulation::writeObj(organ()));
     for (const char* id : {"My organ", "1st", "../x"}) {
-        const QString fault = refusalFault(runCli({"mesh", "import", path, "--id", id}), 3, {"--id", "lower-case letters"});
+        const QString fault =
+            refusalFault(runCli({"mesh", "import", path, "--id", id}), 3, {"--id", "lower-case letters"});
         QVERIFY2(fault.isEmpty(), qPrintable(fault));
     }
     QCOMPARE(runCli({"mesh", "import", path}).exitCode, 2);

@@ -13,7 +13,8 @@ using namespace chiron;
 
 namespace {
 
-const QByteArray kStaircase = R"({"kind":"staircase","start":-0.5,"up":1,"down":2,"steps_up":[0.2,0.1],"minimum":-2,"maximum":0,"stop":{"trials":12}})";
+const QByteArray kStaircase =
+    R"({"kind":"staircase","start":-0.5,"up":1,"down":2,"steps_up":[0.2,0.1],"minimum":-2,"maximum":0,"stop":{"trials":12}})";
 
 /// Rows that a pipe carries; the long run sends a million.
 int rowCount() {
@@ -69,7 +70,8 @@ CliRun throughPipe(const QStringList& arguments, const QByteArray& input, core::
 
 } // namespace
 
-// What comes through a pipe, at whatever pace and in whatever pieces, is what a file would have given; what ends within a row is refused.
+// What comes through a pipe, at whatever pace and in whatever pieces, is what a file would have given; what
+// ends within a row is refused.
 class TestCliPipes : public QObject {
     Q_OBJECT
 private slots:
@@ -116,24 +118,28 @@ void TestCliPipes::cutAnywhere() {
         const QByteArray part = csv.left(at);
         const CliRun run = throughPipe({"evaluate", "hemisphere"}, part, m_random, 2);
         if (part.endsWith('\n')) {
-            QVERIFY(run.exitCode == 0 && whole.out.startsWith(run.out) && run.out.count('\n') == part.count('\n'));
+            QVERIFY(run.exitCode == 0 && whole.out.startsWith(run.out) &&
+                    run.out.count('\n') == part.count('\n'));
             continue;
         }
         const QString fault = refusalFault(run, 3, {QStringLiteral("stdin:%1").arg(part.count('\n') + 1)});
         QVERIFY2(fault.isEmpty(), qPrintable(QStringLiteral("cut at %1: %2").arg(at).arg(fault)));
     }
     // A number that loses its last digits is still a number.
-    const CliRun run = runCli({"evaluate", "hemisphere"}, "px_m,py_m,pz_m,vx_m_per_s,vy_m_per_s,vz_m_per_s\n0,0,0.019,0,0,0.1");
+    const CliRun run = runCli({"evaluate", "hemisphere"},
+                              "px_m,py_m,pz_m,vx_m_per_s,vy_m_per_s,vz_m_per_s\n0,0,0.019,0,0,0.1");
     const QString fault = refusalFault(run, 3, {"stdin:2", "line feed"});
     QVERIFY2(fault.isEmpty(), qPrintable(fault));
 }
 
 void TestCliPipes::passwordInPieces() {
     const QString database = m_folder.filePath("site.db");
-    const CliRun made = throughPipe({"init", "--admin", "admin", "--database", database, "--password-stdin"}, "a long enough password 1\n", m_random, 0);
+    const CliRun made = throughPipe({"init", "--admin", "admin", "--database", database, "--password-stdin"},
+                                    "a long enough password 1\n", m_random, 0);
     QVERIFY2(made.exitCode == 0, made.err.constData());
     QProcess process;
-    process.start(QStringLiteral(CHIRON_CLI), {"user", "list", "--database", database, "--as", "admin", "--password-stdin"});
+    process.start(QStringLiteral(CHIRON_CLI),
+                  {"user", "list", "--database", database, "--as", "admin", "--password-stdin"});
     QVERIFY(process.waitForStarted());
     for (const char* piece : {"a long en", "ough pass", "word 1", "\n"}) {
         process.write(piece);
@@ -149,15 +155,18 @@ void TestCliPipes::answersInPieces() {
     const QString procedure = file("staircase.json", kStaircase);
     const QByteArray answers = "1\n1\n0\n1\n1\n1\n0\n";
     const CliRun whole = runCli({"psychophysics", "adaptive", "--procedure", procedure}, answers);
-    const CliRun pieces = throughPipe({"psychophysics", "adaptive", "--procedure", procedure}, answers, m_random, 50);
+    const CliRun pieces =
+        throughPipe({"psychophysics", "adaptive", "--procedure", procedure}, answers, m_random, 50);
     QCOMPARE(whole.exitCode, 0);
     QVERIFY(whole.out == pieces.out && pieces.exitCode == 0);
 }
 
 void TestCliPipes::lastAnswerCutOff() {
     const QString procedure = file("staircase.json", kStaircase);
-    const CliRun run = runCli({"psychophysics", "adaptive", "--procedure", procedure}, "1\n1 -0.4"); // of -0.45
-    QVERIFY2(run.exitCode == 3 && run.err.contains("stdin line 2") && run.err.contains("line feed"), run.err.constData());
+    const CliRun run =
+        runCli({"psychophysics", "adaptive", "--procedure", procedure}, "1\n1 -0.4"); // of -0.45
+    QVERIFY2(run.exitCode == 3 && run.err.contains("stdin line 2") && run.err.contains("line feed"),
+             run.err.constData());
 }
 
 QTEST_GUILESS_MAIN(TestCliPipes)

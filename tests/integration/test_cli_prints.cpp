@@ -106,10 +106,14 @@ void TestCliPrints::helpOfGroupsAndAll() {
 
 void TestCliPrints::versionOfTheProgram() {
     const CliRun words = runCli({"--version"}), json = runCli({"--version", "--json"});
-    QVERIFY2(words.exitCode == 0 && words.out.startsWith("chiron-cli ") && words.err.isEmpty(), words.err.constData());
+    QVERIFY2(words.exitCode == 0 && words.out.startsWith("chiron-cli ") && words.err.isEmpty(),
+             words.err.constData());
     const QJsonObject program = document(json).object()["program"].toObject();
-    QVERIFY(QRegularExpression(QStringLiteral("^\\d+\\.\\d+\\.\\d+$")).match(program["version"].toString()).hasMatch());
-    QVERIFY(words.out.contains(program["version"].toString().toUtf8()) && program["build"].toString().contains(QLatin1String("models")));
+    QVERIFY(QRegularExpression(QStringLiteral("^\\d+\\.\\d+\\.\\d+$"))
+                .match(program["version"].toString())
+                .hasMatch());
+    QVERIFY(words.out.contains(program["version"].toString().toUtf8()) &&
+            program["build"].toString().contains(QLatin1String("models")));
 }
 
 void TestCliPrints::optionsBeforeTheCommand() {
@@ -124,7 +128,8 @@ void TestCliPrints::optionsBeforeTheCommand() {
     QCOMPARE(runCli({"version"}).out, runCli({"--version"}).out);
     for (const char* asked : {"help", "-h"})
         QCOMPARE(runCli({asked}).out, runCli({"--help"}).out);
-    QCOMPARE(runCli({"--json", "device"}).exitCode, 2); // "device" alone is no command, and no request for help or version
+    QCOMPARE(runCli({"--json", "device"}).exitCode,
+             2); // "device" alone is no command, and no request for help or version
 }
 
 void TestCliPrints::jsonIsOneDocument_data() {
@@ -165,9 +170,10 @@ void TestCliPrints::lawsAreListed() {
         for (const QJsonValue& column : law["inputs"].toArray())
             QVERIFY2(!column["unit"].toString().isEmpty(), qPrintable(column["name"].toString()));
     }
-    for (const char* id : {"hemisphere", "friction", "polar_forces", "polar_weight", "urethra-centreline", "urethra-profile", "urethra-surface",
-                           "elasticity", "strain-stiffening", "mass", "deformation", "roughness", "bristle-friction", "viscosity",
-                           "elastic-tube", "voigt", "palpation-contact", "palpation-lump"})
+    for (const char* id :
+         {"hemisphere", "friction", "polar_forces", "polar_weight", "urethra-centreline", "urethra-profile",
+          "urethra-surface", "elasticity", "strain-stiffening", "mass", "deformation", "roughness",
+          "bristle-friction", "viscosity", "elastic-tube", "voigt", "palpation-contact", "palpation-lump"})
         QVERIFY2(ids.contains(QLatin1String(id)), id);
 }
 
@@ -182,10 +188,12 @@ void TestCliPrints::hemisphereByHand() {
     QVERIFY(run.out.split('\n')[2].startsWith("0,0,0,"));
 }
 
-// A surface without stiffness answers with no force and is no mistake, though a force of 0 in contact is how a surface that would pull shows.
+// A surface without stiffness answers with no force and is no mistake, though a force of 0 in contact is how
+// a surface that would pull shows.
 void TestCliPrints::hemisphereWithoutStiffness() {
     const QString parameters = file("soft.json", "{\"stiffness_N_per_m\": 0}");
-    const CliRun run = runCli({"evaluate", "hemisphere", "--parameters", parameters}, kHeader + "0,0,0.019,0,0,0\n");
+    const CliRun run =
+        runCli({"evaluate", "hemisphere", "--parameters", parameters}, kHeader + "0,0,0.019,0,0,0\n");
     QCOMPARE(run.exitCode, 0);
     QCOMPARE(firstRow(run)["fz_N"], 0.0);
 }
@@ -210,17 +218,22 @@ void TestCliPrints::parametersChangeTheLaw() {
     QVERIFY(qAbs(row["fz_N"] - 1.0) < 1e-12);
 }
 
-// P3's figure 6 at 1 mm, 2 mm and 3 mm; 1 N at 45° along the finger; models.md §3's first lump at 4 mm: +45 %.
+// P3's figure 6 at 1 mm, 2 mm and 3 mm; 1 N at 45° along the finger; models.md §3's first lump at 4 mm: +45
+// %.
 void TestCliPrints::palpationByHand() {
-    auto row = firstRow(
-        runCli({"evaluate", "voigt"}, "dx_m,dy_m,dz_m,vx_m_per_s,vy_m_per_s,vz_m_per_s\n0.001,0.002,0.003,0.1,0,-0.1\n"));
-    QVERIFY(qAbs(row["fx_N"] - 0.805) < 1e-12 && qAbs(row["fy_N"] - 1.4) < 1e-12 && qAbs(row["fz_N"] - 1.9445) < 1e-12);
+    auto row =
+        firstRow(runCli({"evaluate", "voigt"},
+                        "dx_m,dy_m,dz_m,vx_m_per_s,vy_m_per_s,vz_m_per_s\n0.001,0.002,0.003,0.1,0,-0.1\n"));
+    QVERIFY(qAbs(row["fx_N"] - 0.805) < 1e-12 && qAbs(row["fy_N"] - 1.4) < 1e-12 &&
+            qAbs(row["fz_N"] - 1.9445) < 1e-12);
     row = firstRow(runCli({"evaluate", "palpation-contact"}, "fx_N,fy_N,fz_N,nx,ny,nz\n0,-1,1,0,0,2\n"));
     QVERIFY(qAbs(row["alpha_rad"] - 0.785398163397448) < 1e-12 && qAbs(row["normal_force_N"] - 1.0) < 1e-12);
-    QVERIFY(qAbs(row["pitch_rad"] - 0.523598775598299) < 1e-12 && row["roll_rad"] == 0.0 && row["saturated"] == 1.0);
+    QVERIFY(qAbs(row["pitch_rad"] - 0.523598775598299) < 1e-12 && row["roll_rad"] == 0.0 &&
+            row["saturated"] == 1.0);
     const CliRun lump = runCli({"evaluate", "palpation-lump"}, "depth_m,rho_m\n0.004,0\n0.004,0.2\n");
     row = firstRow(lump);
-    QVERIFY(qAbs(row["normal_force_N"] / (0.004 * 680.0 / 3.0) - 1.45) < 0.005 && row["lateral_force_N"] == 0.0);
+    QVERIFY(qAbs(row["normal_force_N"] / (0.004 * 680.0 / 3.0) - 1.45) < 0.005 &&
+            row["lateral_force_N"] == 0.0);
     QVERIFY(qAbs(row["energy_J"] - 0.5 * 680.0 / 3.0 * 16e-6 * (1.0 + row["chi"])) < 1e-15);
 }
 
@@ -247,10 +260,12 @@ void TestCliPrints::passMarksAsStored() {
         const QString id = listed["id"].toString();
         QVERIFY(!id.isEmpty());
         const QJsonObject exercise = document(runCli({"exercise", "show", id, "--json"})).object();
-        const QStringList text = QString::fromUtf8(runCli({"exercise", "show", id}).out).split(QLatin1Char('\n'));
+        const QStringList text =
+            QString::fromUtf8(runCli({"exercise", "show", id}).out).split(QLatin1Char('\n'));
         qsizetype from = 0;
         for (const QJsonValue& level : exercise["levels"].toArray()) {
-            while (from < text.size() && !text[from].startsWith(QStringLiteral("level %1, ").arg(level["level"].toInt())))
+            while (from < text.size() &&
+                   !text[from].startsWith(QStringLiteral("level %1, ").arg(level["level"].toInt())))
                 ++from;
             QVERIFY2(from < text.size(), qPrintable(id));
             for (const QJsonValue& gate : level["gates"].toArray()) {
@@ -262,12 +277,15 @@ void TestCliPrints::passMarksAsStored() {
                 qsizetype at = from;
                 while (at < text.size() && !text[at].startsWith(gate["metric"].toString() + QLatin1Char(' ')))
                     ++at;
-                QVERIFY2(at < text.size() && text[at].trimmed().endsWith(QStringLiteral("  ") + mark.trimmed()), qPrintable(id + ": " + text.value(at) + ": " + mark));
+                QVERIFY2(at < text.size() &&
+                             text[at].trimmed().endsWith(QStringLiteral("  ") + mark.trimmed()),
+                         qPrintable(id + ": " + text.value(at) + ": " + mark));
             }
             ++from;
         }
     }
-    QVERIFY2(minima > 0 && maxima > 20, qPrintable(QStringLiteral("%1 minima, %2 maxima").arg(minima).arg(maxima)));
+    QVERIFY2(minima > 0 && maxima > 20,
+             qPrintable(QStringLiteral("%1 minima, %2 maxima").arg(minima).arg(maxima)));
 }
 
 void TestCliPrints::metricsOfAStraightLine() {
@@ -285,19 +303,26 @@ void TestCliPrints::metricsOfAStraightLine() {
             1.0); // 100 mm, less what the 20 Hz filter does at the ends
 }
 
-// Missing translations are no fault: they are named, and English is shown. The task is the same with and without them.
+// Missing translations are no fault: they are named, and English is shown. The task is the same with and
+// without them.
 void TestCliPrints::textsThatALanguageLacks() {
     const ContentCopy content;
     const auto list = [&](const QStringList& more) {
-        return runCli(QStringList{"exercise", "list", "--language", "de", "--content", QString::fromStdString(content.directory())} + more);
+        return runCli(QStringList{"exercise", "list", "--language", "de", "--content",
+                                  QString::fromStdString(content.directory())} +
+                      more);
     };
-    const auto level = [](const CliRun& run) { return QJsonDocument::fromJson(run.out).array()[0].toObject()["levels"].toArray()[0].toObject(); };
+    const auto level = [](const CliRun& run) {
+        return QJsonDocument::fromJson(run.out).array()[0].toObject()["levels"].toArray()[0].toObject();
+    };
     QVERIFY(!list({}).out.contains("no text in"));
     const QJsonObject whole = level(list({"--json"}));
     QVERIFY(QFile::remove(content.path("exercises/sphere_apex/texts/de.json")));
     const CliRun run = list({});
     QCOMPARE(run.exitCode, 0);
-    QVERIFY2(run.out.contains(content.path("exercises/sphere_apex/exercise.json").toUtf8() + ": $.title: no text in de; English is shown\n"), run.out.constData());
+    QVERIFY2(run.out.contains(content.path("exercises/sphere_apex/exercise.json").toUtf8() +
+                              ": $.title: no text in de; English is shown\n"),
+             run.out.constData());
     QVERIFY(run.out.contains("Visible sphere") && !run.out.contains("no text in el"));
     const QJsonObject lacking = level(list({"--json"}));
     QCOMPARE(whole["task_sha256"].toString().size(), 64);

@@ -109,7 +109,8 @@ void TestCliRefuses::oneByOne_data() {
     row("option with its value only", words("--database x.db"), 2, {"no command given"});
     row("dashes alone", {"--"}, 2, {"--"});
     row("control characters", {QStringLiteral("e\u001b[31mvil\n")}, 2, {"\\u001b", "\\u000a"});
-    row("long password input", words("user list --as ada --password-stdin"), 3, {"stdin: more than 16384 bytes"}, QByteArray(16385, 'x'));
+    row("long password input", words("user list --as ada --password-stdin"), 3,
+        {"stdin: more than 16384 bytes"}, QByteArray(16385, 'x'));
     row("long word", {QString(5000, QLatin1Char('x'))}, 2, {"…"});
     row("group alone", {"device"}, 2, {"device", "second word", "list"});
     row("group with a wrong word", words("device lst"), 2, {"\"lst\"", "list"});
@@ -156,34 +157,56 @@ void TestCliRefuses::oneByOne_data() {
     parameters("json stranger", "{\"radius_mm\": 20}", 3, {"$.radius_mm", "radius_m"});
     parameters("json object", "{\"radius_m\": {}}", 3, {"$.radius_m"});
     // In range, and no law for it: the place and what was expected.
-    const auto unlawful = [&](const char* name, const char* law, const QString& json, const QByteArray& table, const QStringList& mentions) {
-        const QString path = file(QString::fromUtf8(name).replace(QLatin1Char(' '), QLatin1Char('_')) + ".json", json.toUtf8());
+    const auto unlawful = [&](const char* name, const char* law, const QString& json, const QByteArray& table,
+                              const QStringList& mentions) {
+        const QString path = file(
+            QString::fromUtf8(name).replace(QLatin1Char(' '), QLatin1Char('_')) + ".json", json.toUtf8());
         row(name, {"evaluate", law, "--parameters", path}, 3, mentions, table);
     };
-    unlawful("stiffness that pulls", "hemisphere", R"({"stiffness_variation": 0.99, "stiffness_wavelength_m": 0.001})", kPoint + "0,0,0.021,0,0,0\n0.0029,0.0002,0.0145,0,0,0\n",
+    unlawful("stiffness that pulls", "hemisphere",
+             R"({"stiffness_variation": 0.99, "stiffness_wavelength_m": 0.001})",
+             kPoint + "0,0,0.021,0,0,0\n0.0029,0.0002,0.0145,0,0,0\n",
              {"stdin:3", "depth_m", "stiffness_wavelength_m"});
-    const QByteArray kShaft = "px_m,py_m,pz_m,ax,ay,az,vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,wy_rad_per_s,wz_rad_per_s\n";
-    unlawful("endoscope that looks nowhere", "urethra-force", "{}", kShaft + "0,0,0.01,0,0,1,0,0,0,0,0,0\n0,0,0.01,0,0,0,0,0,0,0,0,0\n", {"stdin:3", "ax, ay, az"});
-    unlawful("urethra that crosses itself", "urethra-force", R"({"radius_m": 0.006, "curvature_per_m": 100})", kShaft, {".json", "radius_m"});
+    const QByteArray kShaft =
+        "px_m,py_m,pz_m,ax,ay,az,vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,wy_rad_per_s,wz_rad_per_s\n";
+    unlawful("endoscope that looks nowhere", "urethra-force", "{}",
+             kShaft + "0,0,0.01,0,0,1,0,0,0,0,0,0\n0,0,0.01,0,0,0,0,0,0,0,0,0\n", {"stdin:3", "ax, ay, az"});
+    unlawful("urethra that crosses itself", "urethra-force", R"({"radius_m": 0.006, "curvature_per_m": 100})",
+             kShaft, {".json", "radius_m"});
     unlawful("one section", "urethra-force", R"({"basic_sections": 1})", kShaft, {".json", "basic_sections"});
-    unlawful("half a section", "urethra-force", R"({"basic_sections": 26.5})", kShaft, {"$.basic_sections", "whole"});
-    unlawful("profile of no urethra", "urethra-profile", R"({"change_length_m": 0.012, "change_centre_m": 0.25})", "s_m\n0\n", {".json", "changes[0]"});
-    unlawful("surface beyond the neck", "urethra-surface", "{}", "s_m,angle_rad\n0.01,0\n0.5,0\n", {"stdin:3", "s_m 0.5"});
-    unlawful("palpated along no normal", "palpation-contact", "{}", "fx_N,fy_N,fz_N,nx,ny,nz\n0,0,1,0,0,0\n", {"stdin:2", "nx, ny, nz"});
-    unlawful("finger without a direction", "palpation-contact", R"({"finger_x": 0})", "fx_N,fy_N,fz_N,nx,ny,nz\n", {".json", "finger_x"});
-    unlawful("lump out of the tissue", "palpation-lump", R"({"R_m": 0.014})", "depth_m,rho_m\n0.001,0\n", {".json", "R_m 0.014"});
-    unlawful("contact wider than the lump is deep", "palpation-lump", R"({"a_m": 0.0065})", "depth_m,rho_m\n0.001,0\n", {".json", "a_m 0.0065"});
-    unlawful("through the lump", "palpation-lump", "{}", "depth_m,rho_m\n0.0089,0\n0.0091,0\n", {"stdin:3", "depth_m 0.0091"});
-    unlawful("held for less than no time", "deformation", "{}", "depth_m,held_s,released_s\n0.001,-1,0\n", {"stdin:2", "held_s -1"});
-    unlawful("let go before", "deformation", "{}", "depth_m,held_s,released_s\n0.001,1,-0.5\n", {"stdin:2", "released_s -0.5"});
-    unlawful("tube of less than no length", "elastic-tube", "{}", "length_m\n-0.01\n", {"stdin:2", "length_m -0.01"});
+    unlawful("half a section", "urethra-force", R"({"basic_sections": 26.5})", kShaft,
+             {"$.basic_sections", "whole"});
+    unlawful("profile of no urethra", "urethra-profile",
+             R"({"change_length_m": 0.012, "change_centre_m": 0.25})", "s_m\n0\n", {".json", "changes[0]"});
+    unlawful("surface beyond the neck", "urethra-surface", "{}", "s_m,angle_rad\n0.01,0\n0.5,0\n",
+             {"stdin:3", "s_m 0.5"});
+    unlawful("palpated along no normal", "palpation-contact", "{}", "fx_N,fy_N,fz_N,nx,ny,nz\n0,0,1,0,0,0\n",
+             {"stdin:2", "nx, ny, nz"});
+    unlawful("finger without a direction", "palpation-contact", R"({"finger_x": 0})",
+             "fx_N,fy_N,fz_N,nx,ny,nz\n", {".json", "finger_x"});
+    unlawful("lump out of the tissue", "palpation-lump", R"({"R_m": 0.014})", "depth_m,rho_m\n0.001,0\n",
+             {".json", "R_m 0.014"});
+    unlawful("contact wider than the lump is deep", "palpation-lump", R"({"a_m": 0.0065})",
+             "depth_m,rho_m\n0.001,0\n", {".json", "a_m 0.0065"});
+    unlawful("through the lump", "palpation-lump", "{}", "depth_m,rho_m\n0.0089,0\n0.0091,0\n",
+             {"stdin:3", "depth_m 0.0091"});
+    unlawful("held for less than no time", "deformation", "{}", "depth_m,held_s,released_s\n0.001,-1,0\n",
+             {"stdin:2", "held_s -1"});
+    unlawful("let go before", "deformation", "{}", "depth_m,held_s,released_s\n0.001,1,-0.5\n",
+             {"stdin:2", "released_s -0.5"});
+    unlawful("tube of less than no length", "elastic-tube", "{}", "length_m\n-0.01\n",
+             {"stdin:2", "length_m -0.01"});
     unlawful("half a seed", "roughness", R"({"seed": 1.5})", "px_m,py_m,depth_m\n", {"$.seed", "whole"});
     unlawful("half a dome", "mesh-contact", R"({"dome": 0.5})", kPoint, {"$.dome", "whole"});
-    unlawful("links that do not meet", "five_bar_pose", R"({"distal_m": 0.01})", "theta1_rad,theta2_rad\n3.14,0\n", {"stdin:2", "theta1_rad"});
-    unlawful("efforts of links that do not meet", "five_bar_efforts", R"({"distal_m": 0.01})",
-             "theta1_rad,theta2_rad,pitch_rad,yaw_rad,fx_N,fy_N,fz_N,tx_Nm,ty_Nm,tz_Nm\n3.14,0,0,0,0,0,1,0,0,0\n", {"stdin:2", "theta1_rad"});
+    unlawful("links that do not meet", "five_bar_pose", R"({"distal_m": 0.01})",
+             "theta1_rad,theta2_rad\n3.14,0\n", {"stdin:2", "theta1_rad"});
+    unlawful(
+        "efforts of links that do not meet", "five_bar_efforts", R"({"distal_m": 0.01})",
+        "theta1_rad,theta2_rad,pitch_rad,yaw_rad,fx_N,fy_N,fz_N,tx_Nm,ty_Nm,tz_Nm\n3.14,0,0,0,0,0,1,0,0,0\n",
+        {"stdin:2", "theta1_rad"});
     unlawful("too large for a number", "elasticity", "{}", "x_m\n1e200\n", {"stdin:2", "energy_J"});
-    row("cut off within the last row", {"evaluate", "friction"}, 3, {"stdin:3", "line feed"}, "normal_force_N,velocity_m_per_s\n1,0.1\n1,0.1");
+    row("cut off within the last row", {"evaluate", "friction"}, 3, {"stdin:3", "line feed"},
+        "normal_force_N,velocity_m_per_s\n1,0.1\n1,0.1");
     row("parameters missing", {"evaluate", "hemisphere", "--parameters", folder + "/none.json"}, 3,
         {"none.json", "no such file"}, kPoint);
     row("parameters folder", {"evaluate", "hemisphere", "--parameters", folder}, 3, {folder, "folder"},
@@ -199,7 +222,8 @@ void TestCliRefuses::oneByOne_data() {
         file("good.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0.01,1,0,0\n0.02,2,0,0\n0.03,3,0,0\n");
     row("unknown metric", {"metrics", good, "--metric", "sparkle"}, 3, {"--metric", "\"sparkle\"", "sparc"});
     row("second metric unknown", {"metrics", good, "--metric", "sparc,sparkle"}, 3, {"\"sparkle\""});
-    row("unknown exercise", {"metrics", good, "--exercise", "juggling"}, 3, {"--exercise", "\"juggling\"", "sphere_apex"});
+    row("unknown exercise", {"metrics", good, "--exercise", "juggling"}, 3,
+        {"--exercise", "\"juggling\"", "sphere_apex"});
     row("metric twice", {"metrics", good, "--metric", "sparc,sparc"}, 2, {"--metric", "item 2"});
     row("metric list with a hole", {"metrics", good, "--metric", "sparc,,ldlj"}, 2, {"--metric", "item 2"});
     row("metric list ends open", {"metrics", good, "--metric", "sparc,"}, 2, {"--metric", "item 2"});
@@ -265,25 +289,37 @@ void TestCliRefuses::rangesAreSaid_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<QStringList>("outside");
     QTest::addColumn<QString>("range");
-    const auto option = [](const char* command, const char* name, const char* below, const char* above, const char* range) {
-        QTest::addRow("%s --%s", command, name) << words(command) + QStringList{QStringLiteral("--%1").arg(QLatin1String(name))} << QStringList{QLatin1String(below), QLatin1String(above)}
-                                                << QString::fromLatin1(range);
+    const auto option = [](const char* command, const char* name, const char* below, const char* above,
+                           const char* range) {
+        QTest::addRow("%s --%s", command, name)
+            << words(command) + QStringList{QStringLiteral("--%1").arg(QLatin1String(name))}
+            << QStringList{QLatin1String(below), QLatin1String(above)} << QString::fromLatin1(range);
     };
-    option("psychophysics compare none.csv --by who", "monte-carlo", "-1", "100001", "a whole number from 0 to 100000");
+    option("psychophysics compare none.csv --by who", "monte-carlo", "-1", "100001",
+           "a whole number from 0 to 100000");
     option("psychophysics rank none.csv", "regularise", "-0.001", "1000001", "a number from 0 to 1e+06");
-    option("psychophysics fit none.csv --method ml", "bootstrap", "-1", "1000001", "a whole number from 0 to 1000000");
+    option("psychophysics fit none.csv --method ml", "bootstrap", "-1", "1000001",
+           "a whole number from 0 to 1000000");
     option("psychophysics fit none.csv", "monte-carlo", "-1", "1000001", "a whole number from 0 to 1000000");
     option("psychophysics fit none.csv", "curve", "-1", "10001", "a whole number from 0 to 10000");
     option("psychophysics fit none.csv", "confidence", "0.499", "0.9991", "a number from 0.5 to 0.999");
-    option("psychophysics dprime --task mafc --correct 3 --total 5", "m", "1", "1001", "a whole number from 2 to 1000");
+    option("psychophysics dprime --task mafc --correct 3 --total 5", "m", "1", "1001",
+           "a whole number from 2 to 1000");
     option("psychophysics dprime --task 2afc", "proportion", "-0.001", "1.001", "a number from 0 to 1");
-    option("psychophysics dprime --task 2afc --total 5", "correct", "-1", "1000000001", "a whole number from 0 to 1000000000");
-    option("study plan stiffness_2afc --observer weber:0.1", "runs", "-1", "100001", "a whole number from 0 to 100000");
-    option("study plan stiffness_2afc --observer weber:0.1 --power", "participants", "1", "100001", "a whole number from 2 to 100000");
-    option("study plan stiffness_2afc --observer weber:0.1 --power", "wanted", "0.009", "0.99991", "a number from 0.01 to 0.9999");
-    option("study plan stiffness_2afc --observer weber:0.1 --power", "alpha", "9e-7", "0.51", "a number from 1e-06 to 0.5");
-    option("study plan stiffness_2afc --observer weber:0.1 --power", "between-sd", "-0.1", "3.1", "a number from 0 to 3");
-    option("study plan stiffness_2afc --observer weber:0.1 --power", "ratio", "0.009", "100.1", "a number from 0.01 to 100");
+    option("psychophysics dprime --task 2afc --total 5", "correct", "-1", "1000000001",
+           "a whole number from 0 to 1000000000");
+    option("study plan stiffness_2afc --observer weber:0.1", "runs", "-1", "100001",
+           "a whole number from 0 to 100000");
+    option("study plan stiffness_2afc --observer weber:0.1 --power", "participants", "1", "100001",
+           "a whole number from 2 to 100000");
+    option("study plan stiffness_2afc --observer weber:0.1 --power", "wanted", "0.009", "0.99991",
+           "a number from 0.01 to 0.9999");
+    option("study plan stiffness_2afc --observer weber:0.1 --power", "alpha", "9e-7", "0.51",
+           "a number from 1e-06 to 0.5");
+    option("study plan stiffness_2afc --observer weber:0.1 --power", "between-sd", "-0.1", "3.1",
+           "a number from 0 to 3");
+    option("study plan stiffness_2afc --observer weber:0.1 --power", "ratio", "0.009", "100.1",
+           "a number from 0.01 to 100");
     option("score 1", "metric-version", "0", "1001", "a whole number from 1 to 1000");
     option("metrics none.csv", "force-limit", "0.009", "100.1", "a number from 0.01 to 100");
     option("session list", "limit", "0", "1000001", "a whole number from 1 to 1000000");
@@ -292,7 +328,8 @@ void TestCliRefuses::rangesAreSaid_data() {
     option("device check", "damping", "0.009", "100.1", "a number from 0.01 to 100");
     option("device check --mechanism gimbal_hprd", "sample-delay", "-1", "4", "a whole number from 0 to 3");
     option("train sphere_apex --operator expert", "level", "0", "99", "a whole number from 1 to ");
-    option("train sphere_apex --operator expert", "seed", "-1", "18446744073709551616", "a whole number from 0 to 18446744073709551615");
+    option("train sphere_apex --operator expert", "seed", "-1", "18446744073709551616",
+           "a whole number from 0 to 18446744073709551615");
 }
 
 void TestCliRefuses::rangesAreSaid() {
@@ -300,17 +337,23 @@ void TestCliRefuses::rangesAreSaid() {
     QFETCH(QStringList, outside);
     QFETCH(QString, range);
     for (const QString& value : outside)
-        check(runCli(arguments + QStringList{value}), 2, {arguments.constLast(), QStringLiteral("\"%1\": expected %2").arg(value, range)});
+        check(runCli(arguments + QStringList{value}), 2,
+              {arguments.constLast(), QStringLiteral("\"%1\": expected %2").arg(value, range)});
     for (const char* session : {"session show", "session export", "score", "replay"})
         if (arguments.constLast() == u"--limit")
-            check(runCli(words(session) + QStringList{"0"}), 2, {"ID", "\"0\": expected a whole number from 1 to 9223372036854775807"});
+            check(runCli(words(session) + QStringList{"0"}), 2,
+                  {"ID", "\"0\": expected a whole number from 1 to 9223372036854775807"});
 }
 
 void TestCliRefuses::endsOfRangesAreTaken_data() {
     QTest::addColumn<QStringList>("arguments");
-    for (const char* line : {"psychophysics dprime --task 2afc --proportion 0 --json", "psychophysics dprime --task 2afc --proportion 1 --json",
-                             "psychophysics dprime --task mafc --m 2 --correct 38 --total 50", "psychophysics dprime --task mafc --m 1000 --correct 38 --total 50",
-                             "psychophysics dprime --task 2afc --correct 0 --total 5 --json", "psychophysics dprime --task 2afc --correct 1000000000 --total 1000000000 --json"})
+    for (const char* line :
+         {"psychophysics dprime --task 2afc --proportion 0 --json",
+          "psychophysics dprime --task 2afc --proportion 1 --json",
+          "psychophysics dprime --task mafc --m 2 --correct 38 --total 50",
+          "psychophysics dprime --task mafc --m 1000 --correct 38 --total 50",
+          "psychophysics dprime --task 2afc --correct 0 --total 5 --json",
+          "psychophysics dprime --task 2afc --correct 1000000000 --total 1000000000 --json"})
         QTest::addRow("%s", line) << words(line);
 }
 
@@ -320,14 +363,18 @@ void TestCliRefuses::endsOfRangesAreTaken() {
     QVERIFY2(run.ended && run.exitCode == 0, run.err.constData());
 }
 
-// A file larger than any that is meant is not read into memory: the limit is said, and it is the limit that is said.
+// A file larger than any that is meant is not read into memory: the limit is said, and it is the limit that
+// is said.
 void TestCliRefuses::filesHaveTheirLimit_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<qint64>("most");
     QTest::newRow("people") << QStringList{"user", "import-csv", "FILE", "--as", "ada"} << (qint64{16} << 20);
-    QTest::newRow("parameters") << QStringList{"evaluate", "hemisphere", "--parameters", "FILE"} << (qint64{16} << 20);
-    QTest::newRow("procedure") << QStringList{"psychophysics", "adaptive", "--procedure", "FILE"} << (qint64{16} << 20) + 1;
-    QTest::newRow("study") << QStringList{"study", "plan", "FILE", "--observer", "weber:0.1"} << (qint64{1} << 20);
+    QTest::newRow("parameters") << QStringList{"evaluate", "hemisphere", "--parameters", "FILE"}
+                                << (qint64{16} << 20);
+    QTest::newRow("procedure") << QStringList{"psychophysics", "adaptive", "--procedure", "FILE"}
+                               << (qint64{16} << 20) + 1;
+    QTest::newRow("study") << QStringList{"study", "plan", "FILE", "--observer", "weber:0.1"}
+                           << (qint64{1} << 20);
     QTest::newRow("table") << QStringList{"psychophysics", "rank", "FILE"} << (qint64{256} << 20);
     QTest::newRow("mesh") << QStringList{"mesh", "check", "FILE"} << (qint64{256} << 20);
 }

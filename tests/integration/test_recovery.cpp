@@ -180,7 +180,8 @@ void TestRecovery::unreadableRingIsNotThrownAway() {
              recovered->front().problem.c_str());
     QVERIFY(QFile::exists(ring));
     tests::OpenStored stored(*site.database, id);
-    QCOMPARE(stored.session->record().summary.state, database::SessionState::interrupted); // what was committed is kept
+    QCOMPARE(stored.session->record().summary.state,
+             database::SessionState::interrupted); // what was committed is kept
 }
 
 QTEST_GUILESS_MAIN(TestRecovery)

@@ -16,7 +16,6 @@ using chiron::tests::kPatience_ms;
 
 namespace {
 
-
 QJsonObject object(const QByteArray& json) {
     return QJsonDocument::fromJson(json).object();
 }

@@ -11,29 +11,37 @@
 
 namespace chiron::tests {
 
-/// The part of the commanded force above 20 Hz, in windows of 0.5 s without a change of contact: what a hand feels as shaking.
-/// One per session; give it every frame at 1 kHz. Filter: Butterworth high-pass of fourth order, two sections by the bilinear transform.
+/// The part of the commanded force above 20 Hz, in windows of 0.5 s without a change of contact: what a hand
+/// feels as shaking. One per session; give it every frame at 1 kHz. Filter: Butterworth high-pass of fourth
+/// order, two sections by the bilinear transform.
 class FastForce {
 public:
     void add(const core::HapticFrame& frame) {
         for (std::uint32_t i = 0; i < frame.tools; ++i)
-            addTool(m_tools[i], frame.tool[i], frame.header.paused != 0 || frame.header.force != core::ForceState::on);
+            addTool(m_tools[i], frame.tool[i],
+                    frame.header.paused != 0 || frame.header.force != core::ForceState::on);
         ++m_tick;
     }
-    double worst_N() const { return m_worst_N; }        ///< root mean square of the worst window; 0 if there was none
+    double worst_N() const {
+        return m_worst_N;
+    } ///< root mean square of the worst window; 0 if there was none
     std::uint64_t worstTick() const { return m_worstTick; } ///< its last tick, from the session's first
     std::uint64_t windows() const { return m_windows; }
 
 private:
-    static constexpr int kWindow = 500;  ///< ticks
-    static constexpr int kSettling = 150; ///< ticks left out after a change of contact: three periods of the cut-off
+    static constexpr int kWindow = 500; ///< ticks
+    static constexpr int kSettling =
+        150; ///< ticks left out after a change of contact: three periods of the cut-off
 
     struct Section {
         double x1 = 0.0, x2 = 0.0, y1 = 0.0, y2 = 0.0;
         double step(double x, double q) {
-            static const double k = std::tan(3.14159265358979323846 * 20.0 / 1000.0); // once: 12 a tick and tool were a twentieth of a session
+            static const double k =
+                std::tan(3.14159265358979323846 * 20.0 /
+                         1000.0); // once: 12 a tick and tool were a twentieth of a session
             const double n = 1.0 / (1.0 + k / q + k * k);
-            const double y = n * (x - 2.0 * x1 + x2) - 2.0 * n * (k * k - 1.0) * y1 - n * (1.0 - k / q + k * k) * y2;
+            const double y =
+                n * (x - 2.0 * x1 + x2) - 2.0 * n * (k * k - 1.0) * y1 - n * (1.0 - k / q + k * k) * y2;
             x2 = x1;
             x1 = x;
             y2 = y1;
@@ -53,7 +61,8 @@ private:
     void addTool(Tool& tool, const core::ToolFrame& frame, bool off) {
         double fast2 = 0.0;
         for (std::size_t c = 0; c < 3; ++c) // the poles' qualities of a Butterworth of fourth order
-            fast2 += squareOf(tool.filter[c][1].step(tool.filter[c][0].step(frame.commanded[c], 0.54119610), 1.30656296));
+            fast2 += squareOf(
+                tool.filter[c][1].step(tool.filter[c][0].step(frame.commanded[c], 0.54119610), 1.30656296));
         const bool touching = std::hypot(frame.tissue[0], frame.tissue[1], frame.tissue[2]) > 0.0;
         const bool breaking = core::contactOfStatus(frame.status) & core::contact_bits::kThrough;
         if (touching != tool.touching || breaking || off) {

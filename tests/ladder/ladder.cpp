@@ -20,8 +20,9 @@ constexpr double kZ95 = 1.959963984540054;
 const std::vector<std::string> kOperators{"novice", "intermediate", "expert", "unsafe"};
 
 /// Speed and path: a rough hand is fast and goes straight on. They never decide alone, so they may favour it.
-const std::set<std::string_view> kSpeedAndPath{"time",          "path_length",    "path_inefficiency", "sparc",     "ldlj",
-                                               "searching_time", "pressing_time", "inspection_travel"};
+const std::set<std::string_view> kSpeedAndPath{
+    "time", "path_length",    "path_inefficiency", "sparc",
+    "ldlj", "searching_time", "pressing_time",     "inspection_travel"};
 
 class Witness final : public core::IFrameSink {
 public:
@@ -46,13 +47,14 @@ bool same(const scoring::ScoreCard& a, const scoring::ScoreCard& b) {
     if (a.passed != b.passed || a.metrics.size() != b.metrics.size())
         return false;
     for (std::size_t i = 0; i < a.metrics.size(); ++i)
-        if (a.metrics[i].id != b.metrics[i].id || a.metrics[i].value != b.metrics[i].value || a.metrics[i].passed != b.metrics[i].passed)
+        if (a.metrics[i].id != b.metrics[i].id || a.metrics[i].value != b.metrics[i].value ||
+            a.metrics[i].passed != b.metrics[i].passed)
             return false;
     return true;
 }
 
-LadderSession runOne(SessionFixture& site, const catalogue::ExerciseLevel& level, const std::string& name, std::uint64_t seed, bool check,
-                     double budget_Ns_per_m) {
+LadderSession runOne(SessionFixture& site, const catalogue::ExerciseLevel& level, const std::string& name,
+                     std::uint64_t seed, bool check, double budget_Ns_per_m) {
     LadderSession session;
     session.seed = seed;
     Witness witness;
@@ -116,7 +118,9 @@ Rate gateRate(const std::vector<LadderSession>& sessions, const std::string& id)
     return rate;
 }
 
-double logChoose(int n, int k) { return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0); }
+double logChoose(int n, int k) {
+    return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
+}
 
 /// P(as many or more of b's hits in b), Fisher's exact test of two rates, one-sided.
 double fisherTail(const Rate& a, const Rate& b) {
@@ -132,7 +136,8 @@ double wilson(const Rate& r, double sign) {
     if (r.n == 0)
         return sign > 0.0 ? 1.0 : 0.0;
     const double n = r.n, p = r.share(), z = kZ95;
-    const double centre = p + z * z / (2.0 * n), half = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
+    const double centre = p + z * z / (2.0 * n),
+                 half = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
     return std::clamp((centre + sign * half) / (1.0 + z * z / n), 0.0, 1.0);
 }
 
@@ -144,13 +149,18 @@ std::string print(const char* format, auto... values) {
 
 } // namespace
 
-double Rate::low() const { return wilson(*this, -1.0); }
-double Rate::high() const { return wilson(*this, 1.0); }
+double Rate::low() const {
+    return wilson(*this, -1.0);
+}
+double Rate::high() const {
+    return wilson(*this, 1.0);
+}
 
 double riseAtLeast(const Rate& before, const Rate& after) {
     if (before.n == 0 || after.n == 0)
         return -1.0;
-    return after.share() - before.share() - std::hypot(after.share() - after.low(), before.high() - before.share());
+    return after.share() - before.share() -
+           std::hypot(after.share() - after.low(), before.high() - before.share());
 }
 
 Rate passRate(const std::vector<LadderSession>& sessions) {
@@ -174,8 +184,9 @@ LadderLevel climb(const catalogue::ExerciseLevel& level, const LadderSettings& s
             continue;
         SessionFixture site; // one a hand, so that the file stays small
         for (int i = 0; i < settings.seeds; ++i)
-            climbed.byOperator[name].push_back(runOne(site, level, name, settings.first + static_cast<std::uint64_t>(i),
-                                                      settings.checkEvery > 0 && i % settings.checkEvery == 0, settings.budget_Ns_per_m));
+            climbed.byOperator[name].push_back(
+                runOne(site, level, name, settings.first + static_cast<std::uint64_t>(i),
+                       settings.checkEvery > 0 && i % settings.checkEvery == 0, settings.budget_Ns_per_m));
     }
     return climbed;
 }
@@ -192,20 +203,25 @@ std::vector<std::string> inverted(const LadderLevel& level) {
             continue;
         const Spread e = spreadOf(expert, metric.id), u = spreadOf(unsafe, metric.id);
         if (definition->direction != scoring::Direction::neutral && e.n > 1 && u.n > 1) {
-            const double better = definition->direction == scoring::Direction::lowerIsBetter ? e.mean - u.mean : u.mean - e.mean;
+            const double better = definition->direction == scoring::Direction::lowerIsBetter
+                                      ? e.mean - u.mean
+                                      : u.mean - e.mean;
             if (better > kZ95 * std::sqrt(e.variance / e.n + u.variance / u.n) && better > 1e-12)
-                found.push_back(print("%s: expert %.4g ± %.2g (%d), unsafe %.4g ± %.2g (%d)", metric.id.c_str(), e.mean, std::sqrt(e.variance), e.n,
-                                      u.mean, std::sqrt(u.variance), u.n));
+                found.push_back(print("%s: expert %.4g ± %.2g (%d), unsafe %.4g ± %.2g (%d)",
+                                      metric.id.c_str(), e.mean, std::sqrt(e.variance), e.n, u.mean,
+                                      std::sqrt(u.variance), u.n));
         }
         const Rate eg = gateRate(expert, metric.id), ug = gateRate(unsafe, metric.id);
         if (eg.n > 0 && ug.n > 0 && ug.share() > eg.share() && fisherTail(eg, ug) < 0.025)
-            found.push_back(print("gate %s: expert %d of %d, unsafe %d of %d", metric.id.c_str(), eg.of, eg.n, ug.of, ug.n));
+            found.push_back(print("gate %s: expert %d of %d, unsafe %d of %d", metric.id.c_str(), eg.of, eg.n,
+                                  ug.of, ug.n));
     }
     return found;
 }
 
 std::string heading() {
-    return "| level | operator | passed | 95 % | completed | tissue max., N | felt max., N | above 20 Hz, N rms | damped ticks | kept by passivity, mJ | replay and score identical |\n"
+    return "| level | operator | passed | 95 % | completed | tissue max., N | felt max., N | above 20 Hz, N "
+           "rms | damped ticks | kept by passivity, mJ | replay and score identical |\n"
            "|---|---|---|---|---|---|---|---|---|---|---|\n";
 }
 
@@ -229,9 +245,11 @@ std::string lines(const LadderLevel& level) {
             damped += s.damped;
             kept_J += s.kept_J;
         }
-        text += print("| %s | %s | %d of %d | %.0f–%.0f %% | %d | %.2f | %.2f | %.3f | %llu | %.3f | %d of %d |\n", level.level.c_str(), name.c_str(), rate.of,
-                      rate.n, 100.0 * rate.low(), 100.0 * rate.high(), completed, tissue, felt, fast, static_cast<unsigned long long>(damped), 1e3 * kept_J,
-                      same, checked);
+        text += print(
+            "| %s | %s | %d of %d | %.0f–%.0f %% | %d | %.2f | %.2f | %.3f | %llu | %.3f | %d of %d |\n",
+            level.level.c_str(), name.c_str(), rate.of, rate.n, 100.0 * rate.low(), 100.0 * rate.high(),
+            completed, tissue, felt, fast, static_cast<unsigned long long>(damped), 1e3 * kept_J, same,
+            checked);
     }
     return text;
 }
@@ -246,16 +264,18 @@ std::string metricLines(const LadderLevel& level) {
             const Spread s = spreadOf(level.byOperator.at(name), metric.id);
             const Rate gate = gateRate(level.byOperator.at(name), metric.id);
             text += s.n > 0 ? print("  %9.4g ±%8.3g", s.mean, std::sqrt(s.variance)) : print("  %19s", "–");
-            if (s.n > 0 && s.n < static_cast<int>(level.byOperator.at(name).size())) // undefined in some sessions
+            if (s.n > 0 &&
+                s.n < static_cast<int>(level.byOperator.at(name).size())) // undefined in some sessions
                 text += print(" (n = %d)", s.n);
             text += gate.n > 0 ? print(" [%2d/%2d]", gate.of, gate.n) : print("        ");
         }
         text += "\n";
     }
     for (const auto& [name, sessions] : level.byOperator) {
-        const auto worst = std::max_element(sessions.begin(), sessions.end(), [](const auto& a, const auto& b) { return a.fast_N < b.fast_N; });
-        text += print("above 20 Hz: %s %.3f N, seed %llu, before %.1f s\n", name.c_str(), worst->fast_N, static_cast<unsigned long long>(worst->seed),
-                      worst->fastEnds_s);
+        const auto worst = std::max_element(sessions.begin(), sessions.end(),
+                                            [](const auto& a, const auto& b) { return a.fast_N < b.fast_N; });
+        text += print("above 20 Hz: %s %.3f N, seed %llu, before %.1f s\n", name.c_str(), worst->fast_N,
+                      static_cast<unsigned long long>(worst->seed), worst->fastEnds_s);
     }
     return text;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints how every scripted operator fares on every level, through recording and scoring: operator_ladder [EXERCISE|all] [LEVEL|0] [SEEDS]
-// [FIRST] [CHECK_EVERY] [BUDGET]. FIRST: the first seed, 0: drawn. BUDGET: of damping, N·s/m, instead of what the devices say they carry (0: theirs). Not a test: it asserts nothing.
+// Prints how every scripted operator fares on every level, through recording and scoring: operator_ladder
+// [EXERCISE|all] [LEVEL|0] [SEEDS] [FIRST] [CHECK_EVERY] [BUDGET]. FIRST: the first seed, 0: drawn. BUDGET:
+// of damping, N·s/m, instead of what the devices say they carry (0: theirs). Not a test: it asserts nothing.
 #include "ladder/ladder.h"
 
 #include <QCoreApplication>
@@ -26,7 +27,8 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", catalogue.error().message.c_str());
         return 2;
     }
-    std::printf("Seeds from %llu, %d a level and operator.\n\n%s", static_cast<unsigned long long>(settings.first), settings.seeds, tests::heading().c_str());
+    std::printf("Seeds from %llu, %d a level and operator.\n\n%s",
+                static_cast<unsigned long long>(settings.first), settings.seeds, tests::heading().c_str());
     for (const catalogue::Exercise& one : catalogue->exercises())
         for (const catalogue::ExerciseLevel& level : one.levels) {
             if ((exercise != "all" && exercise != one.id) || (number > 0 && number != level.number))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The careful pass, the careless do not, and a novice finds each level harder than the one before: by interval, so that a few seeds
-// refute what is plainly wrong and many refute the rest.
+// The careful pass, the careless do not, and a novice finds each level harder than the one before: by
+// interval, so that a few seeds refute what is plainly wrong and many refute the rest.
 #include "ladder/ladder.h"
 
 #include <QtTest>
@@ -43,7 +43,8 @@ void TestOperatorLadder::everyExercise() {
     settings.seeds = 4 * std::max(1, qEnvironmentVariableIntValue("CHIRON_SOAK"));
     settings.first = seedOfRun();
     settings.checkEvery = 2;
-    std::printf("seeds from %llu\n%s", static_cast<unsigned long long>(settings.first), tests::heading().c_str());
+    std::printf("seeds from %llu\n%s", static_cast<unsigned long long>(settings.first),
+                tests::heading().c_str());
     QStringList wrong;
     std::optional<Rate> before;
     for (const catalogue::ExerciseLevel& level : m_catalogue.find(exercise.toStdString())->levels) {
@@ -54,7 +55,9 @@ void TestOperatorLadder::everyExercise() {
         for (const std::string& line : tests::inverted(climbed))
             wrong << where + ": inverted " + QString::fromStdString(line);
         const auto rateOf = [&](const char* name) {
-            return climbed.byOperator.contains(name) ? std::optional(tests::passRate(climbed.byOperator.at(name))) : std::nullopt;
+            return climbed.byOperator.contains(name)
+                       ? std::optional(tests::passRate(climbed.byOperator.at(name)))
+                       : std::nullopt;
         };
         if (const auto expert = rateOf("expert"); expert && expert->high() < 0.8)
             wrong << where + ": the expert passes too seldom";
@@ -69,7 +72,9 @@ void TestOperatorLadder::everyExercise() {
         }
         for (const auto& [name, sessions] : climbed.byOperator)
             for (const tests::LadderSession& session : sessions) {
-                const QString who = QStringLiteral("%1, %2, seed %3: ").arg(where, QString::fromStdString(name)).arg(session.seed);
+                const QString who = QStringLiteral("%1, %2, seed %3: ")
+                                        .arg(where, QString::fromStdString(name))
+                                        .arg(session.seed);
                 if (session.checked && !session.replaysIdentically)
                     wrong << who + "the replay differs";
                 if (session.checked && !session.scoresIdentically)
@@ -77,7 +82,8 @@ void TestOperatorLadder::everyExercise() {
                 if (session.fast_N > 0.1)
                     wrong << who + QStringLiteral("%1 N rms above 20 Hz").arg(session.fast_N);
                 if (!climbed.recordsEnergy && session.damped > 0)
-                    wrong << who + QStringLiteral("damped in %1 ticks though its laws are conservative").arg(session.damped);
+                    wrong << who + QStringLiteral("damped in %1 ticks though its laws are conservative")
+                                       .arg(session.damped);
             }
     }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));

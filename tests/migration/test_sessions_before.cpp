@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sites with a session of every exercise, as earlier versions recorded and scored them: their sessions list,
 // play and score as they did, and a replay says that the laws are others now, not that somebody tampered.
-#include "support/looked_back.h"
 #include "stored_site.h"
+#include "support/looked_back.h"
 
 #include "catalogue/canonical_json.h"
 #include "catalogue/catalogue.h"
@@ -127,7 +127,8 @@ void TestSessionsBefore::everySessionListsPlaysAndScores() {
     REQUIRE(stored);
     QCOMPARE((*stored)->record().summary.exercise, exercise.toStdString());
 
-    // Its content has the texts of its time in it: the digest is what it was, and the task is known without them.
+    // Its content has the texts of its time in it: the digest is what it was, and the task is known without
+    // them.
     const auto& record = (*stored)->record();
     QCOMPARE(record.contentSha256, catalogue::sha256Hex(record.setup.contentJson));
     QCOMPARE(catalogue::taskSha256(record.setup.contentJson).size(), std::size_t{64});

@@ -21,7 +21,9 @@ void TestVersion2::commentsOfVersion1KeepTheirDigest() {
     REQUIRE(makeStoredSite(f.path()));
     REQUIRE(f.reopen());
     QCOMPARE(f.database->schemaVersion(), MigrationRunner().newest());
-    QCOMPARE(numberIn(f.path() + ".before-v" + std::to_string(MigrationRunner().newest()), "PRAGMA user_version"), std::int64_t{1});
+    QCOMPARE(
+        numberIn(f.path() + ".before-v" + std::to_string(MigrationRunner().newest()), "PRAGMA user_version"),
+        std::int64_t{1});
     const auto ada = AccountService(*f.database).login("ada", kPassword);
     REQUIRE(ada);
     REQUIRE(f.database->write([&](WriteContext& w) {

@@ -20,7 +20,8 @@ core::Result<void> makeVersion2(const std::string& file) {
     auto steps = builtInMigrations();
     steps.resize(2);
     auto connection = Connection::open(file, Connection::Mode::readWrite);
-    const auto migrated = connection ? MigrationRunner(steps).migrate(**connection) : tl::unexpected(connection.error());
+    const auto migrated =
+        connection ? MigrationRunner(steps).migrate(**connection) : tl::unexpected(connection.error());
     return migrated ? core::Result<void>() : tl::unexpected(migrated.error());
 }
 
@@ -42,7 +43,9 @@ void TestVersion3::version2VerifiesAndOpens() {
     QVERIFY(verifyDatabase(f.path(), f.options).ok()); // as it is, without the tables of studies
     REQUIRE(f.reopen());
     QCOMPARE(f.database->schemaVersion(), MigrationRunner().newest());
-    QCOMPARE(numberIn(f.path() + ".before-v" + std::to_string(MigrationRunner().newest()), "PRAGMA user_version"), std::int64_t{2});
+    QCOMPARE(
+        numberIn(f.path() + ".before-v" + std::to_string(MigrationRunner().newest()), "PRAGMA user_version"),
+        std::int64_t{2});
     const auto ada = AccountService(*f.database).login("ada", kPassword);
     REQUIRE(ada);
     REQUIRE(f.database->write([&](WriteContext& w) {

@@ -27,7 +27,8 @@ void TestVersion5::version4VerifiesAndOpens() {
     REQUIRE(f.reopen());
     QCOMPARE(f.database->schemaVersion(), MigrationRunner().newest());
     QCOMPARE(numberIn(f.path(), "SELECT count(*) FROM study_sitting"), std::int64_t{0});
-    QCOMPARE(numberIn(f.path(), "SELECT count(*) FROM recorded_sitting"), numberIn(f.path(), "SELECT count(DISTINCT session_id) FROM study_trial"));
+    QCOMPARE(numberIn(f.path(), "SELECT count(*) FROM recorded_sitting"),
+             numberIn(f.path(), "SELECT count(DISTINCT session_id) FROM study_trial"));
     f.database.reset();
     QVERIFY(verifyDatabase(f.path(), f.options).ok());
 }

@@ -32,7 +32,8 @@ void TestVersion7::version6VerifiesAndOpens() {
     QVERIFY(verifyDatabase(f.path(), f.options).ok());
 }
 
-// Session 2 of the stored site was voided by version 1: who, why and when are kept as the file and its audit have them.
+// Session 2 of the stored site was voided by version 1: who, why and when are kept as the file and its audit
+// have them.
 void TestVersion7::aVoidingOfEarlierVersionsIsTakenBack() {
     DatabaseFixture f;
     REQUIRE(makeStoredSite(f.path()));
@@ -43,9 +44,12 @@ void TestVersion7::aVoidingOfEarlierVersionsIsTakenBack() {
     const auto before = SessionReader(**reader, *ada).session(2);
     REQUIRE(before);
     QVERIFY(before->summary.state == SessionState::voided && before->decisions.empty());
-    const auto when = selectText(**reader, "SELECT utc FROM audit WHERE action = 'voidSession' AND target_id = 2");
+    const auto when =
+        selectText(**reader, "SELECT utc FROM audit WHERE action = 'voidSession' AND target_id = 2");
     reader->reset();
-    REQUIRE(f.database->write([&](WriteContext& w) { return SessionRepository(w.connection(), *ada).reinstateSession(2, "it was the other one"); }));
+    REQUIRE(f.database->write([&](WriteContext& w) {
+        return SessionRepository(w.connection(), *ada).reinstateSession(2, "it was the other one");
+    }));
     reader = f.database->openReader();
     const auto after = SessionReader(**reader, *ada).session(2);
     REQUIRE(after);

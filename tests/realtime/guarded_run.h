@@ -45,7 +45,9 @@ inline ForbiddenCounts guardedRun(haptics::HapticLoop& loop, haptics::LiveInputs
         if (pointer != nullptr)
             pointer->move(1e-6 * (n % 7 - 3), 1e-6 * (n % 5 - 2), n < 3000 ? -20e-6 : 0.0);
         if (endoscope != nullptr)
-            endoscope->move({.advance_m = n < 3000 ? 25e-6 : 0.0, .turnUp_rad = n < 2000 ? -3e-4 : 0.0, .spin_rad = 1e-5 * (n % 5 - 1)});
+            endoscope->move({.advance_m = n < 3000 ? 25e-6 : 0.0,
+                             .turnUp_rad = n < 2000 ? -3e-4 : 0.0,
+                             .spin_rad = 1e-5 * (n % 5 - 1)});
         inputs.beat(static_cast<std::int64_t>(n) * 1'000'000);
         const realtime::HapticTick now = ticks.next(static_cast<std::int64_t>(n) * 1'000'000);
         const TickGuard guard;

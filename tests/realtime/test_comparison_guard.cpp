@@ -10,8 +10,8 @@ using namespace chiron::simulation;
 using namespace chiron::simulation::testing;
 namespace bits = core::event_bits;
 
-/// A sitting with every attribute: presented, felt at every place, adjusted meanwhile, paused, answered, spoiled and ended. Nothing is
-/// allocated, locked or thrown in a tick, though objects are made in it.
+/// A sitting with every attribute: presented, felt at every place, adjusted meanwhile, paused, answered,
+/// spoiled and ended. Nothing is allocated, locked or thrown in a tick, though objects are made in it.
 class TestComparisonGuard : public QObject {
     Q_OBJECT
 private slots:
@@ -48,7 +48,8 @@ private slots:
         }
         const ForbiddenCounts counts = forbiddenCounts();
         QVERIFY2(counts.total() == 0, words(counts));
-        const std::uint32_t all = bits::kTrialStarted | bits::kContactBegan | bits::kCompleted | bits::kFailed | bits::kFinished;
+        const std::uint32_t all =
+            bits::kTrialStarted | bits::kContactBegan | bits::kCompleted | bits::kFailed | bits::kFinished;
         QCOMPARE(d.events & all, all);
     }
 };

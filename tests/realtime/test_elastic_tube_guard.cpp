@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/units.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_scene.h"
 #include "realtime/haptic_tick.h"
 #include "realtime/tick_guard.h"
-#include "modules/exercises/elastic_tube/simulation/elastic_tube_scene.h"
 
 #include <QtTest>
 #include <cmath>
@@ -27,7 +27,8 @@ void move(simulation::SceneInput& in, const simulation::SceneOutput& out, int n)
             tool.jaw_rad = 0.0;
         } else {
             const double t = 1e-3 * n;
-            tool.v_WT = {(i == 0 ? 0.01 : -0.01), 0.005 * std::sin(t), n > 8000 ? 0.2 : 0.02 * std::cos(3.0 * t)};
+            tool.v_WT = {(i == 0 ? 0.01 : -0.01), 0.005 * std::sin(t),
+                         n > 8000 ? 0.2 : 0.02 * std::cos(3.0 * t)};
             tool.p_WT += tool.v_WT * core::kTickSeconds;
         }
     }
@@ -81,10 +82,12 @@ private slots:
         }
         QByteArray counts;
         for (std::size_t i = 0; i < kForbiddenNames.size(); ++i)
-            counts += QByteArray(kForbiddenNames[i]) + "=" + QByteArray::number(forbiddenCounts().count[i]) + " ";
+            counts +=
+                QByteArray(kForbiddenNames[i]) + "=" + QByteArray::number(forbiddenCounts().count[i]) + " ";
         QVERIFY2(forbiddenCounts().total() == 0, counts);
         using namespace core::event_bits;
-        const std::uint32_t all = kTrialStarted | kGrasped | kReleased | kStageChanged | kContactBegan | kContactEnded;
+        const std::uint32_t all =
+            kTrialStarted | kGrasped | kReleased | kStageChanged | kContactBegan | kContactEnded;
         QCOMPARE(events & all, all); // the run went on with something in its hands
         QVERIFY(strongest_N > 0.1);
     }

@@ -27,8 +27,11 @@ class TestFingertipGuard : public QObject {
     Q_OBJECT
 private slots:
     void twoFingers() {
-        auto first = std::move(devices::SimulatedFingertipDevice::create({}, std::make_unique<Presser>()).value());
-        auto second = std::move(devices::SimulatedSecondFinger::create(*first, {0.018, 0.0, 0.0}, 2, std::make_unique<Presser>()).value());
+        auto first =
+            std::move(devices::SimulatedFingertipDevice::create({}, std::make_unique<Presser>()).value());
+        auto second = std::move(
+            devices::SimulatedSecondFinger::create(*first, {0.018, 0.0, 0.0}, 2, std::make_unique<Presser>())
+                .value());
         QVERIFY(first->open().has_value() && second->open().has_value());
         realtime::TickSource ticks;
         resetForbiddenCounts();
@@ -37,9 +40,11 @@ private slots:
             const realtime::HapticTick now = ticks.next(0);
             devices::ForceCommand command;
             command.enabled = n % 3000 > 100;
-            command.display = {2.0 - 2.2 * std::cos(0.01 * n), 0.6 * std::sin(0.003 * n), -0.4 * std::sin(0.004 * n)};
+            command.display = {2.0 - 2.2 * std::cos(0.01 * n), 0.6 * std::sin(0.003 * n),
+                               -0.4 * std::sin(0.004 * n)};
             const TickGuard guard;
-            for (devices::IDevice* device : {static_cast<devices::IDevice*>(first.get()), static_cast<devices::IDevice*>(second.get())}) {
+            for (devices::IDevice* device : {static_cast<devices::IDevice*>(first.get()),
+                                             static_cast<devices::IDevice*>(second.get())}) {
                 device->show(now, {});
                 device->read(now);
                 device->command(now, command);
@@ -47,7 +52,8 @@ private slots:
             most = std::max(most, second->platform().truth().normalForce_N);
         }
         QVERIFY2(forbiddenCounts().total() == 0, words(forbiddenCounts()));
-        QVERIFY2(most > 3.3 && most <= 4.0, qPrintable(QString::number(most))); // asked for 4.2 N: the pad's limit was met and kept
+        QVERIFY2(most > 3.3 && most <= 4.0,
+                 qPrintable(QString::number(most))); // asked for 4.2 N: the pad's limit was met and kept
         first->close();
         second->close();
     }

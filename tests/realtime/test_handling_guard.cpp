@@ -10,7 +10,8 @@ using namespace chiron::simulation;
 using namespace chiron::simulation::testing;
 namespace bits = core::event_bits;
 
-/// Every kind of object handling, from the first grasp to the last let go: nothing is allocated, locked or thrown in a tick.
+/// Every kind of object handling, from the first grasp to the last let go: nothing is allocated, locked or
+/// thrown in a tick.
 class TestHandlingGuard : public QObject {
     Q_OBJECT
 private slots:
@@ -61,7 +62,8 @@ private slots:
         }
         const ForbiddenCounts counts = forbiddenCounts();
         QVERIFY2(counts.total() == 0, words(counts));
-        const std::uint32_t all = bits::kTrialStarted | bits::kGrasped | bits::kReleased | bits::kCompleted | bits::kContactBegan;
+        const std::uint32_t all =
+            bits::kTrialStarted | bits::kGrasped | bits::kReleased | bits::kCompleted | bits::kContactBegan;
         QCOMPARE(d.events & all, all);
         QCOMPARE((d.events & bits::kSlowApplied) != 0, organ);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "realtime/tick_guard.h"
 #include "realtime/guarded_run.h"
+#include "realtime/tick_guard.h"
 #include "session/run_task.h"
 
 #include <QtTest>

@@ -56,12 +56,15 @@ void TestPalpationGuard::everyKind() {
         for (int n = 0; n < 9'000; ++n) {
             const double t = 0.001 * n;
             for (int i = 0; i < 4; ++i) // circles, pressed and lifted, each finger in its own time
-                d.at(i, 0.03 * std::cos(1.3 * t + i), 0.03 * std::sin(1.1 * t + 2.0 * i), 0.006 * std::sin(3.0 * t + i));
+                d.at(i, 0.03 * std::cos(1.3 * t + i), 0.03 * std::sin(1.1 * t + 2.0 * i),
+                     0.006 * std::sin(3.0 * t + i));
             if (n == 2'000)
                 d.in.tools.tools[1].p_WT.x() = std::numeric_limits<double>::quiet_NaN();
             d.in.paused = n > 2'500 && n < 2'700;
             d.in.mark = n % 400 == 0;
-            d.in.tools.tools[2].buttons = n % 300 < 150 ? core::kButtonMark : core::reportButtons(core::reportWord(ReportField::hardness, 3));
+            d.in.tools.tools[2].buttons =
+                n % 300 < 150 ? core::kButtonMark
+                              : core::reportButtons(core::reportWord(ReportField::hardness, 3));
             if (n % 700 == 0)
                 d.command(ReportField::remove, static_cast<unsigned>(n / 700 % 8));
             d.scene.respond(d.source.next(0), d.in, d.out);
@@ -71,7 +74,8 @@ void TestPalpationGuard::everyKind() {
     }
     const ForbiddenCounts counts = forbiddenCounts();
     QVERIFY2(counts.total() == 0, words(counts));
-    const std::uint32_t all = bits::kTrialStarted | bits::kTimedOut | bits::kContactBegan | bits::kContactEnded | bits::kSceneChanged;
+    const std::uint32_t all = bits::kTrialStarted | bits::kTimedOut | bits::kContactBegan |
+                              bits::kContactEnded | bits::kSceneChanged;
     QCOMPARE(d.events & all, all);
     QCOMPARE(int(d.out.trial), 1);
 }

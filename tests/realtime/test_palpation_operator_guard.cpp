@@ -7,7 +7,8 @@
 using namespace chiron;
 using namespace chiron::tests;
 
-/// A whole trial of scripted palpators, from the first press to the last word: nothing is allocated, locked or thrown in a tick.
+/// A whole trial of scripted palpators, from the first press to the last word: nothing is allocated, locked
+/// or thrown in a tick.
 class TestPalpationOperatorGuard : public QObject {
     Q_OBJECT
 private slots:
@@ -15,7 +16,8 @@ private slots:
         QTest::addColumn<QString>("name");
         QTest::addColumn<int>("hands");
         for (const std::string_view name : operators::palpationOperatorNames())
-            QTest::newRow(name.data()) << QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())) << (name == "expert" ? 2 : 1);
+            QTest::newRow(name.data()) << QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))
+                                       << (name == "expert" ? 2 : 1);
     }
     void aWholeTrial() {
         QFETCH(QString, name);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/drivers/endoscope_pointer/endoscope_pointer_device.h"
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
-#include "devices/recorded_device.h"
 #include "devices/drivers/replay/replay_device.h"
 #include "devices/drivers/simulated/simulated_device.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
+#include "devices/recorded_device.h"
 #include "haptics/delay_probe.h"
 #include "haptics/recorded_inputs.h"
 #include "mechanisms/scripted_motion.h"
@@ -65,7 +65,8 @@ public:
         mechanisms::HandIntention wanted;
         wanted.p_DDesired = core::Vec3(0.0, 0.003, 0.030 - 0.018 * std::sin(phase));
         wanted.q_DDesired =
-            mechanisms::SphericalJoint({0.4 * std::sin(phase), 0.2 * std::cos(phase), 0.5 * phase}).orientation_DT();
+            mechanisms::SphericalJoint({0.4 * std::sin(phase), 0.2 * std::cos(phase), 0.5 * phase})
+                .orientation_DT();
         return wanted;
     }
 };
@@ -73,7 +74,8 @@ public:
 std::unique_ptr<devices::SimulatedEndoscopeDevice> endoscope() {
     devices::SimulatedEndoscopeDevice::Configuration configuration;
     configuration.start_D = core::Vec3(0.0, 0.003, 0.030);
-    auto device = std::move(*devices::SimulatedEndoscopeDevice::create(configuration, std::make_unique<Turner>()));
+    auto device =
+        std::move(*devices::SimulatedEndoscopeDevice::create(configuration, std::make_unique<Turner>()));
     (void)device->open();
     return device;
 }
@@ -156,7 +158,8 @@ private slots:
         double strongest_N = 0.0, widest_rad = 0.0;
         for (const core::HapticFrame& frame : store.frames) {
             strongest_N = std::max(strongest_N, frame.tool[0].commanded[2]);
-            widest_rad = std::max(widest_rad, std::abs(frame.tool[0].counts[4] * device->descriptor().axes[4].resolution));
+            widest_rad = std::max(
+                widest_rad, std::abs(frame.tool[0].counts[4] * device->descriptor().axes[4].resolution));
         }
         QVERIFY(strongest_N > 0.1 && widest_rad > 1.0);
     }
@@ -227,7 +230,8 @@ private slots:
         haptics::DelayRecord record;
         haptics::DelayListener listener({}, record);
         haptics::LiveInputs inputs;
-        LoopBench bench({{*device, {}}}, inputs, listener, std::make_unique<haptics::DelayProbe>(haptics::DelayProbeSettings{}, record));
+        LoopBench bench({{*device, {}}}, inputs, listener,
+                        std::make_unique<haptics::DelayProbe>(haptics::DelayProbeSettings{}, record));
         const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, nullptr);
         QVERIFY2(counts.total() == 0, words(counts));
         QVERIFY(record.forces > 1000 && record.forces == record.places);

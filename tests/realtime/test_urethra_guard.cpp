@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
-#include "devices/recorded_device.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
+#include "devices/recorded_device.h"
 #include "haptics/recorded_inputs.h"
 #include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
 #include "realtime/guarded_run.h"
@@ -31,7 +31,8 @@ std::unique_ptr<simulation::IScene> urethraScene(const QString& kind) {
     return std::make_unique<simulation::UrethraInsertionScene>(exercise(kind));
 }
 
-/// Outside for 3 s (arming and its ramp), then 70 mm along the centre-line and about it, for a device without orientation.
+/// Outside for 3 s (arming and its ramp), then 70 mm along the centre-line and about it, for a device without
+/// orientation.
 core::Vec3 insertingPath(std::uint64_t tick) {
     const simulation::AnatomyPose pose;
     const double t = static_cast<double>(tick) * core::kTickSeconds;
@@ -75,7 +76,8 @@ private slots:
         }
         QVERIFY2(forbiddenCounts().total() == 0, words(forbiddenCounts()));
         using namespace core::event_bits;
-        const std::uint32_t all = kTrialStarted | kContactBegan | kStageChanged | kLandmarkSeen | kContactEnded | kCompleted | kFinished;
+        const std::uint32_t all = kTrialStarted | kContactBegan | kStageChanged | kLandmarkSeen |
+                                  kContactEnded | kCompleted | kFinished;
         QCOMPARE(events & all, all); // the run went all the way
     }
 
@@ -109,7 +111,8 @@ private slots:
     void scriptedEndoscopists_data() {
         QTest::addColumn<QString>("name");
         for (const std::string_view name : operators::urethraInsertionOperatorNames())
-            QTest::newRow(std::string(name).c_str()) << QString::fromUtf8(name.data(), static_cast<int>(name.size()));
+            QTest::newRow(std::string(name).c_str())
+                << QString::fromUtf8(name.data(), static_cast<int>(name.size()));
     }
     void scriptedEndoscopists() {
         QFETCH(QString, name);
@@ -120,7 +123,8 @@ private slots:
         FrameStore store(120'000);
         simulation::UrethraInsertionParameters p = exercise("plain");
         p.trialLimit_s = 110.0;
-        LoopBench bench({{*device, {}}}, inputs, store, std::make_unique<simulation::UrethraInsertionScene>(p));
+        LoopBench bench({{*device, {}}}, inputs, store,
+                        std::make_unique<simulation::UrethraInsertionScene>(p));
         realtime::TickSource ticks;
         inputs.post({core::CommandKind::start, 0});
         resetForbiddenCounts();
@@ -134,7 +138,8 @@ private slots:
         std::uint32_t events = 0;
         for (const core::HapticFrame& frame : store.frames)
             events |= frame.header.events;
-        QVERIFY((events & core::event_bits::kCompleted) != 0); // in, round and out again: all of the mind was at work
+        QVERIFY((events & core::event_bits::kCompleted) !=
+                0); // in, round and out again: all of the mind was at work
     }
 
     void recordedFrames() {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole sessions of the elastic tube, one hand and two: they replay to the same bits, and their scores are the same from the
-// run, from the recording and from the exported file.
+// Whole sessions of the elastic tube, one hand and two: they replay to the same bits, and their scores are
+// the same from the run, from the recording and from the exported file.
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_plan.h"
 #include "scoring/score_calculator.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
 #include "session/replayer.h"
 #include "session/session_export.h"
-#include "modules/exercises/elastic_tube/simulation/elastic_tube_plan.h"
 #include "support/session_fixture.h"
 
 #include <QtTest>
@@ -25,20 +25,24 @@ catalogue::ExerciseLevel shortTube(int number, int trials) {
     static const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
     if (!catalogue)
         qFatal("%s", catalogue.error().message.c_str());
-    QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(catalogue->find("elastic_tube", number)->resolvedJson)).object();
+    QJsonObject json = QJsonDocument::fromJson(
+                           QByteArray::fromStdString(catalogue->find("elastic_tube", number)->resolvedJson))
+                           .object();
     QJsonObject level = json["level"].toObject();
     QJsonObject parameters = level["parameters"].toObject();
     parameters["trials"] = trials;
     parameters["trial_limit_s"] = 30;
     level["parameters"] = parameters;
     json["level"] = level;
-    auto changed = catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
+    auto changed =
+        catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
     if (!changed)
         qFatal("%s", changed.error().message.c_str());
     return *changed;
 }
 
-/// An ideal hand at the first tube: on its end, jaw closed, up until the tension (or length) is there in `pull_s`, and still.
+/// An ideal hand at the first tube: on its end, jaw closed, up until the tension (or length) is there in
+/// `pull_s`, and still.
 scoring::TraceRows idealPull(const catalogue::ExerciseLevel& level, double pull_s) {
     const auto& p = level.parameters.as<simulation::ElasticTubeParameters>();
     const simulation::ElasticTubeTrial trial = simulation::planElasticTubeTrials(p, kSeed).front();
@@ -80,7 +84,8 @@ private slots:
 
 private:
     /// Replayed, computed again, and read back from the exported file: always the same.
-    void isKept(SessionFixture& site, const catalogue::ExerciseLevel& level, const session::TrainingResult& result);
+    void isKept(SessionFixture& site, const catalogue::ExerciseLevel& level,
+                const session::TrainingResult& result);
 };
 
 void TestElasticTubeIsKept::isKept(SessionFixture& site, const catalogue::ExerciseLevel& level,
@@ -133,10 +138,12 @@ void TestElasticTubeIsKept::anIdealHand() {
     QCOMPARE(valueOf(card, "procedure_completed"), 100.0);
     QCOMPARE(valueOf(card, "over_stretches"), 0.0);
     QCOMPARE(valueOf(card, "drops"), 0.0);
-    QVERIFY2(std::abs(valueOf(card, "time_in_band") - hold_s) < 0.005, qPrintable(QString::number(valueOf(card, "time_in_band"))));
+    QVERIFY2(std::abs(valueOf(card, "time_in_band") - hold_s) < 0.005,
+             qPrintable(QString::number(valueOf(card, "time_in_band"))));
     QVERIFY(card.passed);
     if (number != 2) // at the band's edge first, on the target from 0.2 s on
-        QVERIFY2(valueOf(card, "tension_error_rms") < 0.05, qPrintable(QString::number(valueOf(card, "tension_error_rms"))));
+        QVERIFY2(valueOf(card, "tension_error_rms") < 0.05,
+                 qPrintable(QString::number(valueOf(card, "tension_error_rms"))));
     isKept(site, level, *result);
 }
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A whole insertion, played from a trace: its scores are those of its path, they are the same from the recording and from the
-// exported file, and what they count is marked in playback.
-#include "support/looked_back.h"
+// A whole insertion, played from a trace: its scores are those of its path, they are the same from the
+// recording and from the exported file, and what they count is marked in playback.
 #include "core/units.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
+#include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 #include "scoring/score_calculator.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
 #include "session/session_export.h"
-#include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
+#include "support/looked_back.h"
 #include "support/session_fixture.h"
 
 #include <QtTest>
@@ -57,7 +57,8 @@ scoring::TraceRows path(double duration_s) {
         r_AT.col(2) = -at.t_A;
         r_AT.col(1) = at.n_A;
         r_AT.col(0) = at.n_A.cross(-at.t_A);
-        const core::Quat q_AT = core::Quat(Eigen::AngleAxisd(kTilt_rad, core::Vec3::UnitX())) * core::Quat(r_AT);
+        const core::Quat q_AT =
+            core::Quat(Eigen::AngleAxisd(kTilt_rad, core::Vec3::UnitX())) * core::Quat(r_AT);
         scoring::TraceRow row;
         row.t_s = 1e-3 * i;
         row.p_WT_m = p.pose.pointToW(at.p_A + kOffset_m * core::Vec3::UnitX());
@@ -135,7 +136,8 @@ void TestInsertionScoreIsKept::scoresAreThoseOfThePath() {
 
 void TestInsertionScoreIsKept::storedAndRecomputedAgree() {
     auto connection = m_site->database->openReader();
-    const auto stored = database::ScoreRepository(**connection, database::Actor::simulated()).scores(m_result.session);
+    const auto stored =
+        database::ScoreRepository(**connection, database::Actor::simulated()).scores(m_result.session);
     QVERIFY(stored && session::sameScores(*stored, m_result.scores));
     OpenStored again(*m_site->database, m_result.session);
     const auto card = again.session->computeScores();
@@ -149,7 +151,8 @@ void TestInsertionScoreIsKept::exportedTraceAgrees() {
     QVERIFY2(done, done ? "" : done.error().message.c_str());
     const auto rows = scoring::readTraceCsvFile(path.toStdString());
     QVERIFY2(rows, rows ? "" : rows.error().message.c_str());
-    QVERIFY(rows->columns.insertion && rows->columns.torque && rows->columns.orientation && !rows->columns.target);
+    QVERIFY(rows->columns.insertion && rows->columns.torque && rows->columns.orientation &&
+            !rows->columns.target);
     const auto trace = scoring::buildSessionTrace(*rows, "urethra_insertion");
     QVERIFY2(trace, trace ? "" : trace.error().message.c_str());
     QVERIFY(trace->trials.at(0).completed);
@@ -171,7 +174,8 @@ void TestInsertionScoreIsKept::trialAndEventsAreStored() {
     for (const database::EventRecord& event : eventsOf(m_result.session))
         if (event.kind == "trial_started" || event.kind == "stage_changed" || event.kind == "completed")
             kinds.push_back(event.kind);
-    QCOMPARE(kinds, (std::vector<std::string>{"trial_started", "stage_changed", "stage_changed", "completed"}));
+    QCOMPARE(kinds,
+             (std::vector<std::string>{"trial_started", "stage_changed", "stage_changed", "completed"}));
 }
 
 void TestInsertionScoreIsKept::penaltiesAreMarks() {
@@ -192,7 +196,8 @@ void TestInsertionScoreIsKept::penaltiesAreMarks() {
     QCOMPARE(stages[1].detail, std::string("withdrawal"));
     QCOMPARE(reversals.size(), std::size_t{1});
     QVERIFY(std::abs(*reversals[0].value - 0.004) < 1e-5);
-    QVERIFY(std::abs(reversals[0].end_s - reversals[0].t_s - 0.7) < 0.3); // from 5.0–5.2 s to 5.8–6.0 s of the path
+    QVERIFY(std::abs(reversals[0].end_s - reversals[0].t_s - 0.7) <
+            0.3); // from 5.0–5.2 s to 5.8–6.0 s of the path
     const session::PlaybackMark& back = reversals[0];
     const auto& from = track->tool(track->indexAt(back.t_s), 0).p_WT;
     const auto& to = track->tool(track->indexAt(back.end_s), 0).p_WT;
@@ -220,7 +225,8 @@ void TestInsertionScoreIsKept::unfinishedProcedure() {
     const auto rows = scoring::readTraceCsvFile(path.toStdString());
     QVERIFY2(rows, rows ? "" : rows.error().message.c_str());
     const auto trace = scoring::buildSessionTrace(*rows, "urethra_insertion");
-    QVERIFY(trace && !trace->trials.at(0).completed && !trace->trials.at(0).marked && trace->trials.at(0).unfinished);
+    QVERIFY(trace && !trace->trials.at(0).completed && !trace->trials.at(0).marked &&
+            trace->trials.at(0).unfinished);
 }
 
 QTEST_GUILESS_MAIN(TestInsertionScoreIsKept)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The models id names the laws and their numerics (data.md, Samples). Forces that were stored with an id are made again: where they
-// differ and the id does not, somebody changed a law and did not say so, and replays of stored sessions would be called tampering.
+// The models id names the laws and their numerics (data.md, Samples). Forces that were stored with an id are
+// made again: where they differ and the id does not, somebody changed a law and did not say so, and replays
+// of stored sessions would be called tampering.
 #include "core/fp_environment.h"
 #include "support/haptic_bench.h"
 #include "sweep/level_sweep.h"
@@ -19,12 +20,13 @@ namespace {
 
 const QString kFile = QStringLiteral(CHIRON_SOURCE_DIR "/tests/replay/model_forces.json");
 constexpr std::uint64_t kSeed = 20261125;
-constexpr std::array<int, 2> kScenes{0, 10}; ///< the first path of a scene that begins in the air, and of one that begins anywhere
-constexpr int kPaths = 4;                    ///< of each
+constexpr std::array<int, 2> kScenes{
+    0, 10}; ///< the first path of a scene that begins in the air, and of one that begins anywhere
+constexpr int kPaths = 4; ///< of each
 constexpr double kPath_s = 3.0;
 constexpr std::uint64_t kBlock_ticks = 500;
-/// Of a sum over 500 ticks, N or N·m. Libraries of mathematics round differently on processors with and without FMA, by some 1e-16 of
-/// a force; a changed law moves the sum by far more.
+/// Of a sum over 500 ticks, N or N·m. Libraries of mathematics round differently on processors with and
+/// without FMA, by some 1e-16 of a force; a changed law moves the sum by far more.
 constexpr double kSame = 1e-7;
 
 /// Sums of force and torque over blocks of 500 ticks, as six numbers for each tool.
@@ -59,11 +61,15 @@ QJsonObject sceneForces(const catalogue::Catalogue& catalogue) {
             settings.paths = kPaths;
             settings.path_s = kPath_s;
             std::size_t scene = 0;
-            settings.witness = [&](std::uint64_t path, std::uint64_t tick, const simulation::SceneOutput& out) {
+            settings.witness = [&](std::uint64_t path, std::uint64_t tick,
+                                   const simulation::SceneOutput& out) {
                 const auto tools = static_cast<std::size_t>(out.tissue.count);
                 for (std::size_t i = 0; i < tools; ++i) {
                     const core::Wrench& w = out.tissue.tools[i];
-                    paths[scene * kPaths + path - static_cast<std::uint64_t>(settings.firstPath)].add(tick, {w.force.x(), w.force.y(), w.force.z(), w.torque.x(), w.torque.y(), w.torque.z()}, i, tools);
+                    paths[scene * kPaths + path - static_cast<std::uint64_t>(settings.firstPath)].add(
+                        tick,
+                        {w.force.x(), w.force.y(), w.force.z(), w.torque.x(), w.torque.y(), w.torque.z()}, i,
+                        tools);
                 }
             };
             for (; scene < kScenes.size(); ++scene) {
@@ -96,7 +102,8 @@ QJsonArray commandedForces(const simulation::SphereApexParameters& ball) {
     return sums.json();
 }
 
-/// A ball whose dimple reaches into the circle of the bench's path; the sweep's paths walk past that of the level.
+/// A ball whose dimple reaches into the circle of the bench's path; the sweep's paths walk past that of the
+/// level.
 simulation::SphereApexParameters dimpledBall() {
     simulation::SphereApexParameters ball = tests::benchExercise();
     ball.dimpleDepth_m = 0.0015;
@@ -145,8 +152,11 @@ void TestModelsId::initTestCase() {
     if (qEnvironmentVariableIsSet("CHIRON_STORE_MODEL_FORCES")) {
         QFile file(kFile);
         QVERIFY(file.open(QIODevice::WriteOnly));
-        QByteArray text = QJsonDocument(QJsonObject{{QStringLiteral("models"), QString::fromStdString(core::modelsOfBuild(core::buildId()))},
-                                                    {QStringLiteral("sums"), m_now}}).toJson(QJsonDocument::Compact);
+        QByteArray text =
+            QJsonDocument(QJsonObject{{QStringLiteral("models"),
+                                       QString::fromStdString(core::modelsOfBuild(core::buildId()))},
+                                      {QStringLiteral("sums"), m_now}})
+                .toJson(QJsonDocument::Compact);
         file.write(text.replace("],\"", "],\n\"") + '\n');
     }
 }
@@ -166,17 +176,23 @@ void TestModelsId::forcesAreTheStoredOnes() {
     const QString id = QString::fromStdString(core::modelsOfBuild(core::buildId()));
     const bool sameId = stored[QStringLiteral("models")].toString() == id;
     QVERIFY2(differing.isEmpty(),
-             qPrintable(QStringLiteral("%1.\nForces differ from those stored for models %2: %3.\nIf a law or its numerics changed, raise CHIRON_MODELS_ID in "
-                                       "modules/core/CMakeLists.txt; if only content, a level or the sweep's paths changed, keep it. Then run this test once with "
+             qPrintable(QStringLiteral("%1.\nForces differ from those stored for models %2: %3.\nIf a law or "
+                                       "its numerics changed, raise CHIRON_MODELS_ID in "
+                                       "modules/core/CMakeLists.txt; if only content, a level or the sweep's "
+                                       "paths changed, keep it. Then run this test once with "
                                        "CHIRON_STORE_MODEL_FORCES=1 and commit the file.")
-                            .arg(sameId ? QStringLiteral("The models id was not raised") : QStringLiteral("The stored forces are of another models id"),
-                                 stored[QStringLiteral("models")].toString(), differing.join(QStringLiteral(", ")))));
-    QVERIFY2(sameId, "the models id was raised although no force changed: recordings would be called incomparable for nothing");
+                            .arg(sameId ? QStringLiteral("The models id was not raised")
+                                        : QStringLiteral("The stored forces are of another models id"),
+                                 stored[QStringLiteral("models")].toString(),
+                                 differing.join(QStringLiteral(", ")))));
+    QVERIFY2(sameId, "the models id was raised although no force changed: recordings would be called "
+                     "incomparable for nothing");
 }
 
 void TestModelsId::everyLevelIsFelt() {
     for (const QString& key : m_now.keys())
-        QVERIFY2(largest(m_now[key]) > 1.0, qPrintable(key)); // N × ticks: a path that touches nothing watches over nothing
+        QVERIFY2(largest(m_now[key]) > 1.0,
+                 qPrintable(key)); // N × ticks: a path that touches nothing watches over nothing
 }
 
 void TestModelsId::theDimpleIsFelt() {

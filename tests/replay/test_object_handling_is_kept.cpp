@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole sessions of object handling: they replay to the same bits, and their scores are the same from the run, from the recording
-// and from the exported file.
+// Whole sessions of object handling: they replay to the same bits, and their scores are the same from the
+// run, from the recording and from the exported file.
 #include "scoring/score_calculator.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
@@ -26,13 +26,16 @@ const catalogue::Catalogue& shipped() {
 
 /// A shipped level with two trials.
 catalogue::ExerciseLevel twoTrials(int number) {
-    QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(shipped().find("object_handling", number)->resolvedJson)).object();
+    QJsonObject json = QJsonDocument::fromJson(
+                           QByteArray::fromStdString(shipped().find("object_handling", number)->resolvedJson))
+                           .object();
     QJsonObject level = json["level"].toObject();
     QJsonObject parameters = level["parameters"].toObject();
     parameters["trials"] = 2;
     level["parameters"] = parameters;
     json["level"] = level;
-    auto changed = catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
+    auto changed =
+        catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
     if (!changed)
         qFatal("%s", changed.error().message.c_str());
     return *changed;
@@ -68,7 +71,8 @@ private slots:
     }
 
 private:
-    void isKept(SessionFixture& site, const catalogue::ExerciseLevel& level, const session::TrainingResult& result) {
+    void isKept(SessionFixture& site, const catalogue::ExerciseLevel& level,
+                const session::TrainingResult& result) {
         OpenStored stored(*site.database, result.session);
         const auto replay = session::replaySession(*stored.session);
         QVERIFY2(replay, replay ? "" : replay.error().message.c_str());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scripted operators are what metrics, gates and the ladder are judged by: they stay as they are until somebody says why not. What
-// each did, at every level, against what was stored. Laws move hands, too: after a change of either, look at the ladder, then store
-// anew: CHIRON_STORE_OPERATOR_PATHS=1 build/release/tests/replay/test_operators_are_kept
+// Scripted operators are what metrics, gates and the ladder are judged by: they stay as they are until
+// somebody says why not. What each did, at every level, against what was stored. Laws move hands, too: after
+// a change of either, look at the ladder, then store anew: CHIRON_STORE_OPERATOR_PATHS=1
+// build/release/tests/replay/test_operators_are_kept
 #include "support/session_fixture.h"
 
 #include "core/fp_environment.h"
@@ -23,12 +24,14 @@ namespace {
 
 const QString kFile = QStringLiteral(CHIRON_SOURCE_DIR "/tests/replay/operator_paths.json");
 constexpr std::uint64_t kSeed = 20261126, kBlock_ticks = 1000;
-constexpr std::uint64_t kAll_ticks = 12'000, kLong_ticks = 150'000; ///< every level; the first of each exercise to its end
-/// Of a mean over a block. Libraries of mathematics round differently, by some 1e-16 of what a hand perceives.
+constexpr std::uint64_t kAll_ticks = 12'000,
+                        kLong_ticks = 150'000; ///< every level; the first of each exercise to its end
+/// Of a mean over a block. Libraries of mathematics round differently, by some 1e-16 of what a hand
+/// perceives.
 constexpr double kSame_counts = 0.5, kSameShare = 1e-6;
 
-/// What a session's hands did, in blocks: means of encoder counts, jaw and buttons, when something was marked or done, and what the
-/// scene measured of it.
+/// What a session's hands did, in blocks: means of encoder counts, jaw and buttons, when something was marked
+/// or done, and what the scene measured of it.
 class Deeds final : public core::IFrameSink {
 public:
     explicit Deeds(std::uint64_t ticks) : m_ticks(ticks) {}
@@ -103,17 +106,24 @@ void TestOperatorsAreKept::doesWhatWasStored_data() {
     QTest::addColumn<int>("level");
     QTest::addColumn<QString>("who");
     // Everybody at the first level of each exercise, and by turns at the others.
-    const QStringList names{QStringLiteral("expert"), QStringLiteral("novice"), QStringLiteral("intermediate"), QStringLiteral("unsafe")};
+    const QStringList names{QStringLiteral("expert"), QStringLiteral("novice"),
+                            QStringLiteral("intermediate"), QStringLiteral("unsafe")};
     for (const catalogue::Exercise& exercise : m_catalogue.exercises()) {
         const auto kind = session::exerciseKind(exercise.id);
         QVERIFY2(kind, exercise.id.c_str());
         const auto there = (*kind)->operatorNames(); // an exercise need not have all four
-        const auto isThere = [&](const QString& name) { return std::find(there.begin(), there.end(), name.toStdString()) != there.end(); };
+        const auto isThere = [&](const QString& name) {
+            return std::find(there.begin(), there.end(), name.toStdString()) != there.end();
+        };
         for (const catalogue::ExerciseLevel& level : exercise.levels)
             for (qsizetype i = 0; i < names.size(); ++i)
                 if (isThere(names[i]) && (level.number == 1 || i == level.number % names.size())) {
-                    m_asked << QStringLiteral("%1/%2/%3").arg(QString::fromStdString(exercise.id)).arg(level.number).arg(names[i]);
-                    QTest::addRow("%s %d %s", exercise.id.c_str(), level.number, qPrintable(names[i])) << QString::fromStdString(exercise.id) << level.number << names[i];
+                    m_asked << QStringLiteral("%1/%2/%3")
+                                   .arg(QString::fromStdString(exercise.id))
+                                   .arg(level.number)
+                                   .arg(names[i]);
+                    QTest::addRow("%s %d %s", exercise.id.c_str(), level.number, qPrintable(names[i]))
+                        << QString::fromStdString(exercise.id) << level.number << names[i];
                 }
     }
 }
@@ -124,7 +134,8 @@ void TestOperatorsAreKept::doesWhatWasStored() {
     QFETCH(QString, who);
     tests::SessionFixture site;
     Deeds deeds(level == 1 && who == QLatin1String("expert") ? kLong_ticks : kAll_ticks);
-    session::TrainingRequest request = site.request(*m_catalogue.find(exercise.toStdString(), level), who.toStdString(), kSeed);
+    session::TrainingRequest request =
+        site.request(*m_catalogue.find(exercise.toStdString(), level), who.toStdString(), kSeed);
     request.witness = &deeds;
     request.cancel = &deeds.enough;
     const auto result = site.run(std::move(request));
@@ -137,12 +148,14 @@ void TestOperatorsAreKept::doesWhatWasStored() {
     QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(kFile));
     const QJsonArray stored = QJsonDocument::fromJson(file.readAll()).object()[key].toArray();
     QVERIFY2(!stored.isEmpty(), "nothing is stored of this operator at this level");
-    QVERIFY2(same(m_now[key].toArray(), stored), "the operator did something else than what is stored: see the head of this file");
+    QVERIFY2(same(m_now[key].toArray(), stored),
+             "the operator did something else than what is stored: see the head of this file");
 }
 
 void TestOperatorsAreKept::cleanupTestCase() {
     QFile file(kFile);
-    if (!qEnvironmentVariableIsSet("CHIRON_STORE_OPERATOR_PATHS")) { // no operator of a shipped exercise goes unnoticed
+    if (!qEnvironmentVariableIsSet(
+            "CHIRON_STORE_OPERATOR_PATHS")) { // no operator of a shipped exercise goes unnoticed
         QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(kFile));
         const QStringList stored = QJsonDocument::fromJson(file.readAll()).object().keys();
         QCOMPARE(m_asked, QSet<QString>(stored.begin(), stored.end()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole palpations: they replay to the same bits, and their scores are the same from the run, from the recording and from the
-// exported file.
+// Whole palpations: they replay to the same bits, and their scores are the same from the run, from the
+// recording and from the exported file.
 #include "scoring/score_calculator.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
@@ -8,8 +8,8 @@
 #include "session/session_export.h"
 #include "support/session_fixture.h"
 
-#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "core/report_word.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 
 #include <QtTest>
 #include <cmath>
@@ -30,7 +30,9 @@ const catalogue::Catalogue& shipped() {
 
 /// A shipped level with two trials of 12 s.
 catalogue::ExerciseLevel twoTrials(int number, const QJsonObject& change = {}) {
-    QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(shipped().find("palpation", number)->resolvedJson)).object();
+    QJsonObject json =
+        QJsonDocument::fromJson(QByteArray::fromStdString(shipped().find("palpation", number)->resolvedJson))
+            .object();
     QJsonObject level = json["level"].toObject();
     QJsonObject parameters = level["parameters"].toObject();
     parameters["trials"] = 2;
@@ -40,7 +42,8 @@ catalogue::ExerciseLevel twoTrials(int number, const QJsonObject& change = {}) {
         parameters[it.key()] = it.value();
     level["parameters"] = parameters;
     json["level"] = level;
-    auto changed = catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
+    auto changed =
+        catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
     if (!changed)
         qFatal("%s", changed.error().message.c_str());
     return *changed;
@@ -61,7 +64,8 @@ const std::vector<double>& quantityOf(const scoring::TrialTrace& trial, const st
     return kNone;
 }
 
-/// A hand-held trace: presses at one place after the other, marks the third, rates it, and says that it is done.
+/// A hand-held trace: presses at one place after the other, marks the third, rates it, and says that it is
+/// done.
 scoring::TraceRows reportingTrace() {
     scoring::TraceRows rows;
     rows.source = "report.csv";
@@ -76,7 +80,9 @@ scoring::TraceRows reportingTrace() {
         const double t_s = 0.001 * n;
         const double x_m = t_s < 5.0 ? -0.02 : t_s < 6.0 ? 0.0 : 0.02;
         const double z_m = t_s < 4.0 ? 0.02 : -0.002 + 0.005 * std::cos(2.0 * 3.14159265 * t_s);
-        const auto word = [](ReportField field, unsigned value) { return core::reportButtons(core::reportWord(field, value)); };
+        const auto word = [](ReportField field, unsigned value) {
+            return core::reportButtons(core::reportWord(field, value));
+        };
         const std::uint32_t buttons = n >= 6500 && n < 6600   ? core::kButtonMark
                                       : n >= 6700 && n < 6750 ? word(ReportField::size, 68)
                                       : n >= 6800 && n < 6850 ? word(ReportField::confidence, 4)
@@ -105,11 +111,12 @@ private slots:
         const catalogue::ExerciseLevel level = twoTrials(number);
         SessionFixture site;
         session::TrainingRequest request = site.request(level, "expert", 7);
-        auto station = session::scriptedStation(**session::exerciseKind("palpation"), level, "expert", 7, mechanisms::PolarMap::exact,
-                                                mechanism.toStdString());
+        auto station = session::scriptedStation(**session::exerciseKind("palpation"), level, "expert", 7,
+                                                mechanisms::PolarMap::exact, mechanism.toStdString());
         QVERIFY2(station, station ? "" : station.error().message.c_str());
         QCOMPARE(station->tools.size(), std::size_t(number >= 4 ? 2 : 1));
-        QCOMPARE(QString::fromStdString(station->tools[0].device->descriptor().kinematics), mechanism.isEmpty() ? "fingertip_arm" : mechanism);
+        QCOMPARE(QString::fromStdString(station->tools[0].device->descriptor().kinematics),
+                 mechanism.isEmpty() ? "fingertip_arm" : mechanism);
         request.station = std::move(*station);
         const auto result = site.run(std::move(request));
         QVERIFY2(result, result ? "" : result.error().message.c_str());
@@ -156,7 +163,8 @@ private slots:
             scoring::TrialTrace planned;
             planned.trial = trial.trial;
             kind->addTruth(level, 7, planned);
-            QVERIFY(std::abs(truthOf(trial, "lump_0_x_m") - truthOf(planned, "lump_0_x_m") - 0.08 / 3.0) < 1e-6);
+            QVERIFY(std::abs(truthOf(trial, "lump_0_x_m") - truthOf(planned, "lump_0_x_m") - 0.08 / 3.0) <
+                    1e-6);
             QVERIFY(std::abs(truthOf(trial, "lump_0_y_m") - truthOf(planned, "lump_0_y_m")) < 1e-6);
         }
     }
@@ -175,7 +183,8 @@ private:
         return std::move(*trace);
     }
 
-    static void isKept(SessionFixture& site, const catalogue::ExerciseLevel& level, const session::TrainingResult& result) {
+    static void isKept(SessionFixture& site, const catalogue::ExerciseLevel& level,
+                       const session::TrainingResult& result) {
         {
             OpenStored stored(*site.database, result.session);
             const auto replay = session::replaySession(*stored.session);
@@ -192,7 +201,8 @@ private:
         QVERIFY2(card, card ? "" : card.error().message.c_str());
         for (std::size_t i = 0; i < card->metrics.size(); ++i) {
             if (qEnvironmentVariableIsSet("CHIRON_SHOW_SCORES"))
-                qInfo("%s %g %s", card->metrics[i].id.c_str(), card->metrics[i].value.value_or(std::nan("")), card->metrics[i].reason.c_str());
+                qInfo("%s %g %s", card->metrics[i].id.c_str(), card->metrics[i].value.value_or(std::nan("")),
+                      card->metrics[i].reason.c_str());
             QVERIFY2(card->metrics[i].value == result.scores.metrics[i].value, card->metrics[i].id.c_str());
         }
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stored palpations looked back at: the map rebuilt from the recording, the same judgement as the scores, and which sessions are
-// pooled for the ROC.
-#include "support/looked_back.h"
+// Stored palpations looked back at: the map rebuilt from the recording, the same judgement as the scores, and
+// which sessions are pooled for the ROC.
 #include "app/exercises/palpation/session/detection_record.h"
 #include "app/exercises/palpation/session/palpation_record.h"
+#include "support/looked_back.h"
 #include "support/made_session.h"
 
 #include <QtTest>
@@ -20,7 +20,9 @@ constexpr double kCells = 48.0 * 48.0;
 /// Hidden single lump, one trial with it and one without, 20 s each.
 catalogue::ExerciseLevel twoTrials() {
     const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
-    QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(catalogue->find("palpation", 2)->resolvedJson)).object();
+    QJsonObject json =
+        QJsonDocument::fromJson(QByteArray::fromStdString(catalogue->find("palpation", 2)->resolvedJson))
+            .object();
     QJsonObject level = json["level"].toObject();
     QJsonObject parameters = level["parameters"].toObject();
     parameters["trials"] = 2;
@@ -28,7 +30,8 @@ catalogue::ExerciseLevel twoTrials() {
     parameters["trial_limit_s"] = 20;
     level["parameters"] = parameters;
     json["level"] = level;
-    auto changed = catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
+    auto changed =
+        catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
     if (!changed)
         qFatal("%s", changed.error().message.c_str());
     return *changed;
@@ -47,7 +50,9 @@ namespace {
 
 core::Result<std::vector<session::PalpationTrialRecord>> recordOf(session::SessionView& view) {
     const auto trace = tests::traceOf(view);
-    return trace ? session::palpationRecord(*trace, view.setup().level.parameters.as<simulation::PalpationParameters>()) : tl::unexpected(trace.error());
+    return trace ? session::palpationRecord(
+                       *trace, view.setup().level.parameters.as<simulation::PalpationParameters>())
+                 : tl::unexpected(trace.error());
 }
 
 } // namespace
@@ -62,7 +67,8 @@ private slots:
         m_scores = result->scores;
     }
 
-    /// The rebuilt map covers what the scene's own did, but for cells at the very edge of the cover force; so does playback's.
+    /// The rebuilt map covers what the scene's own did, but for cells at the very edge of the cover force; so
+    /// does playback's.
     void mapsComeBack() {
         OpenStored stored(*m_site.database, m_session);
         const auto level = stored.session->setup().level.parameters.as<simulation::PalpationParameters>();
@@ -74,11 +80,14 @@ private slots:
         for (const session::PalpationTrialRecord& record : *records) {
             QVERIFY2(record.coverage > 0.05, qPrintable(QString::number(record.coverage)));
             const double difference = (record.map.coverage() - record.coverage) * kCells;
-            qInfo("trial %d: %.0f cells covered, rebuilt %+.1f", record.trial, record.coverage * kCells, difference);
+            qInfo("trial %d: %.0f cells covered, rebuilt %+.1f", record.trial, record.coverage * kCells,
+                  difference);
             QVERIFY2(std::abs(difference) <= 4.0, qPrintable(QString::number(difference)));
             const auto played = session::mapAt(level, *track, record.trial, 1e9);
             QVERIFY(std::abs(played.coverage() - record.coverage) < 0.02); // one pose for four ticks
-            QCOMPARE(session::mapAt(level, *track, record.trial, track->trial(record.trial)->start_s - 1.0).coverage(), 0.0);
+            QCOMPARE(session::mapAt(level, *track, record.trial, track->trial(record.trial)->start_s - 1.0)
+                         .coverage(),
+                     0.0);
         }
     }
 
@@ -133,7 +142,9 @@ private slots:
         QCOMPARE(pooled(query), 0);
         QCOMPARE(pooled({summary.person, 2, !summary.felt, "expert"}), 0);
         QCOMPARE(pooled({summary.person, 2, summary.felt, ""}), 0);
-        const auto cancelled = session::detectionOf(*stored.connection, actor, {summary.person, 2, summary.felt, "expert"}, [](double) { return false; });
+        const auto cancelled =
+            session::detectionOf(*stored.connection, actor, {summary.person, 2, summary.felt, "expert"},
+                                 [](double) { return false; });
         QVERIFY(!cancelled && cancelled.error().code == core::ErrorCode::cancelled);
     }
 

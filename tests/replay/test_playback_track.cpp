@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What playback shows is what was recorded: poses, forces, events and spans on the device's time.
-#include "support/looked_back.h"
 #include "database/repositories/session_reader.h"
 #include "session/playback_ghost.h"
 #include "session/worst_moment.h"
+#include "support/looked_back.h"
 #include "support/made_session.h"
 
 #include <QtTest>
@@ -27,8 +27,9 @@ PlaybackTrack trackOf(database::Database& database, database::SessionId id) {
 }
 
 int count(const PlaybackTrack& track, PlaybackMarkKind kind) {
-    return static_cast<int>(std::count_if(track.marks.begin(), track.marks.end(),
-                                          [kind](const session::PlaybackMark& mark) { return mark.kind == kind; }));
+    return static_cast<int>(
+        std::count_if(track.marks.begin(), track.marks.end(),
+                      [kind](const session::PlaybackMark& mark) { return mark.kind == kind; }));
 }
 
 double tissueOf(const core::HapticFrame& frame) {
@@ -39,8 +40,9 @@ double tissueOf(const core::HapticFrame& frame) {
 int eventsOf(database::Database& database, database::SessionId id, const std::string& kind) {
     auto connection = database.openReader();
     auto events = database::SessionReader(**connection, database::Actor::simulated()).events(id);
-    return static_cast<int>(std::count_if(events->begin(), events->end(),
-                                          [&](const database::EventRecord& event) { return event.kind == kind; }));
+    return static_cast<int>(
+        std::count_if(events->begin(), events->end(),
+                      [&](const database::EventRecord& event) { return event.kind == kind; }));
 }
 
 } // namespace
@@ -180,11 +182,13 @@ void TestPlaybackTrack::trialsAndMarks() {
         QVERIFY(std::abs(trial.end_s - truth.tools[0].t_s.back()) < 1e-9);
         QVERIFY(std::abs(trial.start_s - truth.tools[0].t_s.front()) < 1e-9);
     }
-    QCOMPARE(count(track, PlaybackMarkKind::trialStarted), eventsOf(*m_site.database, m_unsafe, "trial_started"));
+    QCOMPARE(count(track, PlaybackMarkKind::trialStarted),
+             eventsOf(*m_site.database, m_unsafe, "trial_started"));
     QCOMPARE(count(track, PlaybackMarkKind::marked), eventsOf(*m_site.database, m_unsafe, "marked"));
     QVERIFY(count(track, PlaybackMarkKind::missed) > 0); // a hand that marks beside the sphere
     QCOMPARE(count(track, PlaybackMarkKind::missed), eventsOf(*m_site.database, m_unsafe, "missed"));
-    QCOMPARE(count(track, PlaybackMarkKind::overLimit), eventsOf(*m_site.database, m_unsafe, "force_over_limit"));
+    QCOMPARE(count(track, PlaybackMarkKind::overLimit),
+             eventsOf(*m_site.database, m_unsafe, "force_over_limit"));
     QVERIFY(count(track, PlaybackMarkKind::overLimit) > 0);
     QVERIFY(count(track, PlaybackMarkKind::contact) > 0);
     for (const session::PlaybackMark& mark : track.marks) {
@@ -198,7 +202,8 @@ void TestPlaybackTrack::trialsAndMarks() {
 
 void TestPlaybackTrack::completedTrials() {
     tests::MadeSession made = tests::copyOf(*m_site.database, m_expert);
-    for (core::HapticFrame& frame : made.frames) // as if its trials ended with their procedure done instead of a mark
+    for (core::HapticFrame& frame :
+         made.frames) // as if its trials ended with their procedure done instead of a mark
         if (frame.header.events & core::event_bits::kMarked)
             frame.header.events ^= core::event_bits::kMarked | core::event_bits::kCompleted;
     const database::SessionId id = tests::store(*m_site.database, database::Actor::simulated(), made);
@@ -212,7 +217,8 @@ void TestPlaybackTrack::completedTrials() {
     const auto trials = database::SessionReader(**connection, database::Actor::simulated()).trials(id);
     QVERIFY(trials);
     for (const database::TrialRecord& trial : *trials)
-        QVERIFY(trial.marked && trial.state == database::SessionState::completed); // ended as the exercise asks
+        QVERIFY(trial.marked &&
+                trial.state == database::SessionState::completed); // ended as the exercise asks
 }
 
 void TestPlaybackTrack::pausesAreSpans() {
@@ -276,7 +282,8 @@ void TestPlaybackTrack::damagedChunkIsNamed() {
     const auto track = tests::trackOf(*stored.session);
     QVERIFY(!track);
     QCOMPARE(track.error().code, core::ErrorCode::doesNotHold);
-    QVERIFY2(QString::fromStdString(track.error().message).contains("chunk 3"), track.error().message.c_str());
+    QVERIFY2(QString::fromStdString(track.error().message).contains("chunk 3"),
+             track.error().message.c_str());
 }
 
 /// Scores, trace and track of one pass are those of passes of their own, and nothing is read twice.
@@ -288,7 +295,8 @@ void TestPlaybackTrack::oneReadingForAll() {
     const auto scores = together.session->computeScores();
     QVERIFY(trace && track && scores);
     QCOMPARE(together.session->decodings(), 1);
-    QVERIFY(trace->get() == together.session->trace()->get() && track->get() == together.session->track()->get());
+    QVERIFY(trace->get() == together.session->trace()->get() &&
+            track->get() == together.session->track()->get());
 
     OpenStored apart(*m_site.database, m_unsafe);
     const auto ownTrack = apart.session->track();
@@ -305,7 +313,9 @@ void TestPlaybackTrack::oneReadingForAll() {
         frames += seen.size();
         return {};
     }));
-    QCOMPARE(frames, static_cast<std::size_t>(together.session->record().summary.frames)); // who wants to see frames sees all of them
+    QCOMPARE(frames,
+             static_cast<std::size_t>(
+                 together.session->record().summary.frames)); // who wants to see frames sees all of them
 }
 
 void TestPlaybackTrack::canBeStopped() {

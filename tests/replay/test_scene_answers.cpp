@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that a scene answers, not its forces alone (test_models_id), along the sweep's paths over every level: energy, stiffness, damping
-// and load that the supervisor books with, places that tools are drawn at, contact, events, what is recorded and what the screen is told.
-// Against what was stored. A change that is meant: CHIRON_STORE_SCENE_ANSWERS=1 build/release/tests/replay/test_scene_answers, and say why.
+// Everything that a scene answers, not its forces alone (test_models_id), along the sweep's paths over every
+// level: energy, stiffness, damping and load that the supervisor books with, places that tools are drawn at,
+// contact, events, what is recorded and what the screen is told. Against what was stored. A change that is
+// meant: CHIRON_STORE_SCENE_ANSWERS=1 build/release/tests/replay/test_scene_answers, and say why.
 #include "core/fp_environment.h"
 #include "support/answer_numbers.h"
 #include "sweep/level_sweep.h"
@@ -71,7 +72,8 @@ void TestSceneAnswers::answersAreTheStoredOnes_data() {
     QTest::addColumn<int>("level");
     for (const catalogue::Exercise& exercise : m_catalogue.exercises())
         for (const catalogue::ExerciseLevel& level : exercise.levels)
-            QTest::addRow("%s %d", exercise.id.c_str(), level.number) << QString::fromStdString(exercise.id) << level.number;
+            QTest::addRow("%s %d", exercise.id.c_str(), level.number)
+                << QString::fromStdString(exercise.id) << level.number;
 }
 
 void TestSceneAnswers::answersAreTheStoredOnes() {
@@ -92,9 +94,14 @@ void TestSceneAnswers::answersAreTheStoredOnes() {
         const double is = now[i].toDouble(), was = stored[i].toDouble();
         block += was == -1.0 && entry % 2 == 0 ? 1 : 0;
         entry = was == -1.0 && entry % 2 == 0 ? 0 : entry + 1;
-        QVERIFY2(std::abs(is - was) <= kSame * std::max(std::abs(is), std::abs(was)) + 1e-9,
-                 qPrintable(QStringLiteral("block %1, number %2 of answerNumbers(): was %3, is %4: see the head of this file")
-                                .arg(block).arg(entry % 2 == 0 ? now[i - 1].toDouble() : is).arg(was, 0, 'g', 9).arg(is, 0, 'g', 9)));
+        QVERIFY2(
+            std::abs(is - was) <= kSame * std::max(std::abs(is), std::abs(was)) + 1e-9,
+            qPrintable(QStringLiteral(
+                           "block %1, number %2 of answerNumbers(): was %3, is %4: see the head of this file")
+                           .arg(block)
+                           .arg(entry % 2 == 0 ? now[i - 1].toDouble() : is)
+                           .arg(was, 0, 'g', 9)
+                           .arg(is, 0, 'g', 9)));
     }
 }
 

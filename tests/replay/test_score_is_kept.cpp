@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One session's score is the same live, from the stored file, from a restored backup and from the exported trace; and
-// nothing that is edited afterwards changes it.
+// One session's score is the same live, from the stored file, from a restored backup and from the exported
+// trace; and nothing that is edited afterwards changes it.
 #include "database/accounts/account_service.h"
 #include "database/repositories/score_repository.h"
 #include "database/upkeep/upkeep.h"
@@ -130,8 +130,10 @@ void TestScoreIsKept::exportedTraceOfAStoppedSetCanBeRead() {
     const auto second = std::find_if(made.frames.begin(), made.frames.end(),
                                      [](const core::HapticFrame& frame) { return frame.header.trial == 1; });
     QVERIFY(second != made.frames.end());
-    QVERIFY(!(second->header.events & core::event_bits::kTrialStarted)); // the second trial is there, but has not begun
-    tests::cutFrames(made.frames, static_cast<std::size_t>(second - made.frames.begin()) + 1, core::CommandKind::end);
+    QVERIFY(!(second->header.events &
+              core::event_bits::kTrialStarted)); // the second trial is there, but has not begun
+    tests::cutFrames(made.frames, static_cast<std::size_t>(second - made.frames.begin()) + 1,
+                     core::CommandKind::end);
     const auto rows = exported(tests::store(*m_site->database, database::Actor::simulated(), made));
     const auto trace = scoring::buildSessionTrace(rows, "sphere_apex");
     QVERIFY2(trace, trace ? "" : trace.error().message.c_str());

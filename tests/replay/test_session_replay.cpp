@@ -22,8 +22,8 @@ void addSecondTool(session::Station& station) {
     configuration.seed = 77;
     auto device = devices::SimulatedDevice::create(
         configuration, std::make_unique<mechanisms::ScriptedMotion>(
-                           core::Vec3(0.0, 0.0, 0.01),
-                           std::vector<mechanisms::ScriptedMotion::Term>{{core::Vec3(0.03, 0.02, 0.015), 0.4, 0.0}}));
+                           core::Vec3(0.0, 0.0, 0.01), std::vector<mechanisms::ScriptedMotion::Term>{
+                                                           {core::Vec3(0.03, 0.02, 0.015), 0.4, 0.0}}));
     QVERIFY(device);
     station.tools.push_back({std::move(*device), configuration.mapping, {}});
 }
@@ -142,7 +142,8 @@ void TestSessionReplay::realtimeAndAsFastAgree() {
     }
     OpenStored one(*site.database, fast->session);
     OpenStored two(*site.database, realtime->session);
-    for (std::size_t i = 0; i < std::min(one.session->reader().chunkCount(), two.session->reader().chunkCount()); ++i) {
+    for (std::size_t i = 0;
+         i < std::min(one.session->reader().chunkCount(), two.session->reader().chunkCount()); ++i) {
         if (one.session->reader().framesOf(i)->size() != two.session->reader().framesOf(i)->size())
             break; // chunks close by the clock in real time: only equal spans can be compared by hash
         QVERIFY(*one.session->reader().forceHash(i) == *two.session->reader().forceHash(i));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/looked_back.h"
 #include "app/exercises/urethra_insertion/session/insertion_series.h"
 #include "session/replayer.h"
 #include "session/session_export.h"
+#include "support/looked_back.h"
 #include "support/session_fixture.h"
 #include "support/urethra_trace.h"
 
@@ -82,7 +82,8 @@ void TestUrethraReplay::wholeProcedureReplaysAndScores() {
     QVERIFY(session::sameScores(result->scores, *again));
     // A perfect hand: on the line, aligned, everything seen.
     QVERIFY(valueOf(result->scores, "offset_rms") < 0.1);
-    QVERIFY(valueOf(result->scores, "alignment_rms") < 20.0); // it looks aside at the landmarks, inside the canal's end
+    QVERIFY(valueOf(result->scores, "alignment_rms") <
+            20.0); // it looks aside at the landmarks, inside the canal's end
     QCOMPARE(valueOf(result->scores, "trauma_events"), 0.0);
     QVERIFY(valueOf(result->scores, "insertion_depth") >= 1000.0 * parametersOf(number).goalDepth_m);
     if (number > 2)
@@ -127,7 +128,8 @@ void TestUrethraReplay::realtimeAndAsFastAgree() {
     QVERIFY(strongest_N > 0.05);
 }
 
-// What the scene said while it ran (events) and what is derived from the stored poses must be the same procedure.
+// What the scene said while it ran (events) and what is derived from the stored poses must be the same
+// procedure.
 void TestUrethraReplay::stagesOfTheSeriesAreThoseOfTheScene() {
     SessionFixture site;
     auto result = site.run(played(3, 0.040));
@@ -142,7 +144,8 @@ void TestUrethraReplay::stagesOfTheSeriesAreThoseOfTheScene() {
     std::vector<double> changes_s;
     std::vector<double> seen_s;
     for (const core::HapticFrame& frame : *frames) {
-        const double t_s = static_cast<double>(frame.tool[0].deviceTime_us - frames->front().tool[0].deviceTime_us) * 1e-6;
+        const double t_s =
+            static_cast<double>(frame.tool[0].deviceTime_us - frames->front().tool[0].deviceTime_us) * 1e-6;
         if (frame.header.events & core::event_bits::kStageChanged)
             changes_s.push_back(t_s);
         if (frame.header.events & core::event_bits::kLandmarkSeen)
@@ -203,7 +206,8 @@ void TestUrethraReplay::playbackDrawsTheTipInside() {
     QVERIFY(tests::traceOf(*stored.session));
     QCOMPARE(stored.session->decodings(), 1); // its marks are of the trace, which came with the track
     for (std::size_t i = 0; i < track->moments.size(); ++i)
-        QVERIFY((track->tool(i, 0).p_WProxy - track->tool(i, 0).p_WT).norm() < 1e-9); // a perfect hand is where it is drawn
+        QVERIFY((track->tool(i, 0).p_WProxy - track->tool(i, 0).p_WT).norm() <
+                1e-9); // a perfect hand is where it is drawn
     const auto kind = session::exerciseKind("urethra_insertion");
     const auto surfaces = (*kind)->makeSurfaces(level(2), 1);
     const auto& pose = parametersOf(2).pose;

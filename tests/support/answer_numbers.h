@@ -10,16 +10,20 @@
 
 namespace chiron::tests {
 
-/// Everything that a scene answers at a tick, one number after the other, always as many; what is no number is 0.
+/// Everything that a scene answers at a tick, one number after the other, always as many; what is no number
+/// is 0.
 inline std::vector<double> answerNumbers(const simulation::SceneOutput& out) {
-    std::vector<double> numbers{static_cast<double>(out.trial), static_cast<double>(out.phase), static_cast<double>(out.events), out.storedEnergy_J,
-                                out.contactStiffness_N_per_m, out.energyByBody ? 1.0 : 0.0, static_cast<double>(out.tissue.count)};
+    std::vector<double> numbers{static_cast<double>(out.trial),       static_cast<double>(out.phase),
+                                static_cast<double>(out.events),      out.storedEnergy_J,
+                                out.contactStiffness_N_per_m,         out.energyByBody ? 1.0 : 0.0,
+                                static_cast<double>(out.tissue.count)};
     const auto all = [&numbers](const auto& values) {
         for (const auto& value : values)
             numbers.push_back(static_cast<double>(value));
     };
     for (const core::Wrench& w : out.tissue.tools)
-        all(std::array<double, 6>{w.force.x(), w.force.y(), w.force.z(), w.torque.x(), w.torque.y(), w.torque.z()});
+        all(std::array<double, 6>{w.force.x(), w.force.y(), w.force.z(), w.torque.x(), w.torque.y(),
+                                  w.torque.z()});
     all(out.damping_Ns_per_m);
     all(out.load_N);
     for (const core::DisplayPose& display : out.display)
@@ -37,7 +41,8 @@ inline std::vector<double> answerNumbers(const simulation::SceneOutput& out) {
     return numbers;
 }
 
-/// Means over blocks of ticks of all that, each tick weighed by when it was in its block, so that it matters when something happened.
+/// Means over blocks of ticks of all that, each tick weighed by when it was in its block, so that it matters
+/// when something happened.
 class AnswerBlocks {
 public:
     explicit AnswerBlocks(int block_ticks) : m_block_ticks(block_ticks) {}
@@ -48,7 +53,8 @@ public:
         const std::vector<double> numbers = answerNumbers(out);
         m_sums.resize(numbers.size(), 0.0);
         for (std::size_t i = 0; i < numbers.size(); ++i)
-            m_sums[i] += numbers[i] * (1.0 + static_cast<double>(m_ticks % m_block_ticks) / m_block_ticks) / m_block_ticks;
+            m_sums[i] += numbers[i] * (1.0 + static_cast<double>(m_ticks % m_block_ticks) / m_block_ticks) /
+                         m_block_ticks;
         return ++m_ticks % m_block_ticks == 0;
     }
     const std::vector<double>& sums() const { return m_sums; }

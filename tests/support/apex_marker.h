@@ -2,17 +2,19 @@
 #pragma once
 
 #include "core/random.h"
-#include "session/study/live_sitting.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
+#include "session/study/live_sitting.h"
 
 #include <vector>
 
 namespace chiron::tests {
 
 /// Where the spheres of a sitting's session lie: `before` trials of the run were stored when it began.
-inline std::vector<simulation::SphereApexTrial> apexPlaces(const session::LiveSitting& live, std::uint64_t runSeed, std::size_t before) {
+inline std::vector<simulation::SphereApexTrial> apexPlaces(const session::LiveSitting& live,
+                                                           std::uint64_t runSeed, std::size_t before) {
     const std::uint64_t seed = core::Random::mix(runSeed, "sitting " + std::to_string(before)) >> 1;
-    return simulation::planSphereApexTrials(live.level().parameters.as<simulation::SphereApexParameters>(), seed);
+    return simulation::planSphereApexTrials(live.level().parameters.as<simulation::SphereApexParameters>(),
+                                            seed);
 }
 
 /// Moves a pointer's tool to a place of W.

@@ -17,9 +17,9 @@ namespace chiron::tests {
 
 inline constexpr const char* kTestPassword = "eleven-fine-horses";
 
-/// A site with an administrator (ada), a trainer (tom), a researcher (rhea) and two trainees (tina, theo), all with
-/// kTestPassword at test cost, and the program's window on it, as main puts it together. Screens are reached by login(), go()
-/// and screen<S>().
+/// A site with an administrator (ada), a trainer (tom), a researcher (rhea) and two trainees (tina, theo),
+/// all with kTestPassword at test cost, and the program's window on it, as main puts it together. Screens are
+/// reached by login(), go() and screen<S>().
 class DesktopFixture {
 public:
     explicit DesktopFixture(bool demonstration = false) {
@@ -31,7 +31,8 @@ public:
         addPeople(**created);
         settings.setLanguage(QStringLiteral("en"));
         desktop::applyAppearance(*qApp, context);
-        QObject::connect(&context, &desktop::AppContext::appearanceChanged, qApp, [this] { desktop::applyAppearance(*qApp, context); });
+        QObject::connect(&context, &desktop::AppContext::appearanceChanged, qApp,
+                         [this] { desktop::applyAppearance(*qApp, context); });
         window = std::make_unique<desktop::MainWindow>(context);
         auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
         if (!catalogue)
@@ -65,11 +66,15 @@ public:
     }
     /// As if that person had just logged in on the login screen: the home screen is there.
     void logIn(const std::string& name) { context.logIn(actor(name)); }
-    void go(const QString& screen, const QVariantMap& parameters = {}) { context.navigator().go(screen, parameters); }
+    void go(const QString& screen, const QVariantMap& parameters = {}) {
+        context.navigator().go(screen, parameters);
+    }
 
-    /// A scripted session done in the name of a person, as fast as the machine can: level of sphere_apex with few trials.
-    database::SessionId addSession(const std::string& person, int level = 1, const std::string& operatorName = "expert",
-                                   std::uint64_t seed = 1, int trials = 2, double limit_s = 20.0) {
+    /// A scripted session done in the name of a person, as fast as the machine can: level of sphere_apex with
+    /// few trials.
+    database::SessionId addSession(const std::string& person, int level = 1,
+                                   const std::string& operatorName = "expert", std::uint64_t seed = 1,
+                                   int trials = 2, double limit_s = 20.0) {
         session::TrainingRequest request;
         request.level = shortLevel(level, trials, limit_s);
         request.seed = seed;
@@ -102,8 +107,10 @@ private:
         const auto ada = accounts.login("ada", kTestPassword);
         using enum database::Role;
         for (const auto& [name, display, roles] :
-             {std::tuple{"tom", "Tom Trainer", database::RoleSet{trainer}}, std::tuple{"rhea", "Rhea Research", database::RoleSet{researcher}},
-              std::tuple{"tina", "Tina Trainee", database::RoleSet{trainee}}, std::tuple{"theo", "Theo Trainee", database::RoleSet{trainee}}})
+             {std::tuple{"tom", "Tom Trainer", database::RoleSet{trainer}},
+              std::tuple{"rhea", "Rhea Research", database::RoleSet{researcher}},
+              std::tuple{"tina", "Tina Trainee", database::RoleSet{trainee}},
+              std::tuple{"theo", "Theo Trainee", database::RoleSet{trainee}}})
             if (auto made = accounts.createPerson(*ada, {name, display, roles, kTestPassword, false}); !made)
                 qFatal("%s", made.error().message.c_str());
     }

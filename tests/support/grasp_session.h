@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "support/desktop_fixture.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "support/desktop_fixture.h"
 
 #include <algorithm>
 
 namespace chiron::tests {
 
-/// A session of an exercise with graspers by a scripted operator, in the name of a person as by their own hand: a level as it is
-/// shipped, with fewer trials, as fast as the machine can. 0 where the catalogue has no such level.
-inline database::SessionId addGrasping(DesktopFixture& desktop, const std::string& person, const std::string& exercise, int level = 1,
+/// A session of an exercise with graspers by a scripted operator, in the name of a person as by their own
+/// hand: a level as it is shipped, with fewer trials, as fast as the machine can. 0 where the catalogue has
+/// no such level.
+inline database::SessionId addGrasping(DesktopFixture& desktop, const std::string& person,
+                                       const std::string& exercise, int level = 1,
                                        const std::string& operatorName = "intermediate", int trials = 2) {
     const catalogue::ExerciseLevel* shipped = desktop.context.site().catalogue().find(exercise, level);
     if (!shipped)

@@ -6,27 +6,28 @@
 #include "devices/drivers/cartesian/cartesian_kinematics.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/live_inputs.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 #include "realtime/periodic_runner.h"
 #include "realtime/virtual_clock.h"
-#include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-/// Parts that loop tests share: a device with a hand made of numbers, a recorder that keeps every frame, a loop around
-/// the real sphere-apex scene.
+/// Parts that loop tests share: a device with a hand made of numbers, a recorder that keeps every frame, a
+/// loop around the real sphere-apex scene.
 namespace chiron::tests {
 
-/// A tick-stepped tool in metres on a 1 µm grid: the hand wants to be at path(tick), a spring of 400 N/m between hand and
-/// tool lets force push the tool away, and the tool gets there with a lag of 50 ms (overdamped, so that contact is
-/// steady): commanded forces really change the motion.
+/// A tick-stepped tool in metres on a 1 µm grid: the hand wants to be at path(tick), a spring of 400 N/m
+/// between hand and tool lets force push the tool away, and the tool gets there with a lag of 50 ms
+/// (overdamped, so that contact is steady): commanded forces really change the motion.
 class BenchDevice final : public devices::IDevice {
 public:
     using Path = core::Vec3 (*)(std::uint64_t tick);
 
-    explicit BenchDevice(Path path, bool rendersForce = true) : m_path(path), m_descriptor(describe(rendersForce)),
-        m_kinematics(*devices::CartesianKinematics::create(m_descriptor)) {
+    explicit BenchDevice(Path path, bool rendersForce = true)
+        : m_path(path), m_descriptor(describe(rendersForce)),
+          m_kinematics(*devices::CartesianKinematics::create(m_descriptor)) {
         received.reserve(30'000);
     }
 
@@ -41,7 +42,8 @@ public:
         m_tool = now.index() == 0 ? wanted : core::Vec3(m_tool + kStepOfLag * (wanted - m_tool));
         core::DeviceSample sample;
         for (int i = 0; i < 3; ++i)
-            sample.counts[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(std::lround(m_tool[i] / 1e-6));
+            sample.counts[static_cast<std::size_t>(i)] =
+                static_cast<std::int32_t>(std::lround(m_tool[i] / 1e-6));
         sample.buttons = buttons;
         sample.packet = static_cast<std::uint32_t>(now.index() + 1);
         sample.status = core::sample_status::kHomed;
@@ -67,7 +69,10 @@ private:
         d.driver = "bench";
         d.kinematics = "cartesian";
         for (const char* id : {"x", "y", "z"})
-            d.axes.push_back({.id = id, .resolution = 1e-6, .minimum = -1.0, .maximum = 1.0,
+            d.axes.push_back({.id = id,
+                              .resolution = 1e-6,
+                              .minimum = -1.0,
+                              .maximum = 1.0,
                               .continuousRating = rendersForce ? 6.0 : 0.0});
         d.rendersForce = rendersForce;
         d.inProcess = true;
@@ -96,8 +101,8 @@ public:
     bool full = false;
 };
 
-/// High for 3 s (arming and its ramp), then down onto the workspace's middle and round it within 8 mm: always inside the
-/// ball of benchExercise(), whose centre is within 5 mm.
+/// High for 3 s (arming and its ramp), then down onto the workspace's middle and round it within 8 mm: always
+/// inside the ball of benchExercise(), whose centre is within 5 mm.
 inline core::Vec3 circlingPath(std::uint64_t tick) {
     const double t = static_cast<double>(tick) * core::kTickSeconds;
     const double down = std::clamp((t - 3.0) / 1.0, 0.0, 1.0);
@@ -105,7 +110,9 @@ inline core::Vec3 circlingPath(std::uint64_t tick) {
 }
 
 /// Stays away from everything.
-inline core::Vec3 highPath(std::uint64_t) { return {0.0, 0.0, 0.060}; }
+inline core::Vec3 highPath(std::uint64_t) {
+    return {0.0, 0.0, 0.060};
+}
 
 inline simulation::SphereApexParameters benchExercise(int trials = 2, double limit_s = 8.0) {
     simulation::SphereApexParameters p;
@@ -128,7 +135,8 @@ struct LoopBench {
     std::unique_ptr<haptics::HapticLoop> loop;
 };
 
-inline std::unique_ptr<simulation::IScene> apexScene(const simulation::SphereApexParameters& p = benchExercise()) {
+inline std::unique_ptr<simulation::IScene>
+apexScene(const simulation::SphereApexParameters& p = benchExercise()) {
     return std::make_unique<simulation::SphereApexScene>(p, 7);
 }
 

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "support/desktop_fixture.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 #include "simulation/geometry/urethra/urethra_centreline.h"
+#include "support/desktop_fixture.h"
 
 #include <algorithm>
 
 namespace chiron::tests {
 
-/// A way along the middle of the canal, `deep_m` in and out again at 15 mm/s and 100 Hz, looking along the canal; `beside_m`
-/// to the side of it.
-inline scoring::TraceRows insertionRows(const simulation::UrethraInsertionParameters& p, double deep_m, double beside_m = 0.0) {
+/// A way along the middle of the canal, `deep_m` in and out again at 15 mm/s and 100 Hz, looking along the
+/// canal; `beside_m` to the side of it.
+inline scoring::TraceRows insertionRows(const simulation::UrethraInsertionParameters& p, double deep_m,
+                                        double beside_m = 0.0) {
     constexpr double kSpeed_m_per_s = 0.015;
     constexpr double kStart_m = -0.025;
     const simulation::UrethraCentreline line(p.anatomy);
@@ -36,17 +37,20 @@ inline scoring::TraceRows insertionRows(const simulation::UrethraInsertionParame
     return rows;
 }
 
-/// A urethra insertion of a level as it is shipped, in the name of a person as by their own hand, as fast as the machine can.
-inline database::SessionId addInsertion(DesktopFixture& desktop, const std::string& person, int level = 1, double deep_m = 0.065,
-                                        double beside_m = 0.0) {
-    const catalogue::ExerciseLevel* shipped = desktop.context.site().catalogue().find("urethra_insertion", level);
+/// A urethra insertion of a level as it is shipped, in the name of a person as by their own hand, as fast as
+/// the machine can.
+inline database::SessionId addInsertion(DesktopFixture& desktop, const std::string& person, int level = 1,
+                                        double deep_m = 0.065, double beside_m = 0.0) {
+    const catalogue::ExerciseLevel* shipped =
+        desktop.context.site().catalogue().find("urethra_insertion", level);
     if (!shipped)
         qFatal("no level %d of urethra_insertion", level);
     session::TrainingRequest request;
     request.level = *shipped;
     request.ringFolder = recording::defaultRingFolder();
     const auto& parameters = shipped->parameters.as<simulation::UrethraInsertionParameters>();
-    auto station = session::traceStation(insertionRows(parameters, deep_m, beside_m), session::PointerTool::endoscope);
+    auto station =
+        session::traceStation(insertionRows(parameters, deep_m, beside_m), session::PointerTool::endoscope);
     if (!station)
         qFatal("%s", station.error().message.c_str());
     request.station = std::move(*station);

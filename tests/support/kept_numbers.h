@@ -15,10 +15,13 @@ public:
     void add(const QString& words, std::span<const double> numbers) {
         QString line = words;
         for (const double x : numbers)
-            line += QLatin1Char(' ') + (std::abs(x) < 1e-14 ? QStringLiteral("0") : QString::number(x, 'g', 10));
+            line +=
+                QLatin1Char(' ') + (std::abs(x) < 1e-14 ? QStringLiteral("0") : QString::number(x, 'g', 10));
         m_lines << line;
     }
-    void add(const QString& words, std::initializer_list<double> numbers = {}) { add(words, std::span<const double>(numbers.begin(), numbers.size())); }
+    void add(const QString& words, std::initializer_list<double> numbers = {}) {
+        add(words, std::span<const double>(numbers.begin(), numbers.size()));
+    }
     /// Of a vector or matrix of Eigen, column after column.
     template <class Matrix> void addMatrix(const QString& words, const Matrix& matrix) {
         const typename Matrix::PlainObject values = matrix;
@@ -31,6 +34,8 @@ private:
 };
 
 /// Lines of numbers that may differ as KeptText::within() says.
-inline bool sameNumbers(const QString& was, const QString& is) { return KeptText::within(was, is, 1e-12); }
+inline bool sameNumbers(const QString& was, const QString& is) {
+    return KeptText::within(was, is, 1e-12);
+}
 
 } // namespace chiron::tests

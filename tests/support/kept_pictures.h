@@ -15,9 +15,10 @@
 
 namespace chiron::tests {
 
-/// Holds pictures against those that somebody looked at and kept, as mean colours of 16 × 12 fields in tenths of 1/255, in a file that
-/// is read once. What is drawn by hand (scenes, plots, gauges) is told by no number; a change of it is looked at, then kept anew:
-/// with CHIRON_STORE_PICTURES set nothing is compared, and the file is written at the end. CHIRON_PICTURES=<folder> saves what is drawn.
+/// Holds pictures against those that somebody looked at and kept, as mean colours of 16 × 12 fields in tenths
+/// of 1/255, in a file that is read once. What is drawn by hand (scenes, plots, gauges) is told by no number;
+/// a change of it is looked at, then kept anew: with CHIRON_STORE_PICTURES set nothing is compared, and the
+/// file is written at the end. CHIRON_PICTURES=<folder> saves what is drawn.
 class KeptPictures {
 public:
     explicit KeptPictures(QString file) : m_file(std::move(file)) {
@@ -32,7 +33,8 @@ public:
             m_kept[it.key()] = it.value();
         QFile stored(m_file);
         if (stored.open(QIODevice::WriteOnly))
-            stored.write(QJsonDocument(m_kept).toJson(QJsonDocument::Compact).replace("],\"", "],\n\"") + '\n');
+            stored.write(QJsonDocument(m_kept).toJson(QJsonDocument::Compact).replace("],\"", "],\n\"") +
+                         '\n');
     }
     KeptPictures(const KeptPictures&) = delete;
     KeptPictures& operator=(const KeptPictures&) = delete;
@@ -47,7 +49,8 @@ public:
             return {};
         const QJsonArray kept = m_kept[name].toArray();
         if (kept.size() != now.size())
-            return name + QStringLiteral(": no such picture is kept. Look at it (CHIRON_PICTURES=<folder>), then run once with CHIRON_STORE_PICTURES=1");
+            return name + QStringLiteral(": no such picture is kept. Look at it (CHIRON_PICTURES=<folder>), "
+                                         "then run once with CHIRON_STORE_PICTURES=1");
         double most = 0.0;
         qsizetype where = 0;
         for (qsizetype i = 0; i < now.size(); ++i)
@@ -57,9 +60,15 @@ public:
             }
         if (most <= tolerance)
             return {};
-        return QStringLiteral("%1: not as it was looked at: by %2 of 255 in column %3 of %4, row %5 of %6. If it should look so, look at it "
+        return QStringLiteral("%1: not as it was looked at: by %2 of 255 in column %3 of %4, row %5 of %6. "
+                              "If it should look so, look at it "
                               "(CHIRON_PICTURES=<folder>), then run once with CHIRON_STORE_PICTURES=1")
-            .arg(name).arg(most, 0, 'f', 1).arg(where % kColumns + 1).arg(kColumns).arg(where / kColumns + 1).arg(kRows);
+            .arg(name)
+            .arg(most, 0, 'f', 1)
+            .arg(where % kColumns + 1)
+            .arg(kColumns)
+            .arg(where / kColumns + 1)
+            .arg(kRows);
     }
 
     static constexpr double kSame = 0.15; ///< rounding, and not a line moved by a pixel
@@ -75,7 +84,8 @@ private:
         for (int y = 0; y < image.height(); ++y) {
             const auto* line = reinterpret_cast<const QRgb*>(image.constScanLine(y));
             for (int x = 0; x < image.width(); ++x) {
-                const auto field = static_cast<std::size_t>(y * kRows / image.height() * kColumns + x * kColumns / image.width());
+                const auto field = static_cast<std::size_t>(y * kRows / image.height() * kColumns +
+                                                            x * kColumns / image.width());
                 sums[field][0] += qRed(line[x]);
                 sums[field][1] += qGreen(line[x]);
                 sums[field][2] += qBlue(line[x]);

@@ -11,13 +11,16 @@
 
 namespace chiron::tests {
 
-/// Holds lines of text against those that somebody read and kept, in one file of sections ("== name"). A change that is meant is kept
-/// anew: with CHIRON_STORE_OUTLINES set nothing is compared, the file is written at the end, and its difference is read in review.
+/// Holds lines of text against those that somebody read and kept, in one file of sections ("== name"). A
+/// change that is meant is kept anew: with CHIRON_STORE_OUTLINES set nothing is compared, the file is written
+/// at the end, and its difference is read in review.
 class KeptText {
 public:
     using Same = bool (*)(const QString& was, const QString& is);
     /// `same`: which lines count as the same; by default only equal ones.
-    explicit KeptText(QString file, Same same = [](const QString& was, const QString& is) { return was == is; }) : m_file(std::move(file)), m_same(same) {
+    explicit KeptText(
+        QString file, Same same = [](const QString& was, const QString& is) { return was == is; })
+        : m_file(std::move(file)), m_same(same) {
         QFile stored(m_file);
         if (!stored.open(QIODevice::ReadOnly))
             return;
@@ -33,7 +36,9 @@ public:
         if (!keeps() || m_seen.isEmpty() || !stored.open(QIODevice::WriteOnly))
             return;
         for (auto it = m_seen.begin(); it != m_seen.end(); ++it)
-            stored.write((QStringLiteral("== ") + it.key() + QLatin1Char('\n') + it.value().join(QLatin1Char('\n')) + QLatin1Char('\n')).toUtf8());
+            stored.write((QStringLiteral("== ") + it.key() + QLatin1Char('\n') +
+                          it.value().join(QLatin1Char('\n')) + QLatin1Char('\n'))
+                             .toUtf8());
     }
     KeptText(const KeptText&) = delete;
     KeptText& operator=(const KeptText&) = delete;
@@ -48,7 +53,10 @@ public:
             return name + QStringLiteral(": nothing is kept of this. ") + kAnew;
         for (qsizetype i = 0; i < std::max(kept.size(), lines.size()); ++i)
             if (!m_same(kept.value(i), lines.value(i)))
-                return QStringLiteral("%1, line %2\n   was: %3\n   is:  %4\n%5").arg(name + stepAt(lines, i)).arg(i + 1).arg(kept.value(i).left(600), lines.value(i).left(600), kAnew);
+                return QStringLiteral("%1, line %2\n   was: %3\n   is:  %4\n%5")
+                    .arg(name + stepAt(lines, i))
+                    .arg(i + 1)
+                    .arg(kept.value(i).left(600), lines.value(i).left(600), kAnew);
         return {};
     }
     /// What is kept and was not held against anything: of something that is gone.
@@ -60,8 +68,8 @@ public:
         return names;
     }
 
-    /// Outside of quotes numbers with a point may differ by their last digit (0.1, or 0.2 % of large ones), which rounding decides; all else is
-    /// the same.
+    /// Outside of quotes numbers with a point may differ by their last digit (0.1, or 0.2 % of large ones),
+    /// which rounding decides; all else is the same.
     static bool nearly(const QString& was, const QString& is) {
         if (was == is)
             return true;
@@ -83,8 +91,9 @@ public:
         return !a.hasNext() && !b.hasNext() && was.mid(fromA) == is.mid(fromB);
     }
 
-    /// The same words, parted by blanks, and numbers within a millionth of themselves or `floor` of each other: libraries of mathematics round
-    /// differently on other processors, and what swings or is searched for carries that on; a changed law moves far more. Infinite is not alike.
+    /// The same words, parted by blanks, and numbers within a millionth of themselves or `floor` of each
+    /// other: libraries of mathematics round differently on other processors, and what swings or is searched
+    /// for carries that on; a changed law moves far more. Infinite is not alike.
     static bool within(const QString& was, const QString& is, double floor) {
         if (was == is)
             return true;
@@ -96,7 +105,8 @@ public:
                 continue;
             bool first = false, second = false;
             const double x = a[i].toDouble(&first), y = b[i].toDouble(&second);
-            if (!first || !second || !std::isfinite(x) || !std::isfinite(y) || std::abs(x - y) > 1e-6 * std::max(std::abs(x), std::abs(y)) + floor)
+            if (!first || !second || !std::isfinite(x) || !std::isfinite(y) ||
+                std::abs(x - y) > 1e-6 * std::max(std::abs(x), std::abs(y)) + floor)
                 return false;
         }
         return true;
@@ -111,7 +121,9 @@ private:
         return {};
     }
     static bool keeps() { return qEnvironmentVariableIsSet("CHIRON_STORE_OUTLINES"); }
-    static inline const QString kAnew = QStringLiteral("If it should be so, run the whole test once with CHIRON_STORE_OUTLINES=1, and read the difference of the kept file.");
+    static inline const QString kAnew =
+        QStringLiteral("If it should be so, run the whole test once with CHIRON_STORE_OUTLINES=1, and read "
+                       "the difference of the kept file.");
 
     QString m_file;
     Same m_same;

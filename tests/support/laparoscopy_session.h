@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/catalogue.h"
+#include "core/laparoscopy_cues.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/live_inputs.h"
 #include "haptics/safety_supervisor.h"
@@ -13,7 +14,6 @@
 #include "session/tool_positions.h"
 #include "session/trace_assembler.h"
 #include "session/training_run.h"
-#include "core/laparoscopy_cues.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -24,8 +24,9 @@
 #include <string>
 #include <vector>
 
-/// A whole session of a scripted laparoscopist at any level of the catalogue, through the real loop, scenes, supervisor and
-/// devices, scored as every session is, without a database; with the ways of deceiving that the blind tests need.
+/// A whole session of a scripted laparoscopist at any level of the catalogue, through the real loop, scenes,
+/// supervisor and devices, scored as every session is, without a database; with the ways of deceiving that
+/// the blind tests need.
 namespace chiron::support {
 
 /// What stands between the scene and the laparoscopist.
@@ -58,7 +59,8 @@ public:
             cues.tension_N = cues.bandLow_N = cues.bandHigh_N = cues.squeezeLimit_N = 0.0;
             cues.squeeze_N = {};
         }
-        if (m_deception.mute) { // what the supervisor knows of the contact goes with the force, or its damping would tell of it
+        if (m_deception.mute) { // what the supervisor knows of the contact goes with the force, or its
+                                // damping would tell of it
             for (core::Wrench& tool : out.tissue.tools)
                 tool = {};
             out.storedEnergy_J = out.contactStiffness_N_per_m = 0.0;
@@ -89,14 +91,15 @@ inline catalogue::ExerciseLevel contentLevel(const std::string& exercise, int nu
     parameters["trials"] = trials;
     inner["parameters"] = parameters;
     json["level"] = inner;
-    auto changed = catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
+    auto changed =
+        catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
     if (!changed)
         qFatal("%s", changed.error().message.c_str());
     return *changed;
 }
 
 struct LaparoscopyOutcome {
-    bool ran = false;      ///< the session came to its own end
+    bool ran = false; ///< the session came to its own end
     scoring::SessionTrace trace;
     scoring::ScoreCard card;
     std::uint64_t digest = 0xcbf29ce484222325ULL; ///< FNV over all counts: two runs alike
@@ -133,7 +136,8 @@ struct LaparoscopySession {
 /// Hears of every frame; `more` also does, for tables that tell a session's story.
 class LaparoscopyRecorder final : public core::IFrameSink {
 public:
-    LaparoscopyRecorder(session::TraceAssembler& assembler, core::IFrameSink* more) : m_assembler(assembler), m_more(more) {
+    LaparoscopyRecorder(session::TraceAssembler& assembler, core::IFrameSink* more)
+        : m_assembler(assembler), m_more(more) {
         m_frames.reserve(kChunk);
     }
     bool tryPush(const core::HapticFrame& frame) noexcept override {
@@ -185,7 +189,8 @@ inline LaparoscopyOutcome runLaparoscopy(const LaparoscopySession& asked, core::
     const auto table = session::channelTableFor(setup);
     if (!table)
         qFatal("%s", table.error().message.c_str());
-    session::TraceAssembler assembler(**positions, (*positions)->tools(), positions->get(), session::RecordedQuantities(*table));
+    session::TraceAssembler assembler(**positions, (*positions)->tools(), positions->get(),
+                                      session::RecordedQuantities(*table));
     LaparoscopyRecorder recorder(assembler, more);
     haptics::SceneExchange scenes;
     std::unique_ptr<simulation::IScene> scene =

@@ -11,7 +11,8 @@ inline core::Result<scoring::SessionTrace> traceOf(session::SessionView& view) {
     return trace ? core::Result<scoring::SessionTrace>(**trace) : tl::unexpected(trace.error());
 }
 
-inline core::Result<session::PlaybackTrack> trackOf(session::SessionView& view, const session::ReadProgress& progress = {}) {
+inline core::Result<session::PlaybackTrack> trackOf(session::SessionView& view,
+                                                    const session::ReadProgress& progress = {}) {
     const auto track = view.track(progress);
     return track ? core::Result<session::PlaybackTrack>(**track) : tl::unexpected(track.error());
 }

@@ -11,8 +11,8 @@
 
 namespace chiron::tests {
 
-/// A session made of given frames, stored and concluded as a real one: for what a scripted hand does not do by itself (pauses, stops,
-/// faults, other people's names).
+/// A session made of given frames, stored and concluded as a real one: for what a scripted hand does not do
+/// by itself (pauses, stops, faults, other people's names).
 struct MadeSession {
     session::SessionSetup setup;
     std::vector<core::HapticFrame> frames;
@@ -27,10 +27,12 @@ inline MadeSession copyOf(database::Database& database, database::SessionId id) 
     auto frames = stored.session->reader().allFrames();
     if (!frames)
         qFatal("%s", frames.error().message.c_str());
-    return {stored.session->setup(), std::move(*frames), stored.session->record().setup.operatorName, false, {}};
+    return {
+        stored.session->setup(), std::move(*frames), stored.session->record().setup.operatorName, false, {}};
 }
 
-inline database::SessionId store(database::Database& database, const database::Actor& actor, const MadeSession& made) {
+inline database::SessionId store(database::Database& database, const database::Actor& actor,
+                                 const MadeSession& made) {
     auto table = session::channelTableFor(made.setup);
     auto positions = session::ToolPositions::create(made.setup);
     if (!table || !positions)

@@ -8,17 +8,17 @@
 #include <cmath>
 #include <vector>
 
-/// P3's figure 6: a stroke over a buried tumour with K = [0.80, 0.70, 0.65] N/mm and B = [0.050, 0.045, 0.055] kg/s, a unit of its scene
-/// a millimetre. Those are the paper's; it gives neither the tumour's size, depth and stiffness nor the stroke, so these are ours,
-/// chosen to stay near the platform's 4 N.
+/// P3's figure 6: a stroke over a buried tumour with K = [0.80, 0.70, 0.65] N/mm and B = [0.050, 0.045,
+/// 0.055] kg/s, a unit of its scene a millimetre. Those are the paper's; it gives neither the tumour's size,
+/// depth and stiffness nor the stroke, so these are ours, chosen to stay near the platform's 4 N.
 namespace chiron::tests {
 
 struct Figure6 {
     double tumourRadius_m = 0.0020;
-    double tumourDepth_m = 0.0022;            ///< of its centre
+    double tumourDepth_m = 0.0022; ///< of its centre
     double tumourStiffness_N_per_m = 3000.0;
     double friction = 0.05;
-    double depth_m = 0.0013;                   ///< of the stroke
+    double depth_m = 0.0013; ///< of the stroke
     double halfStroke_m = 0.006;
     double speed_m_per_s = 0.004;
 };

@@ -19,9 +19,10 @@
 
 namespace chiron::tests {
 
-/// Takes down what is painted as lines of text: words with place, letters and colour; shapes with pen, brush, clip, corners. Places are in
-/// device units, to a tenth. A shape of more than four corners is told by their number, box, centre of weight (the later the heavier) and the
-/// length of its line; so is a run of four or more shapes of one look; a picture by its size and colours. Words of one look stand on one line.
+/// Takes down what is painted as lines of text: words with place, letters and colour; shapes with pen, brush,
+/// clip, corners. Places are in device units, to a tenth. A shape of more than four corners is told by their
+/// number, box, centre of weight (the later the heavier) and the length of its line; so is a run of four or
+/// more shapes of one look; a picture by its size and colours. Words of one look stand on one line.
 class OutlineEngine final : public QPaintEngine {
 public:
     /// What a text becomes that is of today; where it lies from left to right is then left out.
@@ -80,27 +81,47 @@ public:
         for (int i = 0; i < count; ++i)
             shape("rect", {QRectF(rects[i]).topLeft(), QRectF(rects[i]).bottomRight()}, true);
     }
-    void drawEllipse(const QRectF& rect) override { shape("ellipse", {rect.topLeft(), rect.bottomRight()}, true); }
+    void drawEllipse(const QRectF& rect) override {
+        shape("ellipse", {rect.topLeft(), rect.bottomRight()}, true);
+    }
     void drawEllipse(const QRect& rect) override { drawEllipse(QRectF(rect)); }
-    void drawPoints(const QPointF* points, int count) override { shape("points", {points, points + count}, false); }
-    void drawPoints(const QPoint* points, int count) override { shape("points", {points, points + count}, false); }
-    void drawPolygon(const QPointF* points, int count, PolygonDrawMode mode) override { shape(mode == PolylineMode ? "polyline" : "polygon", {points, points + count}, mode != PolylineMode); }
-    void drawPolygon(const QPoint* points, int count, PolygonDrawMode mode) override { shape(mode == PolylineMode ? "polyline" : "polygon", {points, points + count}, mode != PolylineMode); }
+    void drawPoints(const QPointF* points, int count) override {
+        shape("points", {points, points + count}, false);
+    }
+    void drawPoints(const QPoint* points, int count) override {
+        shape("points", {points, points + count}, false);
+    }
+    void drawPolygon(const QPointF* points, int count, PolygonDrawMode mode) override {
+        shape(mode == PolylineMode ? "polyline" : "polygon", {points, points + count}, mode != PolylineMode);
+    }
+    void drawPolygon(const QPoint* points, int count, PolygonDrawMode mode) override {
+        shape(mode == PolylineMode ? "polyline" : "polygon", {points, points + count}, mode != PolylineMode);
+    }
     void drawPath(const QPainterPath& path) override {
         std::vector<QPointF> points;
         for (int i = 0; i < path.elementCount(); ++i)
             points.push_back(path.elementAt(i));
         shape("path", points, true);
     }
-    void drawPixmap(const QRectF& to, const QPixmap& pixmap, const QRectF&) override { picture("pixmap", to, pixmap.toImage()); }
-    void drawTiledPixmap(const QRectF& to, const QPixmap& pixmap, const QPointF&) override { picture("tiles", to, pixmap.toImage()); }
-    void drawImage(const QRectF& to, const QImage& image, const QRectF&, Qt::ImageConversionFlags) override { picture("image", to, image); }
+    void drawPixmap(const QRectF& to, const QPixmap& pixmap, const QRectF&) override {
+        picture("pixmap", to, pixmap.toImage());
+    }
+    void drawTiledPixmap(const QRectF& to, const QPixmap& pixmap, const QPointF&) override {
+        picture("tiles", to, pixmap.toImage());
+    }
+    void drawImage(const QRectF& to, const QImage& image, const QRectF&, Qt::ImageConversionFlags) override {
+        picture("image", to, image);
+    }
     void drawTextItem(const QPointF& at, const QTextItem& item) override {
         const QFont font = item.font();
         Item one;
         one.kind = QStringLiteral("words");
-        one.look = QStringLiteral("%1 %2 %3%4 %5%6").arg(font.family()).arg(font.pixelSize() > 0 ? font.pixelSize() : font.pointSizeF()).arg(font.weight())
-                       .arg(font.italic() ? QStringLiteral("i") : QString(), m_pen.color().name(QColor::HexArgb), around());
+        one.look = QStringLiteral("%1 %2 %3%4 %5%6")
+                       .arg(font.family())
+                       .arg(font.pixelSize() > 0 ? font.pixelSize() : font.pointSizeF())
+                       .arg(font.weight())
+                       .arg(font.italic() ? QStringLiteral("i") : QString(),
+                            m_pen.color().name(QColor::HexArgb), around());
         one.points = {m_toDevice.map(at)};
         const QString text = m_mask ? m_mask(item.text()) : item.text();
         one.text = QLatin1Char('"') + text + QStringLiteral("\" ");
@@ -120,11 +141,15 @@ private:
 
     static QString number(double x) { return QString::number(std::abs(x) < 0.05 ? 0.0 : x, 'f', 1); }
     static QString place(const QPointF& p) { return number(p.x()) + QLatin1Char(',') + number(p.y()); }
-    static QString box(const QRectF& r) { return QStringLiteral("%1 %2x%3").arg(place(r.topLeft()), number(r.width()), number(r.height())); }
+    static QString box(const QRectF& r) {
+        return QStringLiteral("%1 %2x%3").arg(place(r.topLeft()), number(r.width()), number(r.height()));
+    }
 
     void clip(Qt::ClipOperation operation, const QRectF& to) {
         const QRectF device = m_toDevice.mapRect(to);
-        m_clip = operation == Qt::NoClip ? QRectF() : operation == Qt::IntersectClip && !m_clip.isNull() ? m_clip & device : device;
+        m_clip = operation == Qt::NoClip                              ? QRectF()
+                 : operation == Qt::IntersectClip && !m_clip.isNull() ? m_clip & device
+                                                                      : device;
         m_clipped = operation != Qt::NoClip;
     }
     QString around() const {
@@ -141,10 +166,13 @@ private:
         QString text = QStringLiteral("no pen");
         if (m_pen.style() != Qt::NoPen) {
             const double scale = m_pen.isCosmetic() ? 1.0 : std::sqrt(std::abs(m_toDevice.determinant()));
-            text = QStringLiteral("pen %1 %2").arg(m_pen.color().name(QColor::HexArgb)).arg(m_pen.widthF() * scale, 0, 'f', 2);
+            text = QStringLiteral("pen %1 %2")
+                       .arg(m_pen.color().name(QColor::HexArgb))
+                       .arg(m_pen.widthF() * scale, 0, 'f', 2);
             if (m_pen.style() != Qt::SolidLine)
                 text += QStringLiteral(" style %1").arg(m_pen.style());
-            for (const double dash : m_pen.style() == Qt::CustomDashLine ? m_pen.dashPattern() : QList<double>())
+            for (const double dash :
+                 m_pen.style() == Qt::CustomDashLine ? m_pen.dashPattern() : QList<double>())
                 text += QStringLiteral("/%1").arg(dash, 0, 'f', 1);
         }
         if (filled && m_brush.style() != Qt::NoBrush) {
@@ -153,7 +181,9 @@ private:
                 text += QStringLiteral(" pattern %1").arg(m_brush.style());
             if (const QGradient* gradient = m_brush.gradient())
                 for (const QGradientStop& stop : gradient->stops())
-                    text += QStringLiteral("/%1 %2").arg(stop.first, 0, 'f', 2).arg(stop.second.name(QColor::HexArgb));
+                    text += QStringLiteral("/%1 %2")
+                                .arg(stop.first, 0, 'f', 2)
+                                .arg(stop.second.name(QColor::HexArgb));
         }
         return text + around();
     }
@@ -165,9 +195,16 @@ private:
         add({QLatin1String(kind), look(filled), {}, std::move(points)});
     }
     void picture(const char* kind, const QRectF& to, const QImage& image) {
-        add({QLatin1String(kind), QStringLiteral("picture") + around(), QStringLiteral("%1x%2 at %3%4").arg(image.width()).arg(image.height()).arg(box(m_toDevice.mapRect(to)), coloursOf(image)), {}});
+        add({QLatin1String(kind),
+             QStringLiteral("picture") + around(),
+             QStringLiteral("%1x%2 at %3%4")
+                 .arg(image.width())
+                 .arg(image.height())
+                 .arg(box(m_toDevice.mapRect(to)), coloursOf(image)),
+             {}});
     }
-    /// Where a picture has few colours, how many pixels have each, and where they lie on average; else its mean colour.
+    /// Where a picture has few colours, how many pixels have each, and where they lie on average; else its
+    /// mean colour.
     static QString coloursOf(const QImage& picture) {
         constexpr std::size_t kFew = 12;
         const QImage image = picture.convertToFormat(QImage::Format_ARGB32);
@@ -185,14 +222,19 @@ private:
                     sum.x += x;
                     sum.y += y;
                 }
-                for (const auto& [i, part] : {std::pair{0, qAlpha(pixel)}, {1, qRed(pixel)}, {2, qGreen(pixel)}, {3, qBlue(pixel)}})
+                for (const auto& [i, part] :
+                     {std::pair{0, qAlpha(pixel)}, {1, qRed(pixel)}, {2, qGreen(pixel)}, {3, qBlue(pixel)}})
                     mean[i] += part / (static_cast<double>(image.width()) * image.height());
             }
         if (colours.size() > kFew)
-            return QStringLiteral(" mean %1,%2,%3,%4").arg(number(mean[0]), number(mean[1]), number(mean[2]), number(mean[3]));
+            return QStringLiteral(" mean %1,%2,%3,%4")
+                .arg(number(mean[0]), number(mean[1]), number(mean[2]), number(mean[3]));
         QString text;
         for (const auto& [colour, sum] : colours)
-            text += QStringLiteral(" %1 n %2 about %3").arg(QColor::fromRgba(colour).name(QColor::HexArgb)).arg(sum.count).arg(place(QPointF(sum.x, sum.y) / sum.count));
+            text += QStringLiteral(" %1 n %2 about %3")
+                        .arg(QColor::fromRgba(colour).name(QColor::HexArgb))
+                        .arg(sum.count)
+                        .arg(place(QPointF(sum.x, sum.y) / sum.count));
         return text;
     }
 
@@ -206,7 +248,8 @@ private:
         std::vector<std::pair<QString, std::vector<const Item*>>> groups; // in the order in which they begin
         for (const Item& item : m_run) {
             const QString key = item.kind + item.look;
-            auto at = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == key; });
+            auto at = std::find_if(groups.begin(), groups.end(),
+                                   [&](const auto& group) { return group.first == key; });
             if (at == groups.end())
                 at = groups.insert(groups.end(), {key, {}});
             at->second.push_back(&item);
@@ -230,7 +273,8 @@ private:
                 m_lines << QStringLiteral(" %1 %2s, ").arg(items.size()).arg(items[0]->kind) + told(items);
             } else {
                 for (const Item* item : items)
-                    m_lines << QStringLiteral(" %1 ").arg(item->kind) + (item->points.size() > 4 ? told({item}) : corners(*item));
+                    m_lines << QStringLiteral(" %1 ").arg(item->kind) +
+                                   (item->points.size() > 4 ? told({item}) : corners(*item));
             }
         }
         m_run.clear();
@@ -257,7 +301,9 @@ private:
                 if (i > 0)
                     length += std::hypot(p.x() - item->points[i - 1].x(), p.y() - item->points[i - 1].y());
             }
-        return QStringLiteral("%1 corners in %2 about %3 long %4").arg(corners).arg(box({low, high}), place(sum / weight), number(length));
+        return QStringLiteral("%1 corners in %2 about %3 long %4")
+            .arg(corners)
+            .arg(box({low, high}), place(sum / weight), number(length));
     }
 
     Mask m_mask;
@@ -276,7 +322,8 @@ private:
 /// A surface of so many pixels that takes down what is painted on it.
 class OutlineDevice final : public QPaintDevice {
 public:
-    explicit OutlineDevice(QSize size, OutlineEngine::Mask mask = {}) : m_size(size), m_engine(std::move(mask)) {}
+    explicit OutlineDevice(QSize size, OutlineEngine::Mask mask = {})
+        : m_size(size), m_engine(std::move(mask)) {}
     QPaintEngine* paintEngine() const override { return &m_engine; }
     QStringList take() { return m_engine.take(); }
 
@@ -289,15 +336,27 @@ public:
 protected:
     int metric(PaintDeviceMetric metric) const override {
         switch (metric) {
-        case PdmWidth: return m_size.width();
-        case PdmHeight: return m_size.height();
-        case PdmWidthMM: return qRound(m_size.width() * 25.4 / 96.0);
-        case PdmHeightMM: return qRound(m_size.height() * 25.4 / 96.0);
-        case PdmDpiX: case PdmDpiY: case PdmPhysicalDpiX: case PdmPhysicalDpiY: return 96;
-        case PdmNumColors: return 1 << 24;
-        case PdmDepth: return 32;
-        case PdmDevicePixelRatio: return 1;
-        default: return QPaintDevice::metric(metric);
+        case PdmWidth:
+            return m_size.width();
+        case PdmHeight:
+            return m_size.height();
+        case PdmWidthMM:
+            return qRound(m_size.width() * 25.4 / 96.0);
+        case PdmHeightMM:
+            return qRound(m_size.height() * 25.4 / 96.0);
+        case PdmDpiX:
+        case PdmDpiY:
+        case PdmPhysicalDpiX:
+        case PdmPhysicalDpiY:
+            return 96;
+        case PdmNumColors:
+            return 1 << 24;
+        case PdmDepth:
+            return 32;
+        case PdmDevicePixelRatio:
+            return 1;
+        default:
+            return QPaintDevice::metric(metric);
         }
     }
 
@@ -309,7 +368,8 @@ private:
 /// A printer of A4 pages, a pixel 1/96 inch, that takes down what is painted on them.
 class OutlinePages final : public QPdfWriter {
 public:
-    explicit OutlinePages(OutlineEngine::Mask mask = {}) : QPdfWriter(static_cast<QIODevice*>(nullptr)), m_engine(std::move(mask)) {
+    explicit OutlinePages(OutlineEngine::Mask mask = {})
+        : QPdfWriter(static_cast<QIODevice*>(nullptr)), m_engine(std::move(mask)) {
         setResolution(96);
         setPageSize(QPageSize(QPageSize::A4));
         setPageMargins(QMarginsF(0, 0, 0, 0));

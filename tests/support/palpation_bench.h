@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/palpation/cues/findings_book.h"
 #include "mechanisms/hand.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 #include "modules/exercises/palpation/operators/palpation_operator.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "simulation/palpation/surface_map.h"
@@ -16,8 +16,9 @@
 #include <string>
 #include <vector>
 
-/// A scripted palpator on a tissue and nothing else: hands that no tissue pushes (P3's arm), a platform that shows exactly what the
-/// tissue answers a tick later. The quick way to many trials; the whole stack is in support/palpator_session.h.
+/// A scripted palpator on a tissue and nothing else: hands that no tissue pushes (P3's arm), a platform that
+/// shows exactly what the tissue answers a tick later. The quick way to many trials; the whole stack is in
+/// support/palpator_session.h.
 namespace chiron::support {
 
 inline constexpr double kBenchArm_kg = 0.15;
@@ -33,11 +34,11 @@ struct BenchOutcome {
     std::array<simulation::Finding, simulation::kMaxFindings> findings{};
     bool done = false;
     double time_s = 0.0;
-    double coverage = 0.0;     ///< 0..1
-    double maximum_N = 0.0;    ///< of ‖tissue force‖
+    double coverage = 0.0;  ///< 0..1
+    double maximum_N = 0.0; ///< of ‖tissue force‖
     double pressing_s = 0.0;
-    double band_s = 0.0;       ///< of it, in the band
-    double over_s = 0.0;       ///< over the exercise's limit
+    double band_s = 0.0; ///< of it, in the band
+    double over_s = 0.0; ///< over the exercise's limit
 
     int marks() const {
         int n = 0;
@@ -49,8 +50,9 @@ struct BenchOutcome {
 
 class PalpationBench {
 public:
-    PalpationBench(const simulation::PalpationParameters& parameters, const operators::PalpationOperatorSettings& settings,
-                   std::uint64_t seed, bool anatomyTold = true)
+    PalpationBench(const simulation::PalpationParameters& parameters,
+                   const operators::PalpationOperatorSettings& settings, std::uint64_t seed,
+                   bool anatomyTold = true)
         : m_parameters(parameters), m_contact(parameters.tissue) {
         operators::PalpationBriefing briefing;
         briefing.surface = parameters.tissue.shape;
@@ -69,8 +71,14 @@ public:
         if (!made)
             throw std::runtime_error(made.error().message);
         for (std::size_t tool = 0; tool < made->size(); ++tool) {
-            m_fingers.push_back({std::move((*made)[tool]), mechanisms::Hand(settings.hand, seed + 977 * tool, kBenchArm_kg), {}, {}, {}, 0});
-            m_fingers.back().hand.reset({0.02 * static_cast<double>(tool), 0.0, m_contact.surface().highest_m() + 0.02});
+            m_fingers.push_back({std::move((*made)[tool]),
+                                 mechanisms::Hand(settings.hand, seed + 977 * tool, kBenchArm_kg),
+                                 {},
+                                 {},
+                                 {},
+                                 0});
+            m_fingers.back().hand.reset(
+                {0.02 * static_cast<double>(tool), 0.0, m_contact.surface().highest_m() + 0.02});
             m_fingers.back().seen.p_DT = m_fingers.back().hand.p_D();
         }
     }
@@ -79,7 +87,8 @@ public:
     BenchOutcome run(const BenchTrial& trial) {
         m_contact.setLumps(trial.lumps);
         simulation::FindingsBook book;
-        simulation::SurfaceMap map(m_parameters.areaHalf_m, m_parameters.tissue.contactRadius_m, m_parameters.coverForce_N);
+        simulation::SurfaceMap map(m_parameters.areaHalf_m, m_parameters.tissue.contactRadius_m,
+                                   m_parameters.coverForce_N);
         BenchOutcome out;
         for (int i = 0; i < 500; ++i)
             tick(trial, core::TrialPhase::between, 0.0, book, map, out);
@@ -125,8 +134,8 @@ private:
         return false;
     }
 
-    void tick(const BenchTrial& trial, core::TrialPhase phase, double left_s, simulation::FindingsBook& book, simulation::SurfaceMap& map,
-              BenchOutcome& out) {
+    void tick(const BenchTrial& trial, core::TrialPhase phase, double left_s, simulation::FindingsBook& book,
+              simulation::SurfaceMap& map, BenchOutcome& out) {
         core::Vec3 total = core::Vec3::Zero();
         for (std::size_t number = 0; number < m_fingers.size(); ++number) {
             Finger& finger = m_fingers[number];
@@ -138,10 +147,12 @@ private:
             finger.seen.cues.force = core::ForceState::on;
             finger.seen.cues.timeLeft_s = left_s;
             finger.seen.cues.exercise.own<simulation::PalpationCues>().present = true;
-            finger.seen.cues.exercise.own<simulation::PalpationCues>().lumps = trial.shown ? m_contact.lumps() : 0;
+            finger.seen.cues.exercise.own<simulation::PalpationCues>().lumps =
+                trial.shown ? m_contact.lumps() : 0;
             for (int i = 0; i < finger.seen.cues.exercise.of<simulation::PalpationCues>().lumps; ++i) {
                 const core::Vec3 centre = m_contact.lumpCentre_W(i);
-                finger.seen.cues.exercise.own<simulation::PalpationCues>().lump[static_cast<std::size_t>(i)] = {{centre.x(), centre.y(), centre.z()}, trial.lumps[static_cast<std::size_t>(i)].radius_m};
+                finger.seen.cues.exercise.own<simulation::PalpationCues>().lump[static_cast<std::size_t>(i)] =
+                    {{centre.x(), centre.y(), centre.z()}, trial.lumps[static_cast<std::size_t>(i)].radius_m};
             }
             const mechanisms::HandIntention wanted = finger.mind->decide(finger.seen);
             remember(wanted);
@@ -168,7 +179,9 @@ private:
                 finger.hand.integrate(0.00025, core::Vec3::Zero());
         core::ToolState tool;
         tool.q_WT = first.hand.acting().q_DDesired;
-        tool.p_WT = first.hand.p_D() + tool.q_WT * core::Vec3(static_cast<double>(which) * m_parameters.fingerSpacing_m, 0.0, 0.0);
+        tool.p_WT =
+            first.hand.p_D() +
+            tool.q_WT * core::Vec3(static_cast<double>(which) * m_parameters.fingerSpacing_m, 0.0, 0.0);
         tool.v_WT = first.hand.v_D();
         finger.seen.p_DT = tool.p_WT;
         finger.seen.v_DT = tool.v_WT;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/report_word.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "modules/exercises/palpation/simulation/palpation_plan.h"
 #include "simulation/palpation/tissue_surface.h"
 #include "support/desktop_fixture.h"
-#include "core/report_word.h"
 
 #include <vector>
 
 namespace chiron::tests {
 
-/// A hand that palpates by a plan of its own, as a trace: what it does is known to the millimetre and the millisecond.
+/// A hand that palpates by a plan of its own, as a trace: what it does is known to the millimetre and the
+/// millisecond.
 class PalpatingHand {
 public:
     static constexpr double kTrial_s = 6.0; ///< from one trial's beginning to the next one's
@@ -20,8 +21,8 @@ public:
     PalpatingHand(const simulation::PalpationParameters& level, std::uint64_t seed)
         : m_surface(level.tissue.shape), m_trials(simulation::planPalpationTrials(level, seed)) {}
 
-    /// Presses on every trial's first lump, marks it and says how sure (5, then 4, 3 ...); in the second trial marks a lump-free
-    /// corner too, as a guess, and in the third takes its finding back.
+    /// Presses on every trial's first lump, marks it and says how sure (5, then 4, 3 ...); in the second
+    /// trial marks a lump-free corner too, as a guess, and in the third takes its finding back.
     scoring::TraceRows rows() {
         for (std::size_t i = 0; i < m_trials.size(); ++i)
             addTrial(i);
@@ -86,8 +87,10 @@ private:
 
 inline constexpr std::uint64_t kPalpationSeed = 7;
 
-/// A session of the first level by that hand, in the name of a person; 0 where the catalogue has no palpation.
-inline database::SessionId addPalpation(DesktopFixture& desktop, const std::string& person, std::uint64_t seed = kPalpationSeed) {
+/// A session of the first level by that hand, in the name of a person; 0 where the catalogue has no
+/// palpation.
+inline database::SessionId addPalpation(DesktopFixture& desktop, const std::string& person,
+                                        std::uint64_t seed = kPalpationSeed) {
     const catalogue::ExerciseLevel* shipped = desktop.context.site().catalogue().find("palpation", 1);
     if (!shipped)
         return 0;
@@ -95,7 +98,8 @@ inline database::SessionId addPalpation(DesktopFixture& desktop, const std::stri
     request.level = *shipped;
     request.seed = seed;
     request.ringFolder = recording::defaultRingFolder();
-    auto station = session::traceStation(PalpatingHand(shipped->parameters.as<simulation::PalpationParameters>(), seed).rows());
+    auto station = session::traceStation(
+        PalpatingHand(shipped->parameters.as<simulation::PalpationParameters>(), seed).rows());
     if (!station)
         qFatal("%s", station.error().message.c_str());
     request.station = std::move(*station);

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "catalogue/catalogue.h"
-#include "modules/exercises/palpation/cues/findings_book.h"
 #include "core/haptic_frame.h"
 #include "devices/drivers/simulated/simulated_fingertip_device.h"
 #include "devices/drivers/simulated/simulated_second_finger.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/live_inputs.h"
 #include "haptics/safety_supervisor.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 #include "modules/exercises/palpation/operators/palpation_operator.h"
 #include "modules/exercises/palpation/simulation/palpation_plan.h"
 #include "modules/exercises/palpation/simulation/palpation_quantities.h"
@@ -24,8 +24,9 @@
 #include <string>
 #include <vector>
 
-/// A whole session of a scripted palpator at any level of the catalogue, through the real loop, scene, supervisor and P3's simulated
-/// arm and platform, with the ways of deceiving that the level's control has; what was found is read back from the recorded quantities.
+/// A whole session of a scripted palpator at any level of the catalogue, through the real loop, scene,
+/// supervisor and P3's simulated arm and platform, with the ways of deceiving that the level's control has;
+/// what was found is read back from the recorded quantities.
 namespace chiron::support {
 
 struct PalpationTrialHeard {
@@ -40,7 +41,8 @@ struct PalpationTrialHeard {
 /// Hears of every frame of a session of at most `trials` trials.
 class PalpationListener final : public core::IFrameSink {
 public:
-    explicit PalpationListener(const simulation::PalpationParameters& p) : m_parameters(p), m_trials(static_cast<std::size_t>(p.trials)) {}
+    explicit PalpationListener(const simulation::PalpationParameters& p)
+        : m_parameters(p), m_trials(static_cast<std::size_t>(p.trials)) {}
     bool tryPush(const core::HapticFrame& frame) noexcept override {
         m_finished = m_finished || (frame.header.events & core::event_bits::kFinished) != 0;
         if (frame.header.trial >= m_trials.size() || frame.header.phase != core::TrialPhase::running)
@@ -60,7 +62,8 @@ public:
             const int finding = static_cast<int>(told[q::kReportFinding]);
             const auto field = static_cast<core::ReportField>(static_cast<int>(told[q::kReportField]));
             if (field == core::ReportField::found)
-                trial.book.place(finding, {told[q::kFindingPlace], told[q::kFindingPlace + 1], told[q::kFindingPlace + 2]});
+                trial.book.place(finding, {told[q::kFindingPlace], told[q::kFindingPlace + 1],
+                                           told[q::kFindingPlace + 2]});
             else
                 trial.book.rate(finding, field, static_cast<unsigned>(told[q::kReportValue]));
         }
@@ -139,9 +142,9 @@ inline operators::PalpationBriefing briefingOf(const simulation::PalpationParame
 }
 
 /// Fingers in the order of the tools: a hand's first one moves its arm, the second rides on it.
-inline std::vector<std::unique_ptr<devices::IDevice>> palpatingDevices(const simulation::PalpationParameters& p,
-                                                                       const operators::PalpationOperatorSettings& settings,
-                                                                       std::uint64_t seed) {
+inline std::vector<std::unique_ptr<devices::IDevice>>
+palpatingDevices(const simulation::PalpationParameters& p,
+                 const operators::PalpationOperatorSettings& settings, std::uint64_t seed) {
     const operators::PalpationBriefing briefing = briefingOf(p);
     auto minds = operators::makePalpationOperator(settings, briefing, seed);
     if (!minds)
@@ -152,7 +155,8 @@ inline std::vector<std::unique_ptr<devices::IDevice>> palpatingDevices(const sim
         const int finger = static_cast<int>(i) % p.fingers;
         const std::uint64_t own = core::Random::mix(seed, "device " + std::to_string(i));
         if (finger > 0) {
-            auto device = devices::SimulatedSecondFinger::create(*hand, {finger * p.fingerSpacing_m, 0.0, 0.0}, own, std::move((*minds)[i]));
+            auto device = devices::SimulatedSecondFinger::create(
+                *hand, {finger * p.fingerSpacing_m, 0.0, 0.0}, own, std::move((*minds)[i]));
             if (!device)
                 qFatal("%s", device.error().message.c_str());
             out.push_back(std::move(*device));
@@ -171,7 +175,8 @@ inline std::vector<std::unique_ptr<devices::IDevice>> palpatingDevices(const sim
     return out;
 }
 
-inline PalpationOutcome runPalpation(const simulation::PalpationParameters& p, const std::string& name, std::uint64_t seed) {
+inline PalpationOutcome runPalpation(const simulation::PalpationParameters& p, const std::string& name,
+                                     std::uint64_t seed) {
     const auto settings = operators::palpationOperatorSettings(name);
     const auto fingers = palpatingDevices(p, *settings, seed);
     std::vector<haptics::LoopTool> tools;
@@ -195,8 +200,10 @@ inline PalpationOutcome runPalpation(const simulation::PalpationParameters& p, c
         qFatal("%s", loop.error().message.c_str());
     inputs.post({core::CommandKind::start, 0});
     realtime::TickSource source;
-    const auto longest = static_cast<std::uint64_t>(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + 20.0));
-    while (source.executed() < longest && (*loop)->tick(source.next(static_cast<std::int64_t>(source.executed()) * 1'000'000)))
+    const auto longest =
+        static_cast<std::uint64_t>(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + 20.0));
+    while (source.executed() < longest &&
+           (*loop)->tick(source.next(static_cast<std::int64_t>(source.executed()) * 1'000'000)))
         ;
     PalpationOutcome out{listener.finished(), listener.digest(), listener.trials(), {}};
     for (const simulation::PalpationTrial& planned : simulation::planPalpationTrials(p, seed)) {
@@ -210,7 +217,8 @@ inline PalpationOutcome runPalpation(const simulation::PalpationParameters& p, c
 }
 
 /// What a session adds to the counts.
-inline void countSession(Detection& d, const simulation::PalpationParameters& p, const PalpationOutcome& outcome) {
+inline void countSession(Detection& d, const simulation::PalpationParameters& p,
+                         const PalpationOutcome& outcome) {
     for (std::size_t i = 0; i < outcome.trials.size() && i < outcome.lumps.size(); ++i)
         countTrial(d, p, outcome.lumps[i], outcome.trials[i].book.list());
 }

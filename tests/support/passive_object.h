@@ -9,16 +9,18 @@
 
 namespace chiron::tests {
 
-/// P2's passive object model as books, as published; what the supervisor's observer per body (haptics/passivity_observer.h) is held
-/// against: an object is watched at each place where it is touched; what it stores there is told by
-/// the extension of its springs, and set against what it has shown to the user.
-///   displayed += f(k−1)·(x(k) − x(k−1))      work of the force that was shown, on the tool; > 0: the user was given energy
-///   stored     = U(k)                        of the springs there (elastic, dent, bristle if one likes)
-///   made       = displayed + stored          > 0: more has come out, or could, than was put in: the object was not passive
-/// Per contact and for the whole object (tools pass energy to each other through it). The work is what the loop really does:
-/// the force held over a tick, so a sampled spring makes up to ½ k Δx² a tick, which is what the supervisor's
-/// observer and controller (haptics/passivity_*) stand behind. One a body.
-/// Source: P2 "Passive Object Modeling"; Hannaford & Ryu 2002 for the books.
+/// P2's passive object model as books, as published; what the supervisor's observer per body
+/// (haptics/passivity_observer.h) is held against: an object is watched at each place where it is touched;
+/// what it stores there is told by the extension of its springs, and set against what it has shown to the
+/// user.
+///   displayed += f(k−1)·(x(k) − x(k−1))      work of the force that was shown, on the tool; > 0: the user
+///   was given energy stored     = U(k)                        of the springs there (elastic, dent, bristle
+///   if one likes) made       = displayed + stored          > 0: more has come out, or could, than was put
+///   in: the object was not passive
+/// Per contact and for the whole object (tools pass energy to each other through it). The work is what the
+/// loop really does: the force held over a tick, so a sampled spring makes up to ½ k Δx² a tick, which is
+/// what the supervisor's observer and controller (haptics/passivity_*) stand behind. One a body. Source: P2
+/// "Passive Object Modeling"; Hannaford & Ryu 2002 for the books.
 class PassiveObject {
 public:
     struct Contact {
@@ -34,9 +36,11 @@ public:
         double moved_m() const noexcept { return (at - start).norm(); }
     };
 
-    /// One tick of tool `tool` (0..kMaxTools−1): it is at `p`, touches or not, the springs hold `stored_J` there, and `force`
-    /// will be shown until the next tick. A contact ends when the tool leaves; its books close then and are added to closed_J().
-    void update(std::size_t tool, bool touching, const core::Vec3& p, const core::Vec3& force, double stored_J) noexcept {
+    /// One tick of tool `tool` (0..kMaxTools−1): it is at `p`, touches or not, the springs hold `stored_J`
+    /// there, and `force` will be shown until the next tick. A contact ends when the tool leaves; its books
+    /// close then and are added to closed_J().
+    void update(std::size_t tool, bool touching, const core::Vec3& p, const core::Vec3& force,
+                double stored_J) noexcept {
         Contact& c = m_contacts[tool];
         if (c.touching)
             c.displayed_J += c.force.dot(p - c.at);

@@ -9,9 +9,11 @@
 
 namespace chiron::tests {
 
-/// Whether pictures of a test are wanted so: CHIRON_PICTURE_LOOK=dark,de ("dark", "contrast", "de", "el", "scene": the drawn scene instead of the
-/// flat one). For eyes alone: what a test compares are English words.
-inline bool hasLook(const char* look) { return qEnvironmentVariable("CHIRON_PICTURE_LOOK").split(QLatin1Char(',')).contains(QLatin1String(look)); }
+/// Whether pictures of a test are wanted so: CHIRON_PICTURE_LOOK=dark,de ("dark", "contrast", "de", "el",
+/// "scene": the drawn scene instead of the flat one). For eyes alone: what a test compares are English words.
+inline bool hasLook(const char* look) {
+    return qEnvironmentVariable("CHIRON_PICTURE_LOOK").split(QLatin1Char(',')).contains(QLatin1String(look));
+}
 
 inline void applyLook(DesktopFixture& desktop) {
     if (hasLook("dark"))
@@ -31,7 +33,10 @@ inline void keepPicture(DesktopFixture& desktop, const QString& name) {
         return;
     QTest::qWait(500); // scenes draw their first frames
     QWidget& window = *desktop.window;
-    (void)window.windowHandle()->screen()->grabWindow(window.winId()).save(QDir(folder).filePath(name + QStringLiteral(".png")));
+    (void)window.windowHandle()
+        ->screen()
+        ->grabWindow(window.winId())
+        .save(QDir(folder).filePath(name + QStringLiteral(".png")));
 }
 
 } // namespace chiron::tests

@@ -52,10 +52,10 @@
 
 namespace chiron::tests {
 
-/// What a scene of three dimensions is made of, as lines of text, read off Qt3D's nodes without a display: of each entity that is shown
-/// its place, its shape (how many points of what, and where they lie on average), its look and the values that its shaders are given;
-/// the cameras; in which order what is drawn. What is drawn in one scene again and again is said once: of a second state of() tells what
-/// became another.
+/// What a scene of three dimensions is made of, as lines of text, read off Qt3D's nodes without a display: of
+/// each entity that is shown its place, its shape (how many points of what, and where they lie on average),
+/// its look and the values that its shaders are given; the cameras; in which order what is drawn. What is
+/// drawn in one scene again and again is said once: of a second state of() tells what became another.
 class SceneOutline {
 public:
     /// What differs from what it told before; all of it the first time.
@@ -71,7 +71,9 @@ public:
                     if (!before.contains(line))
                         lines << QStringLiteral("  ") + line;
                 for (const QString& line : before.mid(1)) // of what is shown still
-                    if (now[path].size() > 1 && std::none_of(now[path].begin(), now[path].end(), [&](const QString& other) { return kind(other) == kind(line); }))
+                    if (now[path].size() > 1 &&
+                        std::none_of(now[path].begin(), now[path].end(),
+                                     [&](const QString& other) { return kind(other) == kind(line); }))
                         lines << QStringLiteral("  no more ") + kind(line);
             }
         for (auto it = m_before.begin(); it != m_before.end(); ++it)
@@ -84,7 +86,9 @@ public:
 private:
     using Lines = QMap<QString, QStringList>;
 
-    static QString kind(const QString& line) { return line.section(QLatin1Char('='), 0, 0).section(QLatin1Char(' '), 0, 0); }
+    static QString kind(const QString& line) {
+        return line.section(QLatin1Char('='), 0, 0).section(QLatin1Char(' '), 0, 0);
+    }
 
     /// What is said once, under a number: shapes, looks, pictures. `kind`: one letter.
     QString named(const QString& kind, const QString& text) {
@@ -106,8 +110,12 @@ private:
         return m_numbers[object] = name;
     }
 
-    static QString className(const QObject& object) { return QString::fromLatin1(object.metaObject()->className()).section(QStringLiteral("::"), -1); }
-    static QString off(const Qt3DCore::QNode& node) { return node.isEnabled() ? QString() : QStringLiteral(" off"); }
+    static QString className(const QObject& object) {
+        return QString::fromLatin1(object.metaObject()->className()).section(QStringLiteral("::"), -1);
+    }
+    static QString off(const Qt3DCore::QNode& node) {
+        return node.isEnabled() ? QString() : QStringLiteral(" off");
+    }
 
     static std::vector<double> of(const QVector3D& v) { return {v.x(), v.y(), v.z()}; }
     static QString matrix(const QMatrix4x4& m) {
@@ -161,12 +169,23 @@ private:
     // ---- pictures ----
     QString picture(Qt3DRender::QAbstractTexture& texture) {
         const auto* wrap = texture.wrapMode();
-        QString text = QStringLiteral("%1 %2x%3 format %4 filters %5/%6 wrap %7/%8%9").arg(className(texture)).arg(texture.width()).arg(texture.height()).arg(texture.format())
-                           .arg(texture.minificationFilter()).arg(texture.magnificationFilter()).arg(wrap->x()).arg(wrap->y())
+        QString text = QStringLiteral("%1 %2x%3 format %4 filters %5/%6 wrap %7/%8%9")
+                           .arg(className(texture))
+                           .arg(texture.width())
+                           .arg(texture.height())
+                           .arg(texture.format())
+                           .arg(texture.minificationFilter())
+                           .arg(texture.magnificationFilter())
+                           .arg(wrap->x())
+                           .arg(wrap->y())
                            .arg(texture.generateMipMaps() ? QStringLiteral(" mip maps") : QString());
         for (Qt3DRender::QAbstractTextureImage* image : texture.textureImages())
-            text += QStringLiteral(" of ") + (qobject_cast<Qt3DRender::QPaintedTextureImage*>(image) ? painted(*qobject_cast<Qt3DRender::QPaintedTextureImage*>(image)) : made(*image));
-        return texture.textureImages().isEmpty() ? numbered("target", &texture) + QLatin1Char(' ') + text : named(QStringLiteral("P"), text);
+            text += QStringLiteral(" of ") +
+                    (qobject_cast<Qt3DRender::QPaintedTextureImage*>(image)
+                         ? painted(*qobject_cast<Qt3DRender::QPaintedTextureImage*>(image))
+                         : made(*image));
+        return texture.textureImages().isEmpty() ? numbered("target", &texture) + QLatin1Char(' ') + text
+                                                 : named(QStringLiteral("P"), text);
     }
     static QString painted(Qt3DRender::QPaintedTextureImage& image) {
         struct Open : Qt3DRender::QPaintedTextureImage {
@@ -192,18 +211,29 @@ private:
         const QByteArray bytes = data->data();
         const int width = std::max(1, data->width());
         const double count = std::max(1.0, double(bytes.size()) / 4.0);
-        std::vector<double> sums(16, 0.0); // of each channel the mean, and what lies left and right, above and below, and across
+        std::vector<double> sums(
+            16, 0.0); // of each channel the mean, and what lies left and right, above and below, and across
         for (qsizetype i = 0; i < bytes.size(); ++i) {
             const double value = static_cast<std::uint8_t>(bytes[i]) / count;
-            const double across = std::sin(2.0 * M_PI * double(i / 4 % width) / width), down = std::sin(2.0 * M_PI * double(i / 4 / width) * width / count);
+            const double across = std::sin(2.0 * M_PI * double(i / 4 % width) / width),
+                         down = std::sin(2.0 * M_PI * double(i / 4 / width) * width / count);
             double* of = &sums[std::size_t(4 * (i % 4))];
             of[0] += value;
             of[1] += value * across;
             of[2] += value * down;
             of[3] += value * across * (1.0 + down);
         }
-        return m_made[&image] = QStringLiteral("computed %1x%2 target %3 format %4 pixels %5/%6 layers %7 faces %8 %9").arg(data->width()).arg(data->height()).arg(data->target()).arg(data->format())
-                                    .arg(data->pixelFormat()).arg(data->pixelType()).arg(data->layers()).arg(data->faces()).arg(outlined(sums, 5));
+        return m_made[&image] =
+                   QStringLiteral("computed %1x%2 target %3 format %4 pixels %5/%6 layers %7 faces %8 %9")
+                       .arg(data->width())
+                       .arg(data->height())
+                       .arg(data->target())
+                       .arg(data->format())
+                       .arg(data->pixelFormat())
+                       .arg(data->pixelType())
+                       .arg(data->layers())
+                       .arg(data->faces())
+                       .arg(outlined(sums, 5));
     }
 
     // ---- looks ----
@@ -213,7 +243,11 @@ private:
         QStringList said;
         for (const Qt3DRender::QTechnique* technique : effect->techniques()) {
             const auto* api = const_cast<Qt3DRender::QTechnique*>(technique)->graphicsApiFilter();
-            said << QStringLiteral("api %1/%2/%3.%4").arg(api->api()).arg(api->profile()).arg(api->majorVersion()).arg(api->minorVersion());
+            said << QStringLiteral("api %1/%2/%3.%4")
+                        .arg(api->api())
+                        .arg(api->profile())
+                        .arg(api->majorVersion())
+                        .arg(api->minorVersion());
             for (const Qt3DRender::QRenderPass* pass : technique->renderPasses())
                 said << this->pass(*pass);
         }
@@ -221,18 +255,21 @@ private:
     }
     /// A shader by the number of its lines and a digest: an edit of it is a change that is meant, too.
     static QString shader(const QByteArray& code) {
-        return QString::number(code.count('\n')) + QLatin1Char('-') + QString::fromLatin1(QCryptographicHash::hash(code, QCryptographicHash::Md5).toHex().left(8));
+        return QString::number(code.count('\n')) + QLatin1Char('-') +
+               QString::fromLatin1(QCryptographicHash::hash(code, QCryptographicHash::Md5).toHex().left(8));
     }
     static QString pass(const Qt3DRender::QRenderPass& pass) {
         QStringList said;
         for (const Qt3DRender::QFilterKey* key : pass.filterKeys())
             said << key->name() + QLatin1Char('=') + key->value().toString();
         if (const auto* program = pass.shaderProgram())
-            said << QStringLiteral("vertex %1 fragment %2").arg(shader(program->vertexShaderCode()), shader(program->fragmentShaderCode()));
+            said << QStringLiteral("vertex %1 fragment %2")
+                        .arg(shader(program->vertexShaderCode()), shader(program->fragmentShaderCode()));
         for (const Qt3DRender::QRenderState* state : pass.renderStates()) {
             QString text = className(*state);
             const QMetaObject& meta = *state->metaObject();
-            for (int i = Qt3DRender::QRenderState::staticMetaObject.propertyCount(); i < meta.propertyCount(); ++i)
+            for (int i = Qt3DRender::QRenderState::staticMetaObject.propertyCount(); i < meta.propertyCount();
+                 ++i)
                 text += QLatin1Char(' ') + meta.property(i).read(state).toString();
             said << text;
         }
@@ -259,14 +296,16 @@ private:
                 least = std::min(least, double(x));
                 most = std::max(most, double(x));
             }
-            said << (count == 0 ? QStringLiteral("none") : outlined({mean / double(count), least, most, weighted / double(count)}, 5));
+            said << (count == 0 ? QStringLiteral("none")
+                                : outlined({mean / double(count), least, most, weighted / double(count)}, 5));
         }
         return said.join(QStringLiteral(", "));
     }
     static QString indices(const Qt3DCore::QAttribute& attribute) {
         const QByteArray bytes = attribute.buffer()->data();
         std::uint64_t sum = 0, weighted = 0;
-        const std::size_t count = std::min<std::size_t>(attribute.count(), std::size_t(bytes.size()) / sizeof(std::uint32_t));
+        const std::size_t count =
+            std::min<std::size_t>(attribute.count(), std::size_t(bytes.size()) / sizeof(std::uint32_t));
         for (std::size_t i = 0; i < count; ++i) {
             std::uint32_t x = 0;
             std::memcpy(&x, bytes.constData() + i * sizeof x, sizeof x);
@@ -276,13 +315,24 @@ private:
         return QStringLiteral("sum %1 chain %2").arg(sum).arg(weighted);
     }
     QString shape(const Qt3DRender::QGeometryRenderer& renderer) {
-        QString text = QStringLiteral("primitive %1, vertices %2 from %3, indices from %4/%5, instances %6").arg(renderer.primitiveType()).arg(renderer.vertexCount())
-                           .arg(renderer.firstVertex()).arg(renderer.indexOffset()).arg(renderer.indexBufferByteOffset()).arg(renderer.instanceCount());
+        QString text = QStringLiteral("primitive %1, vertices %2 from %3, indices from %4/%5, instances %6")
+                           .arg(renderer.primitiveType())
+                           .arg(renderer.vertexCount())
+                           .arg(renderer.firstVertex())
+                           .arg(renderer.indexOffset())
+                           .arg(renderer.indexBufferByteOffset())
+                           .arg(renderer.instanceCount());
         if (const Qt3DCore::QGeometry* geometry = renderer.geometry())
             for (const Qt3DCore::QAttribute* attribute : geometry->attributes()) {
                 const bool index = attribute->attributeType() == Qt3DCore::QAttribute::IndexAttribute;
-                text += QStringLiteral("; %1 %2x%3 type %4 ").arg(index ? QStringLiteral("index") : attribute->name()).arg(attribute->count()).arg(attribute->vertexSize()).arg(attribute->vertexBaseType());
-                text += index ? indices(*attribute) : attribute->vertexBaseType() == Qt3DCore::QAttribute::Float ? floats(*attribute) : QString();
+                text += QStringLiteral("; %1 %2x%3 type %4 ")
+                            .arg(index ? QStringLiteral("index") : attribute->name())
+                            .arg(attribute->count())
+                            .arg(attribute->vertexSize())
+                            .arg(attribute->vertexBaseType());
+                text += index                                                        ? indices(*attribute)
+                        : attribute->vertexBaseType() == Qt3DCore::QAttribute::Float ? floats(*attribute)
+                                                                                     : QString();
                 if (geometry->boundingVolumePositionAttribute() == attribute)
                     text += QStringLiteral(" bounds");
             }
@@ -294,9 +344,13 @@ private:
         QStringList said{className(node) + off(node)};
         if (const auto* viewport = qobject_cast<const Qt3DRender::QViewport*>(&node)) {
             const QRectF r = viewport->normalizedRect();
-            said << QStringLiteral("rect ") + outlined({r.x(), r.y(), r.width(), r.height()}) + QStringLiteral(" gamma ") + outlined({viewport->gamma()});
+            said << QStringLiteral("rect ") + outlined({r.x(), r.y(), r.width(), r.height()}) +
+                        QStringLiteral(" gamma ") + outlined({viewport->gamma()});
         } else if (const auto* clear = qobject_cast<const Qt3DRender::QClearBuffers*>(&node)) {
-            said << QStringLiteral("buffers %1 %2 %3").arg(clear->buffers()).arg(clear->clearColor().name()).arg(clear->clearDepthValue());
+            said << QStringLiteral("buffers %1 %2 %3")
+                        .arg(clear->buffers())
+                        .arg(clear->clearColor().name())
+                        .arg(clear->clearDepthValue());
         } else if (const auto* filter = qobject_cast<const Qt3DRender::QLayerFilter*>(&node)) {
             QString text = QStringLiteral("mode %1:").arg(filter->filterMode());
             for (const Qt3DRender::QLayer* layer : filter->layers())
@@ -308,9 +362,11 @@ private:
             for (const Qt3DRender::QFilterKey* key : passes->matchAny())
                 said << key->name() + QLatin1Char('=') + key->value().toString();
             said << parameters(passes->parameters());
-        } else if (const auto* selector = qobject_cast<const Qt3DRender::QRenderTargetSelector*>(&node); selector && selector->target()) {
+        } else if (const auto* selector = qobject_cast<const Qt3DRender::QRenderTargetSelector*>(&node);
+                   selector && selector->target()) {
             for (const Qt3DRender::QRenderTargetOutput* output : selector->target()->outputs())
-                said << QStringLiteral("output %1 ").arg(output->attachmentPoint()) + picture(*output->texture());
+                said << QStringLiteral("output %1 ").arg(output->attachmentPoint()) +
+                            picture(*output->texture());
         }
         now[path] = said;
         order << path;
@@ -322,7 +378,8 @@ private:
     }
 
     // ---- entities ----
-    void component(const Qt3DCore::QComponent& part, QStringList& said, const QString& path, Lines& now, QStringList& order) {
+    void component(const Qt3DCore::QComponent& part, QStringList& said, const QString& path, Lines& now,
+                   QStringList& order) {
         if (const auto* transform = qobject_cast<const Qt3DCore::QTransform*>(&part)) {
             const QMatrix4x4 m = transform->matrix();
             if (!m.isIdentity() || !part.isEnabled())
@@ -330,8 +387,9 @@ private:
             QMatrix4x4 rest = m;
             rest.setColumn(3, QVector4D(0, 0, 0, 1));
             if (!rest.isIdentity())
-                said << QStringLiteral("axes ") + outlined({m(0, 0), m(1, 0), m(2, 0)}) + QStringLiteral(" | ") + outlined({m(0, 1), m(1, 1), m(2, 1)}) + QStringLiteral(" | ") +
-                            outlined({m(0, 2), m(1, 2), m(2, 2)});
+                said << QStringLiteral("axes ") + outlined({m(0, 0), m(1, 0), m(2, 0)}) +
+                            QStringLiteral(" | ") + outlined({m(0, 1), m(1, 1), m(2, 1)}) +
+                            QStringLiteral(" | ") + outlined({m(0, 2), m(1, 2), m(2, 2)});
         } else if (const auto* renderer = qobject_cast<const Qt3DRender::QGeometryRenderer*>(&part)) {
             said << QStringLiteral("shape ") + shape(*renderer) + off(part);
         } else if (const auto* material = qobject_cast<const Qt3DRender::QMaterial*>(&part)) {
@@ -339,7 +397,8 @@ private:
             for (const Qt3DRender::QParameter* parameter : material->parameters())
                 said << parameter->name() + QLatin1Char('=') + value(parameter->value());
         } else if (const auto* layer = qobject_cast<const Qt3DRender::QLayer*>(&part)) {
-            said << numbered("layer", layer) + (layer->recursive() ? QStringLiteral(" and below") : QString());
+            said << numbered("layer", layer) +
+                        (layer->recursive() ? QStringLiteral(" and below") : QString());
         } else if (const auto* lens = qobject_cast<const Qt3DRender::QCameraLens*>(&part)) {
             said << QStringLiteral("lens ") + matrix(lens->projectionMatrix());
         } else if (const auto* settings = qobject_cast<const Qt3DRender::QRenderSettings*>(&part)) {
@@ -352,11 +411,16 @@ private:
     }
 
     void add(const Qt3DCore::QEntity& entity, const QString& path, Lines& now, QStringList& order) {
-        QStringList said{className(entity).remove(QStringLiteral("QEntity")) + (entity.objectName().isEmpty() ? QString() : QStringLiteral("#") + entity.objectName()) + off(entity)};
+        QStringList said{
+            className(entity).remove(QStringLiteral("QEntity")) +
+            (entity.objectName().isEmpty() ? QString() : QStringLiteral("#") + entity.objectName()) +
+            off(entity)};
         order << path;
         if (entity.isEnabled()) { // what is not shown has no look
             if (const auto* camera = qobject_cast<const Qt3DRender::QCamera*>(&entity))
-                said << numbered("camera", camera) + QStringLiteral(" from ") + outlined(of(camera->position())) + QStringLiteral(" to ") + outlined(of(camera->viewCenter())) + QStringLiteral(" up ") +
+                said << numbered("camera", camera) + QStringLiteral(" from ") +
+                            outlined(of(camera->position())) + QStringLiteral(" to ") +
+                            outlined(of(camera->viewCenter())) + QStringLiteral(" up ") +
                             outlined(of(camera->upVector()));
             for (const Qt3DCore::QComponent* part : entity.components())
                 component(*part, said, path, now, order);

@@ -32,12 +32,13 @@
 
 namespace chiron::tests {
 
-/// How a page is made, as lines of text: what is in which layout and how far apart, what it says and to whom, how it is lettered, what
-/// can be reached. Without what differs from run to run: dates, digests, codes that are drawn, and where exactly things lie on the screen.
+/// How a page is made, as lines of text: what is in which layout and how far apart, what it says and to whom,
+/// how it is lettered, what can be reached. Without what differs from run to run: dates, digests, codes that
+/// are drawn, and where exactly things lie on the screen.
 class ScreenOutline {
 public:
-    /// `grids`: also how a grid's rows and columns stretch, and the gaps between them; `details`: also ranges and values of what is turned or
-    /// typed, tabs, the lines of lists, and the colours of signs.
+    /// `grids`: also how a grid's rows and columns stretch, and the gaps between them; `details`: also ranges
+    /// and values of what is turned or typed, tabs, the lines of lists, and the colours of signs.
     static QStringList of(const QWidget& page, bool grids = false, bool details = false) {
         ScreenOutline outline;
         outline.m_grids = grids;
@@ -50,24 +51,37 @@ private:
     /// Why a scene is flat is the machine's: no OpenGL, or no part of three dimensions built.
     static QString said(const QString& text) {
         static const QRegularExpression why(QStringLiteral("(Shown in 2D: )[^.]*"));
-        return withoutToday(text.left(400)).replace(why, QStringLiteral("\\1…")).replace(QLatin1Char('\n'), QLatin1Char('|')).simplified();
+        return withoutToday(text.left(400))
+            .replace(why, QStringLiteral("\\1…"))
+            .replace(QLatin1Char('\n'), QLatin1Char('|'))
+            .simplified();
     }
 
     void line(int depth, const QString& text) { m_lines << QString(depth, QLatin1Char(' ')) + text; }
 
     /// What comes and goes while something is read.
     static bool isOfWaiting(const QWidget* widget) {
-        return widget && (qobject_cast<const QProgressBar*>(widget) || widget->objectName() == QLatin1String("state.cancel"));
+        return widget && (qobject_cast<const QProgressBar*>(widget) ||
+                          widget->objectName() == QLatin1String("state.cancel"));
     }
 
     static QString nameOf(const QObject* object) {
-        return QString::fromLatin1(object->metaObject()->className()).remove(QStringLiteral("chiron::desktop::")) +
-               (object->objectName().isEmpty() || object->objectName().startsWith(QLatin1String("qt_")) ? QString() : QStringLiteral("#") + said(object->objectName()));
+        return QString::fromLatin1(object->metaObject()->className())
+                   .remove(QStringLiteral("chiron::desktop::")) +
+               (object->objectName().isEmpty() || object->objectName().startsWith(QLatin1String("qt_"))
+                    ? QString()
+                    : QStringLiteral("#") + said(object->objectName()));
     }
 
     void add(const QLayout& layout, int depth) {
         const QMargins m = layout.contentsMargins();
-        line(depth, QStringLiteral("%1 %2 %3,%4,%5,%6").arg(QLatin1String(layout.metaObject()->className())).arg(layout.spacing()).arg(m.left()).arg(m.top()).arg(m.right()).arg(m.bottom()));
+        line(depth, QStringLiteral("%1 %2 %3,%4,%5,%6")
+                        .arg(QLatin1String(layout.metaObject()->className()))
+                        .arg(layout.spacing())
+                        .arg(m.left())
+                        .arg(m.top())
+                        .arg(m.right())
+                        .arg(m.bottom()));
         const auto* box = qobject_cast<const QBoxLayout*>(&layout);
         const auto* grid = qobject_cast<const QGridLayout*>(&layout);
         if (grid && m_grids) {
@@ -77,7 +91,10 @@ private:
             stretches << QStringLiteral("rows");
             for (int row = 0; row < grid->rowCount(); ++row)
                 stretches << QString::number(grid->rowStretch(row));
-            line(depth + 1, QStringLiteral("gaps %1x%2, stretches %3").arg(grid->horizontalSpacing()).arg(grid->verticalSpacing()).arg(stretches.join(QLatin1Char(' '))));
+            line(depth + 1, QStringLiteral("gaps %1x%2, stretches %3")
+                                .arg(grid->horizontalSpacing())
+                                .arg(grid->verticalSpacing())
+                                .arg(stretches.join(QLatin1Char(' '))));
         }
         for (int i = 0; i < layout.count(); ++i) {
             QLayoutItem* item = layout.itemAt(i);
@@ -97,7 +114,9 @@ private:
             else if (item->layout())
                 add(*item->layout(), depth + 1);
             else
-                line(depth + 1, place + QStringLiteral(" space %1x%2").arg(item->sizeHint().width()).arg(item->sizeHint().height()));
+                line(depth + 1, place + QStringLiteral(" space %1x%2")
+                                            .arg(item->sizeHint().width())
+                                            .arg(item->sizeHint().height()));
         }
     }
 
@@ -123,12 +142,17 @@ private:
         const QFont font = widget.font();
         const QWidget* above = widget.parentWidget();
         if (!above || above->font() != font)
-            parts << QStringLiteral("font %1/%2%3").arg(font.pixelSize() > 0 ? font.pixelSize() : font.pointSize()).arg(font.weight()).arg(font.italic() ? QStringLiteral("i") : QString());
+            parts << QStringLiteral("font %1/%2%3")
+                         .arg(font.pixelSize() > 0 ? font.pixelSize() : font.pointSize())
+                         .arg(font.weight())
+                         .arg(font.italic() ? QStringLiteral("i") : QString());
         if (widget.focusPolicy() != Qt::NoFocus)
             parts << QStringLiteral("focus %1").arg(static_cast<int>(widget.focusPolicy()));
         const QSizePolicy policy = widget.sizePolicy();
         if (policy != QSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred))
-            parts << QStringLiteral("policy %1/%2").arg(static_cast<int>(policy.horizontalPolicy())).arg(static_cast<int>(policy.verticalPolicy()));
+            parts << QStringLiteral("policy %1/%2")
+                         .arg(static_cast<int>(policy.horizontalPolicy()))
+                         .arg(static_cast<int>(policy.verticalPolicy()));
         const bool sized = !qobject_cast<const QMessageBox*>(&widget); // by Qt, as the screen's width allows
         if (const QSize least = ownLeast(widget); sized && least != QSize(0, 0))
             parts << QStringLiteral("least %1x%2").arg(least.width()).arg(least.height());
@@ -137,7 +161,9 @@ private:
         for (const QByteArray& key : widget.dynamicPropertyNames())
             if (!key.startsWith("_"))
                 parts << QString::fromLatin1(key) + QLatin1Char('=') + said(widget.property(key).toString());
-        for (const auto& [kind, text] : {std::pair{"tip", widget.toolTip()}, {"name", widget.accessibleName()}, {"about", widget.accessibleDescription()}})
+        for (const auto& [kind, text] : {std::pair{"tip", widget.toolTip()},
+                                         {"name", widget.accessibleName()},
+                                         {"about", widget.accessibleDescription()}})
             if (!text.isEmpty())
                 parts << QLatin1String(kind) + QStringLiteral(" \"") + said(text) + QLatin1Char('"');
         return parts.join(QStringLiteral(", "));
@@ -150,32 +176,54 @@ private:
             for (int x = 0; x < picture.width(); ++x)
                 if (const QRgb dot = picture.pixel(x, y); qAlpha(dot) == 255)
                     ++inks[dot];
-        const auto most = std::max_element(inks.begin(), inks.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+        const auto most = std::max_element(inks.begin(), inks.end(),
+                                           [](const auto& a, const auto& b) { return a.second < b.second; });
         return most == inks.end() ? QStringLiteral("thin") : QColor(most->first).name();
     }
     QString icon(const QIcon& icon, const QSize& size) const {
         if (!m_details)
             return icon.isNull() ? QString() : QStringLiteral(" icon");
-        return icon.isNull() ? QString() : QStringLiteral(" icon %1x%2 %3").arg(size.width()).arg(size.height()).arg(inkOf(icon.pixmap(QSize(32, 32), 1.0).toImage()));
+        return icon.isNull() ? QString()
+                             : QStringLiteral(" icon %1x%2 %3")
+                                   .arg(size.width())
+                                   .arg(size.height())
+                                   .arg(inkOf(icon.pixmap(QSize(32, 32), 1.0).toImage()));
     }
     /// What may be typed or turned to.
     static QString range(const QWidget& widget) {
         if (const auto* whole = qobject_cast<const QSpinBox*>(&widget))
-            return QStringLiteral("%1 of %2 to %3 by %4 \"%5\" \"%6\"").arg(whole->value()).arg(whole->minimum()).arg(whole->maximum()).arg(whole->singleStep()).arg(whole->prefix(), whole->suffix());
+            return QStringLiteral("%1 of %2 to %3 by %4 \"%5\" \"%6\"")
+                .arg(whole->value())
+                .arg(whole->minimum())
+                .arg(whole->maximum())
+                .arg(whole->singleStep())
+                .arg(whole->prefix(), whole->suffix());
         if (const auto* real = qobject_cast<const QDoubleSpinBox*>(&widget))
-            return QStringLiteral("%1 of %2 to %3 by %4 \"%5\" \"%6\" digits %7").arg(number(real->value()), number(real->minimum()), number(real->maximum()), number(real->singleStep()),
-                                                                                        real->prefix(), real->suffix()).arg(real->decimals());
+            return QStringLiteral("%1 of %2 to %3 by %4 \"%5\" \"%6\" digits %7")
+                .arg(number(real->value()), number(real->minimum()), number(real->maximum()),
+                     number(real->singleStep()), real->prefix(), real->suffix())
+                .arg(real->decimals());
         if (const auto* date = qobject_cast<const QDateEdit*>(&widget))
-            return QStringLiteral("day as %1%2").arg(date->displayFormat(), date->calendarPopup() ? QStringLiteral(" popup") : QString());
-        if (const auto* slider = qobject_cast<const QAbstractSlider*>(&widget); slider && !qobject_cast<const QScrollBar*>(slider)) // a scroll bar is of where things lie
-            return QStringLiteral("%1 of %2 to %3 by %4/%5").arg(slider->value()).arg(slider->minimum()).arg(slider->maximum()).arg(slider->singleStep()).arg(slider->pageStep());
+            return QStringLiteral("day as %1%2")
+                .arg(date->displayFormat(), date->calendarPopup() ? QStringLiteral(" popup") : QString());
+        if (const auto* slider = qobject_cast<const QAbstractSlider*>(&widget);
+            slider && !qobject_cast<const QScrollBar*>(slider)) // a scroll bar is of where things lie
+            return QStringLiteral("%1 of %2 to %3 by %4/%5")
+                .arg(slider->value())
+                .arg(slider->minimum())
+                .arg(slider->maximum())
+                .arg(slider->singleStep())
+                .arg(slider->pageStep());
         if (const auto* text = qobject_cast<const QPlainTextEdit*>(&widget))
-            return QStringLiteral("\"%1\" for \"%2\"%3%4").arg(said(text->toPlainText()), said(text->placeholderText()), text->isReadOnly() ? QStringLiteral(" read only") : QString(),
-                                                               text->tabChangesFocus() ? QStringLiteral(" tab leaves") : QString());
+            return QStringLiteral("\"%1\" for \"%2\"%3%4")
+                .arg(said(text->toPlainText()), said(text->placeholderText()),
+                     text->isReadOnly() ? QStringLiteral(" read only") : QString(),
+                     text->tabChangesFocus() ? QStringLiteral(" tab leaves") : QString());
         if (const auto* bar = qobject_cast<const QTabBar*>(&widget)) {
             QStringList tabs;
             for (int i = 0; i < bar->count(); ++i)
-                tabs << said(bar->tabText(i)) + (i == bar->currentIndex() ? QStringLiteral("*") : QString()) + (bar->isTabEnabled(i) ? QString() : QStringLiteral(" disabled"));
+                tabs << said(bar->tabText(i)) + (i == bar->currentIndex() ? QStringLiteral("*") : QString()) +
+                            (bar->isTabEnabled(i) ? QString() : QStringLiteral(" disabled"));
             return tabs.join(QLatin1Char('/'));
         }
         return {};
@@ -184,19 +232,32 @@ private:
     QString words(const QWidget& widget) const {
         if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
             const QPixmap sign = m_details ? label->pixmap() : QPixmap();
-            return QStringLiteral("\"%1\" %2%3%4").arg(said(label->text())).arg(static_cast<int>(label->alignment()), 0, 16).arg(label->wordWrap() ? QStringLiteral(" wraps") : QString(),
-                       sign.isNull() ? QString() : QStringLiteral(" sign %1x%2 %3").arg(sign.width()).arg(sign.height()).arg(inkOf(sign.toImage())));
+            return QStringLiteral("\"%1\" %2%3%4")
+                .arg(said(label->text()))
+                .arg(static_cast<int>(label->alignment()), 0, 16)
+                .arg(label->wordWrap() ? QStringLiteral(" wraps") : QString(),
+                     sign.isNull() ? QString()
+                                   : QStringLiteral(" sign %1x%2 %3")
+                                         .arg(sign.width())
+                                         .arg(sign.height())
+                                         .arg(inkOf(sign.toImage())));
         }
         if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
-            return QStringLiteral("\"%1\"%2%3%4").arg(said(button->text()), icon(button->icon(), button->iconSize()),
-                                                      button->isCheckable() ? QStringLiteral(" checkable") : QString(), button->isChecked() ? QStringLiteral(" checked") : QString());
+            return QStringLiteral("\"%1\"%2%3%4")
+                .arg(said(button->text()), icon(button->icon(), button->iconSize()),
+                     button->isCheckable() ? QStringLiteral(" checkable") : QString(),
+                     button->isChecked() ? QStringLiteral(" checked") : QString());
         if (const auto* edit = qobject_cast<const QLineEdit*>(&widget))
-            return QStringLiteral("\"%1\" for \"%2\" %3 mode %4%5").arg(said(edit->text()), said(edit->placeholderText())).arg(edit->maxLength()).arg(static_cast<int>(edit->echoMode()))
+            return QStringLiteral("\"%1\" for \"%2\" %3 mode %4%5")
+                .arg(said(edit->text()), said(edit->placeholderText()))
+                .arg(edit->maxLength())
+                .arg(static_cast<int>(edit->echoMode()))
                 .arg(edit->isReadOnly() ? QStringLiteral(" read only") : QString());
         if (const auto* combo = qobject_cast<const QComboBox*>(&widget)) {
             QStringList items;
             for (int i = 0; i < combo->count(); ++i)
-                items << said(combo->itemText(i)) + (i == combo->currentIndex() ? QStringLiteral("*") : QString());
+                items << said(combo->itemText(i)) +
+                             (i == combo->currentIndex() ? QStringLiteral("*") : QString());
             return items.join(QLatin1Char('/'));
         }
         if (const auto* box = qobject_cast<const QGroupBox*>(&widget))
@@ -206,20 +267,30 @@ private:
 
     /// The words of a cell, how they stand, and whether there is a picture.
     static QString cell(const QModelIndex& at) {
-        const QString tip = at.data(Qt::ToolTipRole).toString(), name = at.data(Qt::AccessibleTextRole).toString();
-        return said(at.data().toString()) + QLatin1Char(' ') + QString::number(at.data(Qt::TextAlignmentRole).toInt(), 16) +
-               (at.data(Qt::DecorationRole).isValid() ? QStringLiteral(" icon") : QString()) + (tip.isEmpty() ? QString() : QStringLiteral(" tip \"%1\"").arg(said(tip))) +
-               (name.isEmpty() ? QString() : QStringLiteral(" name \"%1\"").arg(said(name))) + (at.flags() & Qt::ItemIsEnabled ? QString() : QStringLiteral(" disabled"));
+        const QString tip = at.data(Qt::ToolTipRole).toString(),
+                      name = at.data(Qt::AccessibleTextRole).toString();
+        return said(at.data().toString()) + QLatin1Char(' ') +
+               QString::number(at.data(Qt::TextAlignmentRole).toInt(), 16) +
+               (at.data(Qt::DecorationRole).isValid() ? QStringLiteral(" icon") : QString()) +
+               (tip.isEmpty() ? QString() : QStringLiteral(" tip \"%1\"").arg(said(tip))) +
+               (name.isEmpty() ? QString() : QStringLiteral(" name \"%1\"").arg(said(name))) +
+               (at.flags() & Qt::ItemIsEnabled ? QString() : QStringLiteral(" disabled"));
     }
 
     void add(const QTableView& table, int depth) {
         const QAbstractItemModel& model = *table.model();
         QStringList head;
         for (int column = 0; column < model.columnCount(); ++column)
-            head << said(model.headerData(column, Qt::Horizontal).toString()) + QStringLiteral(" %1%2").arg(static_cast<int>(table.horizontalHeader()->sectionResizeMode(column)))
-                                                                .arg(table.isColumnHidden(column) ? QStringLiteral(" hidden") : QString());
-        line(depth, QStringLiteral("columns ") + head.join(QLatin1Char('/')) + QStringLiteral("; select %1/%2, edit %3%4").arg(static_cast<int>(table.selectionBehavior()))
-                        .arg(static_cast<int>(table.selectionMode())).arg(static_cast<int>(table.editTriggers())).arg(table.isSortingEnabled() ? QStringLiteral(", sorts") : QString()));
+            head << said(model.headerData(column, Qt::Horizontal).toString()) +
+                        QStringLiteral(" %1%2")
+                            .arg(static_cast<int>(table.horizontalHeader()->sectionResizeMode(column)))
+                            .arg(table.isColumnHidden(column) ? QStringLiteral(" hidden") : QString());
+        line(depth, QStringLiteral("columns ") + head.join(QLatin1Char('/')) +
+                        QStringLiteral("; select %1/%2, edit %3%4")
+                            .arg(static_cast<int>(table.selectionBehavior()))
+                            .arg(static_cast<int>(table.selectionMode()))
+                            .arg(static_cast<int>(table.editTriggers()))
+                            .arg(table.isSortingEnabled() ? QStringLiteral(", sorts") : QString()));
         for (int row = 0; row < std::min(model.rowCount(), 40); ++row) {
             QStringList cells;
             for (int column = 0; column < model.columnCount(); ++column)
@@ -232,7 +303,8 @@ private:
     void add(const QListView& list, int depth) {
         for (int row = 0; row < std::min(list.model()->rowCount(), 40); ++row) {
             const QModelIndex at = list.model()->index(row, 0);
-            line(depth, QStringLiteral("item ") + cell(at) + (at == list.currentIndex() ? QStringLiteral(" *") : QString()));
+            line(depth, QStringLiteral("item ") + cell(at) +
+                            (at == list.currentIndex() ? QStringLiteral(" *") : QString()));
         }
     }
 
@@ -240,26 +312,39 @@ private:
     static QString number(double x) { return QString::number(std::abs(x) < 1e-9 ? 0.0 : x, 'g', 4); }
 
     static QString axis(const QCPAxis& axis) {
-        return QStringLiteral("\"%1\" %2 to %3%4").arg(said(axis.label()), number(axis.range().lower), number(axis.range().upper), axis.visible() ? QString() : QStringLiteral(" hidden"));
+        return QStringLiteral("\"%1\" %2 to %3%4")
+            .arg(said(axis.label()), number(axis.range().lower), number(axis.range().upper),
+                 axis.visible() ? QString() : QStringLiteral(" hidden"));
     }
 
     /// The pen and the brush of something in a plot.
     static QString strokes(const QObject& drawn) {
         QStringList parts;
         if (const QVariant pen = drawn.property("pen"); pen.isValid())
-            parts << QStringLiteral("pen %1 %2/%3").arg(pen.value<QPen>().color().name(QColor::HexArgb)).arg(pen.value<QPen>().widthF()).arg(static_cast<int>(pen.value<QPen>().style()));
+            parts << QStringLiteral("pen %1 %2/%3")
+                         .arg(pen.value<QPen>().color().name(QColor::HexArgb))
+                         .arg(pen.value<QPen>().widthF())
+                         .arg(static_cast<int>(pen.value<QPen>().style()));
         if (const auto brush = drawn.property("brush").value<QBrush>(); brush.style() != Qt::NoBrush)
-            parts << QStringLiteral("fill %1/%2").arg(brush.color().name(QColor::HexArgb)).arg(static_cast<int>(brush.style()));
+            parts << QStringLiteral("fill %1/%2")
+                         .arg(brush.color().name(QColor::HexArgb))
+                         .arg(static_cast<int>(brush.style()));
         return parts.join(QLatin1Char(' '));
     }
 
-    /// What is plotted: axes, and of each graph its name, how many points it has and where they lie on average.
+    /// What is plotted: axes, and of each graph its name, how many points it has and where they lie on
+    /// average.
     void add(QCustomPlot& plot, int depth) {
         if (plot.axisRectCount() > 0)
-            line(depth, QStringLiteral("x %1; y %2%3").arg(axis(*plot.xAxis), axis(*plot.yAxis), plot.legend && plot.legend->visible() ? QStringLiteral("; legend") : QString()));
+            line(depth,
+                 QStringLiteral("x %1; y %2%3")
+                     .arg(axis(*plot.xAxis), axis(*plot.yAxis),
+                          plot.legend && plot.legend->visible() ? QStringLiteral("; legend") : QString()));
         for (int i = 0; i < plot.plottableCount(); ++i) {
             QCPAbstractPlottable& drawn = *plot.plottable(i);
-            QString text = QStringLiteral("%1 \"%2\" %3").arg(QLatin1String(drawn.metaObject()->className()), said(drawn.name()), strokes(drawn));
+            QString text =
+                QStringLiteral("%1 \"%2\" %3")
+                    .arg(QLatin1String(drawn.metaObject()->className()), said(drawn.name()), strokes(drawn));
             if (const auto* points = drawn.interface1D()) {
                 double x = 0.0, y = 0.0;
                 for (int k = 0; k < points->dataCount(); ++k) {
@@ -282,7 +367,8 @@ private:
     }
 
     void add(const QWidget& widget, int depth) {
-        if (isOfWaiting(&widget) || (depth > 0 && widget.objectName().startsWith(QLatin1String("screen.")))) // a screen has an outline of its own
+        if (isOfWaiting(&widget) || (depth > 0 && widget.objectName().startsWith(QLatin1String(
+                                                      "screen.")))) // a screen has an outline of its own
             return;
         line(depth, QStringLiteral("%1 %2 (%3)").arg(nameOf(&widget), words(widget), look(widget)));
         if (const auto* table = qobject_cast<const QTableView*>(&widget); table && table->model()) {
@@ -295,9 +381,12 @@ private:
         }
         if (const auto* plot = qobject_cast<const QCustomPlot*>(&widget))
             return add(const_cast<QCustomPlot&>(*plot), depth + 1); // its readers are not const
-        if (qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QComboBox*>(&widget) || qobject_cast<const QLineEdit*>(&widget))
+        if (qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QComboBox*>(&widget) ||
+            qobject_cast<const QLineEdit*>(&widget))
             return; // what it is made of is Qt's
-        if (m_details && (qobject_cast<const QPlainTextEdit*>(&widget) || qobject_cast<const QTabBar*>(&widget) || qobject_cast<const QAbstractSlider*>(&widget)))
+        if (m_details &&
+            (qobject_cast<const QPlainTextEdit*>(&widget) || qobject_cast<const QTabBar*>(&widget) ||
+             qobject_cast<const QAbstractSlider*>(&widget)))
             return;
         if (widget.layout())
             add(*widget.layout(), depth + 1);

@@ -29,7 +29,8 @@ inline catalogue::ExerciseLevel shortLevel(int number, int trials, double limit_
     parameters["trial_limit_s"] = limit_s;
     inner["parameters"] = parameters;
     json["level"] = inner;
-    auto changed = catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
+    auto changed =
+        catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
     if (!changed)
         qFatal("%s", changed.error().message.c_str());
     return *changed;
@@ -55,7 +56,8 @@ public:
         session::TrainingRequest request;
         request.level = level;
         request.seed = seed;
-        request.ringFolder = recording::defaultRingFolder(); // memory: a ring on a disk makes ticks wait for write-back
+        request.ringFolder =
+            recording::defaultRingFolder(); // memory: a ring on a disk makes ticks wait for write-back
         const auto kind = session::exerciseKind(level.exercise);
         auto station = session::scriptedStation(**kind, level, operatorName, seed);
         if (!station)
@@ -72,7 +74,8 @@ private:
     QTemporaryDir m_folder;
 
 public:
-    std::unique_ptr<database::Database> database; ///< after the folder: it must still be there when this closes
+    std::unique_ptr<database::Database>
+        database; ///< after the folder: it must still be there when this closes
 };
 
 /// A stored session with the connection it lives on.

@@ -45,18 +45,27 @@ inline bool beginTrials(desktop::TrialsScreen* screen, int patience_ms = kPatien
         patience_ms);
 }
 
-/// What the experimenter types into the question for their password. False where it is not asked, or does not go.
+/// What the experimenter types into the question for their password. False where it is not asked, or does not
+/// go.
 inline bool typePassword(DesktopFixture& desktop, const char* password = kTestPassword) {
-    if (!QTest::qWaitFor([&desktop] { return desktop.find<QLineEdit>(QStringLiteral("gate.password")) != nullptr; }, kPatience_ms))
+    if (!QTest::qWaitFor(
+            [&desktop] { return desktop.find<QLineEdit>(QStringLiteral("gate.password")) != nullptr; },
+            kPatience_ms))
         return false;
     desktop.find<QLineEdit>(QStringLiteral("gate.password"))->setText(QLatin1String(password));
     desktop.find<QPushButton>(QStringLiteral("gate.accept"))->click();
-    return QTest::qWaitFor([&desktop] { return desktop.context.background().idle() && !desktop.find<QLineEdit>(QStringLiteral("gate.password")); }, kPatience_ms);
+    return QTest::qWaitFor(
+        [&desktop] {
+            return desktop.context.background().idle() &&
+                   !desktop.find<QLineEdit>(QStringLiteral("gate.password"));
+        },
+        kPatience_ms);
 }
 
-/// The sitting is stopped by the participant's button; the experimenter comes and goes on. True on the page `to`: the study's, or
-/// of a pilot the design's.
-inline bool stopSitting(DesktopFixture& desktop, desktop::TrialsScreen* screen, int patience_ms = kPatience_ms, const QString& to = QStringLiteral("study_run")) {
+/// The sitting is stopped by the participant's button; the experimenter comes and goes on. True on the page
+/// `to`: the study's, or of a pilot the design's.
+inline bool stopSitting(DesktopFixture& desktop, desktop::TrialsScreen* screen,
+                        int patience_ms = kPatience_ms, const QString& to = QStringLiteral("study_run")) {
     QTimer look; // the question comes when it comes
     QObject::connect(&look, &QTimer::timeout, &desktop.context, [&desktop] {
         if (auto* button = desktop.find<QPushButton>(QStringLiteral("trials.ask.stop")))
@@ -67,7 +76,8 @@ inline bool stopSitting(DesktopFixture& desktop, desktop::TrialsScreen* screen, 
         stop->click();
     if (!QTest::qWaitFor([screen] { return screen->live()->finished() && !screen->isBusy(); }, patience_ms))
         return false;
-    if (!screen->live()->design().pilotOf.empty() && !screen->atDesk()) // nobody is called: whoever tried it goes on
+    if (!screen->live()->design().pilotOf.empty() &&
+        !screen->atDesk()) // nobody is called: whoever tried it goes on
         sittingButton(screen, "break.button")->click();
     else if (screen->atDesk())
         screen->findChild<QPushButton*>(QStringLiteral("trials.leave"))->click();

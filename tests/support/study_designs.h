@@ -23,7 +23,8 @@ inline std::vector<double> candidates(double last = 0.30, int count = 30) {
     return out;
 }
 
-inline psychophysics::Rank3Spec rank3(const std::vector<double>& differences, int most = 80, int fewest = 20, double sd = 0.06) {
+inline psychophysics::Rank3Spec rank3(const std::vector<double>& differences, int most = 80, int fewest = 20,
+                                      double sd = 0.06) {
     psychophysics::Rank3Spec spec;
     spec.differences = differences;
     spec.log10Sigma = spaced(-2.6, -0.4, 111);
@@ -52,7 +53,8 @@ inline psychophysics::StimulusDesign stimulusOf(psychophysics::Attribute attribu
         break;
     case Attribute::roughness:
         s.reference = 100e-6;
-        s.fixed = {{"stiffness_N_per_m", 650.0}, {"roughness_wavelength_m", 0.003}, {"damping_Ns_per_m", 1.0}};
+        s.fixed = {
+            {"stiffness_N_per_m", 650.0}, {"roughness_wavelength_m", 0.003}, {"damping_Ns_per_m", 1.0}};
         break;
     case Attribute::friction:
         s.reference = 0.25;
@@ -68,9 +70,11 @@ inline psychophysics::StimulusDesign stimulusOf(psychophysics::Attribute attribu
     return s;
 }
 
-/// A study of one condition, "main": rank-3 QUEST+ on an attribute, as quick as simulated participants can be.
-inline psychophysics::StudyDesign rank3Study(psychophysics::Attribute attribute = psychophysics::Attribute::stiffness, int most = 80,
-                                             int fewest = 20, double sd = 0.06) {
+/// A study of one condition, "main": rank-3 QUEST+ on an attribute, as quick as simulated participants can
+/// be.
+inline psychophysics::StudyDesign
+rank3Study(psychophysics::Attribute attribute = psychophysics::Attribute::stiffness, int most = 80,
+           int fewest = 20, double sd = 0.06) {
     psychophysics::StudyDesign design;
     design.id = "end_to_end";
     design.title = {{"en", "End to end"}};
@@ -90,7 +94,8 @@ inline psychophysics::StudyDesign rank3Study(psychophysics::Attribute attribute 
 }
 
 /// The same as P2 did it: three presentations a level, from large to small, until two of three fail.
-inline psychophysics::StudyDesign descendingStudy(psychophysics::Attribute attribute = psychophysics::Attribute::stiffness) {
+inline psychophysics::StudyDesign
+descendingStudy(psychophysics::Attribute attribute = psychophysics::Attribute::stiffness) {
     psychophysics::StudyDesign design = rank3Study(attribute);
     psychophysics::Condition& condition = design.conditions.front();
     condition.stimulus.differences.clear();

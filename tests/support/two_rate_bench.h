@@ -8,14 +8,15 @@
 #include <cmath>
 #include <cstdint>
 
-/// A slow model that is as late as a busy machine makes it, without a clock: stepped by the test, some ticks after each
-/// request, now and then a whole period later.
+/// A slow model that is as late as a busy machine makes it, without a clock: stepped by the test, some ticks
+/// after each request, now and then a whole period later.
 namespace chiron::tests {
 
 /// When a slow model answers: `tick()` once a tick, after the scene.
 class LateModel {
 public:
-    LateModel(simulation::ISlowModel& model, std::uint64_t seed) : m_model(model), m_random(core::Random::stream(seed, "late")) {}
+    LateModel(simulation::ISlowModel& model, std::uint64_t seed)
+        : m_model(model), m_random(core::Random::stream(seed, "late")) {}
 
     void tick() {
         if (m_wait == 0) {

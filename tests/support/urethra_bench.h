@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <vector>
 
-/// Parts that tests of urethra insertion share: a pose on the centre-line, an ideal way through the whole procedure.
+/// Parts that tests of urethra insertion share: a pose on the centre-line, an ideal way through the whole
+/// procedure.
 namespace chiron::tests {
 
 /// A whole procedure: into the bladder, two landmarks, and out.
@@ -20,8 +21,10 @@ inline simulation::UrethraInsertionParameters wholeProcedure() {
     return p;
 }
 
-/// The endoscope with its tip at `p_A`, looking along `axis_A`, the picture's upper edge towards the patient's front (y_A).
-inline core::ToolState endoscopeAt(const simulation::AnatomyPose& pose, const core::Vec3& p_A, const core::Vec3& axis_A) {
+/// The endoscope with its tip at `p_A`, looking along `axis_A`, the picture's upper edge towards the
+/// patient's front (y_A).
+inline core::ToolState endoscopeAt(const simulation::AnatomyPose& pose, const core::Vec3& p_A,
+                                   const core::Vec3& axis_A) {
     core::ToolState tool;
     tool.p_WT = pose.pointToW(p_A);
     const core::Vec3 back = -axis_A.normalized(); // z_T
@@ -41,7 +44,8 @@ inline core::ToolState onTheLine(const simulation::UrethraInsertionParameters& p
     return endoscopeAt(p.pose, at.p_A, at.t_A);
 }
 
-/// A perfect hand: along the centre-line to the goal at `speed_m_per_s`, at each landmark a look, and back out. Poses only.
+/// A perfect hand: along the centre-line to the goal at `speed_m_per_s`, at each landmark a look, and back
+/// out. Poses only.
 class IdealProcedure {
 public:
     explicit IdealProcedure(const simulation::UrethraInsertionParameters& p, double speed_m_per_s = 0.020)

@@ -31,7 +31,8 @@ struct UrethraReferenceForces::Foot {
 
 UrethraReferenceForces::UrethraReferenceForces(const simulation::UrethraAnatomy& anatomy,
                                                const simulation::Endoscope& endoscope,
-                                               const simulation::UrethraForceSettings& settings, std::size_t springs)
+                                               const simulation::UrethraForceSettings& settings,
+                                               std::size_t springs)
     : m_anatomy(anatomy), m_scope(endoscope), m_settings(settings), m_length(arcLength(anatomy.zEnd_m)) {
     std::vector<std::array<double, 2>> places; // s, Δs
     if (settings.sections == simulation::ForceSections::fine) {
@@ -52,14 +53,17 @@ UrethraReferenceForces::UrethraReferenceForces(const simulation::UrethraAnatomy&
     }
     for (const auto& [s, ds] : places) {
         const double r = radius(s);
-        const double kappa = changed(anatomy.wallStiffness_N_per_m3, s, [](const simulation::UrethraLocalChange& c, double base) {
-            return base * c.stiffnessFactor;
-        });
-        const double mu = changed(anatomy.friction, s, [](const simulation::UrethraLocalChange& c, double base) {
-            return base * c.frictionFactor;
-        });
-        const double a = smooth((s - anatomy.freeLength_m + anatomy.freeBlend_m) / (2.0 * anatomy.freeBlend_m));
-        m_sections.push_back({s, ds, kappa * 2.0 * kPi * r / static_cast<double>(springs) * ds, endoscope.radius_m - r, mu, a});
+        const double kappa = changed(
+            anatomy.wallStiffness_N_per_m3, s,
+            [](const simulation::UrethraLocalChange& c, double base) { return base * c.stiffnessFactor; });
+        const double mu =
+            changed(anatomy.friction, s, [](const simulation::UrethraLocalChange& c, double base) {
+                return base * c.frictionFactor;
+            });
+        const double a =
+            smooth((s - anatomy.freeLength_m + anatomy.freeBlend_m) / (2.0 * anatomy.freeBlend_m));
+        m_sections.push_back({s, ds, kappa * 2.0 * kPi * r / static_cast<double>(springs) * ds,
+                              endoscope.radius_m - r, mu, a});
     }
     for (std::size_t j = 0; j < springs; ++j) {
         m_cos.push_back(std::cos(2.0 * kPi * static_cast<double>(j) / static_cast<double>(springs)));
@@ -69,11 +73,14 @@ UrethraReferenceForces::UrethraReferenceForces(const simulation::UrethraAnatomy&
 
 double UrethraReferenceForces::arcLength(double z) const {
     const double c = m_anatomy.curvature_per_m, x = z - m_anatomy.straight_m;
-    return x <= 0.0 ? z : m_anatomy.straight_m + 0.5 * x * std::sqrt(1.0 + 4.0 * c * c * x * x) + std::asinh(2.0 * c * x) / (4.0 * c);
+    return x <= 0.0 ? z
+                    : m_anatomy.straight_m + 0.5 * x * std::sqrt(1.0 + 4.0 * c * c * x * x) +
+                          std::asinh(2.0 * c * x) / (4.0 * c);
 }
 
 double UrethraReferenceForces::radius(double s) const {
-    return changed(m_anatomy.radius_m, s, [](const simulation::UrethraLocalChange& c, double) { return c.radius_m; });
+    return changed(m_anatomy.radius_m, s,
+                   [](const simulation::UrethraLocalChange& c, double) { return c.radius_m; });
 }
 
 double UrethraReferenceForces::changed(double base, double s,
@@ -99,7 +106,8 @@ UrethraReferenceForces::Foot UrethraReferenceForces::foot(const Vec3& p_A) const
         f.en = p.y();
         f.t = Vec3(0, 0, 1);
         f.n = Vec3(0, 1, 0);
-        f.ds = Vec3(0, p.z() / (q * q) * 2.0 * c * smooth(u), 1.0 / q + p.z() / (q * q) * 2.0 * c * p.y() * smoothSlope(u) / 0.010);
+        f.ds = Vec3(0, p.z() / (q * q) * 2.0 * c * smooth(u),
+                    1.0 / q + p.z() / (q * q) * 2.0 * c * p.y() * smoothSlope(u) / 0.010);
         return f;
     }
     // Newton from the right of the only root with z > 0 of 2c²z³ + (1 − 2c y) z − p_z
@@ -144,8 +152,8 @@ double UrethraReferenceForces::kPhi(double s, double& slope) const {
     return m_anatomy.angularStiffness_Nm_per_rad;
 }
 
-void UrethraReferenceForces::springs(const Foot& f, ReferenceResponse& r, double& muN, double& opened, double& slope,
-                                     double& gx, double& gn) const {
+void UrethraReferenceForces::springs(const Foot& f, ReferenceResponse& r, double& muN, double& opened,
+                                     double& slope, double& gx, double& gn) const {
     const double beta = m_anatomy.wallStiffening_per_m;
     const double l = m_scope.beak_m;
     const double lb = m_scope.behind_m;
@@ -164,7 +172,8 @@ void UrethraReferenceForces::springs(const Foot& f, ReferenceResponse& r, double
         const double touching = std::min(1.0, std::max(0.0, most / 0.0005));
         opened += W * at.ds * touching;
         for (const double cosine : m_cos) // a ring that is pressed aside, as if all of it touched
-            r.yielding += at.k * at.a * at.a * B * B * cosine * cosine * (1.0 + 2.0 * beta * std::max(0.0, W * at.gap)) * touching;
+            r.yielding += at.k * at.a * at.a * B * B * cosine * cosine *
+                          (1.0 + 2.0 * beta * std::max(0.0, W * at.gap)) * touching;
         for (std::size_t j = 0; j < m_cos.size(); ++j) {
             const double eu = f.ex * m_cos[j] + f.en * m_sin[j];
             const double d = W * at.gap + at.a * B * eu;
@@ -203,8 +212,8 @@ void UrethraReferenceForces::bladder(const Vec3& p, ReferenceResponse& r, Vec3& 
     r.U += 0.5 * k * d * d * g * q * h;
     force = -k * d * g * q * h * x.normalized() -
             0.5 * k * d * d *
-                (smoothSlope(gAt) / m_anatomy.bladderOpeningEdge_rad * q * h * dTheta + g * smoothSlope(qAt) / 0.005 * h * t +
-                 g * q * smoothSlope(hAt) / 0.010 * Vec3(0, 0, 1));
+                (smoothSlope(gAt) / m_anatomy.bladderOpeningEdge_rad * q * h * dTheta +
+                 g * smoothSlope(qAt) / 0.005 * h * t + g * q * smoothSlope(hAt) / 0.010 * Vec3(0, 0, 1));
 }
 
 ReferenceResponse UrethraReferenceForces::respond(const simulation::EndoscopeMotion& m) const {
@@ -221,7 +230,8 @@ ReferenceResponse UrethraReferenceForces::respond(const simulation::EndoscopeMot
     r.phiY = std::asin(a.x());
     double k1 = 0.0;
     const double k = kPhi(f.s, k1);
-    double c = 0.0, dc = 0.0; // the pelvic floor's lever: tilt that belongs to an offset of 1 m, and its derivative
+    double c = 0.0,
+           dc = 0.0; // the pelvic floor's lever: tilt that belongs to an offset of 1 m, and its derivative
     if (const double span = m_anatomy.pivotSpan_m; span > 0.0) {
         const double l = f.s - m_anatomy.freeLength_m, below = l * l + span * span;
         c = l / below;
@@ -238,10 +248,12 @@ ReferenceResponse UrethraReferenceForces::respond(const simulation::EndoscopeMot
 
     const double off = std::sqrt(f.ex * f.ex + f.en * f.en) - 0.010; // what holds the free part
     if (off > 0.0 && m_anatomy.freeHold_N_per_m > 0.0) {
-        const double hold = m_anatomy.freeHold_N_per_m, d = m_anatomy.freeBlend_m, rise = m_scope.beak_m + m_anatomy.freeLength_m - d;
+        const double hold = m_anatomy.freeHold_N_per_m, d = m_anatomy.freeBlend_m,
+                     rise = m_scope.beak_m + m_anatomy.freeLength_m - d;
         const double in = (f.s + m_scope.beak_m) / rise, on = (f.s - m_anatomy.freeLength_m + d) / (2.0 * d);
         r.U += 0.5 * hold * off * off * smooth(in) * (1.0 - smooth(on));
-        slope += 0.5 * hold * off * off * (smoothSlope(in) / rise * (1.0 - smooth(on)) - smooth(in) * smoothSlope(on) / (2.0 * d));
+        slope += 0.5 * hold * off * off *
+                 (smoothSlope(in) / rise * (1.0 - smooth(on)) - smooth(in) * smoothSlope(on) / (2.0 * d));
         gx += hold * off * smooth(in) * (1.0 - smooth(on)) * f.ex / (off + 0.010);
         gn += hold * off * smooth(in) * (1.0 - smooth(on)) * f.en / (off + 0.010);
     }

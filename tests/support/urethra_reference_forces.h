@@ -21,8 +21,9 @@ struct ReferenceResponse {
     core::Vec3 torque = core::Vec3::Zero();
 };
 
-/// P1's forces straight from the equations of models.md §1, plain and slow: every section, every spring, every time. Shares
-/// plain data with the product and none of its code. `springs` is n′, 16 in the product. The torque vector is made from the virtual work of T_x and T_y.
+/// P1's forces straight from the equations of models.md §1, plain and slow: every section, every spring,
+/// every time. Shares plain data with the product and none of its code. `springs` is n′, 16 in the product.
+/// The torque vector is made from the virtual work of T_x and T_y.
 class UrethraReferenceForces {
 public:
     UrethraReferenceForces(const simulation::UrethraAnatomy& anatomy, const simulation::Endoscope& endoscope,
@@ -40,7 +41,8 @@ private:
     void bladder(const core::Vec3& p, ReferenceResponse& r, core::Vec3& force) const;
     double arcLength(double z) const;
     double radius(double s) const;
-    double changed(double base, double s, double (*value)(const simulation::UrethraLocalChange&, double)) const;
+    double changed(double base, double s,
+                   double (*value)(const simulation::UrethraLocalChange&, double)) const;
     double kPhi(double s, double& slope) const;
 
     simulation::UrethraAnatomy m_anatomy;

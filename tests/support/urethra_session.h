@@ -2,16 +2,16 @@
 #pragma once
 
 #include "core/units.h"
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "damping/with_budget.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/live_inputs.h"
 #include "haptics/safety_supervisor.h"
 #include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
-#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
-#include "scoring/trace.h"
 #include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_scene.h"
+#include "scoring/trace.h"
 
 #include <algorithm>
 #include <array>
@@ -22,8 +22,8 @@
 #include <string>
 #include <vector>
 
-/// A whole urethra-insertion session of a scripted endoscopist on P1's simulated mechanism, through the real loop, scene and
-/// supervisor, as fast as it runs.
+/// A whole urethra-insertion session of a scripted endoscopist on P1's simulated mechanism, through the real
+/// loop, scene and supervisor, as fast as it runs.
 namespace chiron::support {
 
 /// The level "standard" of the content, in short form: normal tissue, five landmarks, in and out again.
@@ -57,7 +57,8 @@ struct UrethraDeception {
 
 class DeceivedUrethraScene final : public simulation::IScene {
 public:
-    DeceivedUrethraScene(const simulation::UrethraInsertionParameters& level, const UrethraDeception& deception)
+    DeceivedUrethraScene(const simulation::UrethraInsertionParameters& level,
+                         const UrethraDeception& deception)
         : m_scene(level), m_deception(deception) {}
     void respond(const realtime::HapticTick& now, const simulation::SceneInput& in,
                  simulation::SceneOutput& out) noexcept override {
@@ -91,17 +92,18 @@ struct UrethraOutcome {
     std::size_t trauma = 0, reversals = 0;
     int landmarks = 0;
     double depth_mm = 0.0;
-    double forceP95_N = 0.0, forceMax_N = 0.0;         ///< of the tissue's force
-    double torqueP95_mNm = 0.0, torqueMax_mNm = 0.0;   ///< of its torque
+    double forceP95_N = 0.0, forceMax_N = 0.0;       ///< of the tissue's force
+    double torqueP95_mNm = 0.0, torqueMax_mNm = 0.0; ///< of its torque
     double chatter_N = 0.0; ///< RMS of the tissue force's second difference from tick to tick
     double overForce_percent = 0.0, overTorque_percent = 0.0; ///< time over 60 % of 4.5 N and of 150 mN·m
-    std::uint64_t digest = 0xcbf29ce484222325ULL;      ///< FNV over all counts: two runs alike
+    std::uint64_t digest = 0xcbf29ce484222325ULL;             ///< FNV over all counts: two runs alike
 };
 
 /// Reads the trial off the frames, as scoring does.
 class UrethraRecorder final : public core::IFrameSink {
 public:
-    UrethraRecorder(const devices::IToolKinematics& kinematics, const simulation::UrethraInsertionParameters& level)
+    UrethraRecorder(const devices::IToolKinematics& kinematics,
+                    const simulation::UrethraInsertionParameters& level)
         : m_kinematics(kinematics), m_level(level), m_forces(level.anatomy, level.endoscope, level.forces),
           m_tracker(simulation::procedurePlan(level)) {
         m_trial.tools.resize(1);
@@ -145,21 +147,25 @@ public:
             outcome.offsetMax_mm = std::max(outcome.offsetMax_mm, 1e3 * series.offset_m[i]);
             ++inside;
         }
-        const auto rms = [](double sum, std::size_t n) { return n > 0 ? std::sqrt(sum / static_cast<double>(n)) : 0.0; };
+        const auto rms = [](double sum, std::size_t n) {
+            return n > 0 ? std::sqrt(sum / static_cast<double>(n)) : 0.0;
+        };
         outcome.offsetRms_mm = 1e3 * rms(e2, inside);
         outcome.alignmentRms_deg = core::degFromRad(rms(a2, inside));
         outcome.bendAlignment_deg = core::degFromRad(rms(b2, atBend));
         outcome.time_s = 1e-3 * static_cast<double>(series.s_m.size());
         outcome.chatter_N = rms(m_jumps2, series.s_m.size());
         loads(m_force, 0.6 * 4.5, outcome.forceP95_N, outcome.forceMax_N, outcome.overForce_percent);
-        loads(m_torque, 0.6 * 0.150, outcome.torqueP95_mNm, outcome.torqueMax_mNm, outcome.overTorque_percent);
+        loads(m_torque, 0.6 * 0.150, outcome.torqueP95_mNm, outcome.torqueMax_mNm,
+              outcome.overTorque_percent);
         outcome.torqueP95_mNm *= 1e3;
         outcome.torqueMax_mNm *= 1e3;
         return outcome;
     }
 
     UrethraOutcome outcome;
-    std::vector<std::array<double, 8>> story; ///< s, e_n, φ_x, φ_y (m, rad), lateral N, torque N·m, stage, axial N, a tick each
+    std::vector<std::array<double, 8>>
+        story; ///< s, e_n, φ_x, φ_y (m, rad), lateral N, torque N·m, stage, axial N, a tick each
 
 private:
     void add(const core::HapticFrame& frame) {
@@ -170,7 +176,8 @@ private:
         motion.p_A = m_level.pose.pointToA(tool.p_WT);
         motion.axis_A = m_level.pose.vectorToA(simulation::endoscopeAxis_W(tool.q_WT));
         const simulation::UrethraResponse r = m_forces.respond(motion);
-        m_tracker.advance({r.foot.at.s_m, motion.p_A, motion.axis_A, std::hypot(r.foot.ex_m, r.foot.en_m)}, 1000);
+        m_tracker.advance({r.foot.at.s_m, motion.p_A, motion.axis_A, std::hypot(r.foot.ex_m, r.foot.en_m)},
+                          1000);
         const core::Wrench tissue = core::toWrench(frame.tool[0].tissue);
         const core::Vec3 t_W = m_level.pose.vectorToW(r.foot.at.t_A);
         const double lateral = (tissue.force - tissue.force.dot(t_W) * t_W).norm();
@@ -190,7 +197,8 @@ private:
         story.push_back({r.foot.at.s_m, r.foot.en_m, r.phiX_rad, r.phiY_rad, lateral, tissue.torque.norm(),
                          static_cast<double>(m_tracker.stage()), tissue.force.dot(t_W)});
     }
-    static void loads(std::vector<double> values, double limit, double& p95, double& most, double& over_percent) {
+    static void loads(std::vector<double> values, double limit, double& p95, double& most,
+                      double& over_percent) {
         if (values.empty())
             return;
         std::sort(values.begin(), values.end());
@@ -220,7 +228,8 @@ struct UrethraSession {
 };
 
 /// Not begun when something could not be made. `story`: what happened, tick by tick.
-inline UrethraOutcome runUrethraSession(const UrethraSession& session, std::vector<std::array<double, 8>>* story = nullptr) {
+inline UrethraOutcome runUrethraSession(const UrethraSession& session,
+                                        std::vector<std::array<double, 8>>* story = nullptr) {
     const auto settings = operators::urethraInsertionOperatorSettings(session.operatorName);
     if (!settings)
         return {};
@@ -238,7 +247,8 @@ inline UrethraOutcome runUrethraSession(const UrethraSession& session, std::vect
         held = std::make_unique<tests::WithBudget>(std::move(held), session.budget_Ns_per_m);
     UrethraRecorder recorder(held->kinematics(), session.level);
     haptics::SceneExchange scenes;
-    std::unique_ptr<simulation::IScene> scene = std::make_unique<DeceivedUrethraScene>(session.level, session.deception);
+    std::unique_ptr<simulation::IScene> scene =
+        std::make_unique<DeceivedUrethraScene>(session.level, session.deception);
     scenes.offer(scene);
     haptics::LiveInputs inputs;
     haptics::SafetySupervisor supervisor;

@@ -6,8 +6,9 @@
 
 namespace chiron::tests {
 
-/// A perfect hand's way through the procedure of `p`, as a trace with one row every 10 ms: played back it does the whole
-/// procedure again. It goes 1 mm deeper than asked for and holds each landmark a fifth longer, so that the resampling costs nothing.
+/// A perfect hand's way through the procedure of `p`, as a trace with one row every 10 ms: played back it
+/// does the whole procedure again. It goes 1 mm deeper than asked for and holds each landmark a fifth longer,
+/// so that the resampling costs nothing.
 inline scoring::TraceRows idealTrace(simulation::UrethraInsertionParameters p, double speed_m_per_s) {
     p.landmarkHold_s *= 1.2;
     p.goalDepth_m = simulation::procedurePlan(p).goal_m + 0.001;

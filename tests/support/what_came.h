@@ -12,20 +12,24 @@
 
 namespace chiron::tests {
 
-/// What comes of something that a person does on a screen: messages, windows that open, the screen that it leads to, or else a
-/// change of the screen itself.
+/// What comes of something that a person does on a screen: messages, windows that open, the screen that it
+/// leads to, or else a change of the screen itself.
 class WhatCame {
 public:
     explicit WhatCame(DesktopFixture& desktop) : m_desktop(desktop) {
-        m_listening = QObject::connect(&desktop.context.messages(), &desktop::Messages::told, [this](const desktop::Message& message) {
-            m_told << QStringLiteral("message %1 \"%2\" \"%3\"").arg(static_cast<int>(message.kind)).arg(withoutToday(message.text), withoutToday(message.actionText));
-        });
+        m_listening = QObject::connect(
+            &desktop.context.messages(), &desktop::Messages::told, [this](const desktop::Message& message) {
+                m_told << QStringLiteral("message %1 \"%2\" \"%3\"")
+                              .arg(static_cast<int>(message.kind))
+                              .arg(withoutToday(message.text), withoutToday(message.actionText));
+            });
     }
     ~WhatCame() { QObject::disconnect(m_listening); }
     WhatCame(const WhatCame&) = delete;
     WhatCame& operator=(const WhatCame&) = delete;
 
-    /// Does it and waits until nothing changes any more; empty where nothing came in time. Of a screen that changes by itself
+    /// Does it and waits until nothing changes any more; empty where nothing came in time. Of a screen that
+    /// changes by itself
     /// (`moving`) only that it changed is told.
     QStringList of(const std::function<void()>& act, bool moving = false, int patience_ms = 5000) {
         const QSet<QWidget*> before = windows();
@@ -40,9 +44,12 @@ public:
         if (moving)
             return {QStringLiteral("something moves")};
         settle(came, [&] { return since(before, screen, outline); });
-        static const QRegularExpression backup(QStringLiteral("chiron-backup-[-0-9]+")), records(QStringLiteral("[0-9,]+ records")), // the hour; the audit's, too
+        static const QRegularExpression backup(QStringLiteral("chiron-backup-[-0-9]+")),
+            records(QStringLiteral("[0-9,]+ records")), // the hour; the audit's, too
             ago(QStringLiteral("just now|[0-9]+ (minute|hour)s? ago"));
-        return came.replaceInStrings(backup, QStringLiteral("chiron-backup")).replaceInStrings(records, QStringLiteral("0 records")).replaceInStrings(ago, QStringLiteral("lately"));
+        return came.replaceInStrings(backup, QStringLiteral("chiron-backup"))
+            .replaceInStrings(records, QStringLiteral("0 records"))
+            .replaceInStrings(ago, QStringLiteral("lately"));
     }
 
 private:
@@ -66,12 +73,17 @@ private:
 
     static void add(const QMenu& menu, QStringList& lines) {
         for (const QAction* action : menu.actions())
-            lines << QStringLiteral(" entry \"%1\" %2%3%4%5").arg(withoutToday(action->text()), action->shortcut().toString(), action->isEnabled() ? QString() : QStringLiteral(" disabled"),
-                                                                  action->isCheckable() ? QStringLiteral(" checkable") : QString(), action->isChecked() ? QStringLiteral(" checked") : QString());
+            lines << QStringLiteral(" entry \"%1\" %2%3%4%5")
+                         .arg(withoutToday(action->text()), action->shortcut().toString(),
+                              action->isEnabled() ? QString() : QStringLiteral(" disabled"),
+                              action->isCheckable() ? QStringLiteral(" checkable") : QString(),
+                              action->isChecked() ? QStringLiteral(" checked") : QString());
     }
 
     static void add(const QWidget& window, QStringList& lines) {
-        lines << QStringLiteral("window %1 \"%2\"%3").arg(window.objectName(), withoutToday(window.windowTitle()), window.isModal() ? QStringLiteral(" modal") : QString());
+        lines << QStringLiteral("window %1 \"%2\"%3")
+                     .arg(window.objectName(), withoutToday(window.windowTitle()),
+                          window.isModal() ? QStringLiteral(" modal") : QString());
         if (const auto* menu = qobject_cast<const QMenu*>(&window))
             add(*menu, lines);
         else if (!qobject_cast<const QFileDialog*>(&window)) // what it is made of is Qt's
@@ -79,7 +91,8 @@ private:
                 lines << QLatin1Char(' ') + line;
     }
 
-    QStringList since(const QSet<QWidget*>& before, const QPointer<desktop::Screen>& screen, const QStringList& outline) const {
+    QStringList since(const QSet<QWidget*>& before, const QPointer<desktop::Screen>& screen,
+                      const QStringList& outline) const {
         QStringList lines = m_told;
         for (QWidget* top : QApplication::topLevelWidgets())
             if (windows().contains(top) && !before.contains(top))
@@ -87,10 +100,12 @@ private:
         desktop::Screen* now = m_desktop.window->screen();
         if (!screen || now != screen) {
             if (now)
-                lines << QStringLiteral("goes to %1 \"%2\"").arg(m_desktop.context.navigator().current().screen, withoutToday(now->title()));
+                lines << QStringLiteral("goes to %1 \"%2\"")
+                             .arg(m_desktop.context.navigator().current().screen, withoutToday(now->title()));
             return lines;
         }
-        // Of the screen's own change only that there is one: much of it is on its way ("keeping …"), and screens have tests of their own.
+        // Of the screen's own change only that there is one: much of it is on its way ("keeping …"), and
+        // screens have tests of their own.
         if (lines.isEmpty() && ScreenOutline::of(*screen, false, true) != outline)
             lines << QStringLiteral("the screen changes");
         return lines;

@@ -2,16 +2,16 @@
 #include "sweep/level_sweep.h"
 
 #include "core/contact_bits.h"
-#include "session/exercise_kind.h"
-#include "session/session_setup.h"
-#include "session/station.h"
-#include "simulation/scene.h"
-#include "sweep/hand_path.h"
 #include "core/laparoscopy_cues.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
+#include "session/exercise_kind.h"
+#include "session/session_setup.h"
+#include "session/station.h"
 #include "simulation/geometry/urethra/urethra_anatomy.h"
 #include "simulation/geometry/urethra/urethra_centreline.h"
+#include "simulation/scene.h"
+#include "sweep/hand_path.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -47,16 +47,17 @@ std::optional<double> inContent(const QJsonValue& value, const QString& key) {
 }
 
 struct ContentNumbers {
-    double yield_N = 0.0;          ///< 0: never
-    double yield_Nm = 0.0;         ///< 0: never
+    double yield_N = 0.0;  ///< 0: never
+    double yield_Nm = 0.0; ///< 0: never
     double fall_ms = 20.0;
-    double bristle_N_per_m = 0.0;  ///< stick of friction: a stiffness across, which a scene does not report
+    double bristle_N_per_m = 0.0;   ///< stick of friction: a stiffness across, which a scene does not report
     double largest_Ns_per_m = 50.0; ///< b_max: with a change of speed a force may change by that much
-    double damping_Ns_per_m = 0.0; ///< faded in with depth: at a speed v a stiffness of b v / fade_m at most
+    double damping_Ns_per_m = 0.0;  ///< faded in with depth: at a speed v a stiffness of b v / fade_m at most
     double fade_m = 0.0005;
-    double turn_Nm_per_rad = 0.0;  ///< how stiff the tissue turns the tool back; 0: not at all
-    double turn_Nm_per_m = 0.0;    ///< the same for a way: the canal turns along it, the pivot's lever, and it gets stiffer
-    double shaft_m = 0.0;          ///< radius: at which forces turn the tool
+    double turn_Nm_per_rad = 0.0; ///< how stiff the tissue turns the tool back; 0: not at all
+    double turn_Nm_per_m =
+        0.0; ///< the same for a way: the canal turns along it, the pivot's lever, and it gets stiffer
+    double shaft_m = 0.0; ///< radius: at which forces turn the tool
 };
 
 ContentNumbers numbersOf(const catalogue::ExerciseLevel& level) {
@@ -75,9 +76,12 @@ ContentNumbers numbersOf(const catalogue::ExerciseLevel& level) {
     if (const auto* urethra = level.parameters.find<simulation::UrethraInsertionParameters>()) {
         constexpr double kMostTwist_rad = 1.5;
         const simulation::UrethraAnatomy& anatomy = urethra->anatomy;
-        const double span_m = anatomy.pivotSpan_m, turning_m = simulation::UrethraCentreline(anatomy).length_m() - anatomy.straight_m;
+        const double span_m = anatomy.pivotSpan_m,
+                     turning_m = simulation::UrethraCentreline(anatomy).length_m() - anatomy.straight_m;
         numbers.turn_Nm_per_rad = anatomy.angularStiffness_Nm_per_rad;
-        numbers.turn_Nm_per_m = numbers.turn_Nm_per_rad * (2.0 * anatomy.curvature_per_m + (span_m > 0.0 ? 0.5 / span_m : 0.0) + kMostTwist_rad / turning_m);
+        numbers.turn_Nm_per_m =
+            numbers.turn_Nm_per_rad * (2.0 * anatomy.curvature_per_m + (span_m > 0.0 ? 0.5 / span_m : 0.0) +
+                                       kMostTwist_rad / turning_m);
         numbers.shaft_m = urethra->endoscope.radius_m;
     }
     return numbers;
@@ -92,13 +96,15 @@ struct Before {
 
 class Sweep {
 public:
-    Sweep(const catalogue::ExerciseLevel& level, const SweepSettings& settings) : m_settings(settings), m_numbers(numbersOf(level)) {
+    Sweep(const catalogue::ExerciseLevel& level, const SweepSettings& settings)
+        : m_settings(settings), m_numbers(numbersOf(level)) {
         auto kind = session::exerciseKind(level.exercise);
         if (!kind)
             qFatal("%s", kind.error().message.c_str());
         m_kind = *kind;
         m_setup.level = level;
-        auto station = session::scriptedStation(*m_kind, level, m_kind->operatorNames().front(), settings.seed);
+        auto station =
+            session::scriptedStation(*m_kind, level, m_kind->operatorNames().front(), settings.seed);
         if (!station)
             qFatal("%s", station.error().message.c_str());
         for (std::size_t i = 0; i < station->tools.size(); ++i) {
@@ -131,7 +137,8 @@ private:
     /// Nobody meets a meatus by chance: along the canal and out again.
     void wayInto(const simulation::UrethraInsertionParameters& p) {
         const simulation::UrethraCentreline line(p.anatomy);
-        for (const double s_m : {-0.012, -0.004, 0.010, 0.030, 0.050, 0.070, 0.090, 0.110, line.length_m(), line.length_m() + 0.015})
+        for (const double s_m : {-0.012, -0.004, 0.010, 0.030, 0.050, 0.070, 0.090, 0.110, line.length_m(),
+                                 line.length_m() + 0.015})
             m_wayIn.push_back(p.pose.pointToW(line.at(s_m).p_A));
     }
 
@@ -146,7 +153,8 @@ private:
         m_out = {};
         m_hands.clear();
         for (std::size_t i = 0; i < m_reach.size(); ++i)
-            m_hands.emplace_back(m_reach[i], core::Random::stream(m_setup.seed, "sweep hand " + std::to_string(i)));
+            m_hands.emplace_back(m_reach[i],
+                                 core::Random::stream(m_setup.seed, "sweep hand " + std::to_string(i)));
         beginInTheAir();
         for (std::size_t i = 0; i < m_hands.size(); ++i)
             m_clear[i] = m_hands[i].now().p_WT;
@@ -162,7 +170,8 @@ private:
         m_open = false;
     }
 
-    /// Within tissue, too, and under the table: each tool from where its mechanism reaches, next to what lies about the origin of W if it reaches that.
+    /// Within tissue, too, and under the table: each tool from where its mechanism reaches, next to what lies
+    /// about the origin of W if it reaches that.
     void beginAnywhere() {
         constexpr int kDraws = 200;
         for (HandPath& hand : m_hands)
@@ -174,8 +183,8 @@ private:
             }
     }
 
-    /// Neither within tissue nor under the table (z = 0): each tool from where a fresh scene answers it with nothing for half a second,
-    /// after which what is simulated more slowly has answered too.
+    /// Neither within tissue nor under the table (z = 0): each tool from where a fresh scene answers it with
+    /// nothing for half a second, after which what is simulated more slowly has answered too.
     void beginInTheAir() {
         constexpr int kDraws = 1000;
         for (int draw = 0; draw < kDraws; ++draw) {
@@ -188,7 +197,8 @@ private:
             for (int tick = 0; tick < 500 && clear; ++tick) {
                 scene->respond(ticks.next(0), m_in, out);
                 for (std::size_t i = 0; i < m_hands.size(); ++i) {
-                    if (out.tissue.tools[i].force == Vec3::Zero() && out.contact[i] == 0 && m_in.tools.tools[i].p_WT.z() > 0.0)
+                    if (out.tissue.tools[i].force == Vec3::Zero() && out.contact[i] == 0 &&
+                        m_in.tools.tools[i].p_WT.z() > 0.0)
                         continue;
                     m_hands[i].drawStart();
                     clear = false;
@@ -200,11 +210,13 @@ private:
         qFatal("%s: no place in the air", m_result.level.c_str());
     }
 
-    /// A place that is worth going to: out again where tissue gave way, else a loose object, or where a tube may be held.
+    /// A place that is worth going to: out again where tissue gave way, else a loose object, or where a tube
+    /// may be held.
     std::optional<Vec3> lure(std::size_t tool) {
         if ((m_out.contact[tool] & core::contact_bits::kThrough) != 0)
             return m_clear[tool];
-        if (!m_wayIn.empty()) { // from before the entrance to as deep as there is something, a stretch at a time
+        if (!m_wayIn
+                 .empty()) { // from before the entrance to as deep as there is something, a stretch at a time
             if ((m_in.tools.tools[tool].p_WT - m_wayIn[m_wayAt]).norm() < 0.001)
                 m_wayAt = (m_wayAt + 1) % m_wayIn.size();
             return m_wayIn[m_wayAt];
@@ -215,13 +227,15 @@ private:
         if (cues.fold && tool + 1 == m_hands.size()) // the last tool holds back what lies over the tube
             return Vec3(cues.p_WFoldEdge[0], cues.p_WFoldEdge[1], cues.p_WFoldEdge[2]);
         if (cues.grips > 0) {
-            const auto grips = static_cast<std::size_t>(cues.grips); // the end for the first tool, the other end or a place between for the others
+            const auto grips = static_cast<std::size_t>(
+                cues.grips); // the end for the first tool, the other end or a place between for the others
             const auto& p = cues.p_WGrip[tool % 2 == 0 ? grips - 1 : (cues.gripAnchored[0] ? grips / 2 : 0)];
             return Vec3(p[0], p[1], p[2]);
         }
         if (m_met[tool])
             return m_met[tool];
-        return Vec3(m_guess.uniform(-0.05, 0.05), m_guess.uniform(-0.05, 0.05), m_guess.uniform(-0.02, 0.04)); // scenes lie about the origin of W
+        return Vec3(m_guess.uniform(-0.05, 0.05), m_guess.uniform(-0.05, 0.05),
+                    m_guess.uniform(-0.02, 0.04)); // scenes lie about the origin of W
     }
 
     void follow(std::uint64_t path) {
@@ -236,7 +250,8 @@ private:
         }
     }
 
-    static void keep(Worst& worst, double value, std::uint64_t path, std::uint64_t tick, std::size_t tool, const Vec3& p) {
+    static void keep(Worst& worst, double value, std::uint64_t path, std::uint64_t tick, std::size_t tool,
+                     const Vec3& p) {
         if (value > worst.value)
             worst = {value, path, tick, tool, p};
     }
@@ -245,7 +260,8 @@ private:
         ++m_result.ticks;
         const bool stored = m_out.storedEnergy_J != 0.0 || m_out.contactStiffness_N_per_m != 0.0;
         const double stiffest = std::max(m_out.contactStiffness_N_per_m, m_stiffnessBefore);
-        const bool appeared = (m_out.events & core::event_bits::kSceneChanged) != 0 || m_out.phase != m_phaseBefore;
+        const bool appeared =
+            (m_out.events & core::event_bits::kSceneChanged) != 0 || m_out.phase != m_phaseBefore;
         const double escaped = bodiesMoved();
         const std::vector<Ends> otherEnds = endsMoved();
         bool touching = false;
@@ -254,7 +270,8 @@ private:
             const core::ToolState& tool = m_in.tools.tools[i];
             const Vec3 force = m_out.tissue.tools[i].force;
             const double size = force.norm();
-            m_result.finite = m_result.finite && force.allFinite() && m_out.tissue.tools[i].torque.allFinite();
+            m_result.finite =
+                m_result.finite && force.allFinite() && m_out.tissue.tools[i].torque.allFinite();
             touching = touching || size > 0.0;
             keep(m_result.force, size, path, tick, i, tool.p_WT);
             keep(m_result.torque, m_out.tissue.tools[i].torque.norm(), path, tick, i, tool.p_WT);
@@ -271,14 +288,21 @@ private:
             if (before.known && !appeared) {
                 const Vec3 moved = tool.p_WT - before.p;
                 const Ends& others = otherEnds[i];
-                const double faded = m_numbers.damping_Ns_per_m * (std::max(tool.v_WT.norm(), before.v.norm()) + others.speed_m_per_s) / m_numbers.fade_m;
-                const double allowed = m_numbers.largest_Ns_per_m * ((tool.v_WT - before.v).norm() + others.sped_m_per_s) +
-                                       (stiffest + m_numbers.bristle_N_per_m + faded) * (moved.norm() + escaped + others.way_m);
+                const double faded = m_numbers.damping_Ns_per_m *
+                                     (std::max(tool.v_WT.norm(), before.v.norm()) + others.speed_m_per_s) /
+                                     m_numbers.fade_m;
+                const double allowed =
+                    m_numbers.largest_Ns_per_m * ((tool.v_WT - before.v).norm() + others.sped_m_per_s) +
+                    (stiffest + m_numbers.bristle_N_per_m + faded) * (moved.norm() + escaped + others.way_m);
                 const double change = (force - before.force).norm();
                 const double turned = turnChange(before, tool, m_out.tissue.tools[i].torque, allowed);
                 if (((bits | m_bitsBefore[i]) & core::contact_bits::kThrough) != 0) {
-                    keep(m_result.fall, change - allowed - kSteepest * m_result.yieldForce_N / m_numbers.fall_ms, path, tick, i, tool.p_WT);
-                    keep(m_result.torqueFall, turned - kSteepest * m_result.yieldTorque_Nm / m_numbers.fall_ms, path, tick, i, tool.p_WT);
+                    keep(m_result.fall,
+                         change - allowed - kSteepest * m_result.yieldForce_N / m_numbers.fall_ms, path, tick,
+                         i, tool.p_WT);
+                    keep(m_result.torqueFall,
+                         turned - kSteepest * m_result.yieldTorque_Nm / m_numbers.fall_ms, path, tick, i,
+                         tool.p_WT);
                 } else {
                     keep(m_result.change, change - allowed, path, tick, i, tool.p_WT);
                     keep(m_result.torqueChange, turned, path, tick, i, tool.p_WT);
@@ -294,7 +318,8 @@ private:
         m_phaseBefore = m_out.phase;
     }
 
-    /// Of a tube, what the other hands do to it while this one holds still: what stretches it is the way between them.
+    /// Of a tube, what the other hands do to it while this one holds still: what stretches it is the way
+    /// between them.
     struct Ends {
         double way_m = 0.0, speed_m_per_s = 0.0, sped_m_per_s = 0.0;
     };
@@ -314,11 +339,14 @@ private:
     }
 
     /// By how much the torque changed more than it may; `allowed_N`: what the force may change by.
-    double turnChange(const Before& before, const core::ToolState& tool, const Vec3& torque, double allowed_N) const {
+    double turnChange(const Before& before, const core::ToolState& tool, const Vec3& torque,
+                      double allowed_N) const {
         constexpr double kLeaning = 4.0 / 3.0; // 1/cos² of 30°, as far as tilts are checked
         const double turn = before.q.angularDistance(tool.q_WT), way = (tool.p_WT - before.p).norm();
-        const double spin = m_numbers.largest_Ns_per_m * m_numbers.shaft_m * m_numbers.shaft_m * (tool.w_WT - before.w).norm();
-        return (torque - before.torque).norm() - kLeaning * (m_numbers.turn_Nm_per_rad * turn + m_numbers.turn_Nm_per_m * way) -
+        const double spin = m_numbers.largest_Ns_per_m * m_numbers.shaft_m * m_numbers.shaft_m *
+                            (tool.w_WT - before.w).norm();
+        return (torque - before.torque).norm() -
+               kLeaning * (m_numbers.turn_Nm_per_rad * turn + m_numbers.turn_Nm_per_m * way) -
                m_numbers.shaft_m * allowed_N - spin;
     }
 
@@ -334,7 +362,8 @@ private:
         return most;
     }
 
-    /// Books over one contact of all tools, from nothing stored to nothing stored: closed, they say what the law made.
+    /// Books over one contact of all tools, from nothing stored to nothing stored: closed, they say what the
+    /// law made.
     void count(bool touching, bool appeared, double work, std::uint64_t path, std::uint64_t tick) {
         const bool idle = !touching && m_out.storedEnergy_J == 0.0;
         if (m_open && !appeared)
@@ -358,9 +387,11 @@ private:
     realtime::TickSource m_ticks;
     std::vector<Before> m_before;
     std::array<std::uint8_t, core::kMaxTools> m_bitsBefore{};
-    std::array<Vec3, core::kMaxTools> m_clear{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; ///< where each touched nothing last
-    std::array<Vec3, core::LaparoscopyCues::kMaxBodies> m_bodies{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-    std::array<std::optional<Vec3>, core::kMaxTools> m_met;          ///< where each last touched tissue that was whole
+    std::array<Vec3, core::kMaxTools> m_clear{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
+                                              Vec3::Zero()}; ///< where each touched nothing last
+    std::array<Vec3, core::LaparoscopyCues::kMaxBodies> m_bodies{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
+                                                                 Vec3::Zero()};
+    std::array<std::optional<Vec3>, core::kMaxTools> m_met; ///< where each last touched tissue that was whole
     core::Random m_guess = core::Random::stream(0, "sweep guess");
     std::vector<Vec3> m_wayIn;
     std::size_t m_wayAt = 0;
@@ -373,12 +404,15 @@ private:
 
 std::string at(const Worst& worst) {
     char text[120];
-    std::snprintf(text, sizeof text, " [path %llu tick %llu tool %zu (%.1f %.1f %.1f) mm]", static_cast<unsigned long long>(worst.path),
-                  static_cast<unsigned long long>(worst.tick), worst.tool, 1e3 * worst.p_W.x(), 1e3 * worst.p_W.y(), 1e3 * worst.p_W.z());
+    std::snprintf(text, sizeof text, " [path %llu tick %llu tool %zu (%.1f %.1f %.1f) mm]",
+                  static_cast<unsigned long long>(worst.path), static_cast<unsigned long long>(worst.tick),
+                  worst.tool, 1e3 * worst.p_W.x(), 1e3 * worst.p_W.y(), 1e3 * worst.p_W.z());
     return text;
 }
 
-double shown(const Worst& worst, double unit = 1.0) { return std::isfinite(worst.value) ? worst.value * unit : 0.0; }
+double shown(const Worst& worst, double unit = 1.0) {
+    return std::isfinite(worst.value) ? worst.value * unit : 0.0;
+}
 
 } // namespace
 
@@ -387,16 +421,23 @@ SweepResult sweepLevel(const catalogue::ExerciseLevel& level, const SweepSetting
 }
 
 std::string SweepResult::heading() {
-    return "level                                     F max N  yields at N   over the bound N  over fall N   in air N   made uJ   T max mNm  yields at  over bound  over fall   yields  beyond %  contact %";
+    return "level                                     F max N  yields at N   over the bound N  over fall N   "
+           "in air N   made uJ   T max mNm  yields at  over bound  over fall   yields  beyond %  contact %";
 }
 
 std::string SweepResult::line() const {
     char text[480];
     const double all = static_cast<double>(std::max<std::uint64_t>(1, ticks));
-    std::snprintf(text, sizeof text, "%-40s %8.3f  %11.2f  %17.3f  %10.3f  %9.4f  %8.3f  %10.1f  %9.1f  %10.3f  %9.3f  %7llu  %8.2f  %9.1f", level.c_str(), shown(force), yieldForce_N,
-                  shown(change), shown(fall), shown(inAir), shown(made, 1e6), shown(torque, 1e3), 1e3 * yieldTorque_Nm, shown(torqueChange, 1e3), shown(torqueFall, 1e3), static_cast<unsigned long long>(yields),
-                  100.0 * static_cast<double>(beyondChecked) / all, 100.0 * static_cast<double>(touching) / all);
-    return std::string(text) + "\n    F" + at(force) + "  change" + at(change) + "  fall" + at(fall) + "  air" + at(inAir) + "  T" + at(torque) + "  T change" + at(torqueChange);
+    std::snprintf(text, sizeof text,
+                  "%-40s %8.3f  %11.2f  %17.3f  %10.3f  %9.4f  %8.3f  %10.1f  %9.1f  %10.3f  %9.3f  %7llu  "
+                  "%8.2f  %9.1f",
+                  level.c_str(), shown(force), yieldForce_N, shown(change), shown(fall), shown(inAir),
+                  shown(made, 1e6), shown(torque, 1e3), 1e3 * yieldTorque_Nm, shown(torqueChange, 1e3),
+                  shown(torqueFall, 1e3), static_cast<unsigned long long>(yields),
+                  100.0 * static_cast<double>(beyondChecked) / all,
+                  100.0 * static_cast<double>(touching) / all);
+    return std::string(text) + "\n    F" + at(force) + "  change" + at(change) + "  fall" + at(fall) +
+           "  air" + at(inAir) + "  T" + at(torque) + "  T change" + at(torqueChange);
 }
 
 } // namespace chiron::tests

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tool pushed, dragged and lifted through every level of every exercise: no force without bound, none that jumps, none in free air.
+// A tool pushed, dragged and lifted through every level of every exercise: no force without bound, none that
+// jumps, none in free air.
 #include "sweep/level_sweep.h"
 
 #include <QtTest>
@@ -11,7 +12,8 @@ using tests::SweepResult;
 
 namespace {
 
-constexpr double kChange_N = 0.1; ///< in a tick, above stiffness times way: what is allowed for rounding and for what a scene's bound leaves out
+constexpr double kChange_N = 0.1; ///< in a tick, above stiffness times way: what is allowed for rounding and
+                                  ///< for what a scene's bound leaves out
 constexpr double kChange_Nm = 0.001; ///< likewise: 0.1 N over a lever of 10 mm, which is as long as the beak
 
 #ifdef CHIRON_LONG_SWEEP
@@ -48,7 +50,8 @@ void TestLevelSweep::everyLevel_data() {
     std::printf("%s\n", SweepResult::heading().c_str());
     for (const catalogue::Exercise& exercise : m_catalogue.exercises())
         for (const catalogue::ExerciseLevel& level : exercise.levels)
-            QTest::newRow((exercise.id + "_" + std::to_string(level.number)).c_str()) << QString::fromStdString(exercise.id) << level.number;
+            QTest::newRow((exercise.id + "_" + std::to_string(level.number)).c_str())
+                << QString::fromStdString(exercise.id) << level.number;
 }
 
 void TestLevelSweep::everyLevel() {
@@ -61,7 +64,8 @@ void TestLevelSweep::everyLevel() {
     std::printf("%s   seed %llu\n", result.line().c_str(), static_cast<unsigned long long>(settings.seed));
     std::fflush(stdout);
     if (!kLong && !result.yieldStated)
-        QSKIP("the content does not say at which force the tissue gives way: only the long test fails for that");
+        QSKIP("the content does not say at which force the tissue gives way: only the long test fails for "
+              "that");
     QVERIFY(result.finite);
     QVERIFY2(result.yieldStated, "the content does not say at which force the tissue gives way");
     QVERIFY2(result.yieldForce_N <= 3.0 * result.limit_N, "yields only beyond three times the level's limit");
@@ -70,13 +74,17 @@ void TestLevelSweep::everyLevel() {
     QVERIFY2(!(result.change.value > kChange_N), "the force jumps");
     QVERIFY2(!(result.fall.value > kChange_N), "tissue that gives way falls faster than its curve");
     if (result.yieldTorque_Nm == 0.0) {
-        QVERIFY2(!(result.torque.value > 0.0), "a torque, and the content does not say at which the tissue gives way");
+        QVERIFY2(!(result.torque.value > 0.0),
+                 "a torque, and the content does not say at which the tissue gives way");
         return;
     }
-    QVERIFY2(result.yieldTorque_Nm <= 3.0 * result.limit_Nm, "yields only beyond three times the level's limit of torque");
-    QVERIFY2(result.torque.value <= result.yieldTorque_Nm * (1.0 + 1e-9), "more torque than the tissue bears");
+    QVERIFY2(result.yieldTorque_Nm <= 3.0 * result.limit_Nm,
+             "yields only beyond three times the level's limit of torque");
+    QVERIFY2(result.torque.value <= result.yieldTorque_Nm * (1.0 + 1e-9),
+             "more torque than the tissue bears");
     QVERIFY2(!(result.torqueChange.value > kChange_Nm), "the torque jumps");
-    QVERIFY2(!(result.torqueFall.value > kChange_Nm), "the torque of tissue that gives way falls faster than its curve");
+    QVERIFY2(!(result.torqueFall.value > kChange_Nm),
+             "the torque of tissue that gives way falls faster than its curve");
 }
 
 void TestLevelSweep::formerJumps_data() {
@@ -90,7 +98,8 @@ void TestLevelSweep::formerJumps_data() {
     QTest::newRow("it turns under a press: 0.26 N") << 17566737335040ull << 60;
 }
 
-/// Paths through the soft organ on which the force jumped by so much more than it may, until what is felt of a mesh had a bound (felt_place.h).
+/// Paths through the soft organ on which the force jumped by so much more than it may, until what is felt of
+/// a mesh had a bound (felt_place.h).
 void TestLevelSweep::formerJumps() {
     QFETCH(qulonglong, seed);
     QFETCH(int, firstPath);

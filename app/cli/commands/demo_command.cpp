@@ -26,10 +26,12 @@ QString valueOf(const scoring::ScoreCard& card, const std::string& id, int decim
     return QStringLiteral("-");
 }
 
-const QString kLegend = QStringLiteral("max N: the largest force of the tissue; passed: every pass mark of the level met; replay: forces simulated again from the\n"
+const QString kLegend = QStringLiteral("max N: the largest force of the tissue; passed: every pass mark of "
+                                       "the level met; replay: forces simulated again from the\n"
                                        "recording; rescored: scores computed again from it\n");
 
-QString resultsTable(const std::vector<session::DemoResult>& results, const std::string& exercise, const session::Demonstration& shown) {
+QString resultsTable(const std::vector<session::DemoResult>& results, const std::string& exercise,
+                     const session::Demonstration& shown) {
     QStringList headings{">session", "person", ">level", "operator"};
     for (const session::DemoColumn& column : shown.columns)
         headings << QString::fromStdString(column.heading);
@@ -38,14 +40,16 @@ QString resultsTable(const std::vector<session::DemoResult>& results, const std:
         if (r.asked.exercise != exercise)
             continue;
         const scoring::ScoreCard& card = r.result.scores;
-        QStringList cells{QString::number(r.result.session), QString::fromStdString(r.person), QString::number(r.asked.level),
-                          QString::fromStdString(r.asked.operatorName)};
+        QStringList cells{QString::number(r.result.session), QString::fromStdString(r.person),
+                          QString::number(r.asked.level), QString::fromStdString(r.asked.operatorName)};
         for (const session::DemoColumn& column : shown.columns)
             cells << valueOf(card, column.metric, column.decimals);
-        table.add(cells + QStringList{valueOf(card, "time", 0), valueOf(card, "force_max", 2), card.passed ? "yes" : "no",
-                                      r.replayIdentical ? "identical" : "DIFFERS", r.scoreSame ? "same" : "DIFFERS"});
+        table.add(cells + QStringList{valueOf(card, "time", 0), valueOf(card, "force_max", 2),
+                                      card.passed ? "yes" : "no", r.replayIdentical ? "identical" : "DIFFERS",
+                                      r.scoreSame ? "same" : "DIFFERS"});
     }
-    return QString::fromStdString(exercise) + QLatin1Char('\n') + table.toText() + QLatin1Char('\n') + QString::fromStdString(shown.legend) + QLatin1Char('\n');
+    return QString::fromStdString(exercise) + QLatin1Char('\n') + table.toText() + QLatin1Char('\n') +
+           QString::fromStdString(shown.legend) + QLatin1Char('\n');
 }
 
 /// One table per exercise, in the order in which the exercises were done.
@@ -91,13 +95,16 @@ core::Result<DemoPlace> placeFor(const Arguments& arguments) {
     if (place.folder.isEmpty())
         place.folder = QFileInfo(place.database).absoluteDir().filePath(QStringLiteral("demonstration"));
     if (QFileInfo::exists(place.database))
-        return badInput(QStringLiteral("%1: exists already; a demonstration is made in a fresh database").arg(quoted(place.database)));
+        return badInput(QStringLiteral("%1: exists already; a demonstration is made in a fresh database")
+                            .arg(quoted(place.database)));
     if (!QDir().mkpath(place.folder) || !QDir().mkpath(QFileInfo(place.database).absolutePath()))
-        return core::fail(core::ErrorCode::storage, place.folder.toStdString() + ": the folder cannot be made");
+        return core::fail(core::ErrorCode::storage,
+                          place.folder.toStdString() + ": the folder cannot be made");
     return place;
 }
 
-CommandOutput output(const DemoPlace& place, const session::DemoSite& made, const DemoPictures& drawn, const database::VerifyReport& verified) {
+CommandOutput output(const DemoPlace& place, const session::DemoSite& made, const DemoPictures& drawn,
+                     const database::VerifyReport& verified) {
     bool holds = verified.ok() && made.study.replayIdentical;
     for (const session::DemoResult& r : made.sessions)
         holds = holds && r.replayIdentical && r.scoreSame;
@@ -112,13 +119,25 @@ CommandOutput output(const DemoPlace& place, const session::DemoSite& made, cons
         reports.append(report);
         reportFiles << report;
     }
-    const QJsonObject json{{"folder", place.folder}, {"database", place.database}, {"reports", reports},
-                           {"pictures", pictures}, {"sessions", resultsJson(made.sessions)}, {"study", demoStudyJson(made.study)}, {"verify_ok", verified.ok()},
+    const QJsonObject json{{"folder", place.folder},
+                           {"database", place.database},
+                           {"reports", reports},
+                           {"pictures", pictures},
+                           {"sessions", resultsJson(made.sessions)},
+                           {"study", demoStudyJson(made.study)},
+                           {"verify_ok", verified.ok()},
                            {"password", session::kDemoPassword}};
-    const QString text = resultsTables(made.sessions) + kLegend + QLatin1Char('\n') + demoStudyTable(made.study) + QLatin1Char('\n') +
-                         alignedPairs({{"verify", verified.ok() ? "nothing wrong found" : QStringLiteral("%1 findings").arg(verified.findings.size())},
-                                       {"folder", place.folder}, {"database", place.database}, {"reports", reportFiles.join(QStringLiteral(", "))},
-                                       {"people", QStringLiteral("amalia (administrator), theo, rhea, nikos, ines, eva; password %1").arg(session::kDemoPassword)}});
+    const QString text =
+        resultsTables(made.sessions) + kLegend + QLatin1Char('\n') + demoStudyTable(made.study) +
+        QLatin1Char('\n') +
+        alignedPairs(
+            {{"verify", verified.ok() ? "nothing wrong found"
+                                      : QStringLiteral("%1 findings").arg(verified.findings.size())},
+             {"folder", place.folder},
+             {"database", place.database},
+             {"reports", reportFiles.join(QStringLiteral(", "))},
+             {"people", QStringLiteral("amalia (administrator), theo, rhea, nikos, ines, eva; password %1")
+                            .arg(session::kDemoPassword)}});
     return {QJsonDocument(json), text, holds ? 0 : 1};
 }
 
@@ -135,16 +154,20 @@ core::Result<CommandOutput> demo(const Arguments& arguments) {
     options.demonstration = true;
     auto site = session::openSite(place->database.toStdString(), options);
     CHIRON_TRY(site);
-    auto made = session::makeDemoSite(*site->database, *catalogue, *seed,
-                                         [](const session::DemoProgress& now) {
-                                             tell(QStringLiteral("step %1 of %2: %3").arg(now.step).arg(now.of).arg(QString::fromStdString(now.doing)));
-                                         });
+    auto made =
+        session::makeDemoSite(*site->database, *catalogue, *seed, [](const session::DemoProgress& now) {
+            tell(QStringLiteral("step %1 of %2: %3")
+                     .arg(now.step)
+                     .arg(now.of)
+                     .arg(QString::fromStdString(now.doing)));
+        });
     CHIRON_TRY(made);
     auto drawn = drawDemo(*site->database, *made, place->folder);
     CHIRON_TRY(drawn);
     site->database.reset(); // verify must read the file as the next program will find it
     tell(QStringLiteral("verifying"));
-    const database::VerifyReport verified = session::verifyEverything(place->database.toStdString(), databaseOptions());
+    const database::VerifyReport verified =
+        session::verifyEverything(place->database.toStdString(), databaseOptions());
     return output(*place, *made, *drawn, verified);
 }
 
@@ -153,9 +176,12 @@ core::Result<CommandOutput> demo(const Arguments& arguments) {
 std::vector<CommandSpec> demoCommands() {
     CommandSpec command;
     command.group = QStringLiteral("demo");
-    command.summary = QStringLiteral("a demonstration site: people, every exercise by every scripted operator, a study by simulated participants, reports");
-    command.options = {{QStringLiteral("folder"), QStringLiteral("DIR"), QStringLiteral("receives report and pictures, and the database unless --database says otherwise")},
-                       {QStringLiteral("seed"), QStringLiteral("S"), QStringLiteral("of everything; default: 1")}};
+    command.summary = QStringLiteral("a demonstration site: people, every exercise by every scripted "
+                                     "operator, a study by simulated participants, reports");
+    command.options = {
+        {QStringLiteral("folder"), QStringLiteral("DIR"),
+         QStringLiteral("receives report and pictures, and the database unless --database says otherwise")},
+        {QStringLiteral("seed"), QStringLiteral("S"), QStringLiteral("of everything; default: 1")}};
     command.example = QStringLiteral("chiron-cli demo --folder demonstration");
     command.draws = true;
     command.run = demo;

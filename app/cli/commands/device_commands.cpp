@@ -49,8 +49,10 @@ core::Result<void> refuseOtherDrivers(const QString& driver) {
     if (driver.isEmpty() || driver.toStdString() == simulated)
         return {};
     if (devices::findDriver(driver.toStdString()) == nullptr)
-        return wrongUse(QStringLiteral("option --driver: %1 is unknown; see chiron-cli device list").arg(quoted(driver)));
-    return core::fail(core::ErrorCode::device, "device " + driver.toStdString() + ": has no motors that could be checked");
+        return wrongUse(
+            QStringLiteral("option --driver: %1 is unknown; see chiron-cli device list").arg(quoted(driver)));
+    return core::fail(core::ErrorCode::device,
+                      "device " + driver.toStdString() + ": has no motors that could be checked");
 }
 
 core::Result<CommandOutput> checkFingertip(const Arguments& arguments, std::optional<double> damping) {
@@ -75,7 +77,8 @@ core::Result<CommandOutput> checkFingertip(const Arguments& arguments, std::opti
     check.friction = mechanisms::identifyFingertipFriction(plant);
     check.arm = mechanisms::verifyFingertipArm({}, *seed);
     check.damping_Ns_per_m = damping.value_or(mechanisms::fingertipDamping_Ns_per_m(check.friction, plant));
-    check.stiffnessCap_N_per_m = mechanisms::stiffnessCap_N_per_m(check.damping_Ns_per_m, core::kTickSeconds, check.verification.latency_s);
+    check.stiffnessCap_N_per_m = mechanisms::stiffnessCap_N_per_m(check.damping_Ns_per_m, core::kTickSeconds,
+                                                                  check.verification.latency_s);
     if (arguments.has(QStringLiteral("degrade"))) {
         auto table = mechanisms::degradeFingertip(plant, *seed, settings);
         CHIRON_TRY(table);
@@ -116,32 +119,36 @@ constexpr double kTaken = 0.6;
 /// The friction felt at rest and in motion, before and after its compensation. `holds` becomes false if the
 /// compensation reduces the friction too little, pushes the hand by itself or generates energy.
 QJsonObject frictionFeltJson(const session::FrictionFelt& felt, bool& holds, QString& text) {
-    TextTable table({QStringLiteral("direction"), QStringLiteral(">speed (mm/s)"), QStringLiteral(">felt before (N)"), QStringLiteral(">after (N)")});
+    TextTable table({QStringLiteral("direction"), QStringLiteral(">speed (mm/s)"),
+                     QStringLiteral(">felt before (N)"), QStringLiteral(">after (N)")});
     QJsonArray rows;
     double breaking_N = 0.0;
     for (const session::FrictionFeltRow& row : felt.rows) {
         if (row.speed_m_per_s <= 0.001) // the lowest speed of each direction
             breaking_N = row.before_N;
-        holds = holds && row.after_N > 0.0 && (row.speed_m_per_s < kMoving_m_per_s || row.after_N < row.before_N - kTaken * breaking_N);
+        holds = holds && row.after_N > 0.0 &&
+                (row.speed_m_per_s < kMoving_m_per_s || row.after_N < row.before_N - kTaken * breaking_N);
         rows.append(QJsonObject{{"direction", QString::fromStdString(row.direction)},
                                 {"speed_m_per_s", row.speed_m_per_s},
                                 {"before_N", row.before_N},
                                 {"after_N", row.after_N}});
-        table.add({QString::fromStdString(row.direction), shortNumber(1e3 * row.speed_m_per_s), QString::number(row.before_N, 'f', 3),
-                   QString::number(row.after_N, 'f', 3)});
+        table.add({QString::fromStdString(row.direction), shortNumber(1e3 * row.speed_m_per_s),
+                   QString::number(row.before_N, 'f', 3), QString::number(row.after_N, 'f', 3)});
     }
     holds = holds && felt.workAfter_J > 0.0 && felt.heldAfter_N <= felt.heldBefore_N + 0.001;
-    text = QStringLiteral("\nFriction that a hand feels with nothing touched, before and after %1 % of the Coulomb friction is fed forward\n")
+    text = QStringLiteral("\nFriction that a hand feels with nothing touched, before and after %1 % of the "
+                          "Coulomb friction is fed forward\n")
                .arg(100.0 * felt.compensation, 0, 'f', 0) +
            table.toText() + QLatin1Char('\n') +
-           alignedPairs({{QStringLiteral("held still, change felt"), QStringLiteral("%1 N before, %2 N after").arg(felt.heldBefore_N, 0, 'f', 3).arg(felt.heldAfter_N, 0, 'f', 3)},
-                         {QStringLiteral("work of the hand"), QStringLiteral("%1 mJ before, %2 mJ after").arg(1e3 * felt.workBefore_J, 0, 'f', 1).arg(1e3 * felt.workAfter_J, 0, 'f', 1)}});
-    return {{"compensation", felt.compensation},
-            {"rows", rows},
-            {"held_before_N", felt.heldBefore_N},
-            {"held_after_N", felt.heldAfter_N},
-            {"work_before_J", felt.workBefore_J},
-            {"work_after_J", felt.workAfter_J}};
+           alignedPairs({{QStringLiteral("held still, change felt"), QStringLiteral("%1 N before, %2 N after")
+                                                                         .arg(felt.heldBefore_N, 0, 'f', 3)
+                                                                         .arg(felt.heldAfter_N, 0, 'f', 3)},
+                         {QStringLiteral("work of the hand"), QStringLiteral("%1 mJ before, %2 mJ after")
+                                                                  .arg(1e3 * felt.workBefore_J, 0, 'f', 1)
+                                                                  .arg(1e3 * felt.workAfter_J, 0, 'f', 1)}});
+    return {{"compensation", felt.compensation},  {"rows", rows},
+            {"held_before_N", felt.heldBefore_N}, {"held_after_N", felt.heldAfter_N},
+            {"work_before_J", felt.workBefore_J}, {"work_after_J", felt.workAfter_J}};
 }
 
 /// Checks P2's gimbal: the friction of its motor axes, identified by Tholey's method, must agree within a
@@ -160,7 +167,8 @@ core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
     const double cap = mechanisms::stiffnessCap_N_per_m(damping, core::kTickSeconds, latency_s);
     const auto felt = session::feelFriction(parameters, kCompensation);
     CHIRON_TRY(felt);
-    TextTable table({QStringLiteral("axis"), QStringLiteral(">Coulomb"), QStringLiteral(">given"), QStringLiteral(">viscous"), QStringLiteral(">given")});
+    TextTable table({QStringLiteral("axis"), QStringLiteral(">Coulomb"), QStringLiteral(">given"),
+                     QStringLiteral(">viscous"), QStringLiteral(">given")});
     QJsonArray axes;
     bool holds = std::abs(latency_s - given_s) <= kDelayTolerance_s;
     const std::array<const char*, 4> names{"heading", "pitch", "roll", "depth"};
@@ -172,32 +180,41 @@ core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
         holds = holds && std::abs(axis->coulomb - given.coulomb) <= 0.05 * given.coulomb &&
                 std::abs(axis->viscous - given.viscous) <= 0.05 * given.viscous;
         axes.append(QJsonObject{{"axis", names[i]}, {"coulomb", axis->coulomb}, {"viscous", axis->viscous}});
-        table.add({names[i], shortNumber(axis->coulomb), shortNumber(given.coulomb), shortNumber(axis->viscous), shortNumber(given.viscous)});
+        table.add({names[i], shortNumber(axis->coulomb), shortNumber(given.coulomb),
+                   shortNumber(axis->viscous), shortNumber(given.viscous)});
     }
     QString feltText;
     const QJsonObject feltJson = frictionFeltJson(*felt, holds, feltText);
-    const QString text = QStringLiteral("Gimbal, simulated; N·m and N·m·s/rad, depth N and N·s/m.\n\n") + table.toText() + QLatin1Char('\n') +
-                         alignedPairs({{QStringLiteral("serial number"), serialWords(delay->serialNumber)},
-                                       {QStringLiteral("latency, measured"), QStringLiteral("%1 ± %2 ms").arg(shortNumber(1e3 * latency_s), shortNumber(1e3 * delay->estimate.standardError_s))},
-                                       {QStringLiteral("latency, given"), shortNumber(1e3 * given_s) + QStringLiteral(" ms")},
-                                       {QStringLiteral("stiffest wall"), shortNumber(cap) + QStringLiteral(" N/m")}}) + feltText;
-    return CommandOutput{QJsonDocument(QJsonObject{{"mechanism", "gimbal_hprd"},
-                                                   {"serial_number", serialJson(delay->serialNumber)},
-                                                   {"holds", holds},
-                                                   {"friction", axes},
-                                                   {"friction_felt", feltJson},
-                                                   {"latency_us", 1e6 * latency_s},
-                                                   {"latency_error_us", 1e6 * delay->estimate.standardError_s},
-                                                   {"latency_given_us", 1e6 * given_s},
-                                                   {"damping_Ns_per_m", damping},
-                                                   {"stiffness_cap_N_per_m", cap}}),
-                         text, holds ? 0 : 1};
+    const QString text =
+        QStringLiteral("Gimbal, simulated; N·m and N·m·s/rad, depth N and N·s/m.\n\n") + table.toText() +
+        QLatin1Char('\n') +
+        alignedPairs(
+            {{QStringLiteral("serial number"), serialWords(delay->serialNumber)},
+             {QStringLiteral("latency, measured"),
+              QStringLiteral("%1 ± %2 ms")
+                  .arg(shortNumber(1e3 * latency_s), shortNumber(1e3 * delay->estimate.standardError_s))},
+             {QStringLiteral("latency, given"), shortNumber(1e3 * given_s) + QStringLiteral(" ms")},
+             {QStringLiteral("stiffest wall"), shortNumber(cap) + QStringLiteral(" N/m")}}) +
+        feltText;
+    return CommandOutput{
+        QJsonDocument(QJsonObject{{"mechanism", "gimbal_hprd"},
+                                  {"serial_number", serialJson(delay->serialNumber)},
+                                  {"holds", holds},
+                                  {"friction", axes},
+                                  {"friction_felt", feltJson},
+                                  {"latency_us", 1e6 * latency_s},
+                                  {"latency_error_us", 1e6 * delay->estimate.standardError_s},
+                                  {"latency_given_us", 1e6 * given_s},
+                                  {"damping_Ns_per_m", damping},
+                                  {"stiffness_cap_N_per_m", cap}}),
+        text, holds ? 0 : 1};
 }
 
 core::Result<CommandOutput> check(const Arguments& arguments) {
     CHIRON_TRY(refuseOtherDrivers(arguments.value(QStringLiteral("driver"))));
     const QString fingertip = QStringLiteral("fingertip_arm");
-    const auto mechanism = arguments.choice(QStringLiteral("mechanism"), {fingertip, QStringLiteral("gimbal_hprd")}, fingertip);
+    const auto mechanism =
+        arguments.choice(QStringLiteral("mechanism"), {fingertip, QStringLiteral("gimbal_hprd")}, fingertip);
     // models.md: the default B of a wall.
     const auto damping = arguments.number(QStringLiteral("damping"), 0.01, 100.0, 2.0);
     CHIRON_TRY(mechanism);
@@ -205,12 +222,15 @@ core::Result<CommandOutput> check(const Arguments& arguments) {
     const auto sampleDelay = arguments.integer(QStringLiteral("sample-delay"), 0, 3, 0);
     CHIRON_TRY(sampleDelay);
     if (*mechanism == fingertip && arguments.has(QStringLiteral("sample-delay")))
-        return wrongUse(QStringLiteral("option --sample-delay: means nothing with --mechanism fingertip_arm"));
+        return wrongUse(
+            QStringLiteral("option --sample-delay: means nothing with --mechanism fingertip_arm"));
     if (*mechanism == fingertip)
-        return checkFingertip(arguments, arguments.has(QStringLiteral("damping")) ? std::optional(*damping) : std::nullopt);
+        return checkFingertip(arguments, arguments.has(QStringLiteral("damping")) ? std::optional(*damping)
+                                                                                  : std::nullopt);
     for (const char* option : {"seed", "frequency", "poses", "degrade", "series"})
         if (arguments.has(QString::fromLatin1(option)))
-            return wrongUse(QStringLiteral("option --%1: means nothing with --mechanism gimbal_hprd").arg(QLatin1String(option)));
+            return wrongUse(QStringLiteral("option --%1: means nothing with --mechanism gimbal_hprd")
+                                .arg(QLatin1String(option)));
     return checkGimbal(*damping, static_cast<int>(*sampleDelay));
 }
 
@@ -218,17 +238,32 @@ CommandSpec checkCommand() {
     CommandSpec command;
     command.group = QStringLiteral("device");
     command.verb = QStringLiteral("check");
-    command.summary = QStringLiteral("verify a mechanism: force and angle beside P3's figures, the arm, friction, latency, stiffness cap");
+    command.summary = QStringLiteral(
+        "verify a mechanism: force and angle beside P3's figures, the arm, friction, latency, stiffness cap");
     command.options = {
-        {QStringLiteral("mechanism"), QStringLiteral("ID"), QStringLiteral("fingertip_arm (default) or gimbal_hprd (friction, what is felt of it, and latency)")},
-        {QStringLiteral("driver"), QStringLiteral("ID"), QStringLiteral("the device's driver (default: simulated)")},
-        {QStringLiteral("seed"), QStringLiteral("S"), QStringLiteral("of sensor noise and poses (default 1)")},
-        {QStringLiteral("frequency"), QStringLiteral("HZ"), QStringLiteral("of the 1 N sine, 0.05 to 5 (default 0.5; P3 does not print it)")},
-        {QStringLiteral("poses"), QStringLiteral("N"), QStringLiteral("random orientations, 1 to 10000 (default 100)")},
-        {QStringLiteral("damping"), QStringLiteral("B"), QStringLiteral("of device, hand and wall together in the stiffness cap, N·s/m (default: drives and pad; gimbal: 2)")},
-        {QStringLiteral("sample-delay"), QStringLiteral("TICKS"), QStringLiteral("of gimbal_hprd: how old its samples are, 0 to 3 (default 0)")},
-        {QStringLiteral("degrade"), {}, QStringLiteral("also a table: force noise, converter, delay, friction, backlash, IMU times 0, 1, 2, 4")},
-        {QStringLiteral("series"), {}, QStringLiteral("with --json also every tick of the sine and every pose")}};
+        {QStringLiteral("mechanism"), QStringLiteral("ID"),
+         QStringLiteral(
+             "fingertip_arm (default) or gimbal_hprd (friction, what is felt of it, and latency)")},
+        {QStringLiteral("driver"), QStringLiteral("ID"),
+         QStringLiteral("the device's driver (default: simulated)")},
+        {QStringLiteral("seed"), QStringLiteral("S"),
+         QStringLiteral("of sensor noise and poses (default 1)")},
+        {QStringLiteral("frequency"), QStringLiteral("HZ"),
+         QStringLiteral("of the 1 N sine, 0.05 to 5 (default 0.5; P3 does not print it)")},
+        {QStringLiteral("poses"), QStringLiteral("N"),
+         QStringLiteral("random orientations, 1 to 10000 (default 100)")},
+        {QStringLiteral("damping"), QStringLiteral("B"),
+         QStringLiteral("of device, hand and wall together in the stiffness cap, N·s/m (default: drives and "
+                        "pad; gimbal: 2)")},
+        {QStringLiteral("sample-delay"), QStringLiteral("TICKS"),
+         QStringLiteral("of gimbal_hprd: how old its samples are, 0 to 3 (default 0)")},
+        {QStringLiteral("degrade"),
+         {},
+         QStringLiteral(
+             "also a table: force noise, converter, delay, friction, backlash, IMU times 0, 1, 2, 4")},
+        {QStringLiteral("series"),
+         {},
+         QStringLiteral("with --json also every tick of the sine and every pose")}};
     command.example = QStringLiteral("chiron-cli device check --seed 1 --degrade --json");
     command.run = check;
     return command;

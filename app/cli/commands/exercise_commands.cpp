@@ -84,7 +84,9 @@ QJsonArray quantitiesOf(const KindFacts& facts) {
 QJsonArray mountingOf(const catalogue::ExerciseLevel& level) {
     QJsonArray array;
     for (const core::BaseMounting& base : level.mounting)
-        array.append(QJsonObject{{QStringLiteral("shift_mm"), QJsonArray{core::mmFromM(base.origin_m[0]), core::mmFromM(base.origin_m[1]), core::mmFromM(base.origin_m[2])}},
+        array.append(QJsonObject{{QStringLiteral("shift_mm"),
+                                  QJsonArray{core::mmFromM(base.origin_m[0]), core::mmFromM(base.origin_m[1]),
+                                             core::mmFromM(base.origin_m[2])}},
                                  {QStringLiteral("scale"), base.scale},
                                  {QStringLiteral("mirrored"), base.leftHanded},
                                  {QStringLiteral("turn_deg"), core::degFromRad(base.turn_rad[0])},
@@ -160,8 +162,10 @@ QString missingText(const std::vector<catalogue::MissingText>& missing) {
     constexpr std::size_t kMost = 20;
     QString lines;
     for (std::size_t i = 0; i < std::min(kMost, missing.size()); ++i)
-        lines += QStringLiteral("%1: %2: no text in %3; English is shown\n").arg(text(missing[i].file), text(missing[i].path), text(missing[i].language));
-    return missing.size() > kMost ? lines + QStringLiteral("and %1 more\n").arg(missing.size() - kMost) : lines;
+        lines += QStringLiteral("%1: %2: no text in %3; English is shown\n")
+                     .arg(text(missing[i].file), text(missing[i].path), text(missing[i].language));
+    return missing.size() > kMost ? lines + QStringLiteral("and %1 more\n").arg(missing.size() - kMost)
+                                  : lines;
 }
 
 core::Result<CommandOutput> list(const Arguments& arguments) {
@@ -177,7 +181,8 @@ core::Result<CommandOutput> list(const Arguments& arguments) {
         for (const catalogue::ExerciseLevel& level : exercise.levels)
             table.add({text(exercise.id), QString::number(level.number),
                        text(catalogue::textIn(level.title, language->toStdString())),
-                       QString::number(factsOf(level).tools), level.needsForce ? QStringLiteral("yes") : QStringLiteral("no"),
+                       QString::number(factsOf(level).tools),
+                       level.needsForce ? QStringLiteral("yes") : QStringLiteral("no"),
                        QString::number(level.gates.size())});
     }
     return CommandOutput{QJsonDocument(json), table.toText() + missingText(content->missingTexts()), 0};
@@ -214,7 +219,8 @@ QString levelText(const catalogue::ExerciseLevel& level, const std::string& lang
     return QStringLiteral("level %1, %2: %3\n%4\n%5\n%6\n")
         .arg(level.number)
         .arg(text(level.id), text(catalogue::textIn(level.title, language)),
-             text(catalogue::textIn(level.objective, language)), recordedText(factsOf(level)), table.toText());
+             text(catalogue::textIn(level.objective, language)), recordedText(factsOf(level)),
+             table.toText());
 }
 
 core::Result<CommandOutput> show(const Arguments& arguments) {
@@ -247,7 +253,8 @@ std::vector<CommandSpec> exerciseCommands() {
     const std::vector<OptionSpec> options{
         {QStringLiteral("content"), QStringLiteral("FOLDER"),
          QStringLiteral("where the content lies; default: CHIRON_CONTENT, the installed folder")},
-        {QStringLiteral("language"), QStringLiteral("WORD"), languageIds().join(QStringLiteral(", ")) + QStringLiteral("; default: en")}};
+        {QStringLiteral("language"), QStringLiteral("WORD"),
+         languageIds().join(QStringLiteral(", ")) + QStringLiteral("; default: en")}};
     CommandSpec listing;
     listing.group = QStringLiteral("exercise");
     listing.verb = QStringLiteral("list");

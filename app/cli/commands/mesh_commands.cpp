@@ -24,7 +24,8 @@ QString text(const std::string& words) {
 }
 
 core::Result<double> metresPerUnit(const Arguments& arguments) {
-    const auto unit = arguments.choice(QStringLiteral("unit"), {QStringLiteral("mm"), QStringLiteral("cm"), QStringLiteral("m")},
+    const auto unit = arguments.choice(QStringLiteral("unit"),
+                                       {QStringLiteral("mm"), QStringLiteral("cm"), QStringLiteral("m")},
                                        QStringLiteral("mm"));
     CHIRON_TRY(unit);
     return *unit == QLatin1String("m") ? 1.0 : *unit == QLatin1String("cm") ? 0.01 : 0.001;
@@ -42,7 +43,8 @@ core::Result<MeshImport> readMeshFile(const Arguments& arguments) {
     const std::string_view bytes(file->constData(), static_cast<std::size_t>(file->size()));
     // If the format of a damaged file cannot be guessed, its name or its beginning decides; a file with
     // binary data is not OBJ.
-    const bool stl = bytes.substr(0, 5) == "solid" || path.endsWith(QLatin1String(".stl"), Qt::CaseInsensitive) ||
+    const bool stl = bytes.substr(0, 5) == "solid" ||
+                     path.endsWith(QLatin1String(".stl"), Qt::CaseInsensitive) ||
                      bytes.substr(0, 4096).find('\0') != std::string_view::npos;
     const auto format = simulation::guessMeshFormat(bytes).value_or(stl ? MeshFormat::stl : MeshFormat::obj);
     MeshImport import = simulation::importMesh(bytes, format, *unit_m);
@@ -51,8 +53,9 @@ core::Result<MeshImport> readMeshFile(const Arguments& arguments) {
     if (refused == import.report.findings.end())
         return import;
     const QString such = refused->count > 1 ? QStringLiteral(" (%1 such)").arg(refused->count) : QString();
-    return badInput(QStringLiteral("%1: %2: %3%4; expected %5")
-                        .arg(path, text(refused->place), text(refused->found), such, text(refused->expected)));
+    return badInput(
+        QStringLiteral("%1: %2: %3%4; expected %5")
+            .arg(path, text(refused->place), text(refused->found), such, text(refused->expected)));
 }
 
 QJsonObject reportJson(const QString& path, const MeshReport& report) {
@@ -78,7 +81,8 @@ QJsonObject reportJson(const QString& path, const MeshReport& report) {
 core::Result<CommandOutput> check(const Arguments& arguments) {
     const auto import = readMeshFile(arguments);
     CHIRON_TRY(import);
-    return CommandOutput{QJsonDocument(reportJson(arguments.operand(0), import->report)), text(import->report.text()), 0};
+    return CommandOutput{QJsonDocument(reportJson(arguments.operand(0), import->report)),
+                         text(import->report.text()), 0};
 }
 
 /// The id must match schema/mesh.json: lower-case letters, digits and _, beginning with a letter, at most 40
@@ -90,9 +94,10 @@ core::Result<QString> meshId(const Arguments& arguments) {
         return c == u'_' || (c >= u'a' && c <= u'z') || (c >= u'0' && c <= u'9');
     });
     if (id.isEmpty() || id.size() > kLongest || !letters || id[0] < u'a' || id[0] > u'z')
-        return badInput(QStringLiteral("--id: %1: expected lower-case letters, digits and _, a letter first, at most %2")
-                            .arg(quoted(id))
-                            .arg(kLongest));
+        return badInput(
+            QStringLiteral("--id: %1: expected lower-case letters, digits and _, a letter first, at most %2")
+                .arg(quoted(id))
+                .arg(kLongest));
     return id;
 }
 
@@ -111,10 +116,12 @@ core::Result<CommandOutput> import(const Arguments& arguments) {
     const auto stored = simulation::storedMesh(read->shape, id->toStdString());
     if (!stored)
         return badInput(QStringLiteral("%1: %2").arg(arguments.operand(0), text(stored.error().message)));
-    const QString title = arguments.has(QStringLiteral("title")) ? arguments.value(QStringLiteral("title")) : *id;
-    const QString source = arguments.has(QStringLiteral("source"))
-                               ? arguments.value(QStringLiteral("source"))
-                               : QStringLiteral("Imported from %1.").arg(QFileInfo(arguments.operand(0)).fileName());
+    const QString title =
+        arguments.has(QStringLiteral("title")) ? arguments.value(QStringLiteral("title")) : *id;
+    const QString source =
+        arguments.has(QStringLiteral("source"))
+            ? arguments.value(QStringLiteral("source"))
+            : QStringLiteral("Imported from %1.").arg(QFileInfo(arguments.operand(0)).fileName());
     const QJsonObject shape{{QStringLiteral("shape"), QStringLiteral("stored")},
                             {QStringLiteral("vertices_um"), wholes(stored->vertices_um)},
                             {QStringLiteral("triangles"), wholes(stored->triangles)}};
@@ -141,12 +148,14 @@ std::vector<CommandSpec> meshCommands() {
     importing.verb = QStringLiteral("import");
     importing.summary = QStringLiteral("a mesh file as content: the JSON of meshes/ID.json on stdout");
     importing.options.push_back({QStringLiteral("id"), QStringLiteral("ID"),
-                                 QStringLiteral("by which levels name it: lower-case letters, digits and _"), true});
+                                 QStringLiteral("by which levels name it: lower-case letters, digits and _"),
+                                 true});
     importing.options.push_back({QStringLiteral("title"), QStringLiteral("TEXT"),
                                  QStringLiteral("its English title; default: the id")});
     importing.options.push_back({QStringLiteral("source"), QStringLiteral("TEXT"),
                                  QStringLiteral("where the shape comes from; default: the file's name")});
-    importing.example = QStringLiteral("chiron-cli mesh import organ.stl --id my_organ > curriculum/content/meshes/my_organ.json");
+    importing.example = QStringLiteral(
+        "chiron-cli mesh import organ.stl --id my_organ > curriculum/content/meshes/my_organ.json");
     importing.run = import;
     return {checking, importing};
 }

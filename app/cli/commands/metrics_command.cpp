@@ -41,7 +41,9 @@ core::Result<std::vector<scoring::MetricRequest>> requests(const Arguments& argu
 
 /// Without an exercise the file decides: if it states the correct answer (target), each trial has one answer.
 core::Result<scoring::MarkMeaning> markOf(const std::string& exercise, const scoring::TraceColumns& columns) {
-    const auto meaning = [](bool ends) { return ends ? scoring::MarkMeaning::endsTheTrial : scoring::MarkMeaning::oneOfSeveral; };
+    const auto meaning = [](bool ends) {
+        return ends ? scoring::MarkMeaning::endsTheTrial : scoring::MarkMeaning::oneOfSeveral;
+    };
     if (exercise.empty())
         return meaning(columns.target);
     const auto kind = session::exerciseKind(exercise);
@@ -66,7 +68,8 @@ core::Result<CommandOutput> metrics(const Arguments& arguments) {
     CHIRON_TRY(card);
     std::vector<TrialEnding> endings;
     for (const scoring::TrialTrace& trial : trace->trials)
-        endings.push_back({{}, trial.marked || trial.completed, trial.timedOut, trial.failed, trial.unfinished});
+        endings.push_back(
+            {{}, trial.marked || trial.completed, trial.timedOut, trial.failed, trial.unfinished});
     const QJsonObject json{{QStringLiteral("trace"), arguments.operand(0)},
                            {QStringLiteral("metrics"), metricsJson(card->metrics)},
                            {QStringLiteral("trials"), trialsJson(*card, endings)}};

@@ -17,7 +17,8 @@ core::Result<CommandOutput> report(const Arguments& arguments) {
     bool isNumber = false;
     const qint64 id = arguments.operand(0).toLongLong(&isNumber);
     if (!isNumber || id < 1)
-        return wrongUse(QStringLiteral("SESSION %1: expected the number of a session").arg(quoted(arguments.operand(0))));
+        return wrongUse(
+            QStringLiteral("SESSION %1: expected the number of a session").arg(quoted(arguments.operand(0))));
     auto site = openAsAnybody(arguments, Opening::forReading);
     CHIRON_TRY(site);
     auto connection = site->database->openReader();
@@ -51,8 +52,10 @@ std::vector<CommandSpec> reportCommands() {
     command.group = QStringLiteral("report");
     command.summary = QStringLiteral("a printable report of one session");
     command.operands = {{QStringLiteral("SESSION"), QStringLiteral("number of the session")}};
-    command.options = {{QStringLiteral("pdf"), QStringLiteral("FILE"), QStringLiteral("where to write it"), true},
-                       {QStringLiteral("pictures"), QStringLiteral("DIR"), QStringLiteral("also write the plots as PNG files here")}};
+    command.options = {
+        {QStringLiteral("pdf"), QStringLiteral("FILE"), QStringLiteral("where to write it"), true},
+        {QStringLiteral("pictures"), QStringLiteral("DIR"),
+         QStringLiteral("also write the plots as PNG files here")}};
     command.example = QStringLiteral("chiron-cli report 12 --pdf session_12.pdf");
     command.draws = true;
     command.run = report;

@@ -42,14 +42,18 @@ core::Result<CommandOutput> list(const Arguments& arguments) {
     auto sessions = database::SessionReader(*reading->connection, reading->site.actor).listSessions(filter);
     CHIRON_TRY(sessions);
     QJsonArray array;
-    TextTable table({">id", "person", "exercise", ">level", ">attempt", "operator", "state", "passed", "started (UTC)", ">frames", ">bytes"});
+    TextTable table({">id", "person", "exercise", ">level", ">attempt", "operator", "state", "passed",
+                     "started (UTC)", ">frames", ">bytes"});
     for (const database::SessionSummary& session : *sessions) {
         const QJsonObject json = summaryJson(session);
         array.append(json);
         table.add({QString::number(session.id), json["person"].toString(), json["exercise"].toString(),
-                   QString::number(session.level), session.attempt > 0 ? QString::number(session.attempt) : QString(), json["operator"].toString(), json["state"].toString(),
+                   QString::number(session.level),
+                   session.attempt > 0 ? QString::number(session.attempt) : QString(),
+                   json["operator"].toString(), json["state"].toString(),
                    session.passed ? (*session.passed ? "yes" : "no") : "", json["started_utc"].toString(),
-                   session.sealed ? QStringLiteral("sealed") : QString::number(session.frames), session.sealed ? QStringLiteral("sealed") : QString::number(session.recordingBytes)});
+                   session.sealed ? QStringLiteral("sealed") : QString::number(session.frames),
+                   session.sealed ? QStringLiteral("sealed") : QString::number(session.recordingBytes)});
     }
     return CommandOutput{QJsonDocument(QJsonObject{{"sessions", array}}), table.toText(), 0};
 }
@@ -68,11 +72,12 @@ core::Result<CommandOutput> show(const Arguments& arguments) {
     const QJsonArray yields = yieldsOf(*events);
     QJsonObject json = sessionJson(*view, *record);
     json.insert("yields", yields);
-    return CommandOutput{QJsonDocument(json), scoreText(*view) + yieldsText(yields) + decisionsText(record->decisions), 0};
+    return CommandOutput{QJsonDocument(json),
+                         scoreText(*view) + yieldsText(yields) + decisionsText(record->decisions), 0};
 }
 
-core::Result<void> writeFormat(const QString& format, session::SessionView& session, const QJsonObject& summary,
-                               const QString& path) {
+core::Result<void> writeFormat(const QString& format, session::SessionView& session,
+                               const QJsonObject& summary, const QString& path) {
     if (format == QLatin1String("bids"))
         return session::exportSessionBids(session, path.toStdString());
     return format == QLatin1String("csv") ? session::exportCsv(session, path)
@@ -87,8 +92,10 @@ core::Result<CommandOutput> exportSession(const Arguments& arguments) {
     if (formats->isEmpty())
         *formats << QStringLiteral("csv");
     for (const QString& format : *formats) {
-        if (format != QLatin1String("csv") && format != QLatin1String("json") && format != QLatin1String("bids"))
-            return wrongUse(QStringLiteral("--format: %1: unknown; expected csv, json, bids").arg(quoted(format)));
+        if (format != QLatin1String("csv") && format != QLatin1String("json") &&
+            format != QLatin1String("bids"))
+            return wrongUse(
+                QStringLiteral("--format: %1: unknown; expected csv, json, bids").arg(quoted(format)));
     }
     auto reading = openReading(arguments);
     CHIRON_TRY(reading);
@@ -100,9 +107,11 @@ core::Result<CommandOutput> exportSession(const Arguments& arguments) {
     CHIRON_TRY(events);
     QJsonObject known = sessionJson(*view, (*session)->record());
     known.insert("events", *events);
-    const QDir folder(arguments.has(QStringLiteral("folder")) ? arguments.value(QStringLiteral("folder")) : QStringLiteral("."));
+    const QDir folder(arguments.has(QStringLiteral("folder")) ? arguments.value(QStringLiteral("folder"))
+                                                              : QStringLiteral("."));
     if (!folder.mkpath(QStringLiteral(".")))
-        return core::fail(core::ErrorCode::storage, folder.path().toStdString() + ": the folder cannot be made");
+        return core::fail(core::ErrorCode::storage,
+                          folder.path().toStdString() + ": the folder cannot be made");
     QJsonArray files;
     QString text;
     for (const QString& format : *formats) {
@@ -111,7 +120,8 @@ core::Result<CommandOutput> exportSession(const Arguments& arguments) {
         files.append(path);
         text += path + QLatin1Char('\n');
     }
-    return CommandOutput{QJsonDocument(QJsonObject{{"session_id", static_cast<double>(*id)}, {"files", files}}), text, 0};
+    return CommandOutput{
+        QJsonDocument(QJsonObject{{"session_id", static_cast<double>(*id)}, {"files", files}}), text, 0};
 }
 
 } // namespace
@@ -121,9 +131,10 @@ std::vector<CommandSpec> sessionCommands() {
     listing.group = QStringLiteral("session");
     listing.verb = QStringLiteral("list");
     listing.summary = QStringLiteral("the sessions that you may see; without --as the simulated ones");
-    listing.options = {{QStringLiteral("exercise"), QStringLiteral("ID"), QStringLiteral("only of this exercise")},
-                       {QStringLiteral("limit"), QStringLiteral("N"), QStringLiteral("at most so many")},
-                       {QStringLiteral("archived"), {}, QStringLiteral("archived ones too")}};
+    listing.options = {
+        {QStringLiteral("exercise"), QStringLiteral("ID"), QStringLiteral("only of this exercise")},
+        {QStringLiteral("limit"), QStringLiteral("N"), QStringLiteral("at most so many")},
+        {QStringLiteral("archived"), {}, QStringLiteral("archived ones too")}};
     listing.example = QStringLiteral("chiron-cli session list --exercise sphere_apex");
     listing.run = list;
     CommandSpec showing = listing;
@@ -135,9 +146,12 @@ std::vector<CommandSpec> sessionCommands() {
     showing.run = show;
     CommandSpec exporting = showing;
     exporting.verb = QStringLiteral("export");
-    exporting.summary = QStringLiteral("write a session's samples (csv), what is known of it, with its events (json), or its motion and forces as a BIDS dataset (bids)");
-    exporting.options = {{QStringLiteral("format"), QStringLiteral("csv,json,bids"), QStringLiteral("which; bids is a folder session_ID.bids that must not be there yet; default: csv")},
-                         {QStringLiteral("folder"), QStringLiteral("DIR"), QStringLiteral("where to; default: here")}};
+    exporting.summary = QStringLiteral("write a session's samples (csv), what is known of it, with its "
+                                       "events (json), or its motion and forces as a BIDS dataset (bids)");
+    exporting.options = {
+        {QStringLiteral("format"), QStringLiteral("csv,json,bids"),
+         QStringLiteral("which; bids is a folder session_ID.bids that must not be there yet; default: csv")},
+        {QStringLiteral("folder"), QStringLiteral("DIR"), QStringLiteral("where to; default: here")}};
     exporting.example = QStringLiteral("chiron-cli session export 12 --format csv,json --folder out");
     exporting.run = exportSession;
     return {listing, showing, exporting};

@@ -40,8 +40,8 @@ using Snapshot = core::Result<database::SnapshotInfo> (*)(database::Database&, c
 core::Result<CommandOutput> snapshot(const Arguments& arguments, Snapshot make) {
     auto site = openAsPerson(arguments, Opening::forWriting);
     CHIRON_TRY(site);
-    const auto info =
-        make(*site->database, site->actor, QFileInfo(arguments.operand(0)).absoluteFilePath().toStdString(), nullptr);
+    const auto info = make(*site->database, site->actor,
+                           QFileInfo(arguments.operand(0)).absoluteFilePath().toStdString(), nullptr);
     CHIRON_TRY(info);
     return snapshotOutput(*info);
 }

@@ -3,8 +3,8 @@
 #include "cli/messages.h"
 #include "cli/session_output.h"
 #include "cli/site_access.h"
-#include "database/accounts/account_service.h"
 #include "core/units.h"
+#include "database/accounts/account_service.h"
 #include "session/exercise_kind.h"
 #include "session/site.h"
 
@@ -20,13 +20,16 @@ namespace {
 
 std::atomic<bool> g_cancel{false}; // the only object that the signal handler may touch
 
-void onSignal(int) { g_cancel.store(true, std::memory_order_relaxed); }
+void onSignal(int) {
+    g_cancel.store(true, std::memory_order_relaxed);
+}
 
 core::Result<database::Actor> actorFor(const Arguments& arguments, database::Database& database,
                                        const std::vector<std::string>& secrets) {
     if (!arguments.has(QStringLiteral("as")))
         return database::Actor::simulated(); // may create and read simulated sessions only
-    return database::AccountService(database).login(arguments.value(QStringLiteral("as")).toStdString(), secrets[0]);
+    return database::AccountService(database).login(arguments.value(QStringLiteral("as")).toStdString(),
+                                                    secrets[0]);
 }
 
 /// --base-turn H,T,R in degrees.
@@ -43,7 +46,9 @@ core::Result<std::array<double, 3>> baseTurnOf(const Arguments& arguments) {
         turn_rad[static_cast<std::size_t>(i)] = core::radFromDeg(degrees);
     }
     if (!right)
-        return badInput(QStringLiteral("--base-turn %1: expected three angles in degrees, -45 to 45, as 10,0,-5: to the left, away, to the right").arg(quoted(given)));
+        return badInput(QStringLiteral("--base-turn %1: expected three angles in degrees, -45 to 45, as "
+                                       "10,0,-5: to the left, away, to the right")
+                            .arg(quoted(given)));
     return turn_rad;
 }
 
@@ -53,15 +58,17 @@ core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& argume
     asked.exercise = arguments.operand(0).toStdString();
     const catalogue::Exercise* exercise = catalogue.find(asked.exercise);
     if (!exercise)
-        return badInput(QStringLiteral("EXERCISE %1: unknown; see chiron-cli exercise list").arg(quoted(arguments.operand(0))));
+        return badInput(QStringLiteral("EXERCISE %1: unknown; see chiron-cli exercise list")
+                            .arg(quoted(arguments.operand(0))));
     asked.operatorName = arguments.value(QStringLiteral("operator")).toStdString();
     auto seed = arguments.seed(QStringLiteral("seed"), 1);
     CHIRON_TRY(seed);
     asked.seed = *seed;
     asked.realtime = arguments.has(QStringLiteral("realtime"));
     asked.familiarisation = arguments.has(QStringLiteral("familiarisation"));
-    const auto map = arguments.choice(QStringLiteral("force-map"), {QStringLiteral("exact"), QStringLiteral("as-published")},
-                                      QStringLiteral("exact"));
+    const auto map =
+        arguments.choice(QStringLiteral("force-map"),
+                         {QStringLiteral("exact"), QStringLiteral("as-published")}, QStringLiteral("exact"));
     CHIRON_TRY(map);
     if (*map == QLatin1String("as-published"))
         asked.map = mechanisms::PolarMap::asPublished;
@@ -75,7 +82,8 @@ core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& argume
     const bool all = arguments.value(QStringLiteral("level")) == QLatin1String("all");
     auto level = all ? core::Result<qint64>(1) : arguments.integer(QStringLiteral("level"), 1, levels, 1);
     CHIRON_TRY(level);
-    for (int number = all ? 1 : static_cast<int>(*level); number <= (all ? levels : static_cast<int>(*level)); ++number) {
+    for (int number = all ? 1 : static_cast<int>(*level); number <= (all ? levels : static_cast<int>(*level));
+         ++number) {
         asked.level = number;
         CHIRON_TRY(session::checkOperator(catalogue, asked));
         sessions.push_back(asked);
@@ -91,7 +99,8 @@ core::Result<std::vector<ScoreView>> runAll(session::OpenedSite& site, const dat
         auto result = session::runScripted(*site.database, actor, catalogue, session, &g_cancel);
         CHIRON_TRY(result);
         if (result->loop.realtime && !result->loop.priorityGranted)
-            tell(QStringLiteral("no real-time priority: %1").arg(QString::fromStdString(result->loop.priorityDetail)));
+            tell(QStringLiteral("no real-time priority: %1")
+                     .arg(QString::fromStdString(result->loop.priorityDetail)));
         auto connection = site.database->openReader();
         CHIRON_TRY(connection);
         auto view = viewOf(**connection, actor, result->session);
@@ -119,8 +128,13 @@ core::Result<CommandOutput> train(const Arguments& arguments) {
     auto site = session::openSite(databasePath(arguments).toStdString(), databaseOptions());
     CHIRON_TRY(site);
     for (const session::RecoveredSession& recovered : site->recovered) {
-        tell(recovered.sealed ? QStringLiteral("session %1 was interrupted; what it holds is told once its study is unblinded").arg(recovered.session)
-                              : QStringLiteral("session %1 was interrupted; %2 frames are kept").arg(recovered.session).arg(recovered.frames));
+        tell(recovered.sealed
+                 ? QStringLiteral(
+                       "session %1 was interrupted; what it holds is told once its study is unblinded")
+                       .arg(recovered.session)
+                 : QStringLiteral("session %1 was interrupted; %2 frames are kept")
+                       .arg(recovered.session)
+                       .arg(recovered.frames));
         if (!recovered.problem.empty())
             tell(QStringLiteral("session %1 could not be recovered wholly: %2")
                      .arg(recovered.session)
@@ -139,32 +153,44 @@ core::Result<CommandOutput> train(const Arguments& arguments) {
         list.append(scoreJson(view));
     }
     const bool one = sessions->size() == 1;
-    return CommandOutput{QJsonDocument(one ? list.at(0).toObject() : QJsonObject{{"sessions", list}}), text, 0};
+    return CommandOutput{QJsonDocument(one ? list.at(0).toObject() : QJsonObject{{"sessions", list}}), text,
+                         0};
 }
 
 } // namespace
 
 std::vector<CommandSpec> trainCommands() {
-    const auto kindsWith = [](bool (*holds)(const session::ExerciseKind&)) { return QString::fromStdString(session::idsOfKinds(holds)); };
+    const auto kindsWith = [](bool (*holds)(const session::ExerciseKind&)) {
+        return QString::fromStdString(session::idsOfKinds(holds));
+    };
     CommandSpec command;
     command.group = QStringLiteral("train");
     command.summary = QStringLiteral("run one session with a scripted hand or a trace; recorded and scored");
     command.operands = {{QStringLiteral("EXERCISE"), QStringLiteral("id of an exercise, see exercise list")}};
     command.options = {
         {QStringLiteral("level"), QStringLiteral("N|all"), QStringLiteral("which level; default: 1")},
-        {QStringLiteral("operator"), QStringLiteral("NAME|TRACE.csv"), QStringLiteral("novice, intermediate, expert, unsafe, or a trace file"), true},
+        {QStringLiteral("operator"), QStringLiteral("NAME|TRACE.csv"),
+         QStringLiteral("novice, intermediate, expert, unsafe, or a trace file"), true},
         {QStringLiteral("seed"), QStringLiteral("S"), QStringLiteral("of scene and hand; default: 1")},
-        {QStringLiteral("realtime"), {}, QStringLiteral("at 1 kHz by the clock; default: as fast as the machine can, same result")},
+        {QStringLiteral("realtime"),
+         {},
+         QStringLiteral("at 1 kHz by the clock; default: as fast as the machine can, same result")},
         {QStringLiteral("familiarisation"), {}, QStringLiteral("recorded and marked, never counted")},
         {QStringLiteral("force-map"), QStringLiteral("WORD"),
-         QStringLiteral("how the simulated gimbal makes torques of a force: exact (power is conserved) or as-published; default: exact")},
+         QStringLiteral("how the simulated gimbal makes torques of a force: exact (power is conserved) or "
+                        "as-published; default: exact")},
         {QStringLiteral("base-turn"), QStringLiteral("H,T,R"),
-         QStringLiteral("how the device's base is mounted, in degrees: turned to the left, tilted away, rolled to the right (%1); default: 0,0,0")
-             .arg(kindsWith([](const session::ExerciseKind& kind) { return kind.operatorsKnowTheirPlace(); }))},
+         QStringLiteral("how the device's base is mounted, in degrees: turned to the left, tilted away, "
+                        "rolled to the right (%1); default: 0,0,0")
+             .arg(kindsWith(
+                 [](const session::ExerciseKind& kind) { return kind.operatorsKnowTheirPlace(); }))},
         {QStringLiteral("mechanism"), QStringLiteral("ID"),
-         QStringLiteral("what the scripted hand holds: fingertip_arm or gimbal_hprd (%1); default: the exercise's usual one")
-             .arg(kindsWith([](const session::ExerciseKind& kind) { return kind.mechanisms().size() > 1; }))}};
-    command.example = QStringLiteral("chiron-cli train sphere_apex --level 2 --operator expert --seed 7 --json");
+         QStringLiteral("what the scripted hand holds: fingertip_arm or gimbal_hprd (%1); default: the "
+                        "exercise's usual one")
+             .arg(
+                 kindsWith([](const session::ExerciseKind& kind) { return kind.mechanisms().size() > 1; }))}};
+    command.example =
+        QStringLiteral("chiron-cli train sphere_apex --level 2 --operator expert --seed 7 --json");
     command.run = train;
     return {command};
 }

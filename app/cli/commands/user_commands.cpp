@@ -132,9 +132,12 @@ core::Result<CommandOutput> passwd(const Arguments& arguments) {
 }
 
 core::Result<database::RosterExisting> existingPeople(const Arguments& arguments) {
-    const auto word = arguments.choice(QStringLiteral("existing"), {QStringLiteral("skip"), QStringLiteral("update")}, QStringLiteral("skip"));
+    const auto word =
+        arguments.choice(QStringLiteral("existing"), {QStringLiteral("skip"), QStringLiteral("update")},
+                         QStringLiteral("skip"));
     CHIRON_TRY(word);
-    return *word == QLatin1String("update") ? database::RosterExisting::update : database::RosterExisting::skip;
+    return *word == QLatin1String("update") ? database::RosterExisting::update
+                                            : database::RosterExisting::skip;
 }
 
 // Names people who were recognised by an earlier login name, and people whose identity is uncertain.
@@ -146,13 +149,19 @@ QString whoIsMeantText(const database::RosterStep& step) {
     case Doubt::none:
         if (step.earlierName.empty())
             return {};
-        return line + QStringLiteral("%1 is known as %2 today.\n").arg(quoted(QString::fromStdString(step.earlierName)), name);
+        return line + QStringLiteral("%1 is known as %2 today.\n")
+                          .arg(quoted(QString::fromStdString(step.earlierName)), name);
     case Doubt::nameOfAnother:
-        return line + QStringLiteral("%1 used to be the login name of %2; whoever has it today was meant.\n").arg(name, quoted(QString::fromStdString(step.other)));
+        return line + QStringLiteral("%1 used to be the login name of %2; whoever has it today was meant.\n")
+                          .arg(name, quoted(QString::fromStdString(step.other)));
     case Doubt::severalHadIt:
-        return line + QStringLiteral("several people had the login name %1 before and nobody has it today; nobody was changed.\n").arg(name);
+        return line + QStringLiteral("several people had the login name %1 before and nobody has it today; "
+                                     "nobody was changed.\n")
+                          .arg(name);
     case Doubt::sameAsLine:
-        return line + QStringLiteral("the same person as in line %1, under another login name; only that line counts.\n").arg(step.otherLine);
+        return line + QStringLiteral(
+                          "the same person as in line %1, under another login name; only that line counts.\n")
+                          .arg(step.otherLine);
     }
     return {};
 }
@@ -160,16 +169,20 @@ QString whoIsMeantText(const database::RosterStep& step) {
 QString toldText(const database::RosterStep& step) {
     QString text = whoIsMeantText(step);
     if (!step.earlierDisplayName.empty())
-        text += QStringLiteral("Line %1: the full name %2 is an earlier one of %3, whose full name was left as it is.\n")
+        text += QStringLiteral(
+                    "Line %1: the full name %2 is an earlier one of %3, whose full name was left as it is.\n")
                     .arg(step.line)
-                    .arg(quoted(QString::fromStdString(step.earlierDisplayName)), quoted(QString::fromStdString(step.name)));
+                    .arg(quoted(QString::fromStdString(step.earlierDisplayName)),
+                         quoted(QString::fromStdString(step.name)));
     return text;
 }
 
 QJsonObject toldJson(const database::RosterStep& step) {
     using Doubt = database::RosterStep::Doubt;
     const bool byEarlier = !step.earlierName.empty();
-    QJsonObject json{{QStringLiteral("line"), step.line}, {QStringLiteral("name"), QString::fromStdString(byEarlier ? step.earlierName : step.name)}};
+    QJsonObject json{
+        {QStringLiteral("line"), step.line},
+        {QStringLiteral("name"), QString::fromStdString(byEarlier ? step.earlierName : step.name)}};
     if (byEarlier)
         json[QStringLiteral("name_today")] = QString::fromStdString(step.name);
     if (step.doubt == Doubt::nameOfAnother)
@@ -187,9 +200,12 @@ QJsonObject toldJson(const database::RosterStep& step) {
 CommandOutput importOutput(const database::RosterOutcome& done) {
     QJsonArray ids;
     QJsonArray passwords;
-    QString text = QStringLiteral("%1 people imported; each must change the password at the first login.\n").arg(done.added.size());
+    QString text = QStringLiteral("%1 people imported; each must change the password at the first login.\n")
+                       .arg(done.added.size());
     if (done.updated > 0 || done.skipped > 0)
-        text += QStringLiteral("Of those who had an account, %1 were updated and %2 left as they are.\n").arg(done.updated).arg(done.skipped);
+        text += QStringLiteral("Of those who had an account, %1 were updated and %2 left as they are.\n")
+                    .arg(done.updated)
+                    .arg(done.skipped);
     QJsonArray told;
     for (const database::RosterStep& step : done.told) {
         told.append(toldJson(step));
@@ -207,7 +223,8 @@ CommandOutput importOutput(const database::RosterOutcome& done) {
             continue;
         const QString name = QString::fromStdString(person.name);
         const QString password = QString::fromStdString(person.madePassword);
-        passwords.append(QJsonObject{{QStringLiteral("name"), name}, {QStringLiteral("initial_password"), password}});
+        passwords.append(
+            QJsonObject{{QStringLiteral("name"), name}, {QStringLiteral("initial_password"), password}});
         made += QStringLiteral("%1  %2\n").arg(password, printable(name));
     }
     if (!made.isEmpty())
@@ -230,10 +247,12 @@ core::Result<CommandOutput> importCsv(const Arguments& arguments) {
     CHIRON_TRY(bytes);
     auto site = openAsPerson(arguments, Opening::forWriting);
     CHIRON_TRY(site);
-    const auto done = database::AccountService(*site->database).importCsv(site->actor, bytes->toStdString(), *existing);
+    const auto done =
+        database::AccountService(*site->database).importCsv(site->actor, bytes->toStdString(), *existing);
     // The database layer knows lines and columns; the file name is known here.
     if (!done)
-        return core::fail(done.error().code, arguments.operand(0).toStdString() + ": " + done.error().message);
+        return core::fail(done.error().code,
+                          arguments.operand(0).toStdString() + ": " + done.error().message);
     return importOutput(*done);
 }
 
@@ -250,7 +269,8 @@ core::Result<CommandOutput> rename(const Arguments& arguments) {
         return arguments.has(name) ? arguments.value(name).toStdString() : before;
     };
     const std::string name = given("name", person->name);
-    CHIRON_TRY(accounts.changeNames(site->actor, person->id, name, given("display-name", person->displayName)));
+    CHIRON_TRY(
+        accounts.changeNames(site->actor, person->id, name, given("display-name", person->displayName)));
     return accountNow(*site, accounts, name);
 }
 
@@ -278,13 +298,16 @@ core::Result<CommandOutput> recover(const Arguments& arguments) {
 core::Result<CommandOutput> recoveryCode(const Arguments& arguments) {
     auto site = openAsPerson(arguments, Opening::forWriting);
     CHIRON_TRY(site);
-    const auto code = database::AccountService(*site->database).makeRecoveryCode(site->actor, site->secrets[0]);
+    const auto code =
+        database::AccountService(*site->database).makeRecoveryCode(site->actor, site->secrets[0]);
     CHIRON_TRY(code);
     const QString name = QString::fromStdString(site->actor.name());
     const QString shown = QString::fromStdString(*code);
     return CommandOutput{
         QJsonDocument(QJsonObject{{QStringLiteral("name"), name}, {QStringLiteral("recovery_code"), shown}}),
-        QStringLiteral("Recovery code of %1, shown this once: %2\nAn earlier one is no longer accepted.\n").arg(printable(name), shown), 0};
+        QStringLiteral("Recovery code of %1, shown this once: %2\nAn earlier one is no longer accepted.\n")
+            .arg(printable(name), shown),
+        0};
 }
 
 CommandSpec spec(const char* verb, const char* summary, const char* example,
@@ -326,27 +349,35 @@ std::vector<CommandSpec> userCommands() {
     CommandSpec setting = spec("passwd", "change one's own password, or as an administrator set somebody's",
                                "chiron-cli user passwd --as bob", passwd);
     setting.operands = {{QStringLiteral("NAME"), QStringLiteral("login name; default: one's own"), false}};
-    CommandSpec importing =
-        spec("import-csv",
-             "make accounts from a CSV file as a spreadsheet saves it (login name, full name, role, password), all or none",
-             "chiron-cli user import-csv roster.csv --as alice", importCsv);
+    CommandSpec importing = spec("import-csv",
+                                 "make accounts from a CSV file as a spreadsheet saves it (login name, full "
+                                 "name, role, password), all or none",
+                                 "chiron-cli user import-csv roster.csv --as alice", importCsv);
     importing.operands = {{QStringLiteral("FILE.csv"), QStringLiteral("the roster")}};
-    importing.options = {{QStringLiteral("existing"), QStringLiteral("skip|update"),
-                          QStringLiteral("what happens with people who have an account already (default: skip)")}};
+    importing.options = {
+        {QStringLiteral("existing"), QStringLiteral("skip|update"),
+         QStringLiteral("what happens with people who have an account already (default: skip)")}};
     CommandSpec renaming = spec("rename", "change a person's login name or full name; what they were is kept",
                                 "chiron-cli user rename bob --name robert --as alice", rename);
     renaming.operands = {name};
-    renaming.options = {{QStringLiteral("name"), QStringLiteral("NEW"), QStringLiteral("the new login name")},
-                        {QStringLiteral("display-name"), QStringLiteral("TEXT"), QStringLiteral("the name that others see")}};
+    renaming.options = {
+        {QStringLiteral("name"), QStringLiteral("NEW"), QStringLiteral("the new login name")},
+        {QStringLiteral("display-name"), QStringLiteral("TEXT"), QStringLiteral("the name that others see")}};
     CommandSpec recovering = spec(
         "recover", "set a new password with the recovery code (CHIRON_RECOVERY_CODE, CHIRON_NEW_PASSWORD)",
         "chiron-cli user recover alice --password-stdin < secrets.txt", recover);
     recovering.operands = {name};
-    return {adding,    spec("list", "the accounts", "chiron-cli user list --as alice --json", list),
-            disabling, enabling,
-            changing,  setting,
-            importing, renaming, recovering,
-            spec("recovery-code", "make a recovery code for oneself, as an administrator; it replaces the one before",
+    return {adding,
+            spec("list", "the accounts", "chiron-cli user list --as alice --json", list),
+            disabling,
+            enabling,
+            changing,
+            setting,
+            importing,
+            renaming,
+            recovering,
+            spec("recovery-code",
+                 "make a recovery code for oneself, as an administrator; it replaces the one before",
                  "chiron-cli user recovery-code --as alice", recoveryCode)};
 }
 

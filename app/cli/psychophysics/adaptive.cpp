@@ -39,7 +39,9 @@ QStringList dimensionsOf(const ProcedureSpec& spec) {
     return names;
 }
 
-bool ordersThree(const ProcedureSpec& spec) { return kindFor(spec).ordersThree(spec); }
+bool ordersThree(const ProcedureSpec& spec) {
+    return kindFor(spec).ordersThree(spec);
+}
 
 /// Applies one line to the procedure. The procedure is unchanged after a failure.
 /// Errors: badInput; wrongUse (undo without an answer to undo).
@@ -54,7 +56,8 @@ core::Result<void> take(Procedure& procedure, const AdaptiveLine& line) {
 }
 
 tl::unexpected<core::Error> atLine(int number, const core::Error& error) {
-    return badInput(QStringLiteral("stdin line %1: %2").arg(number).arg(QString::fromStdString(error.message)));
+    return badInput(
+        QStringLiteral("stdin line %1: %2").arg(number).arg(QString::fromStdString(error.message)));
 }
 
 /// Processes and answers each line before it reads the next one. Once the procedure is done, further answers
@@ -65,10 +68,15 @@ core::Result<void> answerLines(Procedure& procedure, bool orders, const QStringL
     for (int number = 1; std::getline(std::cin, text); ++number) {
         // Answers that end in a carriage return alone would be read as one line.
         if (const auto at = text.find('\r'); at != std::string::npos && at + 1 < text.size())
-            return atLine(number, {core::ErrorCode::badInput, "a carriage return within the line: expected lines that end in a line feed, or in both"});
+            return atLine(
+                number,
+                {core::ErrorCode::badInput,
+                 "a carriage return within the line: expected lines that end in a line feed, or in both"});
         // An answer that was cut off may read as a different answer.
         if (std::cin.eof() && !text.ends_with('\r'))
-            return atLine(number, {core::ErrorCode::badInput, "the last line has no line feed: expected one after every answer, or the answer was cut off"});
+            return atLine(number,
+                          {core::ErrorCode::badInput, "the last line has no line feed: expected one after "
+                                                      "every answer, or the answer was cut off"});
         const QString words = QString::fromStdString(text);
         if (words.trimmed().isEmpty())
             continue;
@@ -82,13 +90,15 @@ core::Result<void> answerLines(Procedure& procedure, bool orders, const QStringL
         QJsonObject state = adaptiveState(procedure, names);
         if (ignored) {
             state.insert("ignored", true);
-            tell(QStringLiteral("stdin line %1: the procedure is done; this answer changes nothing").arg(number));
+            tell(QStringLiteral("stdin line %1: the procedure is done; this answer changes nothing")
+                     .arg(number));
         }
         if (auto printed = printLine(state); !printed)
             return printed;
     }
     if (std::cin.bad())
-        return core::fail(core::ErrorCode::storage, "stdin: broke off: expected it to be readable to its end");
+        return core::fail(core::ErrorCode::storage,
+                          "stdin: broke off: expected it to be readable to its end");
     return {};
 }
 
@@ -104,16 +114,19 @@ core::Result<CommandOutput> runAdaptive(const Arguments& arguments) {
     CHIRON_TRY(bytes);
     const auto content = catalogue::findContentDirectory();
     CHIRON_TRY(content);
-    const auto schema = catalogue::readSchema(QString::fromStdString(*content) + "/schema", QStringLiteral("procedure"));
+    const auto schema =
+        catalogue::readSchema(QString::fromStdString(*content) + "/schema", QStringLiteral("procedure"));
     CHIRON_TRY(schema);
     const auto spec = catalogue::readProcedure(*bytes, path.toStdString(), *schema);
     CHIRON_TRY(spec);
     const auto procedure = makeProcedure(*spec, *seed);
     if (!procedure)
-        return badInput(QStringLiteral("%1: %2").arg(path, QString::fromStdString(procedure.error().message)));
+        return badInput(
+            QStringLiteral("%1: %2").arg(path, QString::fromStdString(procedure.error().message)));
     const QStringList names = dimensionsOf(*spec);
     QJsonObject first = adaptiveState(**procedure, names);
-    first.insert("procedure", QString::fromUtf8((*procedure)->id().data(), static_cast<qsizetype>((*procedure)->id().size())));
+    first.insert("procedure", QString::fromUtf8((*procedure)->id().data(),
+                                                static_cast<qsizetype>((*procedure)->id().size())));
     CHIRON_TRY(printLine(first));
     CHIRON_TRY(answerLines(**procedure, ordersThree(*spec), names));
     QJsonObject last = adaptiveState(**procedure, names);

@@ -16,9 +16,12 @@ using namespace psychophysics;
 
 QString expected(int outcomes, bool orders) {
     if (orders)
-        return outcomes == kRankings ? QStringLiteral("an order such as b<a<c or b<a=c, an outcome from 0 to 12, undo or spoiled")
-                                     : QStringLiteral("an order such as b<a<c, an outcome from 0 to 5, undo or spoiled");
-    return outcomes == 2 ? QStringLiteral("0, 1, undo or spoiled") : QStringLiteral("an outcome from 0 to %1, undo or spoiled").arg(outcomes - 1);
+        return outcomes == kRankings
+                   ? QStringLiteral(
+                         "an order such as b<a<c or b<a=c, an outcome from 0 to 12, undo or spoiled")
+                   : QStringLiteral("an order such as b<a<c, an outcome from 0 to 5, undo or spoiled");
+    return outcomes == 2 ? QStringLiteral("0, 1, undo or spoiled")
+                         : QStringLiteral("an outcome from 0 to %1, undo or spoiled").arg(outcomes - 1);
 }
 
 core::Result<Stimulus> presentedOf(const QStringList& words, std::size_t dimensions) {
@@ -27,15 +30,21 @@ core::Result<Stimulus> presentedOf(const QStringList& words, std::size_t dimensi
         bool ok = false;
         const double value = word.toDouble(&ok);
         if (!ok || !std::isfinite(value))
-            return badInput(QStringLiteral("%1: expected the stimulus presented, a number").arg(quoted(word)));
+            return badInput(
+                QStringLiteral("%1: expected the stimulus presented, a number").arg(quoted(word)));
         stimulus.push_back(value);
     }
     if (stimulus.size() != dimensions)
-        return badInput(QStringLiteral("%1 numbers after the response: expected none, or the stimulus presented (%2)").arg(words.size()).arg(dimensions));
+        return badInput(
+            QStringLiteral("%1 numbers after the response: expected none, or the stimulus presented (%2)")
+                .arg(words.size())
+                .arg(dimensions));
     return stimulus;
 }
 
-QJsonValue finite(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); }
+QJsonValue finite(double value) {
+    return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null);
+}
 
 QJsonObject estimateJson(const ProcedureEstimate& estimate) {
     QJsonObject json{{"known", estimate.known}, {"method", QString::fromStdString(estimate.method)}};
@@ -73,7 +82,8 @@ int outcomeOfOrder(const QString& word) {
     return word.size() == 5 ? rankingOf(ranks) : -1;
 }
 
-core::Result<AdaptiveLine> parseAdaptiveLine(const QString& line, int outcomes, bool orders, std::size_t dimensions) {
+core::Result<AdaptiveLine> parseAdaptiveLine(const QString& line, int outcomes, bool orders,
+                                             std::size_t dimensions) {
     AdaptiveLine read;
     QString joined = line.simplified();
     for (const QString& sign : {QStringLiteral("<"), QStringLiteral("=")})
@@ -84,13 +94,16 @@ core::Result<AdaptiveLine> parseAdaptiveLine(const QString& line, int outcomes, 
     const QString word = words.takeFirst();
     if (word == u"undo" || word == u"spoiled") {
         if (!words.isEmpty())
-            return badInput(QStringLiteral("%1 after %2: expected nothing").arg(quoted(words.join(u' ')), word));
+            return badInput(
+                QStringLiteral("%1 after %2: expected nothing").arg(quoted(words.join(u' ')), word));
         read.kind = word == u"undo" ? AdaptiveLine::Kind::undo : AdaptiveLine::Kind::spoiled;
         return read;
     }
     if (word.contains(u'=') && outcomes != kRankings)
-        return badInput(QStringLiteral("%1: ties are not allowed by this procedure; expected %2").arg(quoted(word), expected(outcomes, orders)));
-    const bool isIndex = word.size() <= 3 && std::all_of(word.begin(), word.end(), [](QChar c) { return c >= u'0' && c <= u'9'; });
+        return badInput(QStringLiteral("%1: ties are not allowed by this procedure; expected %2")
+                            .arg(quoted(word), expected(outcomes, orders)));
+    const bool isIndex = word.size() <= 3 && std::all_of(word.begin(), word.end(),
+                                                         [](QChar c) { return c >= u'0' && c <= u'9'; });
     // An order has no meaning if the procedure does not ask for orders.
     read.outcome = isIndex ? word.toInt() : orders ? outcomeOfOrder(word) : -1;
     if (read.outcome < 0 || read.outcome >= outcomes)
@@ -104,7 +117,8 @@ core::Result<AdaptiveLine> parseAdaptiveLine(const QString& line, int outcomes, 
 }
 
 QJsonObject adaptiveState(const Procedure& procedure, const QStringList& dimensions) {
-    QJsonObject json{{"trial", procedure.trials()}, {"reversals", procedure.reversals()}, {"done", procedure.done()}};
+    QJsonObject json{
+        {"trial", procedure.trials()}, {"reversals", procedure.reversals()}, {"done", procedure.done()}};
     json.insert("stimulus", QJsonValue::Null);
     json.insert("entropy_margin", QJsonValue::Null);
     if (!procedure.done()) {
@@ -115,7 +129,8 @@ QJsonObject adaptiveState(const Procedure& procedure, const QStringList& dimensi
         } else {
             QJsonObject stimulus;
             for (std::size_t i = 0; i < choice.stimulus.size(); ++i)
-                stimulus.insert(dimensions.value(static_cast<qsizetype>(i), QString::number(i)), choice.stimulus[i]);
+                stimulus.insert(dimensions.value(static_cast<qsizetype>(i), QString::number(i)),
+                                choice.stimulus[i]);
             json.insert("stimulus", stimulus);
         }
         if (choice.candidate >= 0)

@@ -21,7 +21,8 @@ struct AdaptiveLine {
 /// rankings of three objects: 6, or 13 with ties (a is the reference; b and c differ from it by the
 /// difference and by twice the difference).
 /// Errors: badInput naming what was found and what was expected.
-core::Result<AdaptiveLine> parseAdaptiveLine(const QString& line, int outcomes, bool orders, std::size_t dimensions);
+core::Result<AdaptiveLine> parseAdaptiveLine(const QString& line, int outcomes, bool orders,
+                                             std::size_t dimensions);
 
 /// The outcome index of an order such as "b<a<c" or "b<a=c": the ranks of a, b and c in the numbering of
 /// psychophysics::rankings(). Returns -1 if the word is not an order.

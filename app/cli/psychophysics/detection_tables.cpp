@@ -37,10 +37,13 @@ core::Result<DiscriminationTask> ruleOf(const Arguments& arguments, const QStrin
     if (task == u"mafc" || task == u"2afc")
         return DiscriminationTask{Discrimination::mAfc, task == u"2afc" ? 2 : static_cast<int>(*m)};
     if (task == u"triangle" || task == u"oddity")
-        return DiscriminationTask{independent ? Discrimination::oddityIndependent : Discrimination::oddityDifferencing, 3};
+        return DiscriminationTask{
+            independent ? Discrimination::oddityIndependent : Discrimination::oddityDifferencing, 3};
     if (task == u"abx")
-        return DiscriminationTask{independent ? Discrimination::abxIndependent : Discrimination::abxDifferencing, 2};
-    return DiscriminationTask{task == u"tetrad" ? Discrimination::tetrad : Discrimination::sameDifferentIndependent, 2};
+        return DiscriminationTask{
+            independent ? Discrimination::abxIndependent : Discrimination::abxDifferencing, 2};
+    return DiscriminationTask{
+        task == u"tetrad" ? Discrimination::tetrad : Discrimination::sameDifferentIndependent, 2};
 }
 
 core::Result<long long> count(const CsvTable& table, std::size_t row, int column) {
@@ -59,7 +62,8 @@ core::Result<std::vector<Row>> readRows(const QString& path, bool fourCounts) {
     for (const QString& name : wanted) {
         columns.push_back(table->column(name));
         if (columns.back() < 0)
-            return badInput(QStringLiteral("%1:1: column %2 is missing; expected %3").arg(path, name, wanted.join(u',')));
+            return badInput(
+                QStringLiteral("%1:1: column %2 is missing; expected %3").arg(path, name, wanted.join(u',')));
     }
     std::vector<Row> rows;
     for (std::size_t i = 0; i < table->rows.size(); ++i) {
@@ -79,7 +83,8 @@ core::Result<std::vector<Row>> readRows(const QString& path, bool fourCounts) {
 core::Result<Row> rowOfOptions(const Arguments& arguments, bool fourCounts) {
     Row row;
     constexpr qint64 kMost = 1'000'000'000;
-    const QStringList names = fourCounts ? QStringList{"hits", "misses", "false-alarms", "correct-rejections"} : QStringList{"correct", "total"};
+    const QStringList names = fourCounts ? QStringList{"hits", "misses", "false-alarms", "correct-rejections"}
+                                         : QStringList{"correct", "total"};
     if (!fourCounts && arguments.has(QStringLiteral("proportion"))) {
         for (const QString& name : names)
             if (arguments.has(name))
@@ -92,7 +97,8 @@ core::Result<Row> rowOfOptions(const Arguments& arguments, bool fourCounts) {
     std::array<long long, 4> numbers{};
     for (qsizetype i = 0; i < names.size(); ++i) {
         if (!arguments.has(names[i]))
-            return wrongUse(QStringLiteral("--%1 is missing; expected --%2, or a table").arg(names[i], names.join(QStringLiteral(", --"))));
+            return wrongUse(QStringLiteral("--%1 is missing; expected --%2, or a table")
+                                .arg(names[i], names.join(QStringLiteral(", --"))));
         const auto number = arguments.integer(names[i], 0, kMost, 0);
         CHIRON_TRY(number);
         numbers[static_cast<std::size_t>(i)] = *number;
@@ -102,7 +108,8 @@ core::Result<Row> rowOfOptions(const Arguments& arguments, bool fourCounts) {
     row.right = numbers[0];
     row.of = numbers[1];
     if (!fourCounts && row.right > row.of)
-        return wrongUse(QStringLiteral("--correct %1: expected at most --total %2").arg(row.right).arg(row.of));
+        return wrongUse(
+            QStringLiteral("--correct %1: expected at most --total %2").arg(row.right).arg(row.of));
     return row;
 }
 
@@ -110,33 +117,55 @@ QJsonObject estimateJson(const DPrimeEstimate& e) {
     QJsonArray warnings;
     for (const std::string& warning : e.warnings)
         warnings.append(QString::fromStdString(warning));
-    return {{"d_prime", e.dPrime}, {"se", e.standardError}, {"ci_low", e.low}, {"ci_high", e.high}, {"proportion_correct", e.proportion}, {"p_value", e.pValue}, {"warnings", warnings}};
+    return {{"d_prime", e.dPrime},
+            {"se", e.standardError},
+            {"ci_low", e.low},
+            {"ci_high", e.high},
+            {"proportion_correct", e.proportion},
+            {"p_value", e.pValue},
+            {"warnings", warnings}};
 }
 
 QJsonObject yesNoJson(const std::array<long long, 4>& c, bool corrected) {
-    const core::DetectionCounts counts{static_cast<int>(c[0]), static_cast<int>(c[0] + c[1]), static_cast<int>(c[2]), static_cast<int>(c[2] + c[3])};
-    const core::RateCorrection correction = corrected ? core::RateCorrection::logLinear : core::RateCorrection::none;
+    const core::DetectionCounts counts{static_cast<int>(c[0]), static_cast<int>(c[0] + c[1]),
+                                       static_cast<int>(c[2]), static_cast<int>(c[2] + c[3])};
+    const core::RateCorrection correction =
+        corrected ? core::RateCorrection::logLinear : core::RateCorrection::none;
     // A correction must not produce a number from no data.
     const bool any = counts.ofSignal > 0 && counts.ofNoise > 0;
-    const auto rate = [&](int yes, int of) { return any ? core::rateOf(yes, of, correction) : std::numeric_limits<double>::quiet_NaN(); };
+    const auto rate = [&](int yes, int of) {
+        return any ? core::rateOf(yes, of, correction) : std::numeric_limits<double>::quiet_NaN();
+    };
     const double hit = rate(counts.hits, counts.ofSignal), alarm = rate(counts.falseAlarms, counts.ofNoise);
     QJsonArray warnings;
     if (any && !std::isfinite(core::dPrime(hit, alarm)))
-        warnings.append(QStringLiteral("no_limit: a rate is 0 or 1, so d' has no finite value without a correction"));
+        warnings.append(
+            QStringLiteral("no_limit: a rate is 0 or 1, so d' has no finite value without a correction"));
     if (any && corrected)
         for (const std::string& warning : warningsOfRates(c[0], c[0] + c[1], c[2], c[2] + c[3]))
             warnings.append(QString::fromStdString(warning));
     if (!any)
         warnings.append(QStringLiteral("no_trials: there are no trials with, or none without, the stimulus"));
     else if (!core::isUsable(counts))
-        warnings.append(QStringLiteral("few_trials: fewer than %1 trials with, or without, the stimulus; d' is uncertain").arg(core::kUsableCounts));
-    core::DetectionInterval interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+        warnings.append(
+            QStringLiteral("few_trials: fewer than %1 trials with, or without, the stimulus; d' is uncertain")
+                .arg(core::kUsableCounts));
+    core::DetectionInterval interval{std::numeric_limits<double>::quiet_NaN(),
+                                     std::numeric_limits<double>::quiet_NaN()};
     if (any)
         interval = core::dPrimeInterval(counts, 0.95, correction);
-    const double error = any ? core::dPrimeStandardError(counts, correction) : std::numeric_limits<double>::quiet_NaN();
-    return {{"d_prime", core::dPrime(hit, alarm)}, {"criterion", core::criterion(hit, alarm)}, {"log_beta", core::dPrime(hit, alarm) * core::criterion(hit, alarm)},
-            {"se", error}, {"ci_low", interval.low}, {"ci_high", interval.high},
-            {"hit_rate", hit}, {"false_alarm_rate", alarm}, {"correction", corrected ? "log-linear" : "none"}, {"warnings", warnings}};
+    const double error =
+        any ? core::dPrimeStandardError(counts, correction) : std::numeric_limits<double>::quiet_NaN();
+    return {{"d_prime", core::dPrime(hit, alarm)},
+            {"criterion", core::criterion(hit, alarm)},
+            {"log_beta", core::dPrime(hit, alarm) * core::criterion(hit, alarm)},
+            {"se", error},
+            {"ci_low", interval.low},
+            {"ci_high", interval.high},
+            {"hit_rate", hit},
+            {"false_alarm_rate", alarm},
+            {"correction", corrected ? "log-linear" : "none"},
+            {"warnings", warnings}};
 }
 
 core::Result<QJsonObject> rowJson(const Arguments& arguments, const QString& task, const Row& row) {
@@ -146,8 +175,9 @@ core::Result<QJsonObject> rowJson(const Arguments& arguments, const QString& tas
         json = yesNoJson(*row.counts, corrected);
     } else if (row.counts && arguments.value(QStringLiteral("rule")) != u"independent") {
         const auto& c = *row.counts;
-        json = estimateJson(sameDifferentOfCounts(c[0], c[0] + c[1], c[2], c[2] + c[3], 0.95,
-                                                  corrected ? core::RateCorrection::logLinear : core::RateCorrection::none));
+        json = estimateJson(
+            sameDifferentOfCounts(c[0], c[0] + c[1], c[2], c[2] + c[3], 0.95,
+                                  corrected ? core::RateCorrection::logLinear : core::RateCorrection::none));
         json.insert("correction", corrected ? "log-linear" : "none");
         json.insert("rule", "differencing");
     } else {
@@ -158,8 +188,12 @@ core::Result<QJsonObject> rowJson(const Arguments& arguments, const QString& tas
             QJsonArray warnings = rates["warnings"].toArray();
             if (rates["hit_rate"].toDouble() <= rates["false_alarm_rate"].toDouble())
                 warnings.append(QLatin1String(kChance));
-            json = {{"d_prime", dPrimeOfRates(*rule, rates["hit_rate"].toDouble(), rates["false_alarm_rate"].toDouble())},
-                    {"hit_rate", rates["hit_rate"]}, {"false_alarm_rate", rates["false_alarm_rate"]}, {"rule", "independent"}, {"warnings", warnings}};
+            json = {{"d_prime", dPrimeOfRates(*rule, rates["hit_rate"].toDouble(),
+                                              rates["false_alarm_rate"].toDouble())},
+                    {"hit_rate", rates["hit_rate"]},
+                    {"false_alarm_rate", rates["false_alarm_rate"]},
+                    {"rule", "independent"},
+                    {"warnings", warnings}};
         } else if (std::isfinite(row.proportion)) {
             const double found = dPrimeAt(*rule, row.proportion);
             QJsonArray warnings;
@@ -186,9 +220,11 @@ core::Result<CommandOutput> detectionTables(const Arguments& arguments) {
     const bool isTable = !arguments.operand(0).isEmpty();
     std::vector<Row> rows;
     if (isTable) {
-        for (const char* option : {"hits", "misses", "false-alarms", "correct-rejections", "correct", "total", "proportion"})
+        for (const char* option :
+             {"hits", "misses", "false-alarms", "correct-rejections", "correct", "total", "proportion"})
             if (arguments.has(QLatin1String(option)))
-                return wrongUse(QStringLiteral("--%1 beside a table: expected one of them").arg(QLatin1String(option)));
+                return wrongUse(
+                    QStringLiteral("--%1 beside a table: expected one of them").arg(QLatin1String(option)));
         auto read = readRows(arguments.operand(0), fourCounts);
         CHIRON_TRY(read);
         rows = std::move(*read);
@@ -203,13 +239,17 @@ core::Result<CommandOutput> detectionTables(const Arguments& arguments) {
         const auto json = rowJson(arguments, *task, row);
         CHIRON_TRY(json);
         all.append(*json);
-        const auto shown = [&](const char* key) { return shortNumber(json->value(QLatin1String(key)).toDouble(std::nan(""))); };
+        const auto shown = [&](const char* key) {
+            return shortNumber(json->value(QLatin1String(key)).toDouble(std::nan("")));
+        };
         QStringList warnings;
         for (const QJsonValue& warning : (*json)["warnings"].toArray())
             warnings << warning.toString();
-        table.add({*task, shown("d_prime"), shown("ci_low"), shown("ci_high"), shown("criterion"), warnings.join(QStringLiteral("; "))});
+        table.add({*task, shown("d_prime"), shown("ci_low"), shown("ci_high"), shown("criterion"),
+                   warnings.join(QStringLiteral("; "))});
     }
-    return CommandOutput{QJsonDocument(isTable ? QJsonObject{{"rows", all}} : all[0].toObject()), table.toText(), 0};
+    return CommandOutput{QJsonDocument(isTable ? QJsonObject{{"rows", all}} : all[0].toObject()),
+                         table.toText(), 0};
 }
 
 } // namespace chiron::cli

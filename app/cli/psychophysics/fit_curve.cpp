@@ -18,7 +18,9 @@ using namespace psychophysics;
 /// Draws from the posterior, for the interval of a threshold at another proportion.
 constexpr int kDrawsOfDerived = 2000;
 
-QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
+QString text(std::string_view words) {
+    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+}
 
 core::Result<void> readSimulations(const Arguments& arguments, FitOptions& options) {
     constexpr qint64 kMost = 1'000'000;
@@ -33,7 +35,8 @@ core::Result<void> readSimulations(const Arguments& arguments, FitOptions& optio
     if (!confidence || !seed)
         return tl::unexpected(confidence ? seed.error() : confidence.error());
     if (*bootstrap > 0) {
-        options.bootstrap = arguments.has(QStringLiteral("nonparametric")) ? Bootstrap::nonparametric : Bootstrap::parametric;
+        options.bootstrap =
+            arguments.has(QStringLiteral("nonparametric")) ? Bootstrap::nonparametric : Bootstrap::parametric;
         options.bootstrapSamples = static_cast<int>(*bootstrap);
     }
     options.monteCarlo = static_cast<int>(*monteCarlo);
@@ -48,7 +51,9 @@ core::Result<FitOptions> readOptions(const Arguments& arguments) {
     if (!read)
         return read;
     FitOptions options = *read;
-    const auto prior = arguments.choice(QStringLiteral("prior"), {"auto", "psignifit", "open_below", "open_above", "wide"}, QStringLiteral("auto"));
+    const auto prior =
+        arguments.choice(QStringLiteral("prior"), {"auto", "psignifit", "open_below", "open_above", "wide"},
+                         QStringLiteral("auto"));
     CHIRON_TRY(prior);
     options.widthPrior = *widthPriorFromToken(prior->toStdString());
     CHIRON_TRY(readSimulations(arguments, options));
@@ -57,30 +62,52 @@ core::Result<FitOptions> readOptions(const Arguments& arguments) {
     return options;
 }
 
-QJsonArray pair(const FitInterval& interval) { return {interval.low, interval.high}; }
+QJsonArray pair(const FitInterval& interval) {
+    return {interval.low, interval.high};
+}
 
 QJsonObject intervals(const ParameterIntervals& ci) {
-    return {{"threshold", pair(ci.threshold)}, {"width", pair(ci.width)}, {"lapse", pair(ci.lapse)}, {"guess", pair(ci.guess)}, {"eta", pair(ci.eta)}};
+    return {{"threshold", pair(ci.threshold)},
+            {"width", pair(ci.width)},
+            {"lapse", pair(ci.lapse)},
+            {"guess", pair(ci.guess)},
+            {"eta", pair(ci.eta)}};
 }
 
 QJsonObject parameters(const CurveParameters& at, StimulusScale scale) {
-    return {{"threshold", fromScale(at.threshold, scale)}, {"width", at.width}, {"lapse", at.lapse}, {"guess", at.guess}, {"eta", at.eta}};
+    return {{"threshold", fromScale(at.threshold, scale)},
+            {"width", at.width},
+            {"lapse", at.lapse},
+            {"guess", at.guess},
+            {"eta", at.eta}};
 }
 
 /// Standard errors, or the posterior's standard deviations for a Bayesian fit. All are on the fitted axis.
 QJsonObject parameterErrors(const FitResult& fit) {
-    return {{"threshold", fit.error.threshold}, {"width", fit.error.width}, {"lapse", fit.error.lapse}, {"guess", fit.error.guess}, {"eta", fit.error.eta}};
+    return {{"threshold", fit.error.threshold},
+            {"width", fit.error.width},
+            {"lapse", fit.error.lapse},
+            {"guess", fit.error.guess},
+            {"eta", fit.error.eta}};
 }
 
 /// The ratio of the posterior's spread to the prior's; null if a parameter is fixed.
 QJsonObject influenceJson(const CurveParameters& of) {
-    return {{"threshold", of.threshold}, {"width", of.width}, {"lapse", of.lapse}, {"guess", of.guess}, {"eta", of.eta}};
+    return {{"threshold", of.threshold},
+            {"width", of.width},
+            {"lapse", of.lapse},
+            {"guess", of.guess},
+            {"eta", of.eta}};
 }
 
 QJsonArray levelsJson(const FitResult& fit) {
     QJsonArray levels;
     for (const FittedLevel& level : fit.levels)
-        levels.append(QJsonObject{{"intensity", level.x}, {"n_correct", level.right}, {"n_total", level.of}, {"fitted", level.fitted}, {"residual", level.residual}});
+        levels.append(QJsonObject{{"intensity", level.x},
+                                  {"n_correct", level.right},
+                                  {"n_total", level.of},
+                                  {"fitted", level.fitted},
+                                  {"residual", level.residual}});
     return levels;
 }
 
@@ -88,11 +115,25 @@ QJsonObject fitJson(const FitResult& fit) {
     QJsonArray warnings;
     for (const std::string& warning : fit.warnings)
         warnings.append(text(warning));
-    QJsonObject json{{"fitted", fit.fitted}, {"function", text(token(fit.function))}, {"method", fit.method == FitMethod::bayesian ? "bayes" : "ml"},
-                     {"scale", text(token(fit.scale))}, {"threshold", fit.threshold}, {"width", fit.width}, {"lapse", fit.lapse},
-                     {"guess", fit.guess}, {"eta", fit.eta}, {"confidence", fit.confidence}, {"ci", intervals(fit.ci)},
-                     {"deviance", fit.deviance}, {"degrees_of_freedom", fit.degreesOfFreedom}, {"p_value", fit.pValue},
-                     {"error", parameterErrors(fit)}, {"log_likelihood", fit.logLikelihood}, {"aic", fit.aic}, {"levels", levelsJson(fit)}, {"warnings", warnings}};
+    QJsonObject json{{"fitted", fit.fitted},
+                     {"function", text(token(fit.function))},
+                     {"method", fit.method == FitMethod::bayesian ? "bayes" : "ml"},
+                     {"scale", text(token(fit.scale))},
+                     {"threshold", fit.threshold},
+                     {"width", fit.width},
+                     {"lapse", fit.lapse},
+                     {"guess", fit.guess},
+                     {"eta", fit.eta},
+                     {"confidence", fit.confidence},
+                     {"ci", intervals(fit.ci)},
+                     {"deviance", fit.deviance},
+                     {"degrees_of_freedom", fit.degreesOfFreedom},
+                     {"p_value", fit.pValue},
+                     {"error", parameterErrors(fit)},
+                     {"log_likelihood", fit.logLikelihood},
+                     {"aic", fit.aic},
+                     {"levels", levelsJson(fit)},
+                     {"warnings", warnings}};
     if (fit.method == FitMethod::bayesian) {
         json.insert("mean", parameters(fit.mean, fit.scale));
         json.insert("interval_prior", QLatin1String(widthPriorToken(fit.intervalPrior)));
@@ -101,7 +142,10 @@ QJsonObject fitJson(const FitResult& fit) {
     if (!fit.curve.empty()) {
         QJsonArray curve;
         for (const CurveSample& sample : fit.curve)
-            curve.append(QJsonObject{{"intensity", sample.x}, {"fitted", sample.fitted}, {"low", sample.low}, {"high", sample.high}});
+            curve.append(QJsonObject{{"intensity", sample.x},
+                                     {"fitted", sample.fitted},
+                                     {"low", sample.low},
+                                     {"high", sample.high}});
         json.insert("curve", curve);
     }
     return json;
@@ -121,10 +165,18 @@ core::Result<void> addDerived(const Arguments& arguments, const FitResult& fit, 
         const auto proportion = arguments.number(QStringLiteral("threshold-at"), 0.001, 0.999, 0.75);
         CHIRON_TRY(proportion);
         const double p = *proportion;
-        const FitInterval interval = intervalOf(fit, [&](const CurveParameters& at) { return thresholdAt(fit, at, p, unscaled); });
+        const FitInterval interval =
+            intervalOf(fit, [&](const CurveParameters& at) { return thresholdAt(fit, at, p, unscaled); });
         if (const double value = thresholdAt(fit, p, unscaled); fit.fitted && std::isnan(value))
-            warn(json, QStringLiteral("never_reached: the curve does not take the proportion %1 (guess %2, lapse %3)").arg(p).arg(fit.guess).arg(fit.lapse));
-        json.insert("threshold_at", QJsonObject{{"proportion", p}, {"unscaled", unscaled}, {"value", thresholdAt(fit, p, unscaled)}, {"ci", pair(interval)}});
+            warn(json, QStringLiteral(
+                           "never_reached: the curve does not take the proportion %1 (guess %2, lapse %3)")
+                           .arg(p)
+                           .arg(fit.guess)
+                           .arg(fit.lapse));
+        json.insert("threshold_at", QJsonObject{{"proportion", p},
+                                                {"unscaled", unscaled},
+                                                {"value", thresholdAt(fit, p, unscaled)},
+                                                {"ci", pair(interval)}});
     }
     json.insert("pse", pse(fit));
     json.insert("jnd", jnd(fit));
@@ -147,14 +199,19 @@ QString derivedText(const QJsonObject& json) {
         const QJsonObject at = json["threshold_at"].toObject();
         const QJsonArray ci = at["ci"].toArray();
         words += QStringLiteral("threshold at %1%2: %3 (%4 to %5)\n")
-                     .arg(shown(at["proportion"]), at["unscaled"].toBool() ? QStringLiteral(" of the curve without guess and lapse") : QString(), shown(at["value"]), shown(ci[0]), shown(ci[1]));
+                     .arg(shown(at["proportion"]),
+                          at["unscaled"].toBool() ? QStringLiteral(" of the curve without guess and lapse")
+                                                  : QString(),
+                          shown(at["value"]), shown(ci[0]), shown(ci[1]));
     }
     if (json.contains("weber"))
-        words += QStringLiteral("Weber fraction at %1: %2\n").arg(shown(json["reference"]), shown(json["weber"]));
+        words +=
+            QStringLiteral("Weber fraction at %1: %2\n").arg(shown(json["reference"]), shown(json["weber"]));
     if (json.contains("curve")) {
         TextTable table({">intensity", ">fitted", ">low", ">high"});
         for (const QJsonValue& sample : json["curve"].toArray())
-            table.add({shown(sample["intensity"]), shown(sample["fitted"]), shown(sample["low"]), shown(sample["high"])});
+            table.add({shown(sample["intensity"]), shown(sample["fitted"]), shown(sample["low"]),
+                       shown(sample["high"])});
         words += table.toText();
     }
     return words;
@@ -174,16 +231,20 @@ QString fitText(const QJsonObject& json) {
             row << shown(json["prior_influence"][QLatin1String(name)]);
         table.add(row);
     }
-    const auto number = [&](const char* key) { return shortNumber(json[QLatin1String(key)].toDouble(std::nan(""))); };
+    const auto number = [&](const char* key) {
+        return shortNumber(json[QLatin1String(key)].toDouble(std::nan("")));
+    };
     QString words = QStringLiteral("%1, %2, fitted on a %3 axis, %4 % intervals\n")
                         .arg(json["function"].toString(), json["method"].toString(), json["scale"].toString())
                         .arg(100.0 * json["confidence"].toDouble());
     words += table.toText();
     if (bayes)
-        words += QStringLiteral("prior's part: spread after the answers over spread before them, 0 the answers decide, 1 the prior does; intervals of the %1 prior\n")
+        words += QStringLiteral("prior's part: spread after the answers over spread before them, 0 the "
+                                "answers decide, 1 the prior does; intervals of the %1 prior\n")
                      .arg(json["interval_prior"].toString());
     words += QStringLiteral("deviance %1 (p %2), log-likelihood %3\nPSE %4, JND %5\n")
-                 .arg(number("deviance"), number("p_value"), number("log_likelihood"), number("pse"), number("jnd"));
+                 .arg(number("deviance"), number("p_value"), number("log_likelihood"), number("pse"),
+                      number("jnd"));
     words += derivedText(json);
     for (const QJsonValue& warning : json["warnings"].toArray())
         words += QStringLiteral("! %1\n").arg(warning.toString());
@@ -191,13 +252,17 @@ QString fitText(const QJsonObject& json) {
 }
 
 /// The JSON of the fit of one group.
-core::Result<QJsonObject> fitOf(const Arguments& arguments, bool likelihood, const AnswersOf& answers, const FitOptions& options) {
-    FitResult fit = likelihood ? fitMaximumLikelihood(answers.data, options) : fitBayesian(answers.data, options);
+core::Result<QJsonObject> fitOf(const Arguments& arguments, bool likelihood, const AnswersOf& answers,
+                                const FitOptions& options) {
+    FitResult fit =
+        likelihood ? fitMaximumLikelihood(answers.data, options) : fitBayesian(answers.data, options);
     for (std::string& warning : fit.warnings)
         if (warning.starts_with("unusable_rows"))
             warning += " (" + answers.leftOut.toStdString() + ")";
-    if (fit.fitted && likelihood && options.bootstrap == Bootstrap::none && (options.curvePoints > 1 || arguments.has(QStringLiteral("threshold-at"))))
-        fit.warnings.emplace_back("no_interval: a curve and a threshold at another proportion have intervals with --bootstrap only, by this method");
+    if (fit.fitted && likelihood && options.bootstrap == Bootstrap::none &&
+        (options.curvePoints > 1 || arguments.has(QStringLiteral("threshold-at"))))
+        fit.warnings.emplace_back("no_interval: a curve and a threshold at another proportion have intervals "
+                                  "with --bootstrap only, by this method");
     QJsonObject json = fitJson(fit);
     CHIRON_TRY(addDerived(arguments, fit, json));
     return json;
@@ -206,7 +271,15 @@ core::Result<QJsonObject> fitOf(const Arguments& arguments, bool likelihood, con
 /// A table with one row per group, followed by the warnings of each group.
 QString groupsText(const QStringList& by, const QJsonArray& groups) {
     QStringList headings = by;
-    headings << ">threshold" << ">low" << ">high" << ">width" << ">low" << ">high" << ">lapse" << ">p" << ">warnings";
+    headings << ">threshold"
+             << ">low"
+             << ">high"
+             << ">width"
+             << ">low"
+             << ">high"
+             << ">lapse"
+             << ">p"
+             << ">warnings";
     TextTable table(headings);
     QString words;
     const auto shown = [](const QJsonValue& value) { return shortNumber(value.toDouble(std::nan(""))); };
@@ -217,9 +290,11 @@ QString groupsText(const QStringList& by, const QJsonArray& groups) {
             row << group["group"][column].toString();
         const QString name = row.join(QStringLiteral(", "));
         for (const char* parameter : {"threshold", "width"})
-            row << shown(group[QLatin1String(parameter)]) << shown(ci[QLatin1String(parameter)][0]) << shown(ci[QLatin1String(parameter)][1]);
+            row << shown(group[QLatin1String(parameter)]) << shown(ci[QLatin1String(parameter)][0])
+                << shown(ci[QLatin1String(parameter)][1]);
         const QJsonArray warnings = group["warnings"].toArray();
-        table.add(row << shown(group["lapse"]) << shown(group["p_value"]) << QString::number(warnings.size()));
+        table.add(row << shown(group["lapse"]) << shown(group["p_value"])
+                      << QString::number(warnings.size()));
         for (const QJsonValue& warning : warnings)
             words += QStringLiteral("! %1: %2\n").arg(name, warning.toString());
     }
@@ -236,7 +311,8 @@ core::Result<CommandOutput> fitCurve(const Arguments& arguments) {
     if (*method == u"ml" && arguments.has(QStringLiteral("prior")))
         return wrongUse(QStringLiteral("--prior: expected with --method bayes; maximum likelihood has none"));
     if (*method == u"bayes" && options->bootstrap != Bootstrap::none)
-        return wrongUse(QStringLiteral("--bootstrap: expected with --method ml; a Bayesian fit has credible intervals"));
+        return wrongUse(
+            QStringLiteral("--bootstrap: expected with --method ml; a Bayesian fit has credible intervals"));
     const auto answers = readAnswers(arguments);
     CHIRON_TRY(answers);
     QJsonArray groups;
@@ -248,7 +324,9 @@ core::Result<CommandOutput> fitCurve(const Arguments& arguments) {
         json->insert("group", groupJson(answers->by, group.group));
         groups.append(*json);
     }
-    return CommandOutput{QJsonDocument(QJsonObject{{"by", QJsonArray::fromStringList(answers->by)}, {"groups", groups}}), groupsText(answers->by, groups), 0};
+    return CommandOutput{
+        QJsonDocument(QJsonObject{{"by", QJsonArray::fromStringList(answers->by)}, {"groups", groups}}),
+        groupsText(answers->by, groups), 0};
 }
 
 } // namespace chiron::cli

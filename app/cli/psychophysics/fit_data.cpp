@@ -19,7 +19,7 @@ using namespace psychophysics;
 /// Limit of one level, and of all levels of a group together; beyond it, a posterior is narrower than any
 /// grid.
 constexpr double kMostTrials = 1e9;
-constexpr std::size_t kMostGroups = 1000;   ///< if there are more, the column does not define groups
+constexpr std::size_t kMostGroups = 1000; ///< if there are more, the column does not define groups
 
 QStringList sigmoidNames() {
     QStringList names;
@@ -35,15 +35,18 @@ QString placesOf(const CsvTable& table, const std::vector<std::size_t>& rows) {
     QStringList lines;
     for (std::size_t i = 0; i < std::min(rows.size(), kMostNamed); ++i)
         lines << QString::number(table.lines[rows[i]]);
-    return rows.empty() ? QString()
-                        : QStringLiteral("%1: %2 %3%4").arg(table.name, rows.size() == 1 ? QStringLiteral("line") : QStringLiteral("lines"), lines.join(QStringLiteral(", ")),
-                                                           rows.size() > kMostNamed ? QStringLiteral(" ...") : QString());
+    return rows.empty()
+               ? QString()
+               : QStringLiteral("%1: %2 %3%4")
+                     .arg(table.name, rows.size() == 1 ? QStringLiteral("line") : QStringLiteral("lines"),
+                          lines.join(QStringLiteral(", ")),
+                          rows.size() > kMostNamed ? QStringLiteral(" ...") : QString());
 }
 
 /// The columns of the table that hold the answers.
 struct AnswerColumns {
     int intensity = -1;
-    int correct = -1;          ///< column of single trials; −1: the table holds counts
+    int correct = -1;           ///< column of single trials; −1: the table holds counts
     int right = -1, total = -1; ///< columns of counts
     QList<int> by;
 
@@ -53,16 +56,27 @@ struct AnswerColumns {
 core::Result<int> columnOf(const CsvTable& table, const QString& name, const QString& expected) {
     const int column = table.column(name);
     if (column < 0)
-        return badInput(QStringLiteral("%1:%2: column %3 is missing; expected %4").arg(table.name).arg(table.headerLine).arg(name, expected));
+        return badInput(QStringLiteral("%1:%2: column %3 is missing; expected %4")
+                            .arg(table.name)
+                            .arg(table.headerLine)
+                            .arg(name, expected));
     return column;
 }
 
-core::Result<AnswerColumns> columnsOf(const CsvTable& table, const Arguments& arguments, const QStringList& by) {
-    const auto named = [&](const char* option) { return arguments.has(QLatin1String(option)) ? arguments.value(QLatin1String(option)) : QLatin1String(option); };
+core::Result<AnswerColumns> columnsOf(const CsvTable& table, const Arguments& arguments,
+                                      const QStringList& by) {
+    const auto named = [&](const char* option) {
+        return arguments.has(QLatin1String(option)) ? arguments.value(QLatin1String(option))
+                                                    : QLatin1String(option);
+    };
     const QString intensity = named("intensity"), correct = named("correct");
     AnswerColumns columns;
-    const bool trials = arguments.has(QStringLiteral("correct")) || (table.column(correct) >= 0 && table.column(QStringLiteral("n_correct")) < 0);
-    const QString expected = trials ? intensity + u',' + correct : intensity + QStringLiteral(",n_correct,n_total, or %1,%2 of single trials").arg(intensity, correct);
+    const bool trials = arguments.has(QStringLiteral("correct")) ||
+                        (table.column(correct) >= 0 && table.column(QStringLiteral("n_correct")) < 0);
+    const QString expected =
+        trials ? intensity + u',' + correct
+               : intensity +
+                     QStringLiteral(",n_correct,n_total, or %1,%2 of single trials").arg(intensity, correct);
     const auto take = [&](int& into, const QString& name) -> core::Result<void> {
         const auto column = columnOf(table, name, expected);
         CHIRON_TRY(column);
@@ -78,10 +92,13 @@ core::Result<AnswerColumns> columnsOf(const CsvTable& table, const Arguments& ar
         read = take(columns.total, QStringLiteral("n_total"));
     CHIRON_TRY(read);
     for (const QString& name : by) {
-        const auto column = columnOf(table, name, QStringLiteral("one of %1 for --by").arg(table.header.join(u',')));
+        const auto column =
+            columnOf(table, name, QStringLiteral("one of %1 for --by").arg(table.header.join(u',')));
         CHIRON_TRY(column);
-        if (*column == columns.intensity || *column == columns.correct || *column == columns.right || *column == columns.total)
-            return wrongUse(QStringLiteral("--by %1: expected a column of groups, not one of the answers").arg(name));
+        if (*column == columns.intensity || *column == columns.correct || *column == columns.right ||
+            *column == columns.total)
+            return wrongUse(
+                QStringLiteral("--by %1: expected a column of groups, not one of the answers").arg(name));
         columns.by << *column;
     }
     return columns;
@@ -96,7 +113,8 @@ struct ReadRow {
 
 core::Result<ReadRow> readRow(const CsvTable& table, std::size_t row, const AnswerColumns& columns) {
     ReadRow read;
-    const auto x = table.number(row, columns.intensity), right = table.number(row, columns.trials() ? columns.correct : columns.right);
+    const auto x = table.number(row, columns.intensity),
+               right = table.number(row, columns.trials() ? columns.correct : columns.right);
     const auto of = columns.trials() ? core::Result<double>(1.0) : table.number(row, columns.total);
     for (const auto* value : {&x, &right, &of})
         if (!*value)
@@ -112,7 +130,8 @@ core::Result<ReadRow> readRow(const CsvTable& table, std::size_t row, const Answ
         wrong(columns.intensity, "a finite number");
     else if (columns.trials() && read.right != 0.0 && read.right != 1.0)
         wrong(columns.correct, "1 (right) or 0 (wrong)");
-    else if (!columns.trials() && !(read.of >= 0.0 && read.of == std::floor(read.of) && std::isfinite(read.of)))
+    else if (!columns.trials() &&
+             !(read.of >= 0.0 && read.of == std::floor(read.of) && std::isfinite(read.of)))
         wrong(columns.total, "a whole number, at least 0");
     else if (!isUsableRow(read.x, read.right, read.of) && read.of > 0.0)
         wrong(columns.trials() ? columns.correct : columns.right, "a whole number from 0 to n_total");
@@ -125,7 +144,8 @@ core::Result<ReadRow> readRow(const CsvTable& table, std::size_t row, const Answ
 /// Sorts rows into their groups.
 class Grouping {
 public:
-    Grouping(const CsvTable& table, const AnswerColumns& columns, bool strict, bool dropBad) : m_table(table), m_columns(columns), m_strict(strict), m_dropBad(dropBad) {}
+    Grouping(const CsvTable& table, const AnswerColumns& columns, bool strict, bool dropBad)
+        : m_table(table), m_columns(columns), m_strict(strict), m_dropBad(dropBad) {}
 
     core::Result<void> add(std::size_t row) {
         const auto read = readRow(m_table, row, m_columns);
@@ -134,7 +154,8 @@ public:
         if (std::isfinite(read->of) && read->of > kMostTrials)
             return m_table.fault(row, m_columns.total, QStringLiteral("at most 1e9"));
         if (read->wrongColumn >= 0 && m_strict && !m_dropBad)
-            return m_table.fault(row, read->wrongColumn, read->expected + QStringLiteral("; --drop-bad leaves such rows out"));
+            return m_table.fault(row, read->wrongColumn,
+                                 read->expected + QStringLiteral("; --drop-bad leaves such rows out"));
         QStringList values;
         for (const int column : m_columns.by)
             values << m_table.cell(row, column);
@@ -154,7 +175,10 @@ private:
         if (found != m_place.constEnd())
             return *found;
         if (m_groups.size() == kMostGroups)
-            return wrongUse(QStringLiteral("--by: more than %1 different values; expected a column of participants or conditions").arg(kMostGroups));
+            return wrongUse(
+                QStringLiteral(
+                    "--by: more than %1 different values; expected a column of participants or conditions")
+                    .arg(kMostGroups));
         m_place.insert(values, m_groups.size());
         m_groups.push_back({values, {}, {}});
         m_bad.emplace_back();
@@ -206,7 +230,8 @@ private:
 };
 
 /// A proportion, "free", or (if `equal` allows it) "equal".
-core::Result<Asymptote> asymptote(const Arguments& arguments, const QString& option, bool equal, Asymptote fallback) {
+core::Result<Asymptote> asymptote(const Arguments& arguments, const QString& option, bool equal,
+                                  Asymptote fallback) {
     if (!arguments.has(option))
         return fallback;
     const QString given = arguments.value(option);
@@ -231,18 +256,22 @@ core::Result<AnswerTable> readAnswers(const Arguments& arguments) {
     CHIRON_TRY(table);
     const auto columns = columnsOf(*table, arguments, *by);
     CHIRON_TRY(columns);
-    Grouping grouping(*table, *columns, columns->trials() || !by->isEmpty(), arguments.has(QStringLiteral("drop-bad")));
+    Grouping grouping(*table, *columns, columns->trials() || !by->isEmpty(),
+                      arguments.has(QStringLiteral("drop-bad")));
     for (std::size_t row = 0; row < table->rows.size(); ++row)
         CHIRON_TRY(grouping.add(row));
     AnswerTable answers{*by, grouping.take()};
     if (answers.groups.empty())
-        return badInput(QStringLiteral("%1: no row can be used; expected at least one with a group and an answer").arg(table->name));
+        return badInput(
+            QStringLiteral("%1: no row can be used; expected at least one with a group and an answer")
+                .arg(table->name));
     return answers;
 }
 
 core::Result<FitOptions> readCurve(const Arguments& arguments) {
     FitOptions options;
-    const auto function = arguments.choice(QStringLiteral("function"), sigmoidNames(), QStringLiteral("gauss"));
+    const auto function =
+        arguments.choice(QStringLiteral("function"), sigmoidNames(), QStringLiteral("gauss"));
     const auto scale = arguments.choice(QStringLiteral("scale"), {"linear", "ln", "log10", "db"}, {});
     if (!function || !scale)
         return tl::unexpected(function ? scale.error() : function.error());
@@ -255,11 +284,16 @@ core::Result<FitOptions> readCurve(const Arguments& arguments) {
         return tl::unexpected(guess ? lapse.error() : guess.error());
     options.guess = *guess;
     options.lapse = *lapse;
-    if (guess->rule == Asymptote::Rule::equal && lapse->rule == Asymptote::Rule::fixed && !(lapse->value < 0.5))
-        return wrongUse(QStringLiteral("--guess equal, --lapse %1: expected a lapse below 0.5, which both are").arg(lapse->value));
+    if (guess->rule == Asymptote::Rule::equal && lapse->rule == Asymptote::Rule::fixed &&
+        !(lapse->value < 0.5))
+        return wrongUse(
+            QStringLiteral("--guess equal, --lapse %1: expected a lapse below 0.5, which both are")
+                .arg(lapse->value));
     const bool bothFixed = guess->rule == Asymptote::Rule::fixed && lapse->rule == Asymptote::Rule::fixed;
     if (bothFixed && !(guess->value + lapse->value < 1.0))
-        return wrongUse(QStringLiteral("--guess %1, --lapse %2: expected less than 1 together").arg(guess->value).arg(lapse->value));
+        return wrongUse(QStringLiteral("--guess %1, --lapse %2: expected less than 1 together")
+                            .arg(guess->value)
+                            .arg(lapse->value));
     return options;
 }
 
@@ -272,15 +306,22 @@ QJsonObject groupJson(const QStringList& by, const QStringList& group) {
 
 std::vector<OptionSpec> answerOptions() {
     return {{"intensity", "COLUMN", "where the intensities are; default: intensity"},
-            {"correct", "COLUMN", "rows are single trials, and this column says 1 (right) or 0 (wrong); default: correct, where there is no n_correct"},
-            {"drop-bad", {}, "leave out rows that cannot be (no answer, more right than there were), instead of refusing the file"}};
+            {"correct", "COLUMN",
+             "rows are single trials, and this column says 1 (right) or 0 (wrong); default: correct, where "
+             "there is no n_correct"},
+            {"drop-bad",
+             {},
+             "leave out rows that cannot be (no answer, more right than there were), instead of refusing the "
+             "file"}};
 }
 
 std::vector<OptionSpec> curveOptions() {
-    return {{"function", "NAME", "logistic, gauss, weibull, gumbel, rgumbel, logn, hyperbolic or tdist; default: gauss"},
+    return {{"function", "NAME",
+             "logistic, gauss, weibull, gumbel, rgumbel, logn, hyperbolic or tdist; default: gauss"},
             {"guess", "G", "a proportion, free, or equal (as the lapse); default: 0.5"},
             {"lapse", "L", "a proportion or free; default: free"},
-            {"scale", "WORD", "axis it is fitted on: linear, ln, log10, db; default: ln for weibull and logn, else linear"}};
+            {"scale", "WORD",
+             "axis it is fitted on: linear, ln, log10, db; default: ln for weibull and logn, else linear"}};
 }
 
 } // namespace chiron::cli

@@ -19,7 +19,7 @@ struct AnswersOf {
 };
 
 struct AnswerTable {
-    QStringList by; ///< columns of --by
+    QStringList by;                ///< columns of --by
     std::vector<AnswersOf> groups; ///< in the order of first appearance; a single one without --by
 };
 

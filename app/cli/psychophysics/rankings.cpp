@@ -28,7 +28,8 @@ QJsonArray words(const std::vector<std::string>& warnings) {
 
 QJsonObject worthJson(WorthEstimate worth, const QStringList& items, bool exponentials, int leftOut = 0) {
     if (leftOut > 0)
-        worth.warnings.push_back("left_out: " + std::to_string(leftOut) + " rankings have ties or missing ranks, which this model does not take");
+        worth.warnings.push_back("left_out: " + std::to_string(leftOut) +
+                                 " rankings have ties or missing ranks, which this model does not take");
     QJsonArray objects;
     double total = 0.0;
     for (const double log : worth.logWorth)
@@ -42,7 +43,11 @@ QJsonObject worthJson(WorthEstimate worth, const QStringList& items, bool expone
             one.insert("se", worth.standardError[i]);
         objects.append(one);
     }
-    return {{"fitted", worth.fitted}, {"items", objects}, {"log_likelihood", worth.logLikelihood}, {"iterations", worth.iterations}, {"warnings", words(worth.warnings)}};
+    return {{"fitted", worth.fitted},
+            {"items", objects},
+            {"log_likelihood", worth.logLikelihood},
+            {"iterations", worth.iterations},
+            {"warnings", words(worth.warnings)}};
 }
 
 /// Judges' ranks, one row per judge and one column per object. Columns named subject, judge, participant or
@@ -51,7 +56,7 @@ struct Judges {
     QStringList items;
     std::vector<std::vector<double>> ranks;
     std::vector<std::vector<int>> bestFirst; ///< only rows without ties and missing ranks
-    int leftOut = 0;  ///< rows that are not in bestFirst
+    int leftOut = 0;                         ///< rows that are not in bestFirst
     int notRanks = 0; ///< rows with a value that is not a rank from 1 to the number of objects
 };
 
@@ -66,7 +71,9 @@ core::Result<Judges> readJudges(const CsvTable& table) {
         judges.items << table.header[i];
     }
     if (columns.size() < 2)
-        return badInput(QStringLiteral("%1:1: %2 objects; expected a column an object, at least two").arg(table.name).arg(columns.size()));
+        return badInput(QStringLiteral("%1:1: %2 objects; expected a column an object, at least two")
+                            .arg(table.name)
+                            .arg(columns.size()));
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         std::vector<double> ranks;
         for (const int column : columns) {
@@ -77,15 +84,20 @@ core::Result<Judges> readJudges(const CsvTable& table) {
         std::vector<int> order(ranks.size());
         std::iota(order.begin(), order.end(), 0);
         const auto rankOf = [&](int i) { return ranks[static_cast<std::size_t>(i)]; };
-        const bool finite = std::all_of(ranks.begin(), ranks.end(), [](double r) { return std::isfinite(r); });
+        const bool finite =
+            std::all_of(ranks.begin(), ranks.end(), [](double r) { return std::isfinite(r); });
         if (finite)
             std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return rankOf(a) < rankOf(b); });
-        const bool tied = finite && std::adjacent_find(order.begin(), order.end(), [&](int a, int b) { return rankOf(a) == rankOf(b); }) != order.end();
+        const bool tied = finite && std::adjacent_find(order.begin(), order.end(), [&](int a, int b) {
+                                        return rankOf(a) == rankOf(b);
+                                    }) != order.end();
         if (finite && !tied)
             judges.bestFirst.push_back(order);
         else
             ++judges.leftOut;
-        const auto isRank = [&](double r) { return !std::isfinite(r) || (r >= 1.0 && r <= static_cast<double>(ranks.size())); };
+        const auto isRank = [&](double r) {
+            return !std::isfinite(r) || (r >= 1.0 && r <= static_cast<double>(ranks.size()));
+        };
         judges.notRanks += std::all_of(ranks.begin(), ranks.end(), isRank) ? 0 : 1;
         judges.ranks.push_back(std::move(ranks));
     }
@@ -98,10 +110,13 @@ core::Result<std::vector<std::vector<double>>> inOrder(const Judges& judges, con
     for (const QString& item : order) {
         columns.push_back(judges.items.indexOf(item));
         if (columns.back() < 0)
-            return wrongUse(QStringLiteral("--order: %1: not a column; expected each of %2").arg(quoted(item), judges.items.join(u',')));
+            return wrongUse(QStringLiteral("--order: %1: not a column; expected each of %2")
+                                .arg(quoted(item), judges.items.join(u',')));
     }
     if (order.size() != judges.items.size())
-        return wrongUse(QStringLiteral("--order: %1 objects; expected each of %2").arg(order.size()).arg(judges.items.join(u',')));
+        return wrongUse(QStringLiteral("--order: %1 objects; expected each of %2")
+                            .arg(order.size())
+                            .arg(judges.items.join(u',')));
     std::vector<std::vector<double>> rows;
     for (const auto& ranks : judges.ranks) {
         std::vector<double> row;
@@ -134,7 +149,8 @@ QJsonObject tauJson(const std::vector<std::vector<double>>& rows) {
     return {{"mean", counted > 0 ? sum / counted : std::nan("")}, {"judges", counted}, {"each", each}};
 }
 
-core::Result<QJsonObject> ranksJson(const Arguments& arguments, const CsvTable& table, const WorthOptions& options) {
+core::Result<QJsonObject> ranksJson(const Arguments& arguments, const CsvTable& table,
+                                    const WorthOptions& options) {
     const auto judges = readJudges(table);
     CHIRON_TRY(judges);
     auto order = arguments.list(QStringLiteral("order"));
@@ -150,15 +166,33 @@ core::Result<QJsonObject> ranksJson(const Arguments& arguments, const CsvTable& 
     const int objects = static_cast<int>(judges->items.size());
     std::vector<std::string> warnings;
     if (judges->notRanks > 0)
-        warnings.push_back("not_ranks: " + std::to_string(judges->notRanks) + " rows have values that are no ranks from 1 to " + std::to_string(objects) +
+        warnings.push_back("not_ranks: " + std::to_string(judges->notRanks) +
+                           " rows have values that are no ranks from 1 to " + std::to_string(objects) +
                            "; they were taken as an order, the smallest best");
-    return QJsonObject{{"warnings", words(warnings)}, {"judges", w.judges}, {"objects", w.objects}, {"items", QJsonArray::fromStringList(judges->items)}, {"tied_or_incomplete", judges->leftOut},
-                       {"kendall_w", QJsonObject{{"w", w.w}, {"chi_square", w.chiSquare}, {"degrees_of_freedom", w.objects - 1}, {"p_value", w.pValue}, {"exact_p", w.exactP}, {"warnings", words(w.warnings)}}},
-                       {"page", QJsonObject{{"order", QJsonArray::fromStringList(order->isEmpty() ? judges->items : *order)}, {"l", page.l}, {"expected", page.expected}, {"z", page.z},
-                                            {"p_value", page.pValue}, {"exact_p", page.exactP}, {"warnings", words(page.warnings)}}},
-                       {"kendall_tau", tauJson(*rows)},
-                       {"plackett_luce", worthJson(fitPlackettLuce(objects, selections, options), judges->items, true, judges->leftOut)},
-                       {"thurstone", worthJson(fitThurstoneOrders(objects, judges->bestFirst), judges->items, false, judges->leftOut)}};
+    return QJsonObject{
+        {"warnings", words(warnings)},
+        {"judges", w.judges},
+        {"objects", w.objects},
+        {"items", QJsonArray::fromStringList(judges->items)},
+        {"tied_or_incomplete", judges->leftOut},
+        {"kendall_w", QJsonObject{{"w", w.w},
+                                  {"chi_square", w.chiSquare},
+                                  {"degrees_of_freedom", w.objects - 1},
+                                  {"p_value", w.pValue},
+                                  {"exact_p", w.exactP},
+                                  {"warnings", words(w.warnings)}}},
+        {"page", QJsonObject{{"order", QJsonArray::fromStringList(order->isEmpty() ? judges->items : *order)},
+                             {"l", page.l},
+                             {"expected", page.expected},
+                             {"z", page.z},
+                             {"p_value", page.pValue},
+                             {"exact_p", page.exactP},
+                             {"warnings", words(page.warnings)}}},
+        {"kendall_tau", tauJson(*rows)},
+        {"plackett_luce",
+         worthJson(fitPlackettLuce(objects, selections, options), judges->items, true, judges->leftOut)},
+        {"thurstone",
+         worthJson(fitThurstoneOrders(objects, judges->bestFirst), judges->items, false, judges->leftOut)}};
 }
 
 core::Result<QJsonObject> pairsJson(const CsvTable& table, const WorthOptions& options) {
@@ -176,13 +210,16 @@ core::Result<QJsonObject> pairsJson(const CsvTable& table, const WorthOptions& o
         CHIRON_TRY(times);
         if (!(*times >= 0.0 && *times <= 1e9))
             return table.fault(row, count, QStringLiteral("a number from 0 to 1e9"));
-        const auto index = [&](int column) { return static_cast<int>(items.indexOf(table.cell(row, column))); };
+        const auto index = [&](int column) {
+            return static_cast<int>(items.indexOf(table.cell(row, column)));
+        };
         if (index(winner) == index(loser))
             return table.fault(row, loser, QStringLiteral("another one than the winner"));
         pairs.push_back({index(winner), {index(loser)}, *times});
     }
     const int objects = static_cast<int>(items.size());
-    return QJsonObject{{"objects", objects}, {"items", QJsonArray::fromStringList(items)},
+    return QJsonObject{{"objects", objects},
+                       {"items", QJsonArray::fromStringList(items)},
                        {"bradley_terry", worthJson(fitPlackettLuce(objects, pairs, options), items, true)},
                        {"thurstone", worthJson(fitThurstonePairs(objects, pairs), items, false)}};
 }
@@ -191,9 +228,13 @@ QString textOf(const QJsonObject& json) {
     QString text;
     if (json.contains("kendall_w")) {
         const QJsonObject w = json["kendall_w"].toObject(), page = json["page"].toObject();
-        text += QStringLiteral("Kendall's W %1 (p %2), Page's L %3 (p %4), mean Kendall's tau with that order %5, %6 judges\n")
-                    .arg(shortNumber(w["w"].toDouble(std::nan(""))), shortNumber(w["p_value"].toDouble(std::nan(""))), shortNumber(page["l"].toDouble(std::nan(""))),
-                         shortNumber(page["p_value"].toDouble(std::nan(""))), shortNumber(json["kendall_tau"].toObject()["mean"].toDouble(std::nan(""))))
+        text += QStringLiteral("Kendall's W %1 (p %2), Page's L %3 (p %4), mean Kendall's tau with that "
+                               "order %5, %6 judges\n")
+                    .arg(shortNumber(w["w"].toDouble(std::nan(""))),
+                         shortNumber(w["p_value"].toDouble(std::nan(""))),
+                         shortNumber(page["l"].toDouble(std::nan(""))),
+                         shortNumber(page["p_value"].toDouble(std::nan(""))),
+                         shortNumber(json["kendall_tau"].toObject()["mean"].toDouble(std::nan(""))))
                     .arg(json["judges"].toInt());
         for (const QJsonValue& warning : json["warnings"].toArray())
             text += QStringLiteral("! %1\n").arg(warning.toString());
@@ -204,7 +245,10 @@ QString textOf(const QJsonObject& json) {
             continue;
         TextTable table({QLatin1String(model), ">value", ">se"});
         for (const QJsonValue& item : fit["items"].toArray())
-            table.add({item["item"].toString(), shortNumber((item.toObject().contains("scale") ? item["scale"] : item["log_worth"]).toDouble(std::nan(""))), shortNumber(item["se"].toDouble(std::nan("")))});
+            table.add({item["item"].toString(),
+                       shortNumber((item.toObject().contains("scale") ? item["scale"] : item["log_worth"])
+                                       .toDouble(std::nan(""))),
+                       shortNumber(item["se"].toDouble(std::nan("")))});
         text += table.toText();
         for (const QJsonValue& warning : fit["warnings"].toArray())
             text += QStringLiteral("! %1\n").arg(warning.toString());

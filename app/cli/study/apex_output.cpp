@@ -16,14 +16,19 @@ using psychophysics::ApexSummary;
 
 constexpr double kPercent = 100.0;
 
-QJsonValue value(double number) { return std::isfinite(number) ? QJsonValue(number) : QJsonValue(QJsonValue::Null); }
+QJsonValue value(double number) {
+    return std::isfinite(number) ? QJsonValue(number) : QJsonValue(QJsonValue::Null);
+}
 
-QJsonArray ends(const psychophysics::Interval& interval, double factor = 1.0) { return {value(interval.low * factor), value(interval.high * factor)}; }
+QJsonArray ends(const psychophysics::Interval& interval, double factor = 1.0) {
+    return {value(interval.low * factor), value(interval.high * factor)};
+}
 
 QJsonObject axisJson(const ApexAxis& axis, bool blinded) {
     const double percentPerMm = axis.biasPercent / axis.bias_mm; // the interval is stored in mm
     QJsonObject json{{"bias_percent", value(axis.biasPercent)}, {"sd_percent", value(axis.sdPercent)}};
-    json.insert("bias_ci_percent", ends(axis.bias95_mm, std::isfinite(percentPerMm) ? percentPerMm : std::nan("")));
+    json.insert("bias_ci_percent",
+                ends(axis.bias95_mm, std::isfinite(percentPerMm) ? percentPerMm : std::nan("")));
     if (blinded)
         return json;
     json.insert("bias_mm", value(axis.bias_mm));
@@ -39,7 +44,8 @@ QJsonObject axisJson(const ApexAxis& axis, bool blinded) {
 QJsonObject apexJson(const ApexSummary& summary, bool blinded) {
     QJsonObject json{{"participants", summary.participants},
                      {"trials", summary.trials},
-                     {"axes", QJsonObject{{"x", axisJson(summary.axes[0], blinded)}, {"y", axisJson(summary.axes[1], blinded)}}},
+                     {"axes", QJsonObject{{"x", axisJson(summary.axes[0], blinded)},
+                                          {"y", axisJson(summary.axes[1], blinded)}}},
                      {"mean_absolute_percent", value(summary.meanAbsolutePercent)},
                      {"sd_absolute_percent", value(summary.sdAbsolutePercent)},
                      {"mean_absolute_ci_percent", ends(summary.meanAbsolute95)},
@@ -70,7 +76,8 @@ QJsonObject apexMarkJson(const database::StudyTrial& trial) {
 
 QJsonObject apexPlanJson(int participants, int marksEach, int studies, std::uint64_t seed) {
     const psychophysics::ApexObserver observer;
-    const auto plan = psychophysics::planApex(observer, participants, marksEach, psychophysics::kP2EarlierMeanPercent, studies, seed);
+    const auto plan = psychophysics::planApex(observer, participants, marksEach,
+                                              psychophysics::kP2EarlierMeanPercent, studies, seed);
     return {{"observer_sd_percent", observer.sdPercent},
             {"participants", participants},
             {"marks_each", marksEach},
@@ -87,15 +94,19 @@ TextTable apexTable(bool blinded) {
     QStringList headings{"participant", "condition", ">trials"};
     const QString unit = blinded ? QStringLiteral("%R") : QStringLiteral("mm");
     for (const char* axis : {"x", "y"})
-        headings << QStringLiteral(">bias %1 (%2)").arg(QLatin1String(axis), unit) << QStringLiteral(">sd %1 (%2)").arg(QLatin1String(axis), unit);
+        headings << QStringLiteral(">bias %1 (%2)").arg(QLatin1String(axis), unit)
+                 << QStringLiteral(">sd %1 (%2)").arg(QLatin1String(axis), unit);
     return TextTable(headings + QStringList{">mean |error| (%R)", ">sd", "warnings"});
 }
 
-void addApexRow(TextTable& table, const QString& who, const QString& condition, const ApexSummary& summary, bool blinded) {
+void addApexRow(TextTable& table, const QString& who, const QString& condition, const ApexSummary& summary,
+                bool blinded) {
     QStringList cells{who, condition, QString::number(summary.trials)};
     for (const ApexAxis& axis : summary.axes)
-        cells << shortNumber(blinded ? axis.biasPercent : axis.bias_mm) << shortNumber(blinded ? axis.sdPercent : axis.sd_mm);
-    table.add(cells + QStringList{shortNumber(summary.meanAbsolutePercent), shortNumber(summary.sdAbsolutePercent), warningTokens(summary.warnings)});
+        cells << shortNumber(blinded ? axis.biasPercent : axis.bias_mm)
+              << shortNumber(blinded ? axis.sdPercent : axis.sd_mm);
+    table.add(cells + QStringList{shortNumber(summary.meanAbsolutePercent),
+                                  shortNumber(summary.sdAbsolutePercent), warningTokens(summary.warnings)});
 }
 
 } // namespace chiron::cli

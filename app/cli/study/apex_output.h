@@ -24,6 +24,7 @@ QJsonObject apexPlanJson(int participants, int marksEach, int studies, std::uint
 
 /// A table with one row per run or group.
 TextTable apexTable(bool blinded);
-void addApexRow(TextTable& table, const QString& who, const QString& condition, const psychophysics::ApexSummary& summary, bool blinded);
+void addApexRow(TextTable& table, const QString& who, const QString& condition,
+                const psychophysics::ApexSummary& summary, bool blinded);
 
 } // namespace chiron::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/messages.h"
 #include "cli/study/questionnaire_cell.h"
+#include "cli/messages.h"
 
 #include <cmath>
 
@@ -21,7 +21,8 @@ QString inLanguage(const psychophysics::StudyText& words, const std::string& lan
 
 /// "5 (Completely)", or "5" if this end of the scale has no words.
 QString end(double value, const QString& words) {
-    return words.isEmpty() ? QString::number(value) : QStringLiteral("%1 (%2)").arg(QString::number(value), words);
+    return words.isEmpty() ? QString::number(value)
+                           : QStringLiteral("%1 (%2)").arg(QString::number(value), words);
 }
 
 /// The index of the choice with these words in any language; -1 if there is none.
@@ -67,11 +68,17 @@ core::Error SheetFaults::error() const {
     return {core::ErrorCode::badInput, all.toStdString()};
 }
 
-QString AskedQuestion::group() const { return QString::fromStdString(label.empty() ? questionnaire->id : questionnaire->id + '@' + label); }
+QString AskedQuestion::group() const {
+    return QString::fromStdString(label.empty() ? questionnaire->id : questionnaire->id + '@' + label);
+}
 
-QString AskedQuestion::name() const { return group() + u'.' + QString::fromStdString(item->id); }
+QString AskedQuestion::name() const {
+    return group() + u'.' + QString::fromStdString(item->id);
+}
 
-std::vector<AskedQuestion> askedQuestions(const std::vector<const psychophysics::Questionnaire*>& questionnaires, const std::vector<std::string>& labels) {
+std::vector<AskedQuestion>
+askedQuestions(const std::vector<const psychophysics::Questionnaire*>& questionnaires,
+               const std::vector<std::string>& labels) {
     std::vector<AskedQuestion> all;
     for (const psychophysics::Questionnaire* questionnaire : questionnaires) {
         const bool each = questionnaire->when == psychophysics::Questionnaire::When::afterCondition;
@@ -85,9 +92,11 @@ std::vector<AskedQuestion> askedQuestions(const std::vector<const psychophysics:
 QString expectedAnswer(const QuestionnaireItem& item, const std::string& language) {
     switch (item.kind) {
     case QuestionnaireItem::Kind::likert:
-        return QStringLiteral("a whole number from %1 to %2").arg(end(1.0, inLanguage(item.low, language)), end(item.scale, inLanguage(item.high, language)));
+        return QStringLiteral("a whole number from %1 to %2")
+            .arg(end(1.0, inLanguage(item.low, language)), end(item.scale, inLanguage(item.high, language)));
     case QuestionnaireItem::Kind::number:
-        return QStringLiteral("a number from %1 to %2, such as 2.5").arg(QString::number(item.lowest), QString::number(item.highest));
+        return QStringLiteral("a number from %1 to %2, such as 2.5")
+            .arg(QString::number(item.lowest), QString::number(item.highest));
     case QuestionnaireItem::Kind::text:
         return QStringLiteral("words, at most %1 characters").arg(kLongestText);
     case QuestionnaireItem::Kind::choice:
@@ -101,7 +110,8 @@ QString expectedAnswer(const QuestionnaireItem& item, const std::string& languag
     return QStringLiteral("one of ") + choices.join(QStringLiteral(", "));
 }
 
-core::Result<std::vector<const psychophysics::Questionnaire*>> chosenQuestionnaires(const Arguments& arguments, const psychophysics::StudyDesign& design) {
+core::Result<std::vector<const psychophysics::Questionnaire*>>
+chosenQuestionnaires(const Arguments& arguments, const psychophysics::StudyDesign& design) {
     const auto names = arguments.list(QStringLiteral("questionnaire"));
     CHIRON_TRY(names);
     std::vector<const psychophysics::Questionnaire*> all;
@@ -113,9 +123,12 @@ core::Result<std::vector<const psychophysics::Questionnaire*>> chosenQuestionnai
     }
     for (const QString& name : *names)
         if (!known.contains(name))
-            return wrongUse(QStringLiteral("--questionnaire: %1: the study has no such questionnaire; expected one of %2").arg(quoted(name), known.join(QStringLiteral(", "))));
+            return wrongUse(
+                QStringLiteral("--questionnaire: %1: the study has no such questionnaire; expected one of %2")
+                    .arg(quoted(name), known.join(QStringLiteral(", "))));
     if (all.empty())
-        return wrongUse(QStringLiteral("study %1 has no questionnaires").arg(quoted(QString::fromStdString(design.id))));
+        return wrongUse(
+            QStringLiteral("study %1 has no questionnaires").arg(quoted(QString::fromStdString(design.id))));
     return all;
 }
 

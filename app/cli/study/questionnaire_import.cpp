@@ -25,15 +25,19 @@ using Asked = std::tuple<database::ParticipantNumber, std::string, std::string, 
 using DoneRuns = std::map<std::pair<database::ParticipantNumber, std::string>, database::StudyRunNumber>;
 
 /// The normalised form in which codes are compared: case and "-" do not matter.
-QString plainCode(const QString& code) { return code.toUpper().remove(u'-'); }
+QString plainCode(const QString& code) {
+    return code.toUpper().remove(u'-');
+}
 
 /// Compares the rows of a sheet with the stored answers.
 class Matching {
 public:
     /// `language`: the language of the forms; empty if not stated.
-    Matching(const std::vector<database::Participant>& participants, const std::vector<QuestionnaireAnswer>& stored, DoneRuns runs, std::string language, bool incomplete,
-             SheetFaults& faults)
-        : m_incomplete(incomplete), m_faults(faults), m_runs(std::move(runs)), m_language(std::move(language)) {
+    Matching(const std::vector<database::Participant>& participants,
+             const std::vector<QuestionnaireAnswer>& stored, DoneRuns runs, std::string language,
+             bool incomplete, SheetFaults& faults)
+        : m_incomplete(incomplete), m_faults(faults), m_runs(std::move(runs)),
+          m_language(std::move(language)) {
         for (const database::Participant& each : participants)
             m_participants[plainCode(QString::fromStdString(each.code))] = &each;
         for (const QuestionnaireAnswer& each : stored)
@@ -44,7 +48,8 @@ public:
         const auto found = m_participants.find(plainCode(row.code));
         if (found == m_participants.end()) {
             if (!row.code.isEmpty())
-                m_faults.add(row.place, QStringLiteral("participant %1").arg(quoted(row.code)), QStringLiteral("the code of somebody who takes part in this study"));
+                m_faults.add(row.place, QStringLiteral("participant %1").arg(quoted(row.code)),
+                             QStringLiteral("the code of somebody who takes part in this study"));
             return;
         }
         const database::Participant& who = *found->second;
@@ -53,7 +58,8 @@ public:
             if (answer.given())
                 takeAnswer(who, answer);
         if (m_new.size() > before && who.state == database::ParticipantState::withdrawn)
-            m_faults.add(row.place, QStringLiteral("participant %1 has withdrawn").arg(row.code), QStringLiteral("somebody who still takes part"));
+            m_faults.add(row.place, QStringLiteral("participant %1 has withdrawn").arg(row.code),
+                         QStringLiteral("somebody who still takes part"));
         if (!m_incomplete)
             findMissing(who, row);
     }
@@ -63,10 +69,14 @@ public:
     int participants() const { return static_cast<int>(m_people.size()); }
 
 private:
-    static Asked askedOf(const database::Participant& who, const AskedQuestion& question) { return {who.id, question.questionnaire->id, question.item->id, question.label}; }
+    static Asked askedOf(const database::Participant& who, const AskedQuestion& question) {
+        return {who.id, question.questionnaire->id, question.item->id, question.label};
+    }
 
-    QuestionnaireAnswer answerOf(const database::Participant& who, const SheetAnswer& answer, database::StudyRunNumber run) const {
-        QuestionnaireAnswer given{who.id, answer.asked.questionnaire->id, answer.asked.item->id, answer.number, answer.text.toStdString(), {}};
+    QuestionnaireAnswer answerOf(const database::Participant& who, const SheetAnswer& answer,
+                                 database::StudyRunNumber run) const {
+        QuestionnaireAnswer given{who.id,        answer.asked.questionnaire->id, answer.asked.item->id,
+                                  answer.number, answer.text.toStdString(),      {}};
         given.run = run;
         // As in the template: English if the question is not written in that language.
         if (!m_language.empty())
@@ -78,13 +88,17 @@ private:
         const Asked asked = askedOf(who, answer.asked);
         const auto [first, isFirst] = m_seen.emplace(asked, answer.place);
         if (!isFirst) {
-            m_faults.add(answer.place, QStringLiteral("answered already at %1").arg(first->second), QStringLiteral("each answer once"));
+            m_faults.add(answer.place, QStringLiteral("answered already at %1").arg(first->second),
+                         QStringLiteral("each answer once"));
             return;
         }
         const auto run = m_runs.find({who.id, answer.asked.label});
         if (!answer.asked.label.empty() && run == m_runs.end()) {
-            m_faults.add(answer.place, QStringLiteral("condition %1 is not completed by participant %2").arg(QString::fromStdString(answer.asked.label), QString::fromStdString(who.code)),
-                         QStringLiteral("answers about conditions that were completed"));
+            m_faults.add(
+                answer.place,
+                QStringLiteral("condition %1 is not completed by participant %2")
+                    .arg(QString::fromStdString(answer.asked.label), QString::fromStdString(who.code)),
+                QStringLiteral("answers about conditions that were completed"));
             return;
         }
         const QuestionnaireAnswer given = answerOf(who, answer, answer.asked.label.empty() ? 0 : run->second);
@@ -93,11 +107,14 @@ private:
             m_new.push_back(given);
             m_people.insert(who.id);
         } else if (stored->second->withheld) {
-            m_faults.add(answer.place, QStringLiteral("an answer is stored, and withheld while the study is blinded"), QStringLiteral("an empty cell, since answers are never changed"));
+            m_faults.add(answer.place,
+                         QStringLiteral("an answer is stored, and withheld while the study is blinded"),
+                         QStringLiteral("an empty cell, since answers are never changed"));
         } else if (stored->second->number == given.number && stored->second->text == given.text) {
             ++m_unchanged;
         } else {
-            m_faults.add(answer.place, QStringLiteral("another answer is stored"), QStringLiteral("the stored one or an empty cell, since answers are never changed"));
+            m_faults.add(answer.place, QStringLiteral("another answer is stored"),
+                         QStringLiteral("the stored one or an empty cell, since answers are never changed"));
         }
     }
 
@@ -107,8 +124,10 @@ private:
             if (answer.given())
                 begun.insert(answer.asked.group());
         for (const SheetAnswer& answer : row.answers)
-            if (!answer.given() && !answer.faulty && answer.asked.item->required && begun.count(answer.asked.group()) > 0 && !isKnown(askedOf(who, answer.asked)))
-                m_faults.add(answer.place, QStringLiteral("empty"), QStringLiteral("an answer, since it must be given, or --incomplete"));
+            if (!answer.given() && !answer.faulty && answer.asked.item->required &&
+                begun.count(answer.asked.group()) > 0 && !isKnown(askedOf(who, answer.asked)))
+                m_faults.add(answer.place, QStringLiteral("empty"),
+                             QStringLiteral("an answer, since it must be given, or --incomplete"));
     }
 
     bool isKnown(const Asked& asked) const { return m_stored.count(asked) > 0 || m_seen.count(asked) > 0; }
@@ -125,7 +144,8 @@ private:
     int m_unchanged = 0;
 };
 
-core::Result<DoneRuns> doneRuns(database::StudyReader reader, const std::vector<database::Participant>& participants) {
+core::Result<DoneRuns> doneRuns(database::StudyReader reader,
+                                const std::vector<database::Participant>& participants) {
     DoneRuns done;
     for (const database::Participant& each : participants) {
         const auto runs = reader.runs(each.id);
@@ -138,7 +158,8 @@ core::Result<DoneRuns> doneRuns(database::StudyReader reader, const std::vector<
 }
 
 /// All questions of the study.
-core::Result<std::vector<AskedQuestion>> allQuestions(const StudySite& study, const psychophysics::StudyDesign& design) {
+core::Result<std::vector<AskedQuestion>> allQuestions(const StudySite& study,
+                                                      const psychophysics::StudyDesign& design) {
     const auto conditions = study.reader().conditionCodes(study.number());
     CHIRON_TRY(conditions);
     std::vector<std::string> labels;
@@ -154,9 +175,12 @@ core::Result<std::vector<AskedQuestion>> allQuestions(const StudySite& study, co
 /// Errors: wrongUse if no question is written in this language.
 core::Result<std::string> languageOf(const Arguments& arguments, const std::vector<AskedQuestion>& asked) {
     const std::string language = arguments.value(QStringLiteral("language")).toStdString();
-    if (language.empty() || std::any_of(asked.begin(), asked.end(), [&](const AskedQuestion& each) { return each.item->text.count(language) > 0; }))
+    if (language.empty() || std::any_of(asked.begin(), asked.end(), [&](const AskedQuestion& each) {
+            return each.item->text.count(language) > 0;
+        }))
         return language;
-    return wrongUse(QStringLiteral("--language: %1: no question of the study is written in it").arg(quoted(QString::fromStdString(language))));
+    return wrongUse(QStringLiteral("--language: %1: no question of the study is written in it")
+                        .arg(quoted(QString::fromStdString(language))));
 }
 
 } // namespace
@@ -166,7 +190,9 @@ core::Result<CommandOutput> importQuestionnaire(const Arguments& arguments) {
     const auto bytes = readInputFile(arguments.operand(1), kLargest);
     CHIRON_TRY(bytes);
     auto study = openStudy(arguments, Opening::forWriting);
-    const auto design = study ? catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), study->record.summary.key) : tl::unexpected(study.error());
+    const auto design = study ? catalogue::readStudy(QByteArray::fromStdString(study->record.designJson),
+                                                     study->record.summary.key)
+                              : tl::unexpected(study.error());
     CHIRON_TRY(design);
     const auto participants = study->reader().participants(study->number());
     const auto stored = study->reader().questionnaireAnswers(study->number());
@@ -178,7 +204,8 @@ core::Result<CommandOutput> importQuestionnaire(const Arguments& arguments) {
     CHIRON_TRY(language);
     SheetFaults faults;
     const bool incomplete = arguments.has(QStringLiteral("incomplete"));
-    const auto rows = readSheet(*bytes, arguments.operand(1), *asked, QString::fromStdString(study->record.summary.sha256), incomplete, faults);
+    const auto rows = readSheet(*bytes, arguments.operand(1), *asked,
+                                QString::fromStdString(study->record.summary.sha256), incomplete, faults);
     CHIRON_TRY(rows);
     Matching matching(*participants, *stored, std::move(*runs), *language, incomplete, faults);
     for (const SheetRow& row : *rows)
@@ -187,12 +214,21 @@ core::Result<CommandOutput> importQuestionnaire(const Arguments& arguments) {
         return tl::unexpected(faults.error());
     // In one transaction, so that either all answers are stored or none.
     auto done = study->site.database->write([&](database::WriteContext& context) -> core::Result<void> {
-        return database::StudyRepository(context.connection(), study->site.actor).storeQuestionnaireAnswers(matching.fresh());
+        return database::StudyRepository(context.connection(), study->site.actor)
+            .storeQuestionnaireAnswers(matching.fresh());
     });
     CHIRON_TRY(done);
     const int count = static_cast<int>(matching.fresh().size());
-    const QJsonObject json{{"study", QString::fromStdString(study->record.summary.key)}, {"stored", count}, {"unchanged", matching.unchanged()}, {"participants", matching.participants()}};
-    return CommandOutput{QJsonDocument(json), QStringLiteral("%1 answers of %2 participants stored; %3 were stored already\n").arg(count).arg(matching.participants()).arg(matching.unchanged()), 0};
+    const QJsonObject json{{"study", QString::fromStdString(study->record.summary.key)},
+                           {"stored", count},
+                           {"unchanged", matching.unchanged()},
+                           {"participants", matching.participants()}};
+    return CommandOutput{QJsonDocument(json),
+                         QStringLiteral("%1 answers of %2 participants stored; %3 were stored already\n")
+                             .arg(count)
+                             .arg(matching.participants())
+                             .arg(matching.unchanged()),
+                         0};
 }
 
 } // namespace chiron::cli

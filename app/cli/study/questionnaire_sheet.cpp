@@ -19,7 +19,8 @@ using Questions = std::vector<AskedQuestion>;
 
 /// The question of this name, or null.
 const AskedQuestion* questionOf(const Questions& asked, const QString& name) {
-    const auto found = std::find_if(asked.begin(), asked.end(), [&](const AskedQuestion& each) { return each.name() == name; });
+    const auto found = std::find_if(asked.begin(), asked.end(),
+                                    [&](const AskedQuestion& each) { return each.name() == name; });
     return found == asked.end() ? nullptr : &*found;
 }
 
@@ -32,7 +33,9 @@ QString knownQuestions(const Questions& asked, const QString& name) {
         if (questionnaire(all.last()) == questionnaire(name))
             alike << all.last();
     }
-    return all.isEmpty() ? QStringLiteral("none, since the study has no questionnaires") : QStringLiteral("one of ") + (alike.isEmpty() ? all : alike).join(QStringLiteral(", "));
+    return all.isEmpty()
+               ? QStringLiteral("none, since the study has no questionnaires")
+               : QStringLiteral("one of ") + (alike.isEmpty() ? all : alike).join(QStringLiteral(", "));
 }
 
 /// Spreadsheets often save in a regional encoding, which would corrupt names and umlauts.
@@ -45,7 +48,10 @@ core::Result<QString> utf8Text(const QByteArray& bytes, const QString& name) {
         QStringDecoder decoder(QStringDecoder::Utf8);
         const QString words = decoder(each);
         if (decoder.hasError() || words.contains(QChar(0)))
-            return badInput(QStringLiteral("%1:%2: a byte that is not UTF-8: expected UTF-8 (save it as \"CSV UTF-8\")").arg(name).arg(line));
+            return badInput(
+                QStringLiteral("%1:%2: a byte that is not UTF-8: expected UTF-8 (save it as \"CSV UTF-8\")")
+                    .arg(name)
+                    .arg(line));
     }
     return QString::fromUtf8(bytes);
 }
@@ -63,25 +69,33 @@ void findMissingColumns(const CsvTable& table, const Questions& asked, SheetFaul
     for (const QString& group : groups) {
         QStringList missing;
         for (const AskedQuestion& each : asked)
-            if (each.group() == group && begun.contains(group) && each.item->required && table.column(each.name()) < 0)
+            if (each.group() == group && begun.contains(group) && each.item->required &&
+                table.column(each.name()) < 0)
                 missing << each.name();
         if (!missing.isEmpty())
-            faults.add(QStringLiteral("%1:%2: heading").arg(table.name).arg(table.headerLine), QStringLiteral("no column ") + missing.join(QStringLiteral(", ")),
+            faults.add(QStringLiteral("%1:%2: heading").arg(table.name).arg(table.headerLine),
+                       QStringLiteral("no column ") + missing.join(QStringLiteral(", ")),
                        QStringLiteral("one for each question that must be answered, or --incomplete"));
     }
 }
 
-std::vector<SheetRow> rowsOf(const CsvTable& table, const std::vector<const AskedQuestion*>& columns, int codes, SheetFaults& faults) {
+std::vector<SheetRow> rowsOf(const CsvTable& table, const std::vector<const AskedQuestion*>& columns,
+                             int codes, SheetFaults& faults) {
     std::vector<SheetRow> rows;
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const QString place = QStringLiteral("%1:%2").arg(table.name).arg(table.lines[i]);
         SheetRow row{place, table.cell(i, codes), {}};
         if (row.code.isEmpty())
-            faults.add(place + QStringLiteral(": column participant"), QStringLiteral("empty"), QStringLiteral("a participant's code"));
+            faults.add(place + QStringLiteral(": column participant"), QStringLiteral("empty"),
+                       QStringLiteral("a participant's code"));
         for (std::size_t c = 0; c < columns.size(); ++c) {
             if (!columns[c])
                 continue;
-            SheetAnswer answer{place + QStringLiteral(": column %1").arg(table.header[static_cast<qsizetype>(c)]), *columns[c], {}, {}};
+            SheetAnswer answer{place +
+                                   QStringLiteral(": column %1").arg(table.header[static_cast<qsizetype>(c)]),
+                               *columns[c],
+                               {},
+                               {}};
             takeWords(answer, table.cell(i, static_cast<int>(c)), faults);
             row.answers.push_back(std::move(answer));
         }
@@ -90,7 +104,8 @@ std::vector<SheetRow> rowsOf(const CsvTable& table, const std::vector<const Aske
     return rows;
 }
 
-core::Result<std::vector<SheetRow>> readCsv(const QByteArray& bytes, const QString& name, const Questions& asked, bool incomplete, SheetFaults& faults) {
+core::Result<std::vector<SheetRow>> readCsv(const QByteArray& bytes, const QString& name,
+                                            const Questions& asked, bool incomplete, SheetFaults& faults) {
     const auto text = utf8Text(bytes, name);
     CHIRON_TRY(text);
     const auto table = parseCsvTable(*text, name);
@@ -101,10 +116,12 @@ core::Result<std::vector<SheetRow>> readCsv(const QByteArray& bytes, const QStri
     for (const QString& column : table->header) {
         columns.push_back(questionOf(asked, column));
         if (!columns.back() && column != u"participant")
-            faults.add(heading, quoted(column), QStringLiteral("participant or ") + knownQuestions(asked, column));
+            faults.add(heading, quoted(column),
+                       QStringLiteral("participant or ") + knownQuestions(asked, column));
     }
     if (codes < 0) {
-        faults.add(heading, QStringLiteral("no column participant"), QStringLiteral("one with the participants' codes"));
+        faults.add(heading, QStringLiteral("no column participant"),
+                   QStringLiteral("one with the participants' codes"));
         return std::vector<SheetRow>();
     }
     if (!incomplete)
@@ -125,12 +142,14 @@ void takeJson(SheetRow& row, SheetAnswer answer, const QJsonValue& value, SheetF
 SheetRow jsonRow(const QJsonObject& json, const QString& place, const Questions& asked, SheetFaults& faults) {
     SheetRow row{place, json["participant"].toString().trimmed(), {}};
     if (row.code.isEmpty())
-        faults.add(place + QStringLiteral(".participant"), QStringLiteral("missing or empty"), QStringLiteral("a participant's code"));
+        faults.add(place + QStringLiteral(".participant"), QStringLiteral("missing or empty"),
+                   QStringLiteral("a participant's code"));
     for (const QString& key : json.keys())
         if (key != u"participant" && key != u"answers")
             faults.add(place, quoted(key), QStringLiteral("participant and answers"));
     if (!json["answers"].isObject())
-        faults.add(place + QStringLiteral(".answers"), QStringLiteral("missing or no object"), QStringLiteral("questionnaires by their ids"));
+        faults.add(place + QStringLiteral(".answers"), QStringLiteral("missing or no object"),
+                   QStringLiteral("questionnaires by their ids"));
     const QJsonObject answers = json["answers"].toObject();
     for (const QString& id : answers.keys()) {
         const QString at = place + QStringLiteral(".answers.") + id;
@@ -148,30 +167,39 @@ SheetRow jsonRow(const QJsonObject& json, const QString& place, const Questions&
     return row;
 }
 
-core::Result<std::vector<SheetRow>> readJson(const QByteArray& bytes, const QString& name, const Questions& asked, const QString& sha256, SheetFaults& faults) {
+core::Result<std::vector<SheetRow>> readJson(const QByteArray& bytes, const QString& name,
+                                             const Questions& asked, const QString& sha256,
+                                             SheetFaults& faults) {
     const auto file = catalogue::JsonFile::parse(bytes, name);
     CHIRON_TRY(file);
     const QJsonObject& root = file->root();
     for (const QString& key : root.keys())
         if (!QStringList{"study", "design_sha256", "questions", "participants"}.contains(key))
-            faults.add(name + QStringLiteral(": $"), quoted(key), QStringLiteral("study, design_sha256, questions and participants"));
-    if (const QString given = root["design_sha256"].toString(); root.contains("design_sha256") && given != sha256)
-        faults.add(name + QStringLiteral(": $.design_sha256"), quoted(given), sha256 + QStringLiteral(", this study's design"));
+            faults.add(name + QStringLiteral(": $"), quoted(key),
+                       QStringLiteral("study, design_sha256, questions and participants"));
+    if (const QString given = root["design_sha256"].toString();
+        root.contains("design_sha256") && given != sha256)
+        faults.add(name + QStringLiteral(": $.design_sha256"), quoted(given),
+                   sha256 + QStringLiteral(", this study's design"));
     if (!root["participants"].isArray())
-        faults.add(name + QStringLiteral(": $.participants"), QStringLiteral("missing or no array"), QStringLiteral("an array of participants"));
+        faults.add(name + QStringLiteral(": $.participants"), QStringLiteral("missing or no array"),
+                   QStringLiteral("an array of participants"));
     std::vector<SheetRow> rows;
     const QJsonArray participants = root["participants"].toArray();
     for (qsizetype i = 0; i < participants.size(); ++i)
-        rows.push_back(jsonRow(participants[i].toObject(), QStringLiteral("%1: $.participants[%2]").arg(name).arg(i), asked, faults));
+        rows.push_back(jsonRow(participants[i].toObject(),
+                               QStringLiteral("%1: $.participants[%2]").arg(name).arg(i), asked, faults));
     return rows;
 }
 
 } // namespace
 
-core::Result<std::vector<SheetRow>> readSheet(const QByteArray& bytes, const QString& name, const std::vector<AskedQuestion>& asked,
-                                              const QString& sha256, bool incomplete, SheetFaults& faults) {
+core::Result<std::vector<SheetRow>> readSheet(const QByteArray& bytes, const QString& name,
+                                              const std::vector<AskedQuestion>& asked, const QString& sha256,
+                                              bool incomplete, SheetFaults& faults) {
     const QByteArray start = (bytes.startsWith("\xef\xbb\xbf") ? bytes.mid(3) : bytes).trimmed();
-    return start.startsWith('{') ? readJson(start, name, asked, sha256, faults) : readCsv(bytes, name, asked, incomplete, faults);
+    return start.startsWith('{') ? readJson(start, name, asked, sha256, faults)
+                                 : readCsv(bytes, name, asked, incomplete, faults);
 }
 
 } // namespace chiron::cli

@@ -41,7 +41,9 @@ struct AskedQuestion {
 };
 /// All questions of these questionnaires, condition by condition if they are asked after each condition.
 /// `labels` are those of the study's conditions.
-std::vector<AskedQuestion> askedQuestions(const std::vector<const psychophysics::Questionnaire*>& questionnaires, const std::vector<std::string>& labels);
+std::vector<AskedQuestion>
+askedQuestions(const std::vector<const psychophysics::Questionnaire*>& questionnaires,
+               const std::vector<std::string>& labels);
 
 /// An answer from a sheet, after a check of its form and scale. An answer without number and text is an empty
 /// cell.
@@ -67,13 +69,15 @@ QString expectedAnswer(const psychophysics::QuestionnaireItem& item, const std::
 
 /// The questionnaires that --questionnaire names, or all of them.
 /// Errors: wrongUse.
-core::Result<std::vector<const psychophysics::Questionnaire*>> chosenQuestionnaires(const Arguments& arguments, const psychophysics::StudyDesign& design);
+core::Result<std::vector<const psychophysics::Questionnaire*>>
+chosenQuestionnaires(const Arguments& arguments, const psychophysics::StudyDesign& design);
 
 /// Reads the rows of a filled-in template; a file that begins with "{" is JSON, any other is CSV. Adds to
 /// `faults`: wrong encoding, columns and keys that the study does not have, missing columns (unless
 /// `incomplete`), and answers outside their scale. `asked` holds every question of the study.
 /// Errors: badInput if the bytes are neither a table nor JSON.
-core::Result<std::vector<SheetRow>> readSheet(const QByteArray& bytes, const QString& name, const std::vector<AskedQuestion>& asked,
-                                              const QString& sha256, bool incomplete, SheetFaults& faults);
+core::Result<std::vector<SheetRow>> readSheet(const QByteArray& bytes, const QString& name,
+                                              const std::vector<AskedQuestion>& asked, const QString& sha256,
+                                              bool incomplete, SheetFaults& faults);
 
 } // namespace chiron::cli

@@ -40,12 +40,16 @@ QString cell(QString words) {
 }
 
 QByteArray csvOf(const Blank& blank) {
-    QStringList notes{QStringLiteral("# Study %1, design %2. One row for each participant; a cell that is left empty was not answered.").arg(blank.study, blank.sha256)};
+    QStringList notes{QStringLiteral("# Study %1, design %2. One row for each participant; a cell that is "
+                                     "left empty was not answered.")
+                          .arg(blank.study, blank.sha256)};
     QStringList heading{QStringLiteral("participant")};
     for (const AskedQuestion& each : blank.asked) {
         heading << each.name();
-        notes << QStringLiteral("# %1: %2 %3%4").arg(heading.last(), inLanguage(each.item->text, blank.language), expectedAnswer(*each.item, blank.language),
-                                                     each.item->required ? QString() : QStringLiteral("; may be left out"));
+        notes << QStringLiteral("# %1: %2 %3%4")
+                     .arg(heading.last(), inLanguage(each.item->text, blank.language),
+                          expectedAnswer(*each.item, blank.language),
+                          each.item->required ? QString() : QStringLiteral("; may be left out"));
     }
     QString csv;
     for (const QString& note : notes)
@@ -62,7 +66,10 @@ QByteArray jsonOf(const Blank& blank) {
     for (const AskedQuestion& each : blank.asked) {
         const QuestionnaireItem& item = *each.item;
         QJsonObject explained = questions[each.group()].toObject(), answers = empty[each.group()].toObject();
-        explained.insert(QString::fromStdString(item.id), QJsonObject{{"question", inLanguage(item.text, blank.language)}, {"answer", expectedAnswer(item, blank.language)}, {"required", item.required}});
+        explained.insert(QString::fromStdString(item.id),
+                         QJsonObject{{"question", inLanguage(item.text, blank.language)},
+                                     {"answer", expectedAnswer(item, blank.language)},
+                                     {"required", item.required}});
         answers.insert(QString::fromStdString(item.id), QJsonValue::Null);
         questions.insert(each.group(), explained);
         empty.insert(each.group(), answers);
@@ -70,20 +77,27 @@ QByteArray jsonOf(const Blank& blank) {
     QJsonArray participants;
     for (const QString& code : blank.codes)
         participants.append(QJsonObject{{"participant", code}, {"answers", empty}});
-    return QJsonDocument(QJsonObject{{"study", blank.study}, {"design_sha256", blank.sha256}, {"questions", questions}, {"participants", participants}}).toJson();
+    return QJsonDocument(QJsonObject{{"study", blank.study},
+                                     {"design_sha256", blank.sha256},
+                                     {"questions", questions},
+                                     {"participants", participants}})
+        .toJson();
 }
 
 /// Sorted by code, so that neither the order of enrolment nor anybody's order of conditions can be seen.
-QStringList openCodes(const Blank& blank, const std::vector<database::Participant>& participants, const std::vector<database::QuestionnaireAnswer>& answers) {
+QStringList openCodes(const Blank& blank, const std::vector<database::Participant>& participants,
+                      const std::vector<database::QuestionnaireAnswer>& answers) {
     QStringList codes;
     for (const database::Participant& each : participants) {
         // Any answer of the questionnaire counts: a question that was left out then is not asked again.
         const auto hasAnswered = [&](const AskedQuestion& asked) {
             return std::any_of(answers.begin(), answers.end(), [&](const auto& answer) {
-                return answer.participant == each.id && answer.questionnaire == asked.questionnaire->id && session::labelOf(answer) == asked.label;
+                return answer.participant == each.id && answer.questionnaire == asked.questionnaire->id &&
+                       session::labelOf(answer) == asked.label;
             });
         };
-        if (each.state != database::ParticipantState::withdrawn && !std::all_of(blank.asked.begin(), blank.asked.end(), hasAnswered))
+        if (each.state != database::ParticipantState::withdrawn &&
+            !std::all_of(blank.asked.begin(), blank.asked.end(), hasAnswered))
             codes << QString::fromStdString(each.code);
     }
     codes.sort();
@@ -93,12 +107,18 @@ QStringList openCodes(const Blank& blank, const std::vector<database::Participan
 core::Result<void> writeNew(const QString& path, const QByteArray& bytes) {
     QFile file(path);
     if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly))
-        return QFileInfo::exists(path) ? badInput(QStringLiteral("--out: %1: is there already; expected a file that is not there yet").arg(quoted(path)))
-                                       : core::fail(core::ErrorCode::storage, QStringLiteral("--out: %1: %2").arg(quoted(path), file.errorString()).toStdString());
+        return QFileInfo::exists(path)
+                   ? badInput(
+                         QStringLiteral("--out: %1: is there already; expected a file that is not there yet")
+                             .arg(quoted(path)))
+                   : core::fail(
+                         core::ErrorCode::storage,
+                         QStringLiteral("--out: %1: %2").arg(quoted(path), file.errorString()).toStdString());
     if (file.write(bytes) == bytes.size() && file.flush())
         return {};
     file.remove();
-    return core::fail(core::ErrorCode::storage, QStringLiteral("--out: %1: %2").arg(quoted(path), file.errorString()).toStdString());
+    return core::fail(core::ErrorCode::storage,
+                      QStringLiteral("--out: %1: %2").arg(quoted(path), file.errorString()).toStdString());
 }
 
 } // namespace
@@ -110,27 +130,42 @@ core::Result<CommandOutput> questionnaireTemplate(const Arguments& arguments) {
     CHIRON_TRY(study);
     const auto& summary = study->record.summary;
     if (summary.sha256.empty())
-        return core::fail(core::ErrorCode::wrongUse, "study \"" + summary.key + "\": a draft has no participants; expected a frozen study");
-    const auto design = catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), summary.key);
-    const auto questionnaires = design ? chosenQuestionnaires(arguments, *design) : tl::unexpected(design.error());
+        return core::fail(core::ErrorCode::wrongUse,
+                          "study \"" + summary.key +
+                              "\": a draft has no participants; expected a frozen study");
+    const auto design =
+        catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), summary.key);
+    const auto questionnaires =
+        design ? chosenQuestionnaires(arguments, *design) : tl::unexpected(design.error());
     CHIRON_TRY(questionnaires);
     const auto participants = study->reader().participants(study->number());
     const auto answers = study->reader().questionnaireAnswers(study->number());
     const auto conditions = study->reader().conditionCodes(study->number());
     if (!participants || !answers || !conditions)
-        return tl::unexpected(!participants ? participants.error() : !answers ? answers.error() : conditions.error());
+        return tl::unexpected(!participants ? participants.error()
+                              : !answers    ? answers.error()
+                                            : conditions.error());
     std::vector<std::string> labels;
     for (const database::SealedCondition& each : *conditions)
         labels.push_back(session::labelOf(each));
-    const QString language = arguments.has(QStringLiteral("language")) ? arguments.value(QStringLiteral("language")) : QStringLiteral("en");
-    Blank blank{QString::fromStdString(summary.key), QString::fromStdString(summary.sha256), language.toStdString(), askedQuestions(*questionnaires, labels), {}};
+    const QString language = arguments.has(QStringLiteral("language"))
+                                 ? arguments.value(QStringLiteral("language"))
+                                 : QStringLiteral("en");
+    Blank blank{QString::fromStdString(summary.key),
+                QString::fromStdString(summary.sha256),
+                language.toStdString(),
+                askedQuestions(*questionnaires, labels),
+                {}};
     blank.codes = openCodes(blank, *participants, *answers);
     const QString out = QFileInfo(arguments.value(QStringLiteral("out"))).absoluteFilePath();
     CHIRON_TRY(writeNew(out, *format == u"json" ? jsonOf(blank) : csvOf(blank)));
     QJsonArray ids;
     for (const Questionnaire* each : *questionnaires)
         ids.append(QString::fromStdString(each->id));
-    return CommandOutput{QJsonDocument(QJsonObject{{"study", blank.study}, {"file", out}, {"questionnaires", ids}, {"participants", blank.codes.size()}}),
+    return CommandOutput{QJsonDocument(QJsonObject{{"study", blank.study},
+                                                   {"file", out},
+                                                   {"questionnaires", ids},
+                                                   {"participants", blank.codes.size()}}),
                          QStringLiteral("%1: %2 participants\n").arg(out).arg(blank.codes.size()), 0};
 }
 

@@ -16,7 +16,8 @@ core::Result<database::StudyRecord> findStudy(database::StudyReader reader, cons
 }
 
 core::Result<StudySite> openStudy(const Arguments& arguments, Opening opening) {
-    auto site = opening == Opening::forWriting ? openAsPerson(arguments, opening) : openAsAnybody(arguments, opening);
+    auto site =
+        opening == Opening::forWriting ? openAsPerson(arguments, opening) : openAsAnybody(arguments, opening);
     CHIRON_TRY(site);
     auto connection = site->database->openReader();
     CHIRON_TRY(connection);
@@ -31,16 +32,24 @@ QString stateWord(database::StudyState state) {
 }
 
 QJsonObject studyJson(const database::StudySummary& s) {
-    return {{"id", static_cast<qint64>(s.id)}, {"key", QString::fromStdString(s.key)}, {"title", QString::fromStdString(s.title)},
-            {"state", stateWord(s.state)}, {"sha256", QString::fromStdString(s.sha256)}, {"unblinded", s.unblinded},
-            {"created_utc", QString::fromStdString(s.createdUtc)}, {"frozen_utc", QString::fromStdString(s.frozenUtc)},
-            {"participants", s.participants}, {"completed", s.completed}, {"trials", s.trials}};
+    return {{"id", static_cast<qint64>(s.id)},
+            {"key", QString::fromStdString(s.key)},
+            {"title", QString::fromStdString(s.title)},
+            {"state", stateWord(s.state)},
+            {"sha256", QString::fromStdString(s.sha256)},
+            {"unblinded", s.unblinded},
+            {"created_utc", QString::fromStdString(s.createdUtc)},
+            {"frozen_utc", QString::fromStdString(s.frozenUtc)},
+            {"participants", s.participants},
+            {"completed", s.completed},
+            {"trials", s.trials}};
 }
 
 QJsonArray warningsJson(const std::vector<psychophysics::Warning>& warnings, bool tokensAlone) {
     QJsonArray array;
     for (const psychophysics::Warning& warning : warnings)
-        array.append(tokensAlone ? QString::fromUtf8(warningToken(warning.kind)) : QString::fromStdString(warningText(warning)));
+        array.append(tokensAlone ? QString::fromUtf8(warningToken(warning.kind))
+                                 : QString::fromStdString(warningText(warning)));
     return array;
 }
 
@@ -52,9 +61,18 @@ QString warningTokens(const std::vector<psychophysics::Warning>& warnings) {
 }
 
 QJsonObject estimateJson(const psychophysics::RunEstimate& e, bool blinded) {
-    const auto number = [](double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); };
-    QJsonObject json{{"weber", number(e.weber)}, {"sigma_log10", number(e.sigma_log10)}, {"prior_influence", number(e.priorInfluence)}, {"ci_low", number(e.weber95.low)}, {"ci_high", number(e.weber95.high)},
-                     {"trials", hasWarning(e.warnings, psychophysics::WarningKind::sealed) ? QJsonValue(QJsonValue::Null) : QJsonValue(e.trials)}, {"warnings", warningsJson(e.warnings, blinded)}};
+    const auto number = [](double value) {
+        return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null);
+    };
+    QJsonObject json{{"weber", number(e.weber)},
+                     {"sigma_log10", number(e.sigma_log10)},
+                     {"prior_influence", number(e.priorInfluence)},
+                     {"ci_low", number(e.weber95.low)},
+                     {"ci_high", number(e.weber95.high)},
+                     {"trials", hasWarning(e.warnings, psychophysics::WarningKind::sealed)
+                                    ? QJsonValue(QJsonValue::Null)
+                                    : QJsonValue(e.trials)},
+                     {"warnings", warningsJson(e.warnings, blinded)}};
     if (blinded)
         return json;
     json.insert("criterion", e.criterion);
@@ -70,13 +88,18 @@ QJsonObject estimateJson(const psychophysics::RunEstimate& e, bool blinded) {
 }
 
 QJsonValue forceClassJson(const std::optional<bool>& felt) {
-    return felt ? QJsonValue(*felt ? QStringLiteral("felt") : QStringLiteral("shown")) : QJsonValue(QJsonValue::Null);
+    return felt ? QJsonValue(*felt ? QStringLiteral("felt") : QStringLiteral("shown"))
+                : QJsonValue(QJsonValue::Null);
 }
 
 QJsonObject participantJson(const database::Participant& p) {
     constexpr std::array<const char*, 4> words{"enrolled", "consented", "completed", "withdrawn"};
-    return {{"code", QString::fromStdString(p.code)}, {"order", p.order}, {"state", QLatin1String(words[static_cast<std::size_t>(p.state)])},
-            {"simulated", p.simulated}, {"observer", QString::fromStdString(p.observer)}, {"consented", !p.consentUtc.empty()}};
+    return {{"code", QString::fromStdString(p.code)},
+            {"order", p.order},
+            {"state", QLatin1String(words[static_cast<std::size_t>(p.state)])},
+            {"simulated", p.simulated},
+            {"observer", QString::fromStdString(p.observer)},
+            {"consented", !p.consentUtc.empty()}};
 }
 
 } // namespace chiron::cli

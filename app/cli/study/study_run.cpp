@@ -26,19 +26,29 @@ using namespace psychophysics;
 
 std::atomic<bool> g_cancel{false}; // the only object that the signal handler may touch
 
-void onSignal(int) { g_cancel.store(true, std::memory_order_relaxed); }
+void onSignal(int) {
+    g_cancel.store(true, std::memory_order_relaxed);
+}
 
-QString text(const std::string& words) { return QString::fromStdString(words); }
+QString text(const std::string& words) {
+    return QString::fromStdString(words);
+}
 
-QJsonValue number(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); }
+QJsonValue number(double value) {
+    return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null);
+}
 
 /// While the study is blinded, omits values and everything else by which conditions could be told apart.
-QJsonObject trialJson(const database::StudyTrial& t, const Condition& condition, const session::StudyExportData& data) {
-    QJsonObject json{{"ordinal", t.ordinal}, {"practice", t.practice}, {"spoiled", text(t.spoiled)}, {"exploration_s", t.exploration_s}, {"answer_s", t.answer_s},
-                     {"paused_s", number(session::pausedOf(t.fidelityJson))}, {"device", text(t.device)}, {"force_class", forceClassJson(t.felt)}};
+QJsonObject trialJson(const database::StudyTrial& t, const Condition& condition,
+                      const session::StudyExportData& data) {
+    QJsonObject json{{"ordinal", t.ordinal},       {"practice", t.practice},
+                     {"spoiled", text(t.spoiled)}, {"exploration_s", t.exploration_s},
+                     {"answer_s", t.answer_s},     {"paused_s", number(session::pausedOf(t.fidelityJson))},
+                     {"device", text(t.device)},   {"force_class", forceClassJson(t.felt)}};
     if (!data.blinded || data.oneTable)
         json.insert("difference", t.difference);
-    for (const auto& [key, value] : {std::pair{"arrangement", t.arrangement}, {"answer", t.answer}, {"outcome", t.outcome}})
+    for (const auto& [key, value] :
+         {std::pair{"arrangement", t.arrangement}, {"answer", t.answer}, {"outcome", t.outcome}})
         if (!data.blinded || data.oneTask)
             json.insert(QLatin1String(key), value);
     if (data.blinded)
@@ -67,8 +77,11 @@ QJsonArray runsJson(const session::StudyExportData& data, const std::string& cod
             QJsonArray list;
             for (const database::StudyTrial& trial : run.trials)
                 list.append(trialJson(trial, *run.condition, data));
-            QJsonObject json{{"condition", run.label}, {"run", run.index}, {"completed", run.run.state == database::StudyRunState::completed},
-                             {"trials", list}, {"estimate", estimateJson(run.estimate, data.blinded)}};
+            QJsonObject json{{"condition", run.label},
+                             {"run", run.index},
+                             {"completed", run.run.state == database::StudyRunState::completed},
+                             {"trials", list},
+                             {"estimate", estimateJson(run.estimate, data.blinded)}};
             if (!data.blinded)
                 json.insert("seed", QString::number(run.run.seed));
             all.append(json);
@@ -86,9 +99,12 @@ QString marksText(const QJsonArray& runs) {
             if (!trial["mark"].isObject())
                 continue;
             any = true;
-            const QString why = trial["practice"].toBool() ? QStringLiteral("practice") : trial["spoiled"].toString();
-            table.add({run["condition"].toString(), QString::number(trial["ordinal"].toInt()), shortNumber(trial["mark"]["error_x_percent"].toDouble()),
-                       shortNumber(trial["mark"]["error_y_percent"].toDouble()), shortNumber(1000.0 * trial["value"].toDouble()), why});
+            const QString why =
+                trial["practice"].toBool() ? QStringLiteral("practice") : trial["spoiled"].toString();
+            table.add({run["condition"].toString(), QString::number(trial["ordinal"].toInt()),
+                       shortNumber(trial["mark"]["error_x_percent"].toDouble()),
+                       shortNumber(trial["mark"]["error_y_percent"].toDouble()),
+                       shortNumber(1000.0 * trial["value"].toDouble()), why});
         }
     return any ? table.toText() : QString();
 }
@@ -98,11 +114,15 @@ QString marksText(const QJsonArray& runs) {
 QJsonValue deviceJson(const std::optional<session::RenderingLimits>& limits) {
     if (!limits)
         return QJsonValue::Null;
-    return QJsonObject{{"delay_us", 1e6 * limits->delay_s}, {"delay_measured", limits->measured}, {"stiffness_cap_N_per_m", number(limits->largestStiffness_N_per_m)},
-                       {"force_limit_N", number(limits->largestForce_N)}, {"viscosity_cap_Ns_per_m", number(limits->largestViscosity_Ns_per_m)}};
+    return QJsonObject{{"delay_us", 1e6 * limits->delay_s},
+                       {"delay_measured", limits->measured},
+                       {"stiffness_cap_N_per_m", number(limits->largestStiffness_N_per_m)},
+                       {"force_limit_N", number(limits->largestForce_N)},
+                       {"viscosity_cap_Ns_per_m", number(limits->largestViscosity_Ns_per_m)}};
 }
 
-core::Result<CommandOutput> told(database::Database& database, const database::Actor& actor, const database::StudyRecord& study, const database::Participant& participant,
+core::Result<CommandOutput> told(database::Database& database, const database::Actor& actor,
+                                 const database::StudyRecord& study, const database::Participant& participant,
                                  const session::StudyRunReport& report) {
     auto connection = database.openReader();
     CHIRON_TRY(connection);
@@ -110,8 +130,13 @@ core::Result<CommandOutput> told(database::Database& database, const database::A
     const auto data = session::gatherStudy(reader, study.summary.id);
     CHIRON_TRY(data);
     const QJsonArray runs = runsJson(*data, participant.code);
-    QJsonObject json{{"study", text(study.summary.key)}, {"sha256", text(study.summary.sha256)}, {"participant", text(participant.code)}, {"observer", text(participant.observer)}, {"blinded", data->blinded},
-                     {"device", deviceJson(report.limits)}, {"runs", runs}};
+    QJsonObject json{{"study", text(study.summary.key)},
+                     {"sha256", text(study.summary.sha256)},
+                     {"participant", text(participant.code)},
+                     {"observer", text(participant.observer)},
+                     {"blinded", data->blinded},
+                     {"device", deviceJson(report.limits)},
+                     {"runs", runs}};
     // The keys that cli.md specifies describe the first condition.
     if (!runs.isEmpty()) {
         json.insert("trials", runs.first()["trials"]);
@@ -120,8 +145,12 @@ core::Result<CommandOutput> told(database::Database& database, const database::A
     TextTable table({"condition", "completed", ">trials", ">Weber", ">low", ">high", ">exponent"});
     for (const QJsonValue& run : runs) {
         const QJsonObject e = run["estimate"].toObject();
-        const auto shown = [&](const char* key) { return shortNumber(e[QLatin1String(key)].toDouble(std::nan(""))); };
-        table.add({run["condition"].toString(), run["completed"].toBool() ? "yes" : "no", e["trials"].isNull() ? QStringLiteral("sealed") : QString::number(e["trials"].toInt()), shown("weber"), shown("ci_low"), shown("ci_high"), shown("exponent")});
+        const auto shown = [&](const char* key) {
+            return shortNumber(e[QLatin1String(key)].toDouble(std::nan("")));
+        };
+        table.add({run["condition"].toString(), run["completed"].toBool() ? "yes" : "no",
+                   e["trials"].isNull() ? QStringLiteral("sealed") : QString::number(e["trials"].toInt()),
+                   shown("weber"), shown("ci_low"), shown("ci_high"), shown("exponent")});
     }
     return CommandOutput{QJsonDocument(json), table.toText() + marksText(runs), 0};
 }
@@ -151,12 +180,16 @@ core::Result<session::StudyRunRequest> requestOf(const Arguments& arguments) {
 core::Result<CommandOutput> runStudy(const Arguments& arguments) {
     if (arguments.has(QStringLiteral("person"))) {
         if (arguments.has(QStringLiteral("participant")) || arguments.has(QStringLiteral("observer")))
-            return wrongUse(QStringLiteral("--person: a person answers in the window; expected neither --participant nor --observer with it"));
-        return openSitting(databasePath(arguments), arguments.operand(0), arguments.value(QStringLiteral("person")));
+            return wrongUse(QStringLiteral("--person: a person answers in the window; expected neither "
+                                           "--participant nor --observer with it"));
+        return openSitting(databasePath(arguments), arguments.operand(0),
+                           arguments.value(QStringLiteral("person")));
     }
     for (const char* name : {"participant", "observer"})
         if (!arguments.has(QLatin1String(name)))
-            return wrongUse(QStringLiteral("study run: --%1 is missing; expected --participant CODE and --observer SPEC for a simulated participant, or --person CODE").arg(QLatin1String(name)));
+            return wrongUse(QStringLiteral("study run: --%1 is missing; expected --participant CODE and "
+                                           "--observer SPEC for a simulated participant, or --person CODE")
+                                .arg(QLatin1String(name)));
     auto request = requestOf(arguments);
     CHIRON_TRY(request);
     std::vector<std::string> secrets;
@@ -170,14 +203,20 @@ core::Result<CommandOutput> runStudy(const Arguments& arguments) {
     // A database is created only for a run that can be done.
     if (!QFileInfo::exists(file)) {
         if (!secrets.empty())
-            return core::fail(core::ErrorCode::notFound, QStringLiteral("--database %1: no such file; expected a database with the account of --as").arg(quoted(file)).toStdString());
+            return core::fail(
+                core::ErrorCode::notFound,
+                QStringLiteral("--database %1: no such file; expected a database with the account of --as")
+                    .arg(quoted(file))
+                    .toStdString());
         const auto wanted = findStudyToRun(nullptr, database::Actor::simulated(), name);
         CHIRON_TRY(wanted ? mayBeRun(*wanted, *request) : tl::unexpected(wanted.error()));
     }
     auto site = session::openSite(file.toStdString(), databaseOptions());
     CHIRON_TRY(site);
-    const auto actor = secrets.empty() ? core::Result<database::Actor>(database::Actor::simulated())
-                                       : database::AccountService(*site->database).login(arguments.value(QStringLiteral("as")).toStdString(), secrets[0]);
+    const auto actor = secrets.empty()
+                           ? core::Result<database::Actor>(database::Actor::simulated())
+                           : database::AccountService(*site->database)
+                                 .login(arguments.value(QStringLiteral("as")).toStdString(), secrets[0]);
     CHIRON_TRY(actor);
     const auto wanted = findStudyToRun(site->database.get(), *actor, name);
     CHIRON_TRY(wanted ? mayBeRun(*wanted, *request) : tl::unexpected(wanted.error()));
@@ -199,7 +238,9 @@ core::Result<CommandOutput> rerunStudy(const Arguments& arguments) {
     const auto data = session::gatherStudy(reader, study->number());
     CHIRON_TRY(data);
     if (data->blinded && !data->blinding.analysable())
-        return core::fail(core::ErrorCode::wrongUse, "study \"" + study->record.summary.key + "\" is blinded and its conditions differ: expected it to be unblinded first");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "study \"" + study->record.summary.key +
+                              "\" is blinded and its conditions differ: expected it to be unblinded first");
     QJsonArray runs;
     bool identical = true;
     TextTable table({"participant", "condition", ">trials", ">same", ">ties", "first difference"});
@@ -214,13 +255,23 @@ core::Result<CommandOutput> rerunStudy(const Arguments& arguments) {
             CHIRON_TRY(again);
             const bool same = again->same + again->ties == again->trials && again->sameProcedures;
             identical = identical && same;
-            runs.append(QJsonObject{{"participant", text(each.participant.code)}, {"condition", run.label}, {"trials", again->trials}, {"same", again->same}, {"ties", again->ties},
-                                    {"first_difference", again->firstDifference}, {"same_procedures", again->sameProcedures}, {"identical", same}});
-            table.add({text(each.participant.code), run.label, QString::number(again->trials), QString::number(again->same), QString::number(again->ties),
+            runs.append(QJsonObject{{"participant", text(each.participant.code)},
+                                    {"condition", run.label},
+                                    {"trials", again->trials},
+                                    {"same", again->same},
+                                    {"ties", again->ties},
+                                    {"first_difference", again->firstDifference},
+                                    {"same_procedures", again->sameProcedures},
+                                    {"identical", same}});
+            table.add({text(each.participant.code), run.label, QString::number(again->trials),
+                       QString::number(again->same), QString::number(again->ties),
                        again->firstDifference < 0 ? QString() : QString::number(again->firstDifference)});
         }
     }
-    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"identical", identical}, {"runs", runs}}), table.toText(), identical ? 0 : 1};
+    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)},
+                                                   {"identical", identical},
+                                                   {"runs", runs}}),
+                         table.toText(), identical ? 0 : 1};
 }
 
 } // namespace chiron::cli

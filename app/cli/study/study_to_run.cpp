@@ -20,12 +20,18 @@ core::Result<StudyToRun> ofContent(const QString& name) {
     CHIRON_TRY(content);
     if (const StudyDesign* design = content->find(name.toStdString()))
         return StudyToRun{*design, std::nullopt};
-    return core::fail(core::ErrorCode::notFound, QStringLiteral("STUDY %1: no such study; expected one of the database or of the content, or a JSON file").arg(quoted(name)).toStdString());
+    return core::fail(
+        core::ErrorCode::notFound,
+        QStringLiteral(
+            "STUDY %1: no such study; expected one of the database or of the content, or a JSON file")
+            .arg(quoted(name))
+            .toStdString());
 }
 
 /// The design from a file. It is either new or identical with the design that the database holds under its
 /// key.
-core::Result<StudyToRun> ofFile(database::Database* database, const database::Actor& actor, const QString& path) {
+core::Result<StudyToRun> ofFile(database::Database* database, const database::Actor& actor,
+                                const QString& path) {
     auto design = readStudyFile(path);
     CHIRON_TRY(design);
     if (!database)
@@ -34,15 +40,22 @@ core::Result<StudyToRun> ofFile(database::Database* database, const database::Ac
     CHIRON_TRY(connection);
     auto stored = findStudy(database::StudyReader(**connection, actor), QString::fromStdString(design->id));
     if (!stored)
-        return stored.error().code == core::ErrorCode::notFound ? core::Result<StudyToRun>(StudyToRun{std::move(*design), std::nullopt}) : tl::unexpected(stored.error());
+        return stored.error().code == core::ErrorCode::notFound
+                   ? core::Result<StudyToRun>(StudyToRun{std::move(*design), std::nullopt})
+                   : tl::unexpected(stored.error());
     if (stored->designJson != catalogue::studyJson(*design).toStdString())
-        return core::fail(core::ErrorCode::badInput, QStringLiteral("STUDY %1: another design is stored under its id %2; expected the same, or another id")
-                                                         .arg(quoted(path), quoted(QString::fromStdString(design->id))).toStdString());
+        return core::fail(
+            core::ErrorCode::badInput,
+            QStringLiteral(
+                "STUDY %1: another design is stored under its id %2; expected the same, or another id")
+                .arg(quoted(path), quoted(QString::fromStdString(design->id)))
+                .toStdString());
     return StudyToRun{std::move(*design), std::move(*stored)};
 }
 
 core::Result<database::StudyNumber> frozen(database::StudyRepository& repository, const StudyDesign& design) {
-    auto made = repository.createStudy(design.id, design.title.at("en"), catalogue::studyJson(design).toStdString());
+    auto made =
+        repository.createStudy(design.id, design.title.at("en"), catalogue::studyJson(design).toStdString());
     if (!made)
         return made;
     CHIRON_TRY(repository.freezeStudy(*made));
@@ -50,20 +63,25 @@ core::Result<database::StudyNumber> frozen(database::StudyRepository& repository
 }
 
 /// The participant with this code; enrols a new one if there is none.
-core::Result<database::Participant> enrolled(database::WriteContext& context, const database::Actor& actor, database::StudyNumber study,
+core::Result<database::Participant> enrolled(database::WriteContext& context, const database::Actor& actor,
+                                             database::StudyNumber study,
                                              const session::StudyRunRequest& request) {
     const std::string& code = request.participantCode;
     auto found = database::StudyReader(context.connection(), actor).participantByCode(study, code);
     if (found && !found->simulated)
-        return core::fail(core::ErrorCode::wrongUse, "--participant " + code + ": a person; expected a simulated participant, or a code that is not taken");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "--participant " + code +
+                              ": a person; expected a simulated participant, or a code that is not taken");
     if (found || found.error().code != core::ErrorCode::notFound)
         return found;
-    return database::StudyRepository(context.connection(), actor).enrolParticipant(study, {}, 0, psychophysics::observerText(request.observer), code);
+    return database::StudyRepository(context.connection(), actor)
+        .enrolParticipant(study, {}, 0, psychophysics::observerText(request.observer), code);
 }
 
 } // namespace
 
-core::Result<StudyToRun> findStudyToRun(database::Database* database, const database::Actor& actor, const QString& name) {
+core::Result<StudyToRun> findStudyToRun(database::Database* database, const database::Actor& actor,
+                                        const QString& name) {
     if (isStudyFile(name))
         return ofFile(database, actor, name);
     if (!database)
@@ -72,7 +90,8 @@ core::Result<StudyToRun> findStudyToRun(database::Database* database, const data
     CHIRON_TRY(connection);
     auto found = findStudy(database::StudyReader(**connection, actor), name);
     if (!found)
-        return found.error().code == core::ErrorCode::notFound ? ofContent(name) : tl::unexpected(found.error());
+        return found.error().code == core::ErrorCode::notFound ? ofContent(name)
+                                                               : tl::unexpected(found.error());
     auto design = catalogue::readStudy(QByteArray::fromStdString(found->designJson), found->summary.key);
     CHIRON_TRY(design);
     return StudyToRun{std::move(*design), std::move(*found)};
@@ -83,15 +102,19 @@ core::Result<void> mayBeRun(const StudyToRun& study, const session::StudyRunRequ
     // The sealed code beside the condition's name would reveal which code belongs to which condition.
     if (blind && !request.condition.empty()) {
         const std::string key = study.stored ? study.stored->summary.key : study.design.id;
-        return core::fail(core::ErrorCode::wrongUse, "--condition: study \"" + key + "\" is blinded; expected none, or the study to be unblinded first");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "--condition: study \"" + key +
+                              "\" is blinded; expected none, or the study to be unblinded first");
     }
     return session::checkStudyRun(study.design, blind, request);
 }
 
-core::Result<ReadyToRun> makeReady(database::Database& database, const database::Actor& actor, const StudyToRun& study, const session::StudyRunRequest& request) {
+core::Result<ReadyToRun> makeReady(database::Database& database, const database::Actor& actor,
+                                   const StudyToRun& study, const session::StudyRunRequest& request) {
     return database.write([&](database::WriteContext& context) -> core::Result<ReadyToRun> {
         database::StudyRepository repository(context.connection(), actor);
-        auto number = study.stored ? core::Result<database::StudyNumber>(study.stored->summary.id) : frozen(repository, study.design);
+        auto number = study.stored ? core::Result<database::StudyNumber>(study.stored->summary.id)
+                                   : frozen(repository, study.design);
         CHIRON_TRY(number);
         auto participant = enrolled(context, actor, *number, request);
         CHIRON_TRY(participant);

@@ -19,7 +19,8 @@ struct StudyToRun {
 
 /// Finds the study. `database` is null if there is none yet.
 /// Errors: notFound, notAllowed, storage.
-core::Result<StudyToRun> findStudyToRun(database::Database* database, const database::Actor& actor, const QString& name);
+core::Result<StudyToRun> findStudyToRun(database::Database* database, const database::Actor& actor,
+                                        const QString& name);
 
 /// Starts the desktop program on this database, at this participant's next trial of a study; the user logs in
 /// first.
@@ -37,6 +38,7 @@ struct ReadyToRun {
 
 /// Stores and freezes the study and enrols the participant, in one transaction.
 /// Errors: those of the repository; wrongUse if the participant is a person.
-core::Result<ReadyToRun> makeReady(database::Database& database, const database::Actor& actor, const StudyToRun& study, const session::StudyRunRequest& request);
+core::Result<ReadyToRun> makeReady(database::Database& database, const database::Actor& actor,
+                                   const StudyToRun& study, const session::StudyRunRequest& request);
 
 } // namespace chiron::cli

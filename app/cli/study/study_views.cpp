@@ -24,7 +24,9 @@ namespace {
 
 using namespace psychophysics;
 
-QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
+QString text(std::string_view words) {
+    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+}
 
 QString english(const StudyText& words) {
     const auto found = words.find("en");
@@ -39,10 +41,14 @@ core::Result<StudyDesign> designOf(const Arguments& arguments) {
         auto study = openStudy(arguments, Opening::forReading);
         // Its conditions are sealed, and with them the values to plan with.
         if (study && study->record.masked)
-            return core::fail(core::ErrorCode::notAllowed, QStringLiteral("study %1 is blinded: its author and administrators plan it, everybody once it is unblinded")
-                                                               .arg(quoted(QString::fromStdString(study->record.summary.key))).toStdString());
+            return core::fail(core::ErrorCode::notAllowed,
+                              QStringLiteral("study %1 is blinded: its author and administrators plan it, "
+                                             "everybody once it is unblinded")
+                                  .arg(quoted(QString::fromStdString(study->record.summary.key)))
+                                  .toStdString());
         if (study)
-            return catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), study->record.summary.key);
+            return catalogue::readStudy(QByteArray::fromStdString(study->record.designJson),
+                                        study->record.summary.key);
         if (study.error().code != core::ErrorCode::notFound)
             return tl::unexpected(study.error());
     }
@@ -54,8 +60,11 @@ core::Result<StudyDesign> designOf(const Arguments& arguments) {
     QStringList known;
     for (const StudyDesign& each : content->studies())
         known << QString::fromStdString(each.id);
-    return core::fail(core::ErrorCode::notFound, QStringLiteral("STUDY %1: no such study; expected one of %2, one of the database, or a JSON file")
-                                                     .arg(quoted(arguments.operand(0)), known.join(QStringLiteral(", "))).toStdString());
+    return core::fail(
+        core::ErrorCode::notFound,
+        QStringLiteral("STUDY %1: no such study; expected one of %2, one of the database, or a JSON file")
+            .arg(quoted(arguments.operand(0)), known.join(QStringLiteral(", ")))
+            .toStdString());
 }
 
 core::Result<QJsonArray> codesOf(database::StudyReader reader, database::StudyNumber study) {
@@ -67,13 +76,17 @@ core::Result<QJsonArray> codesOf(database::StudyReader reader, database::StudyNu
     return array;
 }
 
-QJsonValue numberOrNull(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); }
+QJsonValue numberOrNull(double value) {
+    return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null);
+}
 
 /// The reason why there is no best difference to present; empty if there is one.
 QString withoutSpacing(Task task) {
     if (task == Task::adjustment)
         return QStringLiteral("adjustment: the participant sets the level, no difference is presented");
-    return task == Task::magnitude ? QStringLiteral("magnitude estimation: single values are presented, no difference") : QString();
+    return task == Task::magnitude
+               ? QStringLiteral("magnitude estimation: single values are presented, no difference")
+               : QString();
 }
 
 /// The assumptions of the power calculation of a comparison.
@@ -84,7 +97,8 @@ struct PowerInputs {
 };
 
 core::Result<std::optional<PowerInputs>> readPower(const Arguments& arguments, const StudyDesign& design) {
-    for (const char* option : {"ratio", "participants", "wanted", "alpha", "paired", "unpaired", "between-sd"})
+    for (const char* option :
+         {"ratio", "participants", "wanted", "alpha", "paired", "unpaired", "between-sd"})
         if (arguments.has(QLatin1String(option)) && !arguments.has(QStringLiteral("power")))
             return wrongUse(QStringLiteral("--%1: expected with --power").arg(QLatin1String(option)));
     if (!arguments.has(QStringLiteral("power")))
@@ -95,10 +109,12 @@ core::Result<std::optional<PowerInputs>> readPower(const Arguments& arguments, c
     PowerQuestion& question = inputs.question;
     question.paired = !arguments.has(QStringLiteral("unpaired"));
     constexpr int kMost = 100'000;
-    const auto participants = arguments.integer(QStringLiteral("participants"), 2, kMost, std::max(2, design.participantsPlanned));
+    const auto participants =
+        arguments.integer(QStringLiteral("participants"), 2, kMost, std::max(2, design.participantsPlanned));
     const auto wanted = arguments.number(QStringLiteral("wanted"), 0.01, 0.9999, 0.8);
     const auto alpha = arguments.number(QStringLiteral("alpha"), 1e-6, 0.5, question.alpha);
-    const auto between = arguments.number(QStringLiteral("between-sd"), 0.0, 3.0, question.paired ? question.effectSdLog10 : question.personSdLog10);
+    const auto between = arguments.number(QStringLiteral("between-sd"), 0.0, 3.0,
+                                          question.paired ? question.effectSdLog10 : question.personSdLog10);
     const auto ratio = arguments.number(QStringLiteral("ratio"), 0.01, 100.0, 1.0);
     CHIRON_TRY(participants);
     for (const auto* each : {&wanted, &alpha, &between, &ratio})
@@ -110,7 +126,8 @@ core::Result<std::optional<PowerInputs>> readPower(const Arguments& arguments, c
     inputs.wanted = *wanted;
     if (arguments.has(QStringLiteral("ratio"))) {
         if (*ratio == 1.0)
-            return wrongUse(QStringLiteral("--ratio 1: expected another ratio; no number of participants finds no difference"));
+            return wrongUse(QStringLiteral(
+                "--ratio 1: expected another ratio; no number of participants finds no difference"));
         inputs.ratio = *ratio;
         question.differenceLog10 = std::log10(*ratio);
     }
@@ -121,14 +138,19 @@ core::Result<std::optional<PowerInputs>> readPower(const Arguments& arguments, c
 /// propagated from that of the runs' standard deviation.
 QJsonObject powerJson(const PowerInputs& inputs, const ConditionPlan& plan) {
     PowerQuestion question = inputs.question;
-    QJsonObject json{{"participants", question.participants}, {"alpha", question.alpha}, {"paired", question.paired}, {"wanted_power", inputs.wanted},
-                     {"between_sd_log10", question.paired ? question.effectSdLog10 : question.personSdLog10}, {"run_sd_log10", numberOrNull(plan.sdLog10)}};
+    QJsonObject json{{"participants", question.participants},
+                     {"alpha", question.alpha},
+                     {"paired", question.paired},
+                     {"wanted_power", inputs.wanted},
+                     {"between_sd_log10", question.paired ? question.effectSdLog10 : question.personSdLog10},
+                     {"run_sd_log10", numberOrNull(plan.sdLog10)}};
     const auto with = [&](double sd, auto&& figure) {
         question.runSdLog10 = std::max(sd, 0.0);
         return std::isfinite(sd) ? figure(question) : std::nan("");
     };
     const auto insert = [&](const char* key, auto&& figure) {
-        const double value = with(plan.sdLog10, figure), low = with(plan.sdLog10 - plan.sdError, figure), high = with(plan.sdLog10 + plan.sdError, figure);
+        const double value = with(plan.sdLog10, figure), low = with(plan.sdLog10 - plan.sdError, figure),
+                     high = with(plan.sdLog10 + plan.sdError, figure);
         json.insert(QLatin1String(key), numberOrNull(value));
         json.insert(QLatin1String(key) + QStringLiteral("_error"), numberOrNull(0.5 * std::abs(high - low)));
     };
@@ -146,16 +168,26 @@ QJsonObject powerJson(const PowerInputs& inputs, const ConditionPlan& plan) {
 
 QString powerText(const QString& condition, const QJsonObject& json) {
     const auto shown = [&](const char* key) {
-        const double value = json[QLatin1String(key)].toDouble(std::nan("")), error = json[QLatin1String(key) + QStringLiteral("_error")].toDouble(std::nan(""));
-        return std::isfinite(value) ? QStringLiteral("%1 ± %2").arg(shortNumber(value), shortNumber(error)) : QStringLiteral("none");
+        const double value = json[QLatin1String(key)].toDouble(std::nan("")),
+                     error = json[QLatin1String(key) + QStringLiteral("_error")].toDouble(std::nan(""));
+        return std::isfinite(value) ? QStringLiteral("%1 ± %2").arg(shortNumber(value), shortNumber(error))
+                                    : QStringLiteral("none");
     };
-    QString words = QStringLiteral("%1: %2 participants%3, sd %4 log10 %5, alpha %6: a ratio of %7 is found with %8 % power\n")
-                        .arg(condition).arg(json["participants"].toInt()).arg(json["paired"].toBool() ? QStringLiteral(" who do both") : QStringLiteral(" in each group"))
-                        .arg(shortNumber(json["between_sd_log10"].toDouble()), json["paired"].toBool() ? QStringLiteral("of the difference") : QStringLiteral("between people"),
-                             shortNumber(json["alpha"].toDouble()), shown("detectable_ratio"), shortNumber(100.0 * json["wanted_power"].toDouble()));
+    QString words =
+        QStringLiteral(
+            "%1: %2 participants%3, sd %4 log10 %5, alpha %6: a ratio of %7 is found with %8 % power\n")
+            .arg(condition)
+            .arg(json["participants"].toInt())
+            .arg(json["paired"].toBool() ? QStringLiteral(" who do both") : QStringLiteral(" in each group"))
+            .arg(shortNumber(json["between_sd_log10"].toDouble()),
+                 json["paired"].toBool() ? QStringLiteral("of the difference")
+                                         : QStringLiteral("between people"),
+                 shortNumber(json["alpha"].toDouble()), shown("detectable_ratio"),
+                 shortNumber(100.0 * json["wanted_power"].toDouble()));
     if (json.contains("ratio"))
         words += QStringLiteral("%1: a ratio of %2 is found with a chance of %3; needed: %4 participants\n")
-                     .arg(condition, shortNumber(json["ratio"].toDouble()), shown("power"), shown("participants_needed"));
+                     .arg(condition, shortNumber(json["ratio"].toDouble()), shown("power"),
+                          shown("participants_needed"));
     return words;
 }
 
@@ -163,14 +195,27 @@ QString powerText(const QString& condition, const QJsonObject& json) {
 QJsonObject planJson(const Condition& condition, const ConditionPlan& plan) {
     const QString why = withoutSpacing(condition.task);
     const bool simulated = plan.runs > 0;
-    QJsonObject json{{"condition", text(condition.id)}, {"title", english(condition.title)}, {"runs", plan.runs}, {"bias_log10", numberOrNull(plan.biasLog10)},
-                     {"sd_log10", numberOrNull(plan.sdLog10)}, {"coverage", numberOrNull(plan.coverage)}, {"trials", numberOrNull(simulated ? plan.meanTrials : std::nan(""))},
-                     {"minutes", numberOrNull(simulated ? plan.minutes : std::nan(""))}, {"information_per_trial", numberOrNull(condition.task == Task::magnitude ? std::nan("") : plan.fisherPerTrial)},
+    QJsonObject json{{"condition", text(condition.id)},
+                     {"title", english(condition.title)},
+                     {"runs", plan.runs},
+                     {"bias_log10", numberOrNull(plan.biasLog10)},
+                     {"sd_log10", numberOrNull(plan.sdLog10)},
+                     {"coverage", numberOrNull(plan.coverage)},
+                     {"trials", numberOrNull(simulated ? plan.meanTrials : std::nan(""))},
+                     {"minutes", numberOrNull(simulated ? plan.minutes : std::nan(""))},
+                     {"information_per_trial",
+                      numberOrNull(condition.task == Task::magnitude ? std::nan("") : plan.fisherPerTrial)},
                      {"best_spacing_sigma", numberOrNull(why.isEmpty() ? plan.bestSpacing : std::nan(""))},
-                     {"best_difference", numberOrNull(why.isEmpty() ? plan.bestDifference : std::nan(""))}, {"without_estimate", plan.withoutEstimate},
-                     {"bias_log10_error", numberOrNull(plan.biasError)}, {"sd_log10_error", numberOrNull(plan.sdError)}, {"coverage_error", numberOrNull(plan.coverageError)},
-                     {"trials_error", numberOrNull(plan.trialsError)}, {"minutes_error", numberOrNull(plan.minutesError)},
-                     {"weber_quantiles", QJsonObject{{"0.1", numberOrNull(plan.weber10)}, {"0.5", numberOrNull(plan.weber50)}, {"0.9", numberOrNull(plan.weber90)}}},
+                     {"best_difference", numberOrNull(why.isEmpty() ? plan.bestDifference : std::nan(""))},
+                     {"without_estimate", plan.withoutEstimate},
+                     {"bias_log10_error", numberOrNull(plan.biasError)},
+                     {"sd_log10_error", numberOrNull(plan.sdError)},
+                     {"coverage_error", numberOrNull(plan.coverageError)},
+                     {"trials_error", numberOrNull(plan.trialsError)},
+                     {"minutes_error", numberOrNull(plan.minutesError)},
+                     {"weber_quantiles", QJsonObject{{"0.1", numberOrNull(plan.weber10)},
+                                                     {"0.5", numberOrNull(plan.weber50)},
+                                                     {"0.9", numberOrNull(plan.weber90)}}},
                      {"warnings", warningsJson(plan.warnings, false)}};
     if (!why.isEmpty())
         json.insert("best_spacing_why", why);
@@ -184,14 +229,16 @@ core::Result<CommandOutput> listStudies(const Arguments& arguments) {
     CHIRON_TRY(site);
     auto connection = site->database->openReader();
     CHIRON_TRY(connection);
-    auto studies = database::StudyReader(**connection, site->actor).listStudies(arguments.has(QStringLiteral("archived")));
+    auto studies = database::StudyReader(**connection, site->actor)
+                       .listStudies(arguments.has(QStringLiteral("archived")));
     CHIRON_TRY(studies);
     QJsonArray array;
     TextTable table({">id", "key", "title", "state", ">participants", ">completed", ">trials", "sha256"});
     for (const database::StudySummary& study : *studies) {
         array.append(studyJson(study));
-        table.add({QString::number(study.id), text(study.key), text(study.title), stateWord(study.state), QString::number(study.participants),
-                   QString::number(study.completed), QString::number(study.trials), text(study.sha256).left(12)});
+        table.add({QString::number(study.id), text(study.key), text(study.title), stateWord(study.state),
+                   QString::number(study.participants), QString::number(study.completed),
+                   QString::number(study.trials), text(study.sha256).left(12)});
     }
     return CommandOutput{QJsonDocument(QJsonObject{{"studies", array}}), table.toText(), 0};
 }
@@ -207,18 +254,23 @@ core::Result<CommandOutput> showStudy(const Arguments& arguments) {
     for (const database::Participant& each : *participants) {
         const QJsonObject participant = participantJson(each);
         list.append(participant);
-        table.add({participant["code"].toString(), QString::number(each.order), participant["state"].toString(), participant["observer"].toString()});
+        table.add({participant["code"].toString(), QString::number(each.order),
+                   participant["state"].toString(), participant["observer"].toString()});
     }
     json.insert("participant_list", list);
     json.insert("blinded", study->record.blinding.on);
     if (!study->record.masked) {
-        json.insert("design", QJsonDocument::fromJson(QByteArray::fromStdString(study->record.designJson)).object());
+        json.insert("design",
+                    QJsonDocument::fromJson(QByteArray::fromStdString(study->record.designJson)).object());
     } else {
         auto codes = codesOf(study->reader(), study->number());
         CHIRON_TRY(codes);
         json.insert("conditions", std::move(*codes));
     }
-    const QString head = alignedPairs({{"study", json["key"].toString()}, {"title", json["title"].toString()}, {"state", json["state"].toString()}, {"sha256", json["sha256"].toString()}});
+    const QString head = alignedPairs({{"study", json["key"].toString()},
+                                       {"title", json["title"].toString()},
+                                       {"state", json["state"].toString()},
+                                       {"sha256", json["sha256"].toString()}});
     return CommandOutput{QJsonDocument(json), head + table.toText(), 0};
 }
 
@@ -235,20 +287,27 @@ core::Result<CommandOutput> exportStudy(const Arguments& arguments) {
     const QString out = QFileInfo(arguments.value(QStringLiteral("out"))).absoluteFilePath();
     QJsonArray folders;
     QString words;
-    const auto folderOf = [&](const QString& format) { return formats->size() == 1 ? out : out + u'/' + format; };
+    const auto folderOf = [&](const QString& format) {
+        return formats->size() == 1 ? out : out + u'/' + format;
+    };
     for (const QString& format : *formats) // check all of them before any is written
         CHIRON_TRY(session::NewFolder::isFree(folderOf(format).toStdString()));
     for (const QString& format : *formats) {
         const QString folder = folderOf(format);
         database::StudyReader reader = study->reader();
         const std::filesystem::path path(folder.toStdString());
-        const auto written = format == u"csv" ? session::exportStudyCsv(reader, study->number(), path)
-                                              : session::exportStudyBids(reader, *study->connection, study->site.actor, study->number(), path);
+        const auto written = format == u"csv"
+                                 ? session::exportStudyCsv(reader, study->number(), path)
+                                 : session::exportStudyBids(reader, *study->connection, study->site.actor,
+                                                            study->number(), path);
         CHIRON_TRY(written);
         folders.append(folder);
         words += folder + u'\n';
     }
-    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"sha256", text(study->record.summary.sha256)}, {"folders", folders}}), words, 0};
+    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)},
+                                                   {"sha256", text(study->record.summary.sha256)},
+                                                   {"folders", folders}}),
+                         words, 0};
 }
 
 core::Result<CommandOutput> planStudy(const Arguments& arguments) {
@@ -265,36 +324,58 @@ core::Result<CommandOutput> planStudy(const Arguments& arguments) {
     const auto powerInputs = readPower(arguments, *design);
     CHIRON_TRY(powerInputs);
     if (*powerInputs && *runs < 2)
-        return wrongUse(QStringLiteral("--power: expected --runs of at least 2: the spread of a run's estimate is simulated"));
+        return wrongUse(QStringLiteral(
+            "--power: expected --runs of at least 2: the spread of a run's estimate is simulated"));
     QJsonArray conditions;
-    TextTable table({"condition", ">bias (log10)", ">sd (log10)", ">coverage", ">trials", ">minutes", ">information"});
+    TextTable table(
+        {"condition", ">bias (log10)", ">sd (log10)", ">coverage", ">trials", ">minutes", ">information"});
     double minutes = 0.0;
     QString words;
     for (const Condition& condition : design->conditions) {
-        const ConditionPlan plan = planCondition(condition, design->trial, *observer, static_cast<int>(*runs), *seed);
+        const ConditionPlan plan =
+            planCondition(condition, design->trial, *observer, static_cast<int>(*runs), *seed);
         QJsonObject json = planJson(condition, plan);
         if (condition.stimulus.attribute == Attribute::apex && *runs > 0) {
-            const QJsonObject apex = apexPlanJson(design->participantsPlanned, static_cast<int>(std::lround(plan.meanTrials)), static_cast<int>(*runs), *seed);
+            const QJsonObject apex =
+                apexPlanJson(design->participantsPlanned, static_cast<int>(std::lround(plan.meanTrials)),
+                             static_cast<int>(*runs), *seed);
             json.insert("apex", apex);
-            words += QStringLiteral("%1: mean error of %2 participants %3 ± %4 % of the radius; other than %5 % in %6 % of such studies\n")
-                         .arg(text(condition.id)).arg(design->participantsPlanned)
-                         .arg(shortNumber(apex["mean_absolute_percent"].toDouble()), shortNumber(apex["half_width_percent"].toDouble()),
-                              shortNumber(apex["against_percent"].toDouble()), shortNumber(100.0 * apex["power"].toDouble()));
+            words += QStringLiteral("%1: mean error of %2 participants %3 ± %4 % of the radius; other than "
+                                    "%5 % in %6 % of such studies\n")
+                         .arg(text(condition.id))
+                         .arg(design->participantsPlanned)
+                         .arg(shortNumber(apex["mean_absolute_percent"].toDouble()),
+                              shortNumber(apex["half_width_percent"].toDouble()),
+                              shortNumber(apex["against_percent"].toDouble()),
+                              shortNumber(100.0 * apex["power"].toDouble()));
         }
         if (*powerInputs && condition.stimulus.attribute != Attribute::apex) {
             json.insert("power", powerJson(**powerInputs, plan));
             words += powerText(text(condition.id), json["power"].toObject());
         }
         conditions.append(json);
-        const auto shown = [&](const char* key) { return shortNumber(json[QLatin1String(key)].toDouble(std::nan(""))); };
+        const auto shown = [&](const char* key) {
+            return shortNumber(json[QLatin1String(key)].toDouble(std::nan("")));
+        };
         const auto withError = [&](const char* key) {
             const double error = json[QLatin1String(key) + QStringLiteral("_error")].toDouble(std::nan(""));
-            return std::isfinite(error) ? QStringLiteral("%1 ± %2").arg(shown(key), shortNumber(error)) : shown(key);
+            return std::isfinite(error) ? QStringLiteral("%1 ± %2").arg(shown(key), shortNumber(error))
+                                        : shown(key);
         };
-        table.add({text(condition.id), withError("bias_log10"), withError("sd_log10"), withError("coverage"), withError("trials"), withError("minutes"), shown("information_per_trial")});
+        table.add({text(condition.id), withError("bias_log10"), withError("sd_log10"), withError("coverage"),
+                   withError("trials"), withError("minutes"), shown("information_per_trial")});
         minutes += plan.runs > 0 ? plan.minutes : std::nan("");
     }
-    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(design->id)}, {"observer", text(observerText(*observer))}, {"conditions", conditions}, {"minutes", numberOrNull(minutes)}}), table.toText() + (*runs > 0 ? QStringLiteral("±: one standard error of so few simulated runs (Monte Carlo)\n") : QString()) + words, 0};
+    return CommandOutput{
+        QJsonDocument(QJsonObject{{"study", text(design->id)},
+                                  {"observer", text(observerText(*observer))},
+                                  {"conditions", conditions},
+                                  {"minutes", numberOrNull(minutes)}}),
+        table.toText() +
+            (*runs > 0 ? QStringLiteral("±: one standard error of so few simulated runs (Monte Carlo)\n")
+                       : QString()) +
+            words,
+        0};
 }
 
 } // namespace chiron::cli

@@ -44,10 +44,14 @@ QString AccountScreen::title() const {
 }
 
 QString AccountScreen::help() const {
-    return tr("Your own name, language and password.\n\nThe full name is what others see in lists and reports; your earlier names stay in the "
-              "site's history. The login name can be changed by an administrator.\n\nThe language takes effect at once. It comes back whenever "
-              "you log in on this station and changes nothing for others.\n\nTo change your password, first enter the one that you have now.\n\nAdministrators can "
-              "make a recovery code for themselves here; with it they can set a new password if they forget theirs.");
+    return tr("Your own name, language and password.\n\nThe full name is what others see in lists and "
+              "reports; your earlier names stay in the "
+              "site's history. The login name can be changed by an administrator.\n\nThe language takes "
+              "effect at once. It comes back whenever "
+              "you log in on this station and changes nothing for others.\n\nTo change your password, first "
+              "enter the one that you have now.\n\nAdministrators can "
+              "make a recovery code for themselves here; with it they can set a new password if they forget "
+              "theirs.");
 }
 
 QWidget* AccountScreen::nameBox() {
@@ -57,7 +61,8 @@ QWidget* AccountScreen::nameBox() {
     m_loginName = kit::label(theme, {});
     m_loginName->setObjectName(QStringLiteral("account.login_name"));
     box.layout->addWidget(m_loginName);
-    m_fullName = form::textField(theme, box.layout, tr("Full name (may be left empty)"), QStringLiteral("account.full_name"));
+    m_fullName = form::textField(theme, box.layout, tr("Full name (may be left empty)"),
+                                 QStringLiteral("account.full_name"));
     m_saveName = kit::button(theme, tr("Save the name"), "primary");
     m_saveName->setObjectName(QStringLiteral("account.save_name"));
     box.layout->addWidget(m_saveName, 0, Qt::AlignLeft);
@@ -81,14 +86,19 @@ QWidget* AccountScreen::languageBox() {
     list.insert(list.begin(), {QString(), tr("As on this station")});
     for (const auto& [id, text] : list) {
         auto* radio = new QRadioButton(text);
-        radio->setObjectName(QStringLiteral("account.language.") + (id.isEmpty() ? QStringLiteral("station") : id));
+        radio->setObjectName(QStringLiteral("account.language.") +
+                             (id.isEmpty() ? QStringLiteral("station") : id));
         radio->setChecked(id == own);
         m_languageNow = id == own ? radio : m_languageNow;
         group->addButton(radio);
         box.layout->addWidget(radio);
-        connect(radio, &QRadioButton::clicked, this, [this, language = id] { chooseLanguage(language); }, Qt::QueuedConnection);
+        connect(
+            radio, &QRadioButton::clicked, this, [this, language = id] { chooseLanguage(language); },
+            Qt::QueuedConnection);
     }
-    box.layout->addWidget(kit::label(theme, tr("It comes back whenever you log in on this station and changes nothing for others."), TextStyle::small, "muted"));
+    box.layout->addWidget(kit::label(
+        theme, tr("It comes back whenever you log in on this station and changes nothing for others."),
+        TextStyle::small, "muted"));
     return box.frame;
 }
 
@@ -96,7 +106,8 @@ QWidget* AccountScreen::passwordBox() {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("Password"), TextStyle::title));
-    m_oldPassword = form::passwordField(theme, box.layout, tr("Current password"), QStringLiteral("account.old_password"));
+    m_oldPassword = form::passwordField(theme, box.layout, tr("Current password"),
+                                        QStringLiteral("account.old_password"));
     m_newPassword = new PasswordFields(theme, QStringLiteral("account"));
     m_newPassword->setLoginName(QString::fromStdString(context().loginName()));
     box.layout->addWidget(m_newPassword);
@@ -107,7 +118,8 @@ QWidget* AccountScreen::passwordBox() {
     m_passwordNotice->setObjectName(QStringLiteral("account.password_notice"));
     box.layout->addWidget(m_passwordNotice);
     m_wait = new WaitCountdown(this);
-    connect(m_wait, &WaitCountdown::changed, this, [this](int seconds) { m_changePassword->setText(waitWords(seconds)); });
+    connect(m_wait, &WaitCountdown::changed, this,
+            [this](int seconds) { m_changePassword->setText(waitWords(seconds)); });
     connect(m_wait, &WaitCountdown::finished, this, &AccountScreen::renewPassword);
     connect(m_oldPassword, &QLineEdit::textChanged, this, &AccountScreen::renewPassword);
     connect(m_oldPassword, &QLineEdit::returnPressed, m_newPassword, &PasswordFields::focusFirst);
@@ -122,7 +134,9 @@ QWidget* AccountScreen::recoveryBox() {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("Recovery code"), TextStyle::title));
-    box.layout->addWidget(kit::label(theme, tr("With a recovery code you can set a new password yourself if you forget yours: at the login, choose \"Forgot your password?\".")));
+    box.layout->addWidget(
+        kit::label(theme, tr("With a recovery code you can set a new password yourself if you forget yours: "
+                             "at the login, choose \"Forgot your password?\".")));
     m_recoveryState = kit::label(theme, tr("Reading your account …"), TextStyle::body, "muted");
     m_recoveryState->setObjectName(QStringLiteral("account.recovery_state"));
     box.layout->addWidget(m_recoveryState);
@@ -140,7 +154,8 @@ void AccountScreen::enter() {
     if (focus == QLatin1String("recovery") && m_recovery) {
         m_recovery->setFocus();
         // Deferred until it has its position.
-        QMetaObject::invokeMethod(this, [this] { m_page->ensureWidgetVisible(m_recovery); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this] { m_page->ensureWidgetVisible(m_recovery); }, Qt::QueuedConnection);
     }
     load();
     if (m_recovery)
@@ -150,12 +165,19 @@ void AccountScreen::enter() {
 void AccountScreen::loadRecovery() {
     database::Database* database = &context().site().database();
     context().background().run(
-        this, [database, actor = context().actor()](WorkToken&) { return database::AccountService(*database).hasRecoveryCode(actor); },
+        this,
+        [database, actor = context().actor()](WorkToken&) {
+            return database::AccountService(*database).hasRecoveryCode(actor);
+        },
         [this](const core::Result<bool>& has) {
             m_hasRecoveryCode = has.value_or(false);
-            m_recoveryState->setText(!has                ? tr("It could not be read whether you have one.\n%1").arg(inWords(has.error(), Tried::reading))
-                                     : m_hasRecoveryCode ? tr("You have one. If it is lost or somebody else may have seen it, make a new one; it replaces the present one.")
-                                                         : tr("You have none yet. Without it, only another administrator can help you if you forget your password."));
+            m_recoveryState->setText(!has ? tr("It could not be read whether you have one.\n%1")
+                                                .arg(inWords(has.error(), Tried::reading))
+                                     : m_hasRecoveryCode
+                                         ? tr("You have one. If it is lost or somebody else may have seen "
+                                              "it, make a new one; it replaces the present one.")
+                                         : tr("You have none yet. Without it, only another administrator can "
+                                              "help you if you forget your password."));
         });
 }
 
@@ -175,7 +197,10 @@ std::vector<ScreenCommand> AccountScreen::commands() {
 void AccountScreen::load() {
     database::Database* database = &context().site().database();
     context().background().run(
-        this, [database, actor = context().actor()](WorkToken&) { return database::AccountService(*database).self(actor); },
+        this,
+        [database, actor = context().actor()](WorkToken&) {
+            return database::AccountService(*database).self(actor);
+        },
         [this](const core::Result<database::Person>& person) { loaded(person); });
 }
 
@@ -188,7 +213,9 @@ void AccountScreen::loaded(const core::Result<database::Person>& person) {
         return;
     }
     m_storedName = QString::fromStdString(person->displayName);
-    m_loginName->setText((context().has(database::Role::admin) ? tr("Login name: %1. You can change it under People.") : tr("Login name: %1. An administrator can change it."))
+    m_loginName->setText((context().has(database::Role::admin)
+                              ? tr("Login name: %1. You can change it under People.")
+                              : tr("Login name: %1. An administrator can change it."))
                              .arg(QString::fromStdString(person->name)));
     m_newPassword->setLoginName(QString::fromStdString(person->name));
     m_fullName->setText(m_storedName);
@@ -203,7 +230,9 @@ void AccountScreen::renewName() {
     const bool good = name.toUcs4().size() <= database::kMaximumDisplayNameCharacters;
     form::setKind(m_fullName, good ? "" : "bad");
     if (!good)
-        m_nameNotice->say("bad", tr("The full name is too long: use at most %1 characters.").arg(context().locale().toString(database::kMaximumDisplayNameCharacters)));
+        m_nameNotice->say("bad",
+                          tr("The full name is too long: use at most %1 characters.")
+                              .arg(context().locale().toString(database::kMaximumDisplayNameCharacters)));
     else if (!m_savesName)
         m_nameNotice->clear();
     m_fullName->setEnabled(!m_savesName);
@@ -220,14 +249,17 @@ void AccountScreen::saveName() {
     const QString name = m_fullName->text().trimmed();
     context().background().run(
         this,
-        [database, actor = context().actor(), name = name.toStdString()](WorkToken&) { return database::AccountService(*database).changeDisplayName(actor, name); },
+        [database, actor = context().actor(), name = name.toStdString()](WorkToken&) {
+            return database::AccountService(*database).changeDisplayName(actor, name);
+        },
         [this, name](const core::Result<void>& done) {
             m_savesName = false;
             m_storedName = done ? name : m_storedName;
             renewName();
             m_fullName->setFocus();
             if (done)
-                m_nameNotice->say("good", name.isEmpty() ? tr("You are now shown with your login name alone.") : tr("Your name is now %1.").arg(name));
+                m_nameNotice->say("good", name.isEmpty() ? tr("You are now shown with your login name alone.")
+                                                         : tr("Your name is now %1.").arg(name));
             else
                 m_nameNotice->say("bad", tr("Your name was not changed.\n%1").arg(inWords(done.error())));
         });
@@ -263,7 +295,9 @@ void AccountScreen::changePassword() {
     database::Database* database = &context().site().database();
     context().background().run(
         this,
-        [database, actor = context().actor(), old, fresh](WorkToken&) { return database::AccountService(*database).tryChangePassword(actor, old, fresh); },
+        [database, actor = context().actor(), old, fresh](WorkToken&) {
+            return database::AccountService(*database).tryChangePassword(actor, old, fresh);
+        },
         [this](const tl::expected<void, database::Refusal>& done) { passwordChanged(done); });
 }
 
@@ -272,9 +306,11 @@ void AccountScreen::passwordChanged(const tl::expected<void, database::Refusal>&
     m_oldPassword->clear();
     if (done) {
         m_newPassword->clear();
-        m_passwordNotice->say("good", tr("Your password is changed. From your next login, only the new one is valid."));
+        m_passwordNotice->say(
+            "good", tr("Your password is changed. From your next login, only the new one is valid."));
     } else if (done.error().kind == database::Refusal::Kind::wrong) {
-        m_passwordNotice->say("warning", tr("The current password is wrong. Nothing was changed. Passwords are case-sensitive; check Caps Lock."));
+        m_passwordNotice->say("warning", tr("The current password is wrong. Nothing was changed. Passwords "
+                                            "are case-sensitive; check Caps Lock."));
     } else {
         m_passwordNotice->say(done.error().kind == database::Refusal::Kind::failed ? "bad" : "warning",
                               tr("The password was not changed.\n%1").arg(refusalWords(done.error())));

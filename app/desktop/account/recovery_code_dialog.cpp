@@ -15,11 +15,15 @@
 namespace chiron::desktop {
 
 RecoveryCodeDialog::RecoveryCodeDialog(AppContext& context, bool hasOne, QWidget* parent)
-    : FormDialog(context, QStringLiteral("recovery_code"), tr("Make a recovery code"), parent), m_hasOne(hasOne), m_wait(new WaitCountdown(this)) {
-    column()->addWidget(kit::label(theme(), tr("With a recovery code you can set a new password yourself if you forget yours. It is shown once, to be written down.")));
+    : FormDialog(context, QStringLiteral("recovery_code"), tr("Make a recovery code"), parent),
+      m_hasOne(hasOne), m_wait(new WaitCountdown(this)) {
+    column()->addWidget(kit::label(theme(), tr("With a recovery code you can set a new password yourself if "
+                                               "you forget yours. It is shown once, to be written down.")));
     if (hasOne)
-        column()->addWidget(kit::notice(theme(), "warning", tr("The recovery code that you have now will no longer be accepted.")));
-    m_password = form::passwordField(theme(), column(), tr("Your own password"), QStringLiteral("recovery_code.password"));
+        column()->addWidget(kit::notice(
+            theme(), "warning", tr("The recovery code that you have now will no longer be accepted.")));
+    m_password = form::passwordField(theme(), column(), tr("Your own password"),
+                                     QStringLiteral("recovery_code.password"));
     m_note = new FieldNote(theme(), *column(), *m_password);
     setAccept(tr("Make the code"));
     connect(m_wait, &WaitCountdown::changed, this, [this](int seconds) { setAccept(waitWords(seconds)); });
@@ -51,8 +55,9 @@ void RecoveryCodeDialog::made(const tl::expected<std::string, database::Refusal>
     setWorking(false);
     if (code) {
         emit changed();
-        m_shown = new RecoveryCodePanel(theme(), QString::fromStdString(context().loginName()), QString::fromStdString(*code),
-                                        m_hasOne ? RecoveryCodePanel::Backups::haveEarlierCode : RecoveryCodePanel::Backups::haveNoCode);
+        m_shown = new RecoveryCodePanel(
+            theme(), QString::fromStdString(context().loginName()), QString::fromStdString(*code),
+            m_hasOne ? RecoveryCodePanel::Backups::haveEarlierCode : RecoveryCodePanel::Backups::haveNoCode);
         connect(m_shown, &RecoveryCodePanel::finished, this, &QDialog::accept);
         showSecret(m_shown, m_shown->findChild<QPushButton*>(QStringLiteral("recovery.copy")));
         hideCancel(); // the panel's own button works only after the tick
@@ -61,7 +66,8 @@ void RecoveryCodeDialog::made(const tl::expected<std::string, database::Refusal>
     if (code.error().kind == database::Refusal::Kind::wrong)
         m_note->say(wrongPasswordWords());
     else
-        say(code.error().kind == database::Refusal::Kind::failed ? "bad" : "warning", tr("No recovery code was made.\n%1").arg(refusalWords(code.error())));
+        say(code.error().kind == database::Refusal::Kind::failed ? "bad" : "warning",
+            tr("No recovery code was made.\n%1").arg(refusalWords(code.error())));
     m_wait->start(code.error().wait_ns);
     renew();
 }
@@ -69,7 +75,8 @@ void RecoveryCodeDialog::made(const tl::expected<std::string, database::Refusal>
 void RecoveryCodeDialog::reject() {
     if (m_shown && !m_shown->isConfirmed() && !m_warned) {
         m_warned = true;
-        say("warning", tr("The recovery code is not shown again. Write it down and tick the box first. If you close this window again, it is gone; you can then make a new one."));
+        say("warning", tr("The recovery code is not shown again. Write it down and tick the box first. If "
+                          "you close this window again, it is gone; you can then make a new one."));
         return;
     }
     FormDialog::reject();

@@ -18,10 +18,13 @@ QString commonWords(const database::Refusal& refusal, const QString& wrong) {
     case database::Refusal::Kind::wrong:
         return wrong;
     case database::Refusal::Kind::mustWait:
-        return words(QT_TRANSLATE_NOOP("AccountWords", "Too many wrong attempts. This account is locked for a moment; nothing is lost."));
+        return words(QT_TRANSLATE_NOOP(
+            "AccountWords",
+            "Too many wrong attempts. This account is locked for a moment; nothing is lost."));
     case database::Refusal::Kind::disabled:
-        return words(QT_TRANSLATE_NOOP("AccountWords", "This account is disabled. What was recorded is kept; an administrator can "
-                                                       "enable the account again."));
+        return words(QT_TRANSLATE_NOOP(
+            "AccountWords", "This account is disabled. What was recorded is kept; an administrator can "
+                            "enable the account again."));
     case database::Refusal::Kind::failed:
         break;
     }
@@ -45,13 +48,18 @@ QString roleName(database::Role role) {
 }
 
 QString refusalWords(const database::Refusal& refusal) {
-    return commonWords(refusal, words(QT_TRANSLATE_NOOP("AccountWords", "Wrong name or password. Passwords are case-sensitive; check Caps "
-                                                                        "Lock.")));
+    return commonWords(
+        refusal, words(QT_TRANSLATE_NOOP("AccountWords",
+                                         "Wrong name or password. Passwords are case-sensitive; check Caps "
+                                         "Lock.")));
 }
 
 QString loginRefusalWords(const database::Refusal& refusal) {
-    return commonWords(refusal, words(QT_TRANSLATE_NOOP("AccountWords", "Wrong name or password; check Caps Lock. Ask an administrator; your login "
-                                                                        "name may have changed.")));
+    return commonWords(
+        refusal,
+        words(QT_TRANSLATE_NOOP("AccountWords",
+                                "Wrong name or password; check Caps Lock. Ask an administrator; your login "
+                                "name may have changed.")));
 }
 
 QString wrongPasswordWords() {
@@ -59,8 +67,10 @@ QString wrongPasswordWords() {
 }
 
 QString recoveryRefusalWords(const database::Refusal& refusal) {
-    return commonWords(refusal, words(QT_TRANSLATE_NOOP("AccountWords", "Wrong name or recovery code. The code has five groups of five "
-                                                                        "letters and digits.")));
+    return commonWords(
+        refusal, words(QT_TRANSLATE_NOOP("AccountWords",
+                                         "Wrong name or recovery code. The code has five groups of five "
+                                         "letters and digits.")));
 }
 
 QString waitWords(int seconds) {

@@ -12,7 +12,8 @@
 
 namespace chiron::desktop::form {
 
-QLineEdit* textField(const Theme& theme, QVBoxLayout* layout, const QString& label, const QString& objectName) {
+QLineEdit* textField(const Theme& theme, QVBoxLayout* layout, const QString& label,
+                     const QString& objectName) {
     auto* words = kit::label(theme, label, TextStyle::label);
     auto* field = new QLineEdit;
     field->setObjectName(objectName);
@@ -27,7 +28,8 @@ QLineEdit* textField(const Theme& theme, QVBoxLayout* layout, const QString& lab
     return field;
 }
 
-QLineEdit* passwordField(const Theme& theme, QVBoxLayout* layout, const QString& label, const QString& objectName) {
+QLineEdit* passwordField(const Theme& theme, QVBoxLayout* layout, const QString& label,
+                         const QString& objectName) {
     auto* field = textField(theme, layout, label, objectName);
     field->setEchoMode(QLineEdit::Password);
     field->setInputMethodHints(Qt::ImhSensitiveData | Qt::ImhNoPredictiveText | Qt::ImhNoAutoUppercase);
@@ -51,9 +53,7 @@ QComboBox* languageChoice(AppContext& context) {
     choice->setCurrentIndex(choice->findData(context.language()));
     QObject::connect(
         choice, &QComboBox::activated, &context,
-        [&context, choice] {
-            context.setStationLanguage(choice->currentData().toString());
-        },
+        [&context, choice] { context.setStationLanguage(choice->currentData().toString()); },
         Qt::QueuedConnection);
     return choice;
 }

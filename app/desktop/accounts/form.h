@@ -19,8 +19,10 @@ namespace form {
 
 /// Adds an input field with a label above it to the layout. The label is also the field's accessible name.
 /// Thread: GUI.
-QLineEdit* textField(const Theme& theme, QVBoxLayout* layout, const QString& label, const QString& objectName);
-QLineEdit* passwordField(const Theme& theme, QVBoxLayout* layout, const QString& label, const QString& objectName);
+QLineEdit* textField(const Theme& theme, QVBoxLayout* layout, const QString& label,
+                     const QString& objectName);
+QLineEdit* passwordField(const Theme& theme, QVBoxLayout* layout, const QString& label,
+                         const QString& objectName);
 
 /// Sets the property "kind" of a widget that is already shown, and refreshes the widget's style.
 void setKind(QWidget* widget, const char* kind);

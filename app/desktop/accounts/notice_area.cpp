@@ -15,14 +15,16 @@ constexpr int kLines = 2;
 constexpr double kFrame_px = 24; // of kit::notice, above and below its text
 } // namespace
 
-NoticeArea::NoticeArea(const Theme& theme, Room room, QWidget* parent) : QWidget(parent), m_theme(theme), m_room(room) {
+NoticeArea::NoticeArea(const Theme& theme, Room room, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_room(room) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     if (room == Room::kept) {
         QSizePolicy keeps = sizePolicy();
         keeps.setRetainSizeWhenHidden(true);
         setSizePolicy(keeps);
-        setMinimumHeight(kLines * QFontMetrics(theme.font(TextStyle::body)).lineSpacing() + theme.px(kFrame_px));
+        setMinimumHeight(kLines * QFontMetrics(theme.font(TextStyle::body)).lineSpacing() +
+                         theme.px(kFrame_px));
         column->setAlignment(Qt::AlignTop);
     }
     hide();

@@ -10,12 +10,14 @@
 
 namespace chiron::desktop {
 
-PasswordFields::PasswordFields(const Theme& theme, const QString& prefix, QWidget* parent) : QWidget(parent), m_theme(theme) {
+PasswordFields::PasswordFields(const Theme& theme, const QString& prefix, QWidget* parent)
+    : QWidget(parent), m_theme(theme) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(10));
     m_password = form::passwordField(theme, column, tr("New password"), prefix + QStringLiteral(".password"));
-    m_repeat = form::passwordField(theme, column, tr("Repeat the password"), prefix + QStringLiteral(".repeat"));
+    m_repeat =
+        form::passwordField(theme, column, tr("Repeat the password"), prefix + QStringLiteral(".repeat"));
     auto* show = new QCheckBox(tr("Show the password"));
     show->setObjectName(prefix + QStringLiteral(".show"));
     column->addWidget(show);
@@ -25,7 +27,8 @@ PasswordFields::PasswordFields(const Theme& theme, const QString& prefix, QWidge
     rules->setSpacing(theme.px(4));
     const QLocale locale;
     addRule(tr("Length: %1 characters or more").arg(locale.toString(database::kMinimumPasswordCharacters)));
-    addRule(tr("Variety: %1 different characters or more").arg(locale.toString(database::kMinimumDifferentCharacters)));
+    addRule(tr("Variety: %1 different characters or more")
+                .arg(locale.toString(database::kMinimumDifferentCharacters)));
     addRule(tr("Not the login name"));
     addRule(tr("Both fields are the same"));
     column->addWidget(m_rules);
@@ -72,14 +75,17 @@ void PasswordFields::renew() {
     const bool empty = m_password->text().isEmpty();
     const database::PasswordCheck check = database::examinePassword(m_name.toStdString(), password());
     const bool same = !empty && m_password->text() == m_repeat->text();
-    const bool met[ruleCount] = {check.longEnough && check.storable, check.varied, !empty && check.notTheName, same};
+    const bool met[ruleCount] = {check.longEnough && check.storable, check.varied, !empty && check.notTheName,
+                                 same};
     QStringList heard;
     for (int rule = 0; rule < ruleCount; ++rule) {
         const Line& line = m_lines[static_cast<std::size_t>(rule)];
         const QString sign = met[rule] ? QStringLiteral("dialog-ok-apply") : QStringLiteral("dialog-cancel");
-        line.sign->setPixmap(m_theme.icon(sign, met[rule] ? Colour::good : Colour::muted).pixmap(m_theme.px(16), m_theme.px(16)));
+        line.sign->setPixmap(m_theme.icon(sign, met[rule] ? Colour::good : Colour::muted)
+                                 .pixmap(m_theme.px(16), m_theme.px(16)));
         form::setKind(line.words, met[rule] ? "good" : "muted");
-        line.words->setAccessibleName((met[rule] ? tr("Done: %1") : tr("Still missing: %1")).arg(line.words->text()));
+        line.words->setAccessibleName(
+            (met[rule] ? tr("Done: %1") : tr("Still missing: %1")).arg(line.words->text()));
         heard << line.words->accessibleName();
     }
     m_password->setAccessibleDescription(heard.join(QStringLiteral(". ")));

@@ -12,15 +12,17 @@
 
 namespace chiron::desktop {
 
-RecoveryCodePanel::RecoveryCodePanel(const Theme& theme, const QString& loginName, const QString& code, Backups backups, QWidget* parent)
+RecoveryCodePanel::RecoveryCodePanel(const Theme& theme, const QString& loginName, const QString& code,
+                                     Backups backups, QWidget* parent)
     : QWidget(parent), m_theme(theme), m_name(loginName), m_code(code) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(14));
     column->addWidget(kit::label(theme, tr("Your recovery code"), TextStyle::heading));
-    column->addWidget(kit::label(theme, tr("With this code you can set a new password if you forget yours. It is shown only now: the "
-                                           "program keeps no readable copy. Without it, only another administrator can help you. "
-                                           "Keep it as safe as your keys.")));
+    column->addWidget(kit::label(
+        theme, tr("With this code you can set a new password if you forget yours. It is shown only now: the "
+                  "program keeps no readable copy. Without it, only another administrator can help you. "
+                  "Keep it as safe as your keys.")));
     const kit::Box box = kit::box(theme, "info");
     auto* words = kit::label(theme, code, TextStyle::title);
     QFont font = theme.font(TextStyle::mono);
@@ -33,8 +35,10 @@ RecoveryCodePanel::RecoveryCodePanel(const Theme& theme, const QString& loginNam
     box.layout->addWidget(words);
     column->addWidget(box.frame);
     if (backups != Backups::none) {
-        auto* told = kit::label(theme, backups == Backups::haveEarlierCode ? tr("Backups made before now still have the earlier code.")
-                                                                           : tr("Backups made before now have no recovery code of yours."),
+        auto* told = kit::label(theme,
+                                backups == Backups::haveEarlierCode
+                                    ? tr("Backups made before now still have the earlier code.")
+                                    : tr("Backups made before now have no recovery code of yours."),
                                 TextStyle::small, "muted");
         told->setObjectName(QStringLiteral("recovery.backups"));
         column->addWidget(told);
@@ -74,10 +78,11 @@ void RecoveryCodePanel::print() {
     auto* dialog = new QPrintDialog(printer, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QObject::destroyed, [printer] { delete printer; });
-        connect(dialog, &QDialog::accepted, this, [this, printer] {
+    connect(dialog, &QDialog::accepted, this, [this, printer] {
         QPainter painter(printer);
         painter.setFont(m_theme.font(TextStyle::title));
-        const QString text = tr("Chiron: recovery code of %1\n\n%2\n\nKeep it as safe as your keys.").arg(m_name, m_code);
+        const QString text =
+            tr("Chiron: recovery code of %1\n\n%2\n\nKeep it as safe as your keys.").arg(m_name, m_code);
         painter.drawText(painter.viewport(), Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap, text);
     });
     dialog->open();

@@ -19,7 +19,8 @@ public:
     /// Which recovery code of this person the existing backups contain. The panel mentions it, because
     /// restoring a backup brings that state back.
     enum class Backups { none, haveNoCode, haveEarlierCode };
-    RecoveryCodePanel(const Theme& theme, const QString& loginName, const QString& code, Backups backups, QWidget* parent = nullptr);
+    RecoveryCodePanel(const Theme& theme, const QString& loginName, const QString& code, Backups backups,
+                      QWidget* parent = nullptr);
     bool isConfirmed() const;
 
 signals:

@@ -20,7 +20,8 @@ bool isSitting(const Place& place) {
 
 } // namespace
 
-BackupKeeper::BackupKeeper(AppContext& context, QObject* parent) : QObject(parent), m_context(context), m_waits(&session::waitAfterFailures) {
+BackupKeeper::BackupKeeper(AppContext& context, QObject* parent)
+    : QObject(parent), m_context(context), m_waits(&session::waitAfterFailures) {
     m_sinceTouch.start();
     m_timer.setInterval(kLook_ms);
     connect(&m_timer, &QTimer::timeout, this, &BackupKeeper::look);
@@ -36,8 +37,9 @@ BackupKeeper::BackupKeeper(AppContext& context, QObject* parent) : QObject(paren
 
 bool BackupKeeper::mayBegin() const {
     const bool waited = m_failures == 0 || m_sinceFailure.elapsed() >= m_waits(m_failures).count();
-    return !isRunning() && m_context.site().isOpen() && m_context.site().database().isWritable() && !m_context.trialRuns() &&
-           !isSitting(m_context.navigator().current()) && m_sinceTouch.elapsed() >= m_quiet_ms && waited;
+    return !isRunning() && m_context.site().isOpen() && m_context.site().database().isWritable() &&
+           !m_context.trialRuns() && !isSitting(m_context.navigator().current()) &&
+           m_sinceTouch.elapsed() >= m_quiet_ms && waited;
 }
 
 void BackupKeeper::look() {
@@ -45,7 +47,8 @@ void BackupKeeper::look() {
         return;
     m_token = m_context.background().run(
         this,
-        [&database = m_context.site().database(), station = m_context.settings().backupFolder().toStdString()](WorkToken& working) {
+        [&database = m_context.site().database(),
+         station = m_context.settings().backupFolder().toStdString()](WorkToken& working) {
             return session::backUpIfDue(database, station, &working.flag());
         },
         [this](const session::DailyWork& work) {
@@ -65,8 +68,9 @@ void BackupKeeper::failed(const QString& why) {
     m_sinceFailure.start();
     if (!m_context.has(database::Role::admin))
         return; // the home screen tells the next administrator
-    m_context.messages().tell({MessageKind::warning, tr("The automatic backup was not made; it is tried again.\n%1").arg(why), tr("Open storage"),
-                               [&context = m_context] { context.navigator().go(QStringLiteral("storage")); }});
+    m_context.messages().tell(
+        {MessageKind::warning, tr("The automatic backup was not made; it is tried again.\n%1").arg(why),
+         tr("Open storage"), [&context = m_context] { context.navigator().go(QStringLiteral("storage")); }});
 }
 
 void BackupKeeper::left(const Place& place) {

@@ -31,7 +31,9 @@ public:
     bool isRunning() const { return m_token != nullptr; }
     void setQuiet(int ms) { m_quiet_ms = ms; }
     /// Sets the function that gives the waiting time after a number of consecutive failures.
-    void setWaits(std::function<std::chrono::milliseconds(int failures)> waits) { m_waits = std::move(waits); }
+    void setWaits(std::function<std::chrono::milliseconds(int failures)> waits) {
+        m_waits = std::move(waits);
+    }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -34,7 +34,8 @@ void fillExitDialog(QDialog& dialog, const Theme& theme, const std::function<voi
     column->setSpacing(theme.px(12));
     column->addWidget(logo(theme, 48));
     column->addWidget(kit::label(theme, ExitBackup::tr("Making today's backup"), TextStyle::title));
-    auto* words = kit::label(theme, ExitBackup::tr("Chiron closes by itself when the backup is made and checked."));
+    auto* words =
+        kit::label(theme, ExitBackup::tr("Chiron closes by itself when the backup is made and checked."));
     column->addWidget(words);
     auto* bar = new QProgressBar;
     bar->setAccessibleName(ExitBackup::tr("Progress"));
@@ -57,9 +58,8 @@ void backUpAtExit(AppContext& context) {
     QEventLoop loop;
     const auto token = context.background().run(
         &loop,
-        [&database = context.site().database(), station = context.settings().backupFolder().toStdString()](WorkToken& working) {
-            return session::backUpIfDue(database, station, &working.flag()).due;
-        },
+        [&database = context.site().database(), station = context.settings().backupFolder().toStdString()](
+            WorkToken& working) { return session::backUpIfDue(database, station, &working.flag()).due; },
         [&loop](bool) { loop.quit(); });
     QDialog dialog;
     fillExitDialog(dialog, context.theme(), [token] { token->cancel(); });

@@ -59,14 +59,16 @@ void BandBar::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(m_theme.color(Colour::bad), 2 * unit));
     for (const auto& gate : {m_row.gateMinimum, m_row.gateMaximum})
         if (gate)
-            painter.drawLine(QPointF(xOf(*gate), groove.top() - 7 * unit), QPointF(xOf(*gate), groove.bottom() + 7 * unit));
+            painter.drawLine(QPointF(xOf(*gate), groove.top() - 7 * unit),
+                             QPointF(xOf(*gate), groove.bottom() + 7 * unit));
     if (!m_row.value || !std::isfinite(*m_row.value))
         return;
     const double x = xOf(*m_row.value);
     painter.setPen(QPen(m_theme.color(Colour::surface), unit));
     painter.setBrush(m_theme.color(Colour::text));
-    painter.drawPolygon(QPolygonF({QPointF(x, groove.center().y()), QPointF(x - 6 * unit, groove.top() - 11 * unit),
-                                   QPointF(x + 6 * unit, groove.top() - 11 * unit)}));
+    painter.drawPolygon(
+        QPolygonF({QPointF(x, groove.center().y()), QPointF(x - 6 * unit, groove.top() - 11 * unit),
+                   QPointF(x + 6 * unit, groove.top() - 11 * unit)}));
 }
 
 } // namespace chiron::desktop

@@ -15,10 +15,12 @@ namespace chiron::desktop {
 namespace {
 
 /// Values of the latest earlier attempt that is comparable with this one.
-core::Result<std::map<std::string, double>> valuesBefore(database::Connection& connection, const database::Actor& actor,
+core::Result<std::map<std::string, double>> valuesBefore(database::Connection& connection,
+                                                         const database::Actor& actor,
                                                          const database::SessionSummary& now) {
     std::map<std::string, double> values;
-    if (now.person == database::Actor::kSimulatedPerson || !session::countsAsAttempt(now)) // a demonstration is nobody's attempt
+    if (now.person == database::Actor::kSimulatedPerson ||
+        !session::countsAsAttempt(now)) // a demonstration is nobody's attempt
         return values;
     database::SessionFilter filter;
     filter.person = now.person;
@@ -28,13 +30,16 @@ core::Result<std::map<std::string, double>> valuesBefore(database::Connection& c
     CHIRON_TRY(listed);
     std::optional<database::SessionId> latest;
     for (const database::SessionSummary& other : *listed)
-        if (other.id < now.id && other.felt == now.felt && other.state == database::SessionState::completed && session::countsAsAttempt(other))
+        if (other.id < now.id && other.felt == now.felt && other.state == database::SessionState::completed &&
+            session::countsAsAttempt(other))
             latest = std::max(latest.value_or(0), other.id);
     if (!latest)
         return values;
     const auto card = database::ScoreRepository(connection, actor).scores(*latest);
     if (!card)
-        return card.error().code == core::ErrorCode::notFound ? core::Result<std::map<std::string, double>>(values) : tl::unexpected(card.error());
+        return card.error().code == core::ErrorCode::notFound
+                   ? core::Result<std::map<std::string, double>>(values)
+                   : tl::unexpected(card.error());
     for (const scoring::MetricValue& metric : card->metrics)
         if (metric.value)
             values.emplace(metric.id, *metric.value);
@@ -43,7 +48,9 @@ core::Result<std::map<std::string, double>> valuesBefore(database::Connection& c
 
 } // namespace
 
-QString commentsSeenKey(database::SessionId session) { return QStringLiteral("comments_seen_%1").arg(session); }
+QString commentsSeenKey(database::SessionId session) {
+    return QStringLiteral("comments_seen_%1").arg(session);
+}
 
 core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, const database::Actor& actor,
                                           database::SessionId session, const std::string& language) {
@@ -77,8 +84,9 @@ core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, cons
     return head;
 }
 
-core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection, const database::Actor& actor,
-                                                database::SessionId session, const std::atomic<bool>& cancelled) {
+core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection,
+                                                const database::Actor& actor, database::SessionId session,
+                                                const std::atomic<bool>& cancelled) {
     auto stored = session::SessionView::open(connection, actor, session);
     CHIRON_TRY(stored);
     if (auto read = (*stored)->decode([&cancelled](double) { return !cancelled.load(); }); !read)
@@ -96,10 +104,12 @@ core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection
     CHIRON_TRY(comments);
     for (NamedComment& named : *comments) {
         const auto tick = named.comment.tick;
-        details.comments.push_back({std::move(named), tick ? std::optional(track.timeOfTick(*tick)) : std::nullopt});
+        details.comments.push_back(
+            {std::move(named), tick ? std::optional(track.timeOfTick(*tick)) : std::nullopt});
     }
     details.trials = track.trials;
-    std::stable_sort(details.comments.begin(), details.comments.end(), [](const auto& a, const auto& b) { return a.t_s < b.t_s; });
+    std::stable_sort(details.comments.begin(), details.comments.end(),
+                     [](const auto& a, const auto& b) { return a.t_s < b.t_s; });
     auto card = database::ScoreRepository(connection, actor).scores(session);
     if (!card && card.error().code != core::ErrorCode::notFound)
         return tl::unexpected(card.error());

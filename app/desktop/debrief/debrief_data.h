@@ -23,7 +23,7 @@ struct DebriefHead {
     database::SessionRecord record; ///< with the person's name as the screens show it
     session::SessionSetup setup;
     const ExerciseFace* face = nullptr; ///< of its exercise; never null once loaded
-    report::ReportData report; ///< facts and metrics, without samples
+    report::ReportData report;          ///< facts and metrics, without samples
     /// Values by metric of the same person's previous attempt at this level, on a device of the same class.
     /// Empty if there was none.
     std::map<std::string, double> before;
@@ -45,7 +45,7 @@ struct DebriefDetails {
     report::ForceFacts force;
     std::optional<session::WorstMoment> worst;
     double duration_s = 0.0;
-    std::vector<CommentAtMoment> comments; ///< by time, those on the whole session first
+    std::vector<CommentAtMoment> comments;      ///< by time, those on the whole session first
     std::vector<session::PlaybackTrial> trials; ///< to say in which trial a comment lies
 };
 
@@ -61,8 +61,9 @@ core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, cons
 /// Reads the recording of a session for its debrief.
 /// Thread: worker; blocks.
 /// Errors: those of the reader; doesNotHold naming a damaged chunk; cancelled.
-core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection, const database::Actor& actor,
-                                                database::SessionId session, const std::atomic<bool>& cancelled);
+core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection,
+                                                const database::Actor& actor, database::SessionId session,
+                                                const std::atomic<bool>& cancelled);
 /// Reads everything that the printed report needs.
 /// Thread: worker; blocks.
 /// Errors: as for loadDebriefDetails().

@@ -19,8 +19,7 @@
 // Builds the parts of a debrief.
 namespace chiron::desktop {
 
-namespace {
-}
+namespace {}
 
 QWidget* DebriefScreen::headBox() {
     const Theme& theme = context().theme();
@@ -29,24 +28,33 @@ QWidget* DebriefScreen::headBox() {
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(2));
-    const QString exercise = exerciseTitle(context().site().catalogue(), summary.exercise, context().language());
-    const QString level = QString::fromStdString(catalogue::textIn(m_head->setup.level.title, context().language().toStdString()));
+    const QString exercise =
+        exerciseTitle(context().site().catalogue(), summary.exercise, context().language());
+    const QString level = QString::fromStdString(
+        catalogue::textIn(m_head->setup.level.title, context().language().toStdString()));
     const QString number = context().locale().toString(summary.level);
-    auto* heading = kit::label(theme,
-                               summary.attempt > 0 ? tr("%1, attempt %2 at level %3: %4").arg(exercise, context().locale().toString(summary.attempt), number, level)
-                                                   : tr("%1, level %2: %3").arg(exercise, number, level),
-                               TextStyle::heading);
+    auto* heading = kit::label(
+        theme,
+        summary.attempt > 0 ? tr("%1, attempt %2 at level %3: %4")
+                                  .arg(exercise, context().locale().toString(summary.attempt), number, level)
+                            : tr("%1, level %2: %3").arg(exercise, number, level),
+        TextStyle::heading);
     heading->setObjectName(QStringLiteral("debrief.title"));
     column->addWidget(heading);
     const QString device = deviceText(m_head->setup.devices.front());
-    auto* facts = kit::label(theme, tr("%1 · %2 · %3 · %4").arg(whoText(summary), whenText(summary, context().locale()), device, forceText(summary)),
-                             TextStyle::body, "muted");
+    auto* facts = kit::label(
+        theme,
+        tr("%1 · %2 · %3 · %4")
+            .arg(whoText(summary), whenText(summary, context().locale()), device, forceText(summary)),
+        TextStyle::body, "muted");
     facts->setObjectName(QStringLiteral("debrief.facts"));
     column->addWidget(facts);
     if (!summary.felt)
-        column->addWidget(kit::label(theme, tr("Force was shown, not felt: these scores form a separate series and are not compared with "
-                                               "scores from felt force."),
-                                     TextStyle::small, "muted"));
+        column->addWidget(kit::label(
+            theme,
+            tr("Force was shown, not felt: these scores form a separate series and are not compared with "
+               "scores from felt force."),
+            TextStyle::small, "muted"));
     return box;
 }
 
@@ -108,11 +116,15 @@ QWidget* DebriefScreen::decisionsBox() {
     box.layout->addWidget(kit::label(theme, tr("What was decided about this session"), TextStyle::title));
     for (const database::SessionDecision& decision : decisions) {
         const auto name = m_head->deciders.find(decision.person);
-        const QString who = name == m_head->deciders.end() ? tr("somebody whose account is closed") : QString::fromStdString(name->second);
+        const QString who = name == m_head->deciders.end() ? tr("somebody whose account is closed")
+                                                           : QString::fromStdString(name->second);
         const QDateTime when = QDateTime::fromString(QString::fromStdString(decision.utc), Qt::ISODateWithMs);
-        const QString why = decision.reason.empty() ? tr("(erased)") : QString::fromStdString(decision.reason);
+        const QString why =
+            decision.reason.empty() ? tr("(erased)") : QString::fromStdString(decision.reason);
         const QString day = context().locale().toString(when.toLocalTime(), QLocale::ShortFormat);
-        auto* line = kit::label(theme, decision.voiding ? tr("Voided on %1 by %2: %3").arg(day, who, why) : tr("Counted again on %1 by %2: %3").arg(day, who, why));
+        auto* line =
+            kit::label(theme, decision.voiding ? tr("Voided on %1 by %2: %3").arg(day, who, why)
+                                               : tr("Counted again on %1 by %2: %3").arg(day, who, why));
         line->setObjectName(QStringLiteral("debrief.decision"));
         box.layout->addWidget(line);
     }
@@ -121,9 +133,11 @@ QWidget* DebriefScreen::decisionsBox() {
 
 std::vector<MetricAdvice> DebriefScreen::adviceNow() const {
     std::vector<MetricAdvice> advice;
-    if (const catalogue::Exercise* exercise = context().site().catalogue().find(m_head->record.summary.exercise))
+    if (const catalogue::Exercise* exercise =
+            context().site().catalogue().find(m_head->record.summary.exercise))
         for (const auto& [metric, text] : exercise->advice)
-            advice.push_back({metric, QString::fromStdString(catalogue::textIn(text, context().language().toStdString()))});
+            advice.push_back({metric, QString::fromStdString(
+                                          catalogue::textIn(text, context().language().toStdString()))});
     return advice;
 }
 
@@ -131,7 +145,8 @@ QWidget* DebriefScreen::actionRow() {
     const Theme& theme = context().theme();
     auto* bar = new QWidget;
     auto* row = new FlowLayout(theme.px(8), bar); // wraps, because the buttons may be wider than the window
-    const bool passed = m_head->report.passed.value_or(false) && m_head->record.summary.state == database::SessionState::completed;
+    const bool passed = m_head->report.passed.value_or(false) &&
+                        m_head->record.summary.state == database::SessionState::completed;
     const int level = m_head->record.summary.level;
     if (isMine() && passed && hasNextLevel()) {
         auto* next = kit::button(theme, tr("Next level"), "primary", QStringLiteral("go-next"));
@@ -146,7 +161,8 @@ QWidget* DebriefScreen::actionRow() {
         row->addWidget(now);
     }
     if (isMine()) {
-        const QString words = m_head->record.summary.familiarisation ? tr("Start a session that counts") : tr("Try again");
+        const QString words =
+            m_head->record.summary.familiarisation ? tr("Start a session that counts") : tr("Try again");
         auto* again = kit::button(theme, words, passed ? "" : "primary", QStringLiteral("view-refresh"));
         again->setObjectName(QStringLiteral("debrief.again"));
         connect(again, &QPushButton::clicked, this, [this, level] { openSetup(level); });
@@ -198,7 +214,8 @@ void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments, c
     std::vector<database::PersonId> authors;
     for (const database::SessionComment* comment : written)
         authors.push_back(comment->author);
-    if (context().settings().ofPerson(person, commentsSeenKey(sessionId()), 0).toInt() < newsUpTo(authors, person, m_head->record.summary.person == person))
+    if (context().settings().ofPerson(person, commentsSeenKey(sessionId()), 0).toInt() <
+        newsUpTo(authors, person, m_head->record.summary.person == person))
         context().setUnread(std::max(0, context().unread() - 1));
     context().settings().setOfPerson(person, commentsSeenKey(sessionId()), static_cast<int>(comments.size()));
     delete m_commentBox; // shown without moments until the recording has been read
@@ -212,19 +229,21 @@ void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments, c
     for (const CommentAtMoment& comment : comments) {
         const database::SessionComment& stored = comment.named.comment;
         const QString author = stored.author == context().actor().personId() ? tr("You")
-                               : comment.named.author.empty()               ? tr("Somebody else")
-                                                                            : QString::fromStdString(comment.named.author);
+                               : comment.named.author.empty()                ? tr("Somebody else")
+                                                              : QString::fromStdString(comment.named.author);
         const QString text = stored.text.empty() ? tr("(erased)") : QString::fromStdString(stored.text);
         auto* line = new QHBoxLayout;
         line->setSpacing(theme.px(12));
-        auto* words = kit::label(theme, comment.t_s ? tr("%1 · %2: %3").arg(author, moments.at(*comment.t_s), text)
-                                                    : tr("%1: %2").arg(author, text));
+        auto* words =
+            kit::label(theme, comment.t_s ? tr("%1 · %2: %3").arg(author, moments.at(*comment.t_s), text)
+                                          : tr("%1: %2").arg(author, text));
         words->setObjectName(QStringLiteral("debrief.comment"));
         line->addWidget(words, 1);
         if (comment.t_s && !m_head->record.summary.recordingErased) {
             auto* watch = kit::button(theme, tr("Watch"), "", QStringLiteral("go-jump"));
             watch->setObjectName(QStringLiteral("debrief.comment_watch"));
-            connect(watch, &QPushButton::clicked, this, [this, at_s = *comment.t_s, caption = words->text()] { openComment(at_s, caption); });
+            connect(watch, &QPushButton::clicked, this,
+                    [this, at_s = *comment.t_s, caption = words->text()] { openComment(at_s, caption); });
             line->addWidget(watch, 0, Qt::AlignTop);
         }
         if (QWidget* reply = replyButton(stored))
@@ -238,13 +257,15 @@ void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments, c
 QWidget* DebriefScreen::replyButton(const database::SessionComment& comment) {
     const auto self = context().actor().personId();
     using enum database::Role;
-    const bool may = m_head->record.summary.person == self || context().has(trainer) || context().has(researcher) || context().has(admin);
+    const bool may = m_head->record.summary.person == self || context().has(trainer) ||
+                     context().has(researcher) || context().has(admin);
     if (!may || comment.author == self || m_head->record.summary.recordingErased)
         return nullptr;
     auto* reply = kit::button(context().theme(), tr("Reply"), "", QStringLiteral("edit-comment"));
     reply->setObjectName(QStringLiteral("debrief.comment_reply"));
     connect(reply, &QPushButton::clicked, this, [this, id = comment.id] {
-        openPlayback({{QStringLiteral("tab"), QStringLiteral("comments")}, {QStringLiteral("reply"), static_cast<qint64>(id)}});
+        openPlayback({{QStringLiteral("tab"), QStringLiteral("comments")},
+                      {QStringLiteral("reply"), static_cast<qint64>(id)}});
     });
     return reply;
 }

@@ -44,16 +44,21 @@ QString DebriefScreen::title() const {
 }
 
 QString DebriefScreen::help() const {
-    return tr("The result of this session.\n\nAt the top: whether it passed, and if not, which pass mark was missed and by how much. "
-              "Below, the most important numbers on their scale: the pointer is the value, the line the pass mark, the band what others "
-              "reached.\n\n\"Watch the worst moment\" opens the playback where it went wrong most. \"Report\" writes a printable PDF. The table "
+    return tr("The result of this session.\n\nAt the top: whether it passed, and if not, which pass mark was "
+              "missed and by how much. "
+              "Below, the most important numbers on their scale: the pointer is the value, the line the pass "
+              "mark, the band what others "
+              "reached.\n\n\"Watch the worst moment\" opens the playback where it went wrong most. "
+              "\"Report\" writes a printable PDF. The table "
               "holds every metric with what it means.");
 }
 
 std::vector<ScreenCommand> DebriefScreen::commands() {
-    std::vector<ScreenCommand> list{{tr("Open the playback"), QKeySequence(QStringLiteral("Ctrl+P")), [this] { openPlayback(); }},
-                                    {tr("Write the report (PDF)"), QKeySequence(QStringLiteral("Ctrl+S")), [this] { askReport(); }}};
-    if (const QString results = m_head ? resultsCommand(context(), m_head->record.summary) : QString(); !results.isEmpty())
+    std::vector<ScreenCommand> list{
+        {tr("Open the playback"), QKeySequence(QStringLiteral("Ctrl+P")), [this] { openPlayback(); }},
+        {tr("Write the report (PDF)"), QKeySequence(QStringLiteral("Ctrl+S")), [this] { askReport(); }}};
+    if (const QString results = m_head ? resultsCommand(context(), m_head->record.summary) : QString();
+        !results.isEmpty())
         list.push_back({results, {}, [this] { openResults(); }});
     return list;
 }
@@ -71,9 +76,11 @@ void DebriefScreen::load() {
     database::Database& database = context().site().database();
     context().background().run(
         this,
-        [&database, actor = context().actor(), id = sessionId(), language = context().language().toStdString()](WorkToken&) {
+        [&database, actor = context().actor(), id = sessionId(),
+         language = context().language().toStdString()](WorkToken&) {
             auto connection = database.openReader();
-            return connection ? loadDebriefHead(**connection, actor, id, language) : core::Result<DebriefHead>(tl::unexpected(connection.error()));
+            return connection ? loadDebriefHead(**connection, actor, id, language)
+                              : core::Result<DebriefHead>(tl::unexpected(connection.error()));
         },
         [this](core::Result<DebriefHead> head) {
             if (head)
@@ -105,11 +112,15 @@ void DebriefScreen::showHead(DebriefHead head) {
         m_column->addWidget(kit::label(context().theme(), tr("All metrics"), TextStyle::title));
         const database::SessionState state = m_head->record.summary.state;
         if (state != database::SessionState::completed && state != database::SessionState::voided)
-            m_column->addWidget(kit::label(context().theme(), tr("The session was not completed: these values are not compared with pass "
-                                                                 "marks."), TextStyle::small, "muted"));
+            m_column->addWidget(
+                kit::label(context().theme(),
+                           tr("The session was not completed: these values are not compared with pass "
+                              "marks."),
+                           TextStyle::small, "muted"));
         m_column->addWidget(new MetricsTable(context().theme(), m_head->report.metrics, context().locale()));
     } else if (m_head->record.summary.state != database::SessionState::completed) {
-        auto* none = kit::label(context().theme(), tr("No trial was completed: there is no score."), TextStyle::body, "muted");
+        auto* none = kit::label(context().theme(), tr("No trial was completed: there is no score."),
+                                TextStyle::body, "muted");
         none->setObjectName(QStringLiteral("debrief.no_score"));
         m_column->addWidget(none);
     }
@@ -138,8 +149,9 @@ void DebriefScreen::focusNextStep() {
 void DebriefScreen::loadDetails() {
     if (m_head->record.summary.recordingErased) {
         m_worstText->hide();
-        m_answers->showEmpty(tr("The recording was erased"), tr("It was erased at the person's request. The scores above are kept; there "
-                                                                "is nothing to play back."));
+        m_answers->showEmpty(tr("The recording was erased"),
+                             tr("It was erased at the person's request. The scores above are kept; there "
+                                "is nothing to play back."));
         return;
     }
     database::Database& database = context().site().database();
@@ -161,7 +173,8 @@ void DebriefScreen::loadDetails() {
 
 void DebriefScreen::showNoDetails(const core::Error& error) {
     m_worstText->hide();
-    m_answers->showError(tr("The recording could not be read. The scores above are as they were stored."), error);
+    m_answers->showError(tr("The recording could not be read. The scores above are as they were stored."),
+                         error);
 }
 
 void DebriefScreen::showDetails(const DebriefDetails& details) {
@@ -171,7 +184,8 @@ void DebriefScreen::showDetails(const DebriefDetails& details) {
     else
         m_worstText->setText(tr("No moment stands out."));
     showForce(details.force);
-    showComments(details.comments, {details.trials, m_head->record.setup.plannedTrials > 1, context().locale()});
+    showComments(details.comments,
+                 {details.trials, m_head->record.setup.plannedTrials > 1, context().locale()});
     if (!details.part)
         return m_answers->showError(details.part.error().words, details.part.error().why);
     const DebriefPart* part = details.part->get();
@@ -198,9 +212,15 @@ void DebriefScreen::showWorst(const session::WorstMoment& worst) {
     const QString into = clockText(worst.intoTrial_s, locale);
     // A count concerns the whole session, and only one of the events happened here.
     const bool counted = worst.unit == "count";
-    const QString what = counted ? metric : tr("%1: %2").arg(metric, report::formatValue(worst.value, unitText(QString::fromStdString(worst.unit)), locale));
-    const QString where = m_head->record.setup.plannedTrials > 1 ? tr("%1 in trial %2, %3 after it began").arg(what, locale.toString(worst.trial + 1), into)
-                                                                 : tr("%1, %2 after the start").arg(what, into);
+    const QString what =
+        counted ? metric
+                : tr("%1: %2").arg(
+                      metric,
+                      report::formatValue(worst.value, unitText(QString::fromStdString(worst.unit)), locale));
+    const QString where =
+        m_head->record.setup.plannedTrials > 1
+            ? tr("%1 in trial %2, %3 after it began").arg(what, locale.toString(worst.trial + 1), into)
+            : tr("%1, %2 after the start").arg(what, into);
     const QString inRecording = tr("%1 (%2 in the recording)").arg(where, clockText(worst.t_s, locale));
     m_worst->setToolTip(inRecording);
     m_worst->setAccessibleDescription(inRecording);
@@ -209,11 +229,13 @@ void DebriefScreen::showWorst(const session::WorstMoment& worst) {
 }
 
 bool DebriefScreen::isMine() const {
-    return m_head && m_head->record.summary.person == context().actor().personId() && m_head->record.summary.operatorName.empty();
+    return m_head && m_head->record.summary.person == context().actor().personId() &&
+           m_head->record.summary.operatorName.empty();
 }
 
 bool DebriefScreen::hasNextLevel() const {
-    return context().site().catalogue().find(m_head->record.summary.exercise, m_head->record.summary.level + 1) != nullptr;
+    return context().site().catalogue().find(m_head->record.summary.exercise,
+                                             m_head->record.summary.level + 1) != nullptr;
 }
 
 bool DebriefScreen::mayTryNow() const {
@@ -224,7 +246,9 @@ bool DebriefScreen::mayTryNow() const {
 
 std::optional<TrainingPlan> DebriefScreen::demonstration() const {
     const database::SessionSummary& summary = m_head->record.summary;
-    return context().site().catalogue().find(summary.exercise, summary.level) ? expertPlan(summary.exercise, summary.level) : std::nullopt;
+    return context().site().catalogue().find(summary.exercise, summary.level)
+               ? expertPlan(summary.exercise, summary.level)
+               : std::nullopt;
 }
 
 void DebriefScreen::openPlayback(QVariantMap at) {
@@ -236,17 +260,23 @@ void DebriefScreen::openWorst() {
     if (!m_worstMoment)
         return;
     const double t_s = m_worstMoment->t_s;
-    openPlayback({{QStringLiteral("at_s"), std::max(0.0, t_s - kLeadIn_s)}, {QStringLiteral("caption"), m_worstText->text()}, {QStringLiteral("caption_s"), t_s}});
+    openPlayback({{QStringLiteral("at_s"), std::max(0.0, t_s - kLeadIn_s)},
+                  {QStringLiteral("caption"), m_worstText->text()},
+                  {QStringLiteral("caption_s"), t_s}});
 }
 
 void DebriefScreen::openComment(double at_s, const QString& words) {
-    openPlayback({{QStringLiteral("at_s"), std::max(0.0, at_s - kLeadIn_s)}, {QStringLiteral("caption"), words}, {QStringLiteral("caption_s"), at_s}, {QStringLiteral("tab"), QStringLiteral("comments")}});
+    openPlayback({{QStringLiteral("at_s"), std::max(0.0, at_s - kLeadIn_s)},
+                  {QStringLiteral("caption"), words},
+                  {QStringLiteral("caption_s"), at_s},
+                  {QStringLiteral("tab"), QStringLiteral("comments")}});
 }
 
 void DebriefScreen::openSetup(int level) {
-    context().navigator().go(QStringLiteral("exercise_setup"),
-                             {{QStringLiteral("exercise"), QString::fromStdString(m_head->record.summary.exercise)},
-                              {QStringLiteral("level"), level}});
+    context().navigator().go(
+        QStringLiteral("exercise_setup"),
+        {{QStringLiteral("exercise"), QString::fromStdString(m_head->record.summary.exercise)},
+         {QStringLiteral("level"), level}});
 }
 
 void DebriefScreen::openResults() {
@@ -273,19 +303,24 @@ void DebriefScreen::writeReport(const QString& path) {
     database::Database& database = context().site().database();
     context().background().run(
         this,
-        [&database, actor = context().actor(), id = sessionId(), language = context().language().toStdString()](WorkToken&) {
+        [&database, actor = context().actor(), id = sessionId(),
+         language = context().language().toStdString()](WorkToken&) {
             auto connection = database.openReader();
-            return connection ? loadReport(**connection, actor, id, language) : core::Result<report::ReportData>(tl::unexpected(connection.error()));
+            return connection ? loadReport(**connection, actor, id, language)
+                              : core::Result<report::ReportData>(tl::unexpected(connection.error()));
         },
         [this, path](core::Result<report::ReportData> loaded) {
             m_report->setEnabled(true);
             if (loaded)
-                translateReport(*loaded, {whoText(m_head->record.summary),
-                                          exerciseTitle(context().site().catalogue(), m_head->record.summary.exercise, context().language()),
-                                          deviceText(m_head->setup.devices.front())});
+                translateReport(*loaded,
+                                {whoText(m_head->record.summary),
+                                 exerciseTitle(context().site().catalogue(), m_head->record.summary.exercise,
+                                               context().language()),
+                                 deviceText(m_head->setup.devices.front())});
             // Paper is always light, so the report uses its own theme instead of the screen's.
-            const core::Result<void> written = loaded ? report::writeSessionPdf(path, *loaded, report::lightTheme(context().locale()))
-                                                    : core::Result<void>(tl::unexpected(loaded.error()));
+            const core::Result<void> written =
+                loaded ? report::writeSessionPdf(path, *loaded, report::lightTheme(context().locale()))
+                       : core::Result<void>(tl::unexpected(loaded.error()));
             if (written)
                 context().messages().done(tr("The report was written to %1.").arg(path));
             else

@@ -64,7 +64,7 @@ private:
     void openResults();
     std::vector<MetricAdvice> adviceNow() const; ///< from the exercise, in the person's language
     bool isMine() const;
-    bool mayTryNow() const;       ///< true for a scripted demonstration: the viewer may try it now
+    bool mayTryNow() const; ///< true for a scripted demonstration: the viewer may try it now
     std::optional<TrainingPlan> demonstration() const; ///< the plan of a demonstration of this level
     bool hasNextLevel() const;
 
@@ -76,7 +76,7 @@ private:
     QPushButton* m_worst = nullptr;
     QVBoxLayout* m_comments = nullptr; ///< the column that contains m_commentBox
     QWidget* m_commentBox = nullptr;   ///< the comments on the session; null if there are none
-    QLabel* m_worstText = nullptr; ///< describes the worst moment and where it is
+    QLabel* m_worstText = nullptr;     ///< describes the worst moment and where it is
     QPushButton* m_report = nullptr;
     std::optional<DebriefHead> m_head;
     std::optional<session::WorstMoment> m_worstMoment;

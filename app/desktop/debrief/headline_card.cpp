@@ -8,7 +8,8 @@
 
 namespace chiron::desktop {
 
-HeadlineCard::HeadlineCard(const Theme& theme, const report::MetricRow& row, const QLocale& locale, QWidget* parent)
+HeadlineCard::HeadlineCard(const Theme& theme, const report::MetricRow& row, const QLocale& locale,
+                           QWidget* parent)
     : QFrame(parent) {
     setProperty("kind", QStringLiteral("card"));
     setObjectName(QStringLiteral("headline.%1").arg(row.id));
@@ -30,10 +31,12 @@ HeadlineCard::HeadlineCard(const Theme& theme, const report::MetricRow& row, con
         words = *row.passed ? tr("Met: pass mark %1").arg(gate) : tr("Not met: pass mark %1").arg(gate);
         auto* sign = new QLabel;
         const QString icon = *row.passed ? QStringLiteral("dialog-ok-apply") : QStringLiteral("dialog-close");
-        sign->setPixmap(theme.icon(icon, *row.passed ? Colour::good : Colour::bad).pixmap(theme.px(18), theme.px(18)));
+        sign->setPixmap(
+            theme.icon(icon, *row.passed ? Colour::good : Colour::bad).pixmap(theme.px(18), theme.px(18)));
         verdict->addWidget(sign, 0, Qt::AlignTop);
     }
-    auto* verdictLabel = kit::label(theme, words, TextStyle::strong, row.passed ? (*row.passed ? "good" : "bad") : "muted");
+    auto* verdictLabel =
+        kit::label(theme, words, TextStyle::strong, row.passed ? (*row.passed ? "good" : "bad") : "muted");
     verdictLabel->setObjectName(QStringLiteral("headline.verdict"));
     verdict->addWidget(verdictLabel, 1);
     column->addLayout(verdict);
@@ -41,7 +44,8 @@ HeadlineCard::HeadlineCard(const Theme& theme, const report::MetricRow& row, con
         column->addWidget(kit::label(theme, metricReason(row.reason), TextStyle::small, "muted"));
     const QString band = report::formatBand(row, locale);
     if (!band.isEmpty())
-        column->addWidget(kit::label(theme, tr("Benchmark %1 (%2)").arg(band, bandSourceText(row.bandSource)), TextStyle::small, "muted"));
+        column->addWidget(kit::label(theme, tr("Benchmark %1 (%2)").arg(band, bandSourceText(row.bandSource)),
+                                     TextStyle::small, "muted"));
     if (row.chance)
         column->addWidget(kit::label(theme, report::chanceWords(row, locale), TextStyle::small, "muted"));
     column->addStretch();

@@ -15,7 +15,8 @@ namespace chiron::desktop {
 class HeadlineCard : public QFrame {
     Q_OBJECT
 public:
-    HeadlineCard(const Theme& theme, const report::MetricRow& row, const QLocale& locale, QWidget* parent = nullptr);
+    HeadlineCard(const Theme& theme, const report::MetricRow& row, const QLocale& locale,
+                 QWidget* parent = nullptr);
 };
 
 } // namespace chiron::desktop

@@ -8,13 +8,15 @@
 
 namespace chiron::desktop {
 
-MetricsTable::MetricsTable(const Theme& theme, const std::vector<report::MetricRow>& rows, const QLocale& locale, QWidget* parent)
+MetricsTable::MetricsTable(const Theme& theme, const std::vector<report::MetricRow>& rows,
+                           const QLocale& locale, QWidget* parent)
     : QWidget(parent), m_table(new MeaningTable(theme, 5)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     m_table->setObjectName(QStringLiteral("debrief.metrics"));
     m_table->setAccessibleName(tr("All metrics"));
-    m_table->setHorizontalHeaderLabels({tr("Metric"), tr("Value"), tr("Pass mark"), tr("Benchmark, chance"), tr("Result")});
+    m_table->setHorizontalHeaderLabels(
+        {tr("Metric"), tr("Value"), tr("Pass mark"), tr("Benchmark, chance"), tr("Result")});
     fill(theme, rows, locale);
     m_table->hideEmptyColumns();
     column->addWidget(m_table);
@@ -28,20 +30,23 @@ void MetricsTable::put(int row, int column, const QString& text, const QString& 
     m_table->setItem(row, column, item);
 }
 
-void MetricsTable::fill(const Theme& theme, const std::vector<report::MetricRow>& rows, const QLocale& locale) {
+void MetricsTable::fill(const Theme& theme, const std::vector<report::MetricRow>& rows,
+                        const QLocale& locale) {
     m_table->setRowCount(static_cast<int>(rows.size()));
     for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
         const report::MetricRow& row = rows[static_cast<std::size_t>(i)];
         const QString meaning = metricMeaning(row.id, row.trials);
         put(i, 0, metricTitle(row.id, row.trials), meaning);
-        put(i, 1, row.value ? report::formatValue(row.value, row.unit, locale) : metricReason(row.reason), meaning);
+        put(i, 1, row.value ? report::formatValue(row.value, row.unit, locale) : metricReason(row.reason),
+            meaning);
         put(i, 2, report::formatGate(row, locale), meaning);
         const QString band = report::formatBand(row, locale);
         put(i, 3, band.isEmpty() ? report::chanceWords(row, locale) : band, meaning);
         put(i, 4, !row.passed ? QString() : *row.passed ? tr("Met") : tr("Not met"), meaning);
         if (row.passed)
-            m_table->item(i, 4)->setIcon(*row.passed ? theme.icon(QStringLiteral("dialog-ok-apply"), Colour::good)
-                                                     : theme.icon(QStringLiteral("dialog-close"), Colour::bad));
+            m_table->item(i, 4)->setIcon(*row.passed
+                                             ? theme.icon(QStringLiteral("dialog-ok-apply"), Colour::good)
+                                             : theme.icon(QStringLiteral("dialog-close"), Colour::bad));
     }
 }
 

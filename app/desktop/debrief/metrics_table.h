@@ -18,7 +18,8 @@ class MeaningTable;
 class MetricsTable : public QWidget {
     Q_OBJECT
 public:
-    MetricsTable(const Theme& theme, const std::vector<report::MetricRow>& rows, const QLocale& locale, QWidget* parent = nullptr);
+    MetricsTable(const Theme& theme, const std::vector<report::MetricRow>& rows, const QLocale& locale,
+                 QWidget* parent = nullptr);
 
 private:
     void fill(const Theme& theme, const std::vector<report::MetricRow>& rows, const QLocale& locale);

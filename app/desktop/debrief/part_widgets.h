@@ -23,7 +23,8 @@ struct PartColumn {
 };
 
 /// A plot with a minimum height. The caller's layout owns it.
-QWidget* partPlot(const Theme& theme, std::unique_ptr<report::PlotView> view, const char* name, int height_px);
+QWidget* partPlot(const Theme& theme, std::unique_ptr<report::PlotView> view, const char* name,
+                  int height_px);
 /// The result of each trial, as a table that shows all its rows without scrolling. The caller's layout owns
 /// it.
 QWidget* trialTable(const Theme& theme, const report::WordTable& words, const char* name);

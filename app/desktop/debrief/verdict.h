@@ -29,7 +29,8 @@ struct MetricAdvice {
 /// the person's language. The missed pass marks follow its order, which puts causes before effects; those
 /// without advice come last.
 /// Thread: GUI, because it translates.
-Verdict verdictOf(const DebriefHead& head, const QLocale& locale, const std::vector<MetricAdvice>& advice = {});
+Verdict verdictOf(const DebriefHead& head, const QLocale& locale,
+                  const std::vector<MetricAdvice>& advice = {});
 
 /// "Since your last attempt: mean apex error 14.2 % → 9.10 % · ...". Covers at most three metrics with a pass
 /// mark, those that failed first. `own`: the attempt is the reader's own. Empty if there was no earlier

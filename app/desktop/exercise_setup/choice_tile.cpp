@@ -8,7 +8,8 @@
 
 namespace chiron::desktop {
 
-ChoiceTile::ChoiceTile(const Theme& theme, const QString& title, const QString& words, const QString& icon, QWidget* parent)
+ChoiceTile::ChoiceTile(const Theme& theme, const QString& title, const QString& words, const QString& icon,
+                       QWidget* parent)
     : TileButton(theme, parent), m_title(title) {
     setCheckable(true);
     if (!icon.isEmpty()) {

@@ -16,7 +16,8 @@ class ChoiceTile final : public TileButton {
     Q_OBJECT
 public:
     /// `icon`: the name of a Breeze icon; may be empty.
-    ChoiceTile(const Theme& theme, const QString& title, const QString& words, const QString& icon = {}, QWidget* parent = nullptr);
+    ChoiceTile(const Theme& theme, const QString& title, const QString& words, const QString& icon = {},
+               QWidget* parent = nullptr);
 
     void setWords(const QString& words);
 

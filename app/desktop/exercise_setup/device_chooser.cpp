@@ -44,7 +44,8 @@ bool canMapForce(const session::ExerciseKind* kind) {
 std::vector<const devices::Driver*> driversInOrder() {
     const auto all = devices::driverCatalogue();
     std::vector<const devices::Driver*> drivers(all.begin(), all.end());
-    std::stable_sort(drivers.begin(), drivers.end(), [](const auto* a, const auto* b) { return a->movedBy < b->movedBy; });
+    std::stable_sort(drivers.begin(), drivers.end(),
+                     [](const auto* a, const auto* b) { return a->movedBy < b->movedBy; });
     return drivers;
 }
 
@@ -98,19 +99,24 @@ QString DeviceChooser::healthOf(const devices::Driver& driver, const session::Ex
     case devices::MovedBy::scriptedOperator:
         return demonstratedOn(kind);
     case devices::MovedBy::recording:
-        return m_tool == session::PointerTool::endoscope ? tr("A recorded movement (CSV, with orientation) moves the endoscope.")
-               : m_tool == session::PointerTool::grasper ? tr("A recorded movement (CSV, with the jaw) moves the instruments.")
-                                                         : tr("A recorded movement (CSV) moves the tool.");
+        return m_tool == session::PointerTool::endoscope
+                   ? tr("A recorded movement (CSV, with orientation) moves the endoscope.")
+               : m_tool == session::PointerTool::grasper
+                   ? tr("A recorded movement (CSV, with the jaw) moves the instruments.")
+                   : tr("A recorded movement (CSV) moves the tool.");
     case devices::MovedBy::person:
         break;
     }
-    return driver.deviceClass == devices::DeviceClass::shown ? tr("Ready. Force is shown, not felt.") : StationWords::needs(driver);
+    return driver.deviceClass == devices::DeviceClass::shown ? tr("Ready. Force is shown, not felt.")
+                                                             : StationWords::needs(driver);
 }
 
 QString DeviceChooser::demonstratedOn(const session::ExerciseKind* kind) const {
     if (!kind || kind->operatorNames().empty())
         return tr("There is no demonstration of this exercise on this station.");
-    return tr("Ready. Watch a scripted operator. Device: %1.").arg(StationWords::device(devices::usualDriver(devices::MovedBy::scriptedOperator), kind->mechanism()));
+    return tr("Ready. Watch a scripted operator. Device: %1.")
+        .arg(StationWords::device(devices::usualDriver(devices::MovedBy::scriptedOperator),
+                                  kind->mechanism()));
 }
 
 QWidget* DeviceChooser::addTile(int index, const QString& health) {
@@ -139,7 +145,9 @@ QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operat
     column->addWidget(m_operator);
     if (forceMap)
         addForceMap(*column);
-    column->addWidget(kit::label(theme, tr("The session is listed as simulated and does not count for anyone."), TextStyle::small, "muted"));
+    column->addWidget(kit::label(theme,
+                                 tr("The session is listed as simulated and does not count for anyone."),
+                                 TextStyle::small, "muted"));
     connect(m_operator, &QComboBox::currentIndexChanged, this, &DeviceChooser::changed);
     return page;
 }
@@ -212,11 +220,14 @@ void DeviceChooser::setPlan(const TrainingPlan& plan) {
 void DeviceChooser::fillPlan(TrainingPlan& plan) const {
     plan.driver = &driver();
     plan.operatorName = m_operator->currentData().toString();
-    plan.forceMap = m_forceMap && m_forceMap->currentIndex() == 1 ? mechanisms::PolarMap::asPublished : mechanisms::PolarMap::exact;
+    plan.forceMap = m_forceMap && m_forceMap->currentIndex() == 1 ? mechanisms::PolarMap::asPublished
+                                                                  : mechanisms::PolarMap::exact;
     plan.traceFile = m_traceFile;
 }
 
-bool DeviceChooser::ready() const { return driver().movedBy != devices::MovedBy::recording || m_traceReady; }
+bool DeviceChooser::ready() const {
+    return driver().movedBy != devices::MovedBy::recording || m_traceReady;
+}
 
 void DeviceChooser::askTrace() {
     auto* dialog = new QFileDialog(this, tr("Choose a recorded movement"), QString(), tr("Traces (*.csv)"));
@@ -244,9 +255,13 @@ void DeviceChooser::checkTrace() {
                 return; // another file or level was chosen in the meantime
             m_traceReady = read.has_value();
             if (read)
-                setTraceWords(tr("Ready: %n rows, %1 s.", nullptr, read->rows).arg(m_context.locale().toString(read->length_s, 'f', 1)), "good");
+                setTraceWords(tr("Ready: %n rows, %1 s.", nullptr, read->rows)
+                                  .arg(m_context.locale().toString(read->length_s, 'f', 1)),
+                              "good");
             else
-                setTraceWords(tr("This file cannot be played. Correct it or choose another.\n%1").arg(breakable(QString::fromStdString(read.error().message))), "bad");
+                setTraceWords(tr("This file cannot be played. Correct it or choose another.\n%1")
+                                  .arg(breakable(QString::fromStdString(read.error().message))),
+                              "bad");
             emit changed();
         });
 }

@@ -56,7 +56,7 @@ private:
 
     AppContext& m_context;
     session::PointerTool m_tool = session::PointerTool::point;
-    int m_tools = 1; ///< number of instruments of the chosen level
+    int m_tools = 1;                               ///< number of instruments of the chosen level
     std::vector<const devices::Driver*> m_drivers; ///< one tile per driver, in this order
     QButtonGroup* m_group;
     QStackedWidget* m_pages;

@@ -44,7 +44,8 @@ core::Result<Standings> readStandings(const database::Database& database, const 
 
 ExerciseSetupScreen::ExerciseSetupScreen(AppContext& context, const Place& place)
     : Screen(context, place),
-      m_exercise(context.site().catalogue().find(place.parameters.value(QStringLiteral("exercise")).toString().toStdString())) {
+      m_exercise(context.site().catalogue().find(
+          place.parameters.value(QStringLiteral("exercise")).toString().toStdString())) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -73,7 +74,8 @@ ExerciseSetupScreen::ExerciseSetupScreen(AppContext& context, const Place& place
 
 void ExerciseSetupScreen::enter() {
     if (!m_exercise) {
-        m_panel->showEmpty(tr("This exercise does not exist"), tr("The content on this station has no exercise of that name."), tr("Home"),
+        m_panel->showEmpty(tr("This exercise does not exist"),
+                           tr("The content on this station has no exercise of that name."), tr("Home"),
                            [this] { context().navigator().go(QStringLiteral("home")); });
         return;
     }
@@ -119,7 +121,8 @@ TrainingPlan ExerciseSetupScreen::plan() const {
 void ExerciseSetupScreen::loadStandings() {
     context().background().run(
         this,
-        [&database = context().site().database(), actor = context().actor(), &catalogue = context().site().catalogue()](WorkToken&) {
+        [&database = context().site().database(), actor = context().actor(),
+         &catalogue = context().site().catalogue()](WorkToken&) {
             return readStandings(database, actor, catalogue);
         },
         [this](core::Result<Standings> standings) {
@@ -161,10 +164,12 @@ void ExerciseSetupScreen::showLevel() {
     m_objective->setText(textOf(shown->objective));
     const QStringList facts = levelFacts(*shown, context().locale());
     m_facts->setVisible(!facts.isEmpty());
-    m_facts->setText(facts.isEmpty() ? QString() : QStringLiteral("•  ") + facts.join(QStringLiteral("\n•  ")));
+    m_facts->setText(facts.isEmpty() ? QString()
+                                     : QStringLiteral("•  ") + facts.join(QStringLiteral("\n•  ")));
     m_measured->setText(textOf(shown->measured));
     const QStringList gates = gatesInWords(*shown, context().locale());
-    m_gates->setText(gates.isEmpty() ? tr("This level has no pass mark.") : QStringLiteral("•  ") + gates.join(QStringLiteral("\n•  ")));
+    m_gates->setText(gates.isEmpty() ? tr("This level has no pass mark.")
+                                     : QStringLiteral("•  ") + gates.join(QStringLiteral("\n•  ")));
     m_note->setVisible(shown->needsForce && shown->shownForce);
     if (shown->shownForce)
         m_note->setText(textOf(shown->shownForce->note));
@@ -174,11 +179,13 @@ void ExerciseSetupScreen::showLevel() {
 void ExerciseSetupScreen::showStart() {
     const TrainingPlan chosen = plan();
     const auto kind = session::exerciseKind(m_exercise->id);
-    const bool mountable = chosen.movedBy(devices::MovedBy::scriptedOperator) && kind && (*kind)->operatorsKnowTheirPlace();
+    const bool mountable =
+        chosen.movedBy(devices::MovedBy::scriptedOperator) && kind && (*kind)->operatorsKnowTheirPlace();
     m_workspace->setHasBase(mountable);
     m_workspace->setVisible(chosen.ownHand() || mountable);
     m_familiarisation->setVisible(chosen.ownHand());
-    m_summary->setText(tr("Level %1. %2").arg(context().locale().toString(chosen.level), deviceTitle(chosen)));
+    m_summary->setText(
+        tr("Level %1. %2").arg(context().locale().toString(chosen.level), deviceTitle(chosen)));
     m_start->setText(chosen.ownHand() ? tr("Start") : tr("Watch"));
     m_start->setEnabled(m_devices->ready());
     m_watch->setVisible(chosen.ownHand() && expertPlan(m_exercise->id, chosen.level));
@@ -189,7 +196,9 @@ void ExerciseSetupScreen::watchFirst() {
         context().navigator().go(QStringLiteral("training"), expert->toMap());
 }
 
-void ExerciseSetupScreen::noteChoices() { context().navigator().note(plan().toMap()); }
+void ExerciseSetupScreen::noteChoices() {
+    context().navigator().note(plan().toMap());
+}
 
 void ExerciseSetupScreen::start() {
     if (!m_exercise || !m_start->isEnabled())
@@ -218,7 +227,8 @@ void ExerciseSetupScreen::keyPressEvent(QKeyEvent* event) {
 void ExerciseSetupScreen::resizeEvent(QResizeEvent* event) {
     Screen::resizeEvent(event);
     if (m_columns)
-        m_columns->setDirection(width() < context().theme().px(kTwoColumns_px) ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+        m_columns->setDirection(width() < context().theme().px(kTwoColumns_px) ? QBoxLayout::TopToBottom
+                                                                               : QBoxLayout::LeftToRight);
 }
 
 } // namespace chiron::desktop

@@ -23,14 +23,16 @@ QString withUnit(double value, std::string_view unit, const QLocale& locale) {
         return number;
     if (unit == "% of R")
         return Words::tr("%1 % of the radius").arg(number);
-    return Words::tr("%1 %2").arg(number, QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size())));
+    return Words::tr("%1 %2").arg(number,
+                                  QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size())));
 }
 
 /// A pass mark on the time over the force limit is redundant if another pass mark forbids a smaller force
 /// altogether.
 bool isImplied(const scoring::Gate& gate, const catalogue::ExerciseLevel& level) {
     const auto kind = session::exerciseKind(level.exercise);
-    return gate.metric == "force_time_over_limit" && kind && session::levelLimits(level).force_N < (*kind)->forceLimit_N(level);
+    return gate.metric == "force_time_over_limit" && kind &&
+           session::levelLimits(level).force_N < (*kind)->forceLimit_N(level);
 }
 
 QString inLevel(const scoring::Gate& gate, const catalogue::ExerciseLevel& level, const QLocale& locale) {
@@ -39,7 +41,8 @@ QString inLevel(const scoring::Gate& gate, const catalogue::ExerciseLevel& level
         return gateInWords(gate, locale);
     const int more_percent = qRound(100.0 * (*gate.maximum / *limit_N - 1.0));
     return Words::tr("%1: at most %2 N, with %3 % more for the time it takes to react")
-        .arg(metricTitle(QString::fromStdString(gate.metric)), locale.toString(*limit_N, 'g', 3), locale.toString(more_percent));
+        .arg(metricTitle(QString::fromStdString(gate.metric)), locale.toString(*limit_N, 'g', 3),
+             locale.toString(more_percent));
 }
 
 } // namespace
@@ -63,7 +66,8 @@ QStringList limitsInWords(const catalogue::ExerciseLevel& level, const QLocale& 
     if (limits.retraction_N)
         words << Words::tr("Pull on the fold: %1 N at most").arg(newtons(*limits.retraction_N));
     if (limits.placement_mm)
-        words << Words::tr("At the end: %1 mm from the middle of the ring at most, on average").arg(locale.toString(*limits.placement_mm, 'g', 3));
+        words << Words::tr("At the end: %1 mm from the middle of the ring at most, on average")
+                     .arg(locale.toString(*limits.placement_mm, 'g', 3));
     return words;
 }
 
@@ -72,7 +76,8 @@ QString gateInWords(const scoring::Gate& gate, const QLocale& locale) {
     const std::string_view unit = metric ? metric->unit : std::string_view();
     const QString title = metricTitle(QString::fromStdString(gate.metric));
     if (gate.minimum && gate.maximum)
-        return Words::tr("%1: from %2 to %3").arg(title, withUnit(*gate.minimum, unit, locale), withUnit(*gate.maximum, unit, locale));
+        return Words::tr("%1: from %2 to %3")
+            .arg(title, withUnit(*gate.minimum, unit, locale), withUnit(*gate.maximum, unit, locale));
     if (gate.minimum)
         return Words::tr("%1: at least %2").arg(title, withUnit(*gate.minimum, unit, locale));
     if (gate.maximum == 0.0 && unit == "count")

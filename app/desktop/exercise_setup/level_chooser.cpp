@@ -8,14 +8,19 @@
 
 namespace chiron::desktop {
 
-LevelChooser::LevelChooser(const Theme& theme, const catalogue::Exercise& exercise, const std::string& language, QWidget* parent)
+LevelChooser::LevelChooser(const Theme& theme, const catalogue::Exercise& exercise,
+                           const std::string& language, QWidget* parent)
     : QWidget(parent), m_group(new QButtonGroup(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(8));
     for (const catalogue::ExerciseLevel& level : exercise.levels) {
-        auto* tile = new ChoiceTile(
-            theme, tr("Level %1: %2").arg(level.number).arg(QString::fromStdString(catalogue::textIn(level.title, language))), {});
+        auto* tile =
+            new ChoiceTile(theme,
+                           tr("Level %1: %2")
+                               .arg(level.number)
+                               .arg(QString::fromStdString(catalogue::textIn(level.title, language))),
+                           {});
         tile->setObjectName(QStringLiteral("setup.level.%1").arg(level.number));
         m_group->addButton(tile, level.number);
         m_tiles[level.number] = tile;
@@ -24,7 +29,9 @@ LevelChooser::LevelChooser(const Theme& theme, const catalogue::Exercise& exerci
     connect(m_group, &QButtonGroup::idClicked, this, &LevelChooser::chosen);
 }
 
-int LevelChooser::level() const { return m_group->checkedId(); }
+int LevelChooser::level() const {
+    return m_group->checkedId();
+}
 
 void LevelChooser::setLevel(int level) {
     if (QAbstractButton* tile = m_group->button(level))

@@ -21,7 +21,8 @@ class ChoiceTile;
 class LevelChooser final : public QWidget {
     Q_OBJECT
 public:
-    LevelChooser(const Theme& theme, const catalogue::Exercise& exercise, const std::string& language, QWidget* parent = nullptr);
+    LevelChooser(const Theme& theme, const catalogue::Exercise& exercise, const std::string& language,
+                 QWidget* parent = nullptr);
 
     int level() const;
     void setLevel(int level);

@@ -6,10 +6,13 @@
 
 namespace chiron::desktop {
 
-QString factNumber(double value, const QLocale& locale) { return locale.toString(value, 'g', 3); }
+QString factNumber(double value, const QLocale& locale) {
+    return locale.toString(value, 'g', 3);
+}
 
 QString trialsFact(int trials, double limit_s, const QLocale& locale) {
-    return LevelFactTexts::tr("Trials: %1, at most %2 s each").arg(locale.toString(trials), locale.toString(qRound(limit_s)));
+    return LevelFactTexts::tr("Trials: %1, at most %2 s each")
+        .arg(locale.toString(trials), locale.toString(qRound(limit_s)));
 }
 
 QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) {
@@ -17,7 +20,8 @@ QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& loc
     QStringList facts = face ? (*face)->levelFacts(level, locale) : QStringList();
     facts << limitsInWords(level, locale);
     if (!level.mounting.empty())
-        facts << LevelFactTexts::tr("Devices with a base are mounted as this level specifies; your settings below override it");
+        facts << LevelFactTexts::tr(
+            "Devices with a base are mounted as this level specifies; your settings below override it");
     return facts;
 }
 

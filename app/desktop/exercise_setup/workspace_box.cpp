@@ -36,11 +36,14 @@ WorkspaceBox::WorkspaceBox(const Theme& theme, const QLocale& locale, QWidget* p
     auto* grid = new QGridLayout;
     grid->setColumnStretch(0, 1);
     constexpr double kShift_mm = WorkspaceChoice::kLargestShift_m * 1e3;
-    m_scale = spin(QStringLiteral("setup.scale"), tr("Tool movement per hand movement"), QString(), WorkspaceChoice::kSmallestScale,
-                   WorkspaceChoice::kLargestScale, 0.05, *grid);
-    m_origin[0] = spin(QStringLiteral("setup.origin_x"), tr("Shift to the right"), tr(" mm"), -kShift_mm, kShift_mm, 1.0, *grid);
-    m_origin[1] = spin(QStringLiteral("setup.origin_y"), tr("Shift away from you"), tr(" mm"), -kShift_mm, kShift_mm, 1.0, *grid);
-    m_origin[2] = spin(QStringLiteral("setup.origin_z"), tr("Shift up"), tr(" mm"), -kShift_mm, kShift_mm, 1.0, *grid);
+    m_scale = spin(QStringLiteral("setup.scale"), tr("Tool movement per hand movement"), QString(),
+                   WorkspaceChoice::kSmallestScale, WorkspaceChoice::kLargestScale, 0.05, *grid);
+    m_origin[0] = spin(QStringLiteral("setup.origin_x"), tr("Shift to the right"), tr(" mm"), -kShift_mm,
+                       kShift_mm, 1.0, *grid);
+    m_origin[1] = spin(QStringLiteral("setup.origin_y"), tr("Shift away from you"), tr(" mm"), -kShift_mm,
+                       kShift_mm, 1.0, *grid);
+    m_origin[2] =
+        spin(QStringLiteral("setup.origin_z"), tr("Shift up"), tr(" mm"), -kShift_mm, kShift_mm, 1.0, *grid);
     handRows->addLayout(grid);
     rows->addWidget(m_handPart);
     m_basePart = new QWidget;
@@ -48,9 +51,12 @@ WorkspaceBox::WorkspaceBox(const Theme& theme, const QLocale& locale, QWidget* p
     base->setContentsMargins(0, 0, 0, 0);
     base->setColumnStretch(0, 1);
     const double kTurn_deg = std::round(core::degFromRad(WorkspaceChoice::kLargestTurn_rad));
-    m_turn[0] = spin(QStringLiteral("setup.turn"), tr("Rotation of the device base to the left"), tr("°"), -kTurn_deg, kTurn_deg, 1.0, *base);
-    m_turn[1] = spin(QStringLiteral("setup.tilt"), tr("Tilt of the base away from you"), tr("°"), -kTurn_deg, kTurn_deg, 1.0, *base);
-    m_turn[2] = spin(QStringLiteral("setup.roll"), tr("Tilt of the base to the right"), tr("°"), -kTurn_deg, kTurn_deg, 1.0, *base);
+    m_turn[0] = spin(QStringLiteral("setup.turn"), tr("Rotation of the device base to the left"), tr("°"),
+                     -kTurn_deg, kTurn_deg, 1.0, *base);
+    m_turn[1] = spin(QStringLiteral("setup.tilt"), tr("Tilt of the base away from you"), tr("°"), -kTurn_deg,
+                     kTurn_deg, 1.0, *base);
+    m_turn[2] = spin(QStringLiteral("setup.roll"), tr("Tilt of the base to the right"), tr("°"), -kTurn_deg,
+                     kTurn_deg, 1.0, *base);
     rows->addWidget(m_basePart);
     setHasBase(false);
     column->addWidget(inner);
@@ -75,8 +81,8 @@ QWidget* WorkspaceBox::handRow() {
     return row;
 }
 
-QDoubleSpinBox* WorkspaceBox::spin(const QString& name, const QString& title, const QString& suffix, double minimum, double maximum,
-                                   double step, QGridLayout& grid) {
+QDoubleSpinBox* WorkspaceBox::spin(const QString& name, const QString& title, const QString& suffix,
+                                   double minimum, double maximum, double step, QGridLayout& grid) {
     auto* label = kit::label(m_theme, title, TextStyle::label);
     auto* field = new QDoubleSpinBox;
     field->setObjectName(name);

@@ -32,8 +32,8 @@ signals:
 
 private:
     QWidget* handRow();
-    QDoubleSpinBox* spin(const QString& name, const QString& title, const QString& suffix, double minimum, double maximum, double step,
-                         class QGridLayout& grid);
+    QDoubleSpinBox* spin(const QString& name, const QString& title, const QString& suffix, double minimum,
+                         double maximum, double step, class QGridLayout& grid);
 
     const Theme& m_theme;
     QLocale m_locale;

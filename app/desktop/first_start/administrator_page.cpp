@@ -17,15 +17,22 @@ AdministratorPage::AdministratorPage(const Theme& theme, QWidget* parent) : QWid
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(12));
     column->addWidget(kit::label(theme, tr("Who looks after this site?"), TextStyle::heading));
-    column->addWidget(kit::label(theme, tr("The first person is an administrator, who adds people, makes backups and may train as well."),
-                                 TextStyle::body, "muted"));
+    column->addWidget(kit::label(
+        theme,
+        tr("The first person is an administrator, who adds people, makes backups and may train as well."),
+        TextStyle::body, "muted"));
     m_name = form::textField(theme, column, tr("Login name"), QStringLiteral("first_start.name"));
-    m_nameRule = kit::label(theme, tr("A short name without commas, such as \"ada\"."), TextStyle::small, "muted");
+    m_nameRule =
+        kit::label(theme, tr("A short name without commas, such as \"ada\"."), TextStyle::small, "muted");
     column->addWidget(m_nameRule);
-    m_displayName = form::textField(theme, column, tr("Full name (may be left empty)"), QStringLiteral("first_start.display_name"));
-    m_siteName = form::textField(theme, column, tr("Name of the site, such as the clinic's (may be left empty)"), QStringLiteral("first_start.site_name"));
+    m_displayName = form::textField(theme, column, tr("Full name (may be left empty)"),
+                                    QStringLiteral("first_start.display_name"));
+    m_siteName =
+        form::textField(theme, column, tr("Name of the site, such as the clinic's (may be left empty)"),
+                        QStringLiteral("first_start.site_name"));
     m_siteName->setMaxLength(database::kMaximumSiteNameCharacters);
-    m_siteName->setToolTip(tr("Shown at the login, on password slips and on reports. Administrators can change it in the settings."));
+    m_siteName->setToolTip(tr("Shown at the login, on password slips and on reports. Administrators can "
+                              "change it in the settings."));
     m_passwords = new PasswordFields(theme, QStringLiteral("first_start"));
     column->addWidget(m_passwords);
     m_notice = new NoticeArea(theme);
@@ -59,11 +66,11 @@ void AdministratorPage::renew() {
     const bool nameGood = database::checkName(m_name->text().toStdString()).has_value();
     form::setKind(m_name, typed && !nameGood ? "bad" : "");
     form::setKind(m_nameRule, typed && !nameGood ? "bad" : "muted");
-    m_nameRule->setText(typed && !nameGood
-                            ? tr("This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are "
-                                 "reserved for the program.")
-                                  .arg(QLocale().toString(database::kMaximumNameCharacters))
-                            : tr("A short name without commas, such as \"ada\"."));
+    m_nameRule->setText(typed && !nameGood ? tr("This name cannot be used. Use at most %1 characters, no "
+                                                "commas and no spaces at the ends. Some names are "
+                                                "reserved for the program.")
+                                                 .arg(QLocale().toString(database::kMaximumNameCharacters))
+                                           : tr("A short name without commas, such as \"ada\"."));
     if (m_passwords->property("name") != m_name->text()) {
         m_passwords->setProperty("name", m_name->text());
         m_passwords->setLoginName(m_name->text());
@@ -74,12 +81,14 @@ void AdministratorPage::renew() {
 void AdministratorPage::submit() {
     if (!m_create->isEnabled())
         return;
-    emit submitted({m_name->text().toStdString(), m_displayName->text().trimmed().toStdString(), m_passwords->password(), m_siteName->text().trimmed().toStdString()});
+    emit submitted({m_name->text().toStdString(), m_displayName->text().trimmed().toStdString(),
+                    m_passwords->password(), m_siteName->text().trimmed().toStdString()});
 }
 
 void AdministratorPage::setWorking(bool working) {
     m_working = working;
-    for (QWidget* part : {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_displayName), static_cast<QWidget*>(m_siteName), static_cast<QWidget*>(m_passwords),
+    for (QWidget* part : {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_displayName),
+                          static_cast<QWidget*>(m_siteName), static_cast<QWidget*>(m_passwords),
                           static_cast<QWidget*>(m_back)})
         part->setEnabled(!working);
     m_notice->say("info", working ? tr("Creating the site …") : QString());

@@ -51,10 +51,14 @@ QString FirstStartScreen::title() const {
 }
 
 QString FirstStartScreen::help() const {
-    return tr("Chiron is a training suite for the sense of touch in minimally invasive surgery.\n\n\"Set up this site\" creates an empty "
-              "site on this computer and its first administrator, who can add the others. It takes about a minute.\n\n\"Open the "
-              "demonstration site\" creates a separate site with invented people and scripted sessions, so that you can look around. It "
-              "does not affect a site that you set up later. Until you set one up, this choice appears at every start.");
+    return tr("Chiron is a training suite for the sense of touch in minimally invasive surgery.\n\n\"Set up "
+              "this site\" creates an empty "
+              "site on this computer and its first administrator, who can add the others. It takes about a "
+              "minute.\n\n\"Open the "
+              "demonstration site\" creates a separate site with invented people and scripted sessions, so "
+              "that you can look around. It "
+              "does not affect a site that you set up later. Until you set one up, this choice appears at "
+              "every start.");
 }
 
 void FirstStartScreen::enter() {
@@ -67,7 +71,8 @@ void FirstStartScreen::enter() {
 bool FirstStartScreen::mayLeave() {
     if (!m_code || m_code->isConfirmed())
         return true;
-    context().messages().warning(tr("The recovery code is not shown again. Write it down and tick the box first."));
+    context().messages().warning(
+        tr("The recovery code is not shown again. Write it down and tick the box first."));
     return false;
 }
 
@@ -86,10 +91,12 @@ void FirstStartScreen::setPage(QWidget* page) {
     if (isVisible())
         page->show(); // now, so that it can take the focus
     // Scrolls the page to its top once it has its size.
-    QMetaObject::invokeMethod(this, [this] { m_scroll->verticalScrollBar()->setValue(0); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this] { m_scroll->verticalScrollBar()->setValue(0); }, Qt::QueuedConnection);
 }
 
-QWidget* FirstStartScreen::choice(const QString& icon, const QString& title, const QString& text, QPushButton* button) {
+QWidget* FirstStartScreen::choice(const QString& icon, const QString& title, const QString& text,
+                                  QPushButton* button) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     const int padding = theme.px(24);
@@ -119,21 +126,26 @@ void FirstStartScreen::showWelcome() {
     auto* heading = kit::label(theme, tr("Welcome to Chiron"), TextStyle::display);
     heading->setAlignment(Qt::AlignCenter);
     column->addWidget(heading);
-    auto* words = kit::label(theme, tr("Learn by touch: practise, see what your hand did, and know when you are ready."), TextStyle::body, "muted");
+    auto* words = kit::label(
+        theme, tr("Learn by touch: practise, see what your hand did, and know when you are ready."),
+        TextStyle::body, "muted");
     words->setAlignment(Qt::AlignCenter);
     column->addWidget(words);
     column->addSpacing(theme.px(8));
     auto* setUp = kit::button(theme, tr("Set up this site"), "primary");
     setUp->setObjectName(QStringLiteral("first_start.set_up"));
     connect(setUp, &QPushButton::clicked, this, &FirstStartScreen::showAdministrator);
-    column->addWidget(choice(QStringLiteral("list-add-user"), tr("Set up your own site"),
-                             tr("You become its administrator. People, sessions and scores stay on this computer."), setUp));
+    column->addWidget(choice(
+        QStringLiteral("list-add-user"), tr("Set up your own site"),
+        tr("You become its administrator. People, sessions and scores stay on this computer."), setUp));
     auto* demonstration = kit::button(theme, tr("Open the demonstration site"));
     demonstration->setObjectName(QStringLiteral("first_start.demonstration"));
     demonstration->setVisible(!context().site().isOpen());
     connect(demonstration, &QPushButton::clicked, this, &FirstStartScreen::showDemonstration);
     auto* second = choice(QStringLiteral("view-preview"), tr("Look around first"),
-                          tr("Invented people and scripted sessions at every level. Creating them takes about a minute, only once."), demonstration);
+                          tr("Invented people and scripted sessions at every level. Creating them takes "
+                             "about a minute, only once."),
+                          demonstration);
     second->setVisible(!context().site().isOpen()); // an open site without people needs its administrator
     column->addWidget(second);
     setPage(page);
@@ -162,9 +174,8 @@ void FirstStartScreen::makeSiteFor(const AdministratorRequest& request) {
     database::Database* open = context().site().isOpen() ? &context().site().database() : nullptr;
     context().background().run(
         this,
-        [file = context().site().file().toStdString(), options = context().site().options(), open, request](WorkToken&) {
-            return makeSite(file, options, open, request);
-        },
+        [file = context().site().file().toStdString(), options = context().site().options(), open,
+         request](WorkToken&) { return makeSite(file, options, open, request); },
         [this, request](core::Result<MadeSite> made) { siteMade(request, std::move(made)); });
 }
 
@@ -225,13 +236,16 @@ void FirstStartScreen::showDemonstration() {
     const QString file = demonstrationFile(context().site().file());
     m_work = context().background().run(
         this,
-        [file = file.toStdString(), options = context().site().options(), language = context().language().toStdString()](WorkToken& work) {
+        [file = file.toStdString(), options = context().site().options(),
+         language = context().language().toStdString()](WorkToken& work) {
             return makeDemonstration(file, options, work, language);
         },
         [this](core::Result<MadeSite> made) { demonstrationMade(std::move(made)); });
-    panel->showLoading(QFileInfo::exists(file) ? tr("Opening the demonstration site …")
-                                               : tr("Creating the demonstration site: people, and scripted sessions at every level …"),
-                       m_work);
+    panel->showLoading(
+        QFileInfo::exists(file)
+            ? tr("Opening the demonstration site …")
+            : tr("Creating the demonstration site: people, and scripted sessions at every level …"),
+        m_work);
 }
 
 void FirstStartScreen::demonstrationMade(core::Result<MadeSite> made) {
@@ -241,9 +255,12 @@ void FirstStartScreen::demonstrationMade(core::Result<MadeSite> made) {
         if (made.error().code == core::ErrorCode::cancelled) {
             showWelcome();
             enter();
-            context().messages().information(tr("Creation of the demonstration site was stopped; what had been created was removed."));
+            context().messages().information(
+                tr("Creation of the demonstration site was stopped; what had been created was removed."));
         } else if (m_progress) {
-            m_progress->showError(tr("The demonstration site could not be opened."), made.error(), [this] { showDemonstration(); }, Tried::saving);
+            m_progress->showError(
+                tr("The demonstration site could not be opened."), made.error(),
+                [this] { showDemonstration(); }, Tried::saving);
             m_back->show();
         }
         return;

@@ -16,11 +16,13 @@ namespace {
 constexpr std::uint64_t kDemonstrationSeed = 1;
 
 core::Result<catalogue::Catalogue> loadContent() {
-    return catalogue::findContentDirectory().and_then([](const std::string& folder) { return catalogue::Catalogue::load(folder); });
+    return catalogue::findContentDirectory().and_then(
+        [](const std::string& folder) { return catalogue::Catalogue::load(folder); });
 }
 
 /// Describes a step: "Find the apex, level 1, by Ines Improving, attempt 3 of 5".
-QString doingWords(const session::DemoProgress& now, const catalogue::Catalogue& content, const std::string& language) {
+QString doingWords(const session::DemoProgress& now, const catalogue::Catalogue& content,
+                   const std::string& language) {
     const auto words = [](const char* text) { return QCoreApplication::translate("SiteMaker", text); };
     const catalogue::Exercise* exercise = content.find(now.exercise);
     if (!exercise)
@@ -29,16 +31,18 @@ QString doingWords(const session::DemoProgress& now, const catalogue::Catalogue&
     const QString level = QString::number(now.level);
     const QString person = QString::fromStdString(now.person);
     if (now.person.empty())
-        return words(QT_TRANSLATE_NOOP("SiteMaker", "%1, level %2, by a scripted operator")).arg(title, level);
+        return words(QT_TRANSLATE_NOOP("SiteMaker", "%1, level %2, by a scripted operator"))
+            .arg(title, level);
     if (now.attempts == 1)
         return words(QT_TRANSLATE_NOOP("SiteMaker", "%1, level %2, by %3")).arg(title, level, person);
-    return words(QT_TRANSLATE_NOOP("SiteMaker", "%1, level %2, by %3, attempt %4 of %5")).arg(title, level, person, QString::number(now.attempt), QString::number(now.attempts));
+    return words(QT_TRANSLATE_NOOP("SiteMaker", "%1, level %2, by %3, attempt %4 of %5"))
+        .arg(title, level, person, QString::number(now.attempt), QString::number(now.attempts));
 }
 
 } // namespace
 
-core::Result<MadeSite> makeSite(const std::string& file, const database::DatabaseOptions& options, database::Database* open,
-                                const AdministratorRequest& request) {
+core::Result<MadeSite> makeSite(const std::string& file, const database::DatabaseOptions& options,
+                                database::Database* open, const AdministratorRequest& request) {
     auto content = loadContent();
     CHIRON_TRY(content);
     CHIRON_TRY(database::checkedSiteName(request.siteName)); // before anything is created
@@ -66,8 +70,8 @@ core::Result<MadeSite> makeSite(const std::string& file, const database::Databas
     return made;
 }
 
-core::Result<MadeSite> makeDemonstration(const std::string& file, const database::DatabaseOptions& options, WorkToken& token,
-                                         const std::string& language) {
+core::Result<MadeSite> makeDemonstration(const std::string& file, const database::DatabaseOptions& options,
+                                         WorkToken& token, const std::string& language) {
     auto content = loadContent();
     CHIRON_TRY(content);
     MadeSite made;
@@ -76,7 +80,8 @@ core::Result<MadeSite> makeDemonstration(const std::string& file, const database
         auto site = session::openSite(file, options);
         CHIRON_TRY(site);
         if (!site->database->isDemonstration())
-            return core::fail(core::ErrorCode::badInput, file + ": holds a site that is no demonstration; it was left as it is");
+            return core::fail(core::ErrorCode::badInput,
+                              file + ": holds a site that is no demonstration; it was left as it is");
         made.database = std::move(site->database);
         return made;
     }

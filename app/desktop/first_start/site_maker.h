@@ -33,14 +33,14 @@ struct MadeSite {
 /// site's database if it is already open (it contains no people yet).
 /// Thread: worker; blocks.
 /// Errors: as for openSite() and AccountService::createFirstAdministrator().
-core::Result<MadeSite> makeSite(const std::string& file, const database::DatabaseOptions& options, database::Database* open,
-                                const AdministratorRequest& request);
+core::Result<MadeSite> makeSite(const std::string& file, const database::DatabaseOptions& options,
+                                database::Database* open, const AdministratorRequest& request);
 
 /// Opens the demonstration site in this file, and creates it first if the file does not exist. It reports its
 /// progress and, in `language`, the current step to the token, and ends early when the token is cancelled.
 /// Thread: worker; blocks.
 /// Errors: cancelled; badInput if the file holds another site; as for createDemoSite().
-core::Result<MadeSite> makeDemonstration(const std::string& file, const database::DatabaseOptions& options, WorkToken& token,
-                                         const std::string& language = "en");
+core::Result<MadeSite> makeDemonstration(const std::string& file, const database::DatabaseOptions& options,
+                                         WorkToken& token, const std::string& language = "en");
 
 } // namespace chiron::desktop

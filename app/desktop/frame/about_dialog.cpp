@@ -35,12 +35,23 @@ QDialog* showAbout(const Theme& theme, QWidget* parent) {
     column->setSpacing(theme.px(10));
     column->addWidget(logo(theme, 96));
     column->addWidget(centred(kit::label(theme, QStringLiteral("Chiron"), TextStyle::display)));
-    column->addWidget(centred(kit::label(theme, AboutDialog::tr("Version %1").arg(QCoreApplication::applicationVersion()), TextStyle::strong)));
-    column->addWidget(centred(kit::label(theme, AboutDialog::tr("Training for the sense of touch in minimally invasive surgery. Named after the centaur who "
-                                                                 "taught Asclepius medicine; his name comes from cheir, hand."))));
-    column->addWidget(centred(kit::label(theme, AboutDialog::tr("Free software under the GNU General Public License, version 3 or later. Not a medical "
-                                                                 "device."), TextStyle::body, "muted")));
-    auto* build = centred(kit::label(theme, AboutDialog::tr("Build: %1").arg(QString::fromStdString(core::buildId())), TextStyle::small, "muted"));
+    column->addWidget(
+        centred(kit::label(theme, AboutDialog::tr("Version %1").arg(QCoreApplication::applicationVersion()),
+                           TextStyle::strong)));
+    column->addWidget(centred(kit::label(
+        theme,
+        AboutDialog::tr(
+            "Training for the sense of touch in minimally invasive surgery. Named after the centaur who "
+            "taught Asclepius medicine; his name comes from cheir, hand."))));
+    column->addWidget(centred(kit::label(
+        theme,
+        AboutDialog::tr(
+            "Free software under the GNU General Public License, version 3 or later. Not a medical "
+            "device."),
+        TextStyle::body, "muted")));
+    auto* build =
+        centred(kit::label(theme, AboutDialog::tr("Build: %1").arg(QString::fromStdString(core::buildId())),
+                           TextStyle::small, "muted"));
     build->setObjectName(QStringLiteral("about.build"));
     // The text can be copied into a report.
     build->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

@@ -20,7 +20,8 @@ struct Opened {
 };
 
 core::Result<Opened> openWithContent(const std::string& file, const database::DatabaseOptions& options) {
-    auto content = catalogue::findContentDirectory().and_then([](const std::string& folder) { return catalogue::Catalogue::load(folder); });
+    auto content = catalogue::findContentDirectory().and_then(
+        [](const std::string& folder) { return catalogue::Catalogue::load(folder); });
     CHIRON_TRY(content);
     auto site = session::openSite(file, options);
     CHIRON_TRY(site);
@@ -55,7 +56,8 @@ void AppContext::takeSite(std::unique_ptr<database::Database> database, catalogu
 }
 
 QString AppContext::ownLanguage() const {
-    const QString own = loggedIn() ? m_settings.ofPerson(m_actor.personId(), kLanguage, QString()).toString() : QString();
+    const QString own =
+        loggedIn() ? m_settings.ofPerson(m_actor.personId(), kLanguage, QString()).toString() : QString();
     return Settings::isLanguage(own) ? own : QString();
 }
 

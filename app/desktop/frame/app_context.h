@@ -30,7 +30,7 @@ public:
     QLocale locale() const { return Settings::localeOf(language()); }
     /// The language that the logged-in person chose, or else the station's.
     QString language() const;
-    QString ownLanguage() const;                   ///< empty if the person chose none
+    QString ownLanguage() const; ///< empty if the person chose none
     /// Stored for the person on this station; empty selects the station's language again.
     void setOwnLanguage(const QString& language);
     /// Also replaces the person's own choice, if any, so that the change is visible.

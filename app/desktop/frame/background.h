@@ -60,8 +60,7 @@ public:
     using QObject::QObject;
     ~Background() override; ///< waits for all work to end
 
-    template <class Work, class Done>
-    std::shared_ptr<WorkToken> run(QObject* owner, Work work, Done done) {
+    template <class Work, class Done> std::shared_ptr<WorkToken> run(QObject* owner, Work work, Done done) {
         auto token = std::make_shared<WorkToken>();
         std::erase_if(m_tokens, [](const std::weak_ptr<WorkToken>& each) { return each.expired(); });
         m_tokens.push_back(token);
@@ -69,7 +68,8 @@ public:
         QPointer<QObject> alive(owner);
         m_pool.start([this, alive, token, work = std::move(work), done = std::move(done)]() mutable {
             using T = std::invoke_result_t<Work, WorkToken&>;
-            auto result = std::make_shared<T>(work(*token)); // shared, because posted closures must be copyable
+            auto result =
+                std::make_shared<T>(work(*token)); // shared, because posted closures must be copyable
             QMetaObject::invokeMethod(this, [this, alive, result, done = std::move(done)]() mutable {
                 --m_underWay;
                 if (alive)

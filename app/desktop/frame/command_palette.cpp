@@ -41,7 +41,8 @@ CommandPalette::CommandPalette(const Theme& theme, std::vector<CommandGroup> gro
     m_list = new QListWidget;
     m_list->setObjectName(QStringLiteral("palette.list"));
     m_list->setAccessibleName(tr("Commands found"));
-    m_nothing = kit::label(theme, tr("Nothing matches. Try fewer letters or another word."), TextStyle::body, "muted");
+    m_nothing = kit::label(theme, tr("Nothing matches. Try fewer letters or another word."), TextStyle::body,
+                           "muted");
     m_words = kit::label(theme, {}, TextStyle::small, "muted");
     m_words->setObjectName(QStringLiteral("palette.words"));
     m_words->hide();
@@ -113,7 +114,10 @@ void CommandPalette::addCommand(int group, int command) {
     const ScreenCommand& given = commandOf(group, command);
     const QString keys = given.keys.toString(QKeySequence::NativeText);
     QString text = given.text;
-    if (const QString word = group < kFirstFound && fit(m_field->text(), text) < kGoodFit ? furtherWordThatFits(m_field->text(), text) : QString(); !word.isEmpty())
+    if (const QString word = group < kFirstFound && fit(m_field->text(), text) < kGoodFit
+                                 ? furtherWordThatFits(m_field->text(), text)
+                                 : QString();
+        !word.isEmpty())
         text = tr("%1 – %2").arg(text, word); // shows which synonym matched
     auto* item = new QListWidgetItem(keys.isEmpty() ? text : tr("%1   (%2)").arg(text, keys));
     item->setData(kGroup, group);
@@ -132,8 +136,10 @@ void CommandPalette::filter() {
         for (int c = 0; c < static_cast<int>(m_groups[static_cast<std::size_t>(g)].commands.size()); ++c)
             if (const int fits = fitOf(m_field->text(), commandOf(g, c).text))
                 found.push_back({fits, g, c});
-    std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.fit > b.fit; });
-    const auto loose = std::find_if(found.begin(), found.end(), [](const Found& f) { return f.fit < kGoodFit; });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Found& a, const Found& b) { return a.fit > b.fit; });
+    const auto loose =
+        std::find_if(found.begin(), found.end(), [](const Found& f) { return f.fit < kGoodFit; });
     const auto add = [this](auto from, auto to) {
         for (; from != to; ++from)
             addCommand(from->group, from->command);

@@ -18,17 +18,25 @@ struct OfCommand {
 
 // Like ScreenEntry::furtherWords, for commands that do not open a screen of the navigation.
 constexpr OfCommand kOfCommands[] = {
-    {QT_TRANSLATE_NOOP("Commands", "Sessions to review"), QT_TRANSLATE_NOOP("CommandWords", "assess, feedback, look at, mark, grade, inbox, to do")},
-    {QT_TRANSLATE_NOOP("Commands", "Comments"), QT_TRANSLATE_NOOP("CommandWords", "feedback, notes, remarks, messages, answers, replies, review")},
-    {QT_TRANSLATE_NOOP("Commands", "Log out"), QT_TRANSLATE_NOOP("CommandWords", "switch user, logout, log off, sign out, change user, leave")},
-    {QT_TRANSLATE_NOOP("Commands", "My account"), QT_TRANSLATE_NOOP("CommandWords", "password, profile, name, recovery code")},
-    {QT_TRANSLATE_NOOP("Commands", "Close Chiron"), QT_TRANSLATE_NOOP("CommandWords", "quit, exit, end the program, shut down")},
-    {QT_TRANSLATE_NOOP("Commands", "Help for this screen"), QT_TRANSLATE_NOOP("CommandWords", "manual, guide, how do I, what is this")},
+    {QT_TRANSLATE_NOOP("Commands", "Sessions to review"),
+     QT_TRANSLATE_NOOP("CommandWords", "assess, feedback, look at, mark, grade, inbox, to do")},
+    {QT_TRANSLATE_NOOP("Commands", "Comments"),
+     QT_TRANSLATE_NOOP("CommandWords", "feedback, notes, remarks, messages, answers, replies, review")},
+    {QT_TRANSLATE_NOOP("Commands", "Log out"),
+     QT_TRANSLATE_NOOP("CommandWords", "switch user, logout, log off, sign out, change user, leave")},
+    {QT_TRANSLATE_NOOP("Commands", "My account"),
+     QT_TRANSLATE_NOOP("CommandWords", "password, profile, name, recovery code")},
+    {QT_TRANSLATE_NOOP("Commands", "Close Chiron"),
+     QT_TRANSLATE_NOOP("CommandWords", "quit, exit, end the program, shut down")},
+    {QT_TRANSLATE_NOOP("Commands", "Help for this screen"),
+     QT_TRANSLATE_NOOP("CommandWords", "manual, guide, how do I, what is this")},
     {QT_TRANSLATE_NOOP("Commands", "Keyboard shortcuts"), QT_TRANSLATE_NOOP("CommandWords", "keys, hotkeys")},
     {QT_TRANSLATE_NOOP("Commands", "Lock"), QT_TRANSLATE_NOOP("CommandWords", "pause, away, screen lock")},
 };
 
-QString words(const char* context, const char* text) { return QCoreApplication::translate(context, text); }
+QString words(const char* context, const char* text) {
+    return QCoreApplication::translate(context, text);
+}
 
 } // namespace
 

@@ -26,11 +26,15 @@ QString firstThatIsThere(const QStringList& folders) {
 
 } // namespace
 
-void beginInLastFolder(Settings& settings, QFileDialog& dialog, const QString& purpose, const QString& usual) {
+void beginInLastFolder(Settings& settings, QFileDialog& dialog, const QString& purpose,
+                       const QString& usual) {
     dialog.setDirectory(firstThatIsThere({settings.lastFolder(purpose), usual}));
-    QObject::connect(&dialog, &QFileDialog::fileSelected, &dialog, [&settings, &dialog, purpose](const QString& chosen) {
-        settings.setLastFolder(purpose, dialog.fileMode() == QFileDialog::Directory ? chosen : QFileInfo(chosen).absolutePath());
-    });
+    QObject::connect(&dialog, &QFileDialog::fileSelected, &dialog,
+                     [&settings, &dialog, purpose](const QString& chosen) {
+                         settings.setLastFolder(purpose, dialog.fileMode() == QFileDialog::Directory
+                                                             ? chosen
+                                                             : QFileInfo(chosen).absolutePath());
+                     });
 }
 
 } // namespace chiron::desktop

@@ -14,6 +14,7 @@ class Settings;
 /// documents folder. A remembered folder that no longer exists is ignored. Call it before suggesting a file
 /// name (QFileDialog::selectFile).
 /// Thread: GUI.
-void beginInLastFolder(Settings& settings, QFileDialog& dialog, const QString& purpose, const QString& usual = {});
+void beginInLastFolder(Settings& settings, QFileDialog& dialog, const QString& purpose,
+                       const QString& usual = {});
 
 } // namespace chiron::desktop

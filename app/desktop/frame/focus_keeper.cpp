@@ -67,7 +67,8 @@ void FocusKeeper::lost(QWidget* control) {
 }
 
 void FocusKeeper::giveBack() {
-    if (!m_waiting || !canTake(m_waiting) || QApplication::activeModalWidget() || QApplication::focusWidget() != m_place)
+    if (!m_waiting || !canTake(m_waiting) || QApplication::activeModalWidget() ||
+        QApplication::focusWidget() != m_place)
         return;
     QWidget* const control = m_waiting;
     m_waiting = nullptr;

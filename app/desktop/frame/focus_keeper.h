@@ -34,8 +34,8 @@ private:
     QPointer<QWidget> m_hidden;  ///< hidden or disabled with the focus; Qt moves the focus next
     QPointer<QWidget> m_waiting; ///< lost the focus and gets it back
     bool m_justMoved = false;    ///< the focus moved in this turn of the event loop
-    /// The focus moved forward as by Tab, which is also how Qt moves it away from a control that is disabled or
-    /// hidden.
+    /// The focus moved forward as by Tab, which is also how Qt moves it away from a control that is disabled
+    /// or hidden.
     bool m_movedOn = false;
 };
 

@@ -17,7 +17,8 @@ QString words(const char* text) {
 }
 
 /// A dialog with a scrolling page and a button to close it.
-QDialog* makeDialog(const Theme& theme, const QString& name, const QString& title, ScrollPage*& page, QWidget* parent) {
+QDialog* makeDialog(const Theme& theme, const QString& name, const QString& title, ScrollPage*& page,
+                    QWidget* parent) {
     auto* dialog = new QDialog(parent);
     dialog->setObjectName(name);
     dialog->setWindowTitle(title);
@@ -44,7 +45,8 @@ void addKeys(const Theme& theme, QVBoxLayout* column, const std::vector<ScreenCo
     for (const ScreenCommand& command : commands) {
         if (command.keys.isEmpty())
             continue;
-        grid->addWidget(kit::line(theme, command.keys.toString(QKeySequence::NativeText), TextStyle::strong), row, 0, Qt::AlignTop);
+        grid->addWidget(kit::line(theme, command.keys.toString(QKeySequence::NativeText), TextStyle::strong),
+                        row, 0, Qt::AlignTop);
         grid->addWidget(kit::label(theme, command.text), row, 1);
         ++row;
     }
@@ -98,7 +100,8 @@ QDialog* showHelp(const Theme& theme, Screen& screen, QWidget* parent) {
         page->column()->addWidget(kit::label(theme, paragraph));
     const CommandGroup own{screen.title(), screen.commands()};
     if (hasKeys(own)) {
-        page->column()->addWidget(kit::label(theme, words(QT_TRANSLATE_NOOP("HelpDialogs", "Keys on this screen")), TextStyle::title));
+        page->column()->addWidget(kit::label(
+            theme, words(QT_TRANSLATE_NOOP("HelpDialogs", "Keys on this screen")), TextStyle::title));
         addKeys(theme, page->column(), own.commands);
     }
     page->column()->addStretch();

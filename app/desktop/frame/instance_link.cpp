@@ -22,7 +22,8 @@ constexpr char kKnock = 'r';
 QString socketPath(const QString& databaseFile) {
     const QFileInfo info(databaseFile);
     const QString file = info.exists() ? info.canonicalFilePath() : info.absoluteFilePath();
-    const QByteArray name = QCryptographicHash::hash(file.toUtf8(), QCryptographicHash::Sha256).toHex().left(24);
+    const QByteArray name =
+        QCryptographicHash::hash(file.toUtf8(), QCryptographicHash::Sha256).toHex().left(24);
     return QDir(QStandardPaths::writableLocation(QStandardPaths::RuntimeLocation))
         .filePath(QStringLiteral("chiron-%1.socket").arg(QString::fromLatin1(name)));
 }
@@ -40,7 +41,8 @@ bool addressOf(const QString& path, sockaddr_un& address) {
 
 } // namespace
 
-InstanceLink::InstanceLink(const QString& databaseFile, QObject* parent) : QObject(parent), m_path(socketPath(databaseFile)) {}
+InstanceLink::InstanceLink(const QString& databaseFile, QObject* parent)
+    : QObject(parent), m_path(socketPath(databaseFile)) {}
 
 InstanceLink::~InstanceLink() {
     if (m_socket < 0)
@@ -87,7 +89,8 @@ bool InstanceLink::raiseOther(const QString& databaseFile) {
     const int made = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (made < 0)
         return false;
-    const bool sent = ::sendto(made, &kKnock, 1, 0, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 1;
+    const bool sent =
+        ::sendto(made, &kKnock, 1, 0, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 1;
     ::close(made);
     return sent;
 }

@@ -24,7 +24,8 @@ void installLanguage(QCoreApplication& application, const QString& language) {
     }
     QStringList files{QStringLiteral(":/i18n/chiron_%1.qm").arg(language)};
     if (language != QLatin1String("en")) // Qt's own texts are already English
-        files.prepend(QLibraryInfo::path(QLibraryInfo::TranslationsPath) + QStringLiteral("/qtbase_%1.qm").arg(language));
+        files.prepend(QLibraryInfo::path(QLibraryInfo::TranslationsPath) +
+                      QStringLiteral("/qtbase_%1.qm").arg(language));
     for (const QString& file : files) { // the one installed last takes precedence: Chiron's
         auto* translator = new QTranslator(&application);
         if (translator->load(file))
@@ -44,8 +45,9 @@ QString languageName(const QString& language) {
 std::vector<std::pair<QString, QString>> languageChoices() {
     std::vector<std::pair<QString, QString>> choices;
     for (const core::Language& language : core::kLanguages)
-        choices.emplace_back(QString::fromUtf8(language.id.data(), static_cast<qsizetype>(language.id.size())),
-                             QString::fromUtf8(language.name.data(), static_cast<qsizetype>(language.name.size())));
+        choices.emplace_back(
+            QString::fromUtf8(language.id.data(), static_cast<qsizetype>(language.id.size())),
+            QString::fromUtf8(language.name.data(), static_cast<qsizetype>(language.name.size())));
     return choices;
 }
 

@@ -29,7 +29,9 @@ MainWindow::MainWindow(AppContext& context) : m_context(context) {
     setMinimumSize(960, 540);
     resize(1280, 720);
     m_actions.palette = [this] { showCommandPalette(); };
-    m_actions.shortcuts = [this] { showShortcuts(m_context.theme(), commandsNow(m_context, m_screen, m_actions), this); };
+    m_actions.shortcuts = [this] {
+        showShortcuts(m_context.theme(), commandsNow(m_context, m_screen, m_actions), this);
+    };
     m_actions.help = [this] {
         if (m_screen && !m_screen->helpItself())
             showHelp(m_context.theme(), *m_screen, this);
@@ -91,8 +93,8 @@ void MainWindow::build() {
     row->addLayout(m_column, 1);
     if (QWidget* before = centralWidget())
         before->setEnabled(false); // work that ends before the deletion must not move the focus into it
-    setCentralWidget(m_frame); // deletes the previous frame
-    m_frame->show(); // now, because nothing in a hidden frame can take the focus
+    setCentralWidget(m_frame);     // deletes the previous frame
+    m_frame->show();               // now, because nothing in a hidden frame can take the focus
 }
 
 /// The room that messages are shown in. Without a message it shows hints that help everywhere.
@@ -104,7 +106,9 @@ QWidget* MainWindow::statusLine() const {
     auto* row = new QHBoxLayout(line);
     row->setContentsMargins(theme.px(24), 0, theme.px(16), 0);
     if (m_context.loggedIn())
-        row->addWidget(kit::label(theme, tr("F1: help with this screen · Ctrl+K: find a screen, command, person, session or study"), TextStyle::small, "muted"));
+        row->addWidget(kit::label(
+            theme, tr("F1: help with this screen · Ctrl+K: find a screen, command, person, session or study"),
+            TextStyle::small, "muted"));
     return line;
 }
 
@@ -115,8 +119,10 @@ QWidget* MainWindow::banner() const {
     banner->setAttribute(Qt::WA_StyledBackground);
     auto* row = new QHBoxLayout(banner);
     row->setContentsMargins(theme.px(16), theme.px(4), theme.px(16), theme.px(4));
-    row->addWidget(kit::label(theme, tr("Demonstration site: invented people and scripted sessions. Do not record real training here."),
-                              TextStyle::small));
+    row->addWidget(kit::label(
+        theme,
+        tr("Demonstration site: invented people and scripted sessions. Do not record real training here."),
+        TextStyle::small));
     return banner;
 }
 
@@ -160,7 +166,7 @@ void MainWindow::showPlace(const Place& place) {
         m_stage->removeWidget(m_screen);
         m_screen->hide();
         m_screen->setEnabled(false); // work that ends in the meantime must not move the focus into it
-        m_screen->deleteLater(); // the call may come from one of its own buttons
+        m_screen->deleteLater();     // the call may come from one of its own buttons
     }
     if (m_sideBar)
         m_sideBar->setVisible(entry->framed && m_context.loggedIn());

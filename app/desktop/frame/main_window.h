@@ -52,9 +52,9 @@ private:
     PaletteFinder* m_finder = nullptr;
     QObject* m_shortcuts = nullptr; ///< parent of the active shortcuts
     QWidget* m_frame = nullptr;
-    SideBar* m_sideBar = nullptr;     ///< null before login
+    SideBar* m_sideBar = nullptr; ///< null before login
     QVBoxLayout* m_column = nullptr;
-    QWidget* m_banner = nullptr;      ///< created when first needed, like the messages
+    QWidget* m_banner = nullptr; ///< created when first needed, like the messages
     MessageBar* m_messages = nullptr;
     /// Lies below the screen, so that a message neither covers a control nor moves one.
     QWidget* m_messageRoom = nullptr;

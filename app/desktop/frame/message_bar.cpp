@@ -61,7 +61,9 @@ constexpr int kControl = 100;
 int weightOf(const QWidget& part) {
     if (qobject_cast<const QScrollArea*>(&part))
         return 0; // its contents count instead
-    for (const char* kind : {"QAbstractButton", "QLineEdit", "QComboBox", "QAbstractSpinBox", "QAbstractSlider", "QAbstractItemView", "QTextEdit", "QPlainTextEdit", "QTabBar"})
+    for (const char* kind :
+         {"QAbstractButton", "QLineEdit", "QComboBox", "QAbstractSpinBox", "QAbstractSlider",
+          "QAbstractItemView", "QTextEdit", "QPlainTextEdit", "QTabBar"})
         if (part.inherits(kind))
             return kControl;
     return part.focusPolicy() != Qt::NoFocus || part.testAttribute(Qt::WA_NativeWindow) ? kScene : 0;
@@ -72,7 +74,8 @@ std::vector<UsablePart> usableParts(const QWidget& over, const QWidget& besides)
     std::vector<UsablePart> parts;
     for (const QWidget* each : over.findChildren<QWidget*>()) {
         const int weight = weightOf(*each);
-        if (weight == 0 || !each->isVisible() || !each->isEnabled() || each == &besides || besides.isAncestorOf(each))
+        if (weight == 0 || !each->isVisible() || !each->isEnabled() || each == &besides ||
+            besides.isAncestorOf(each))
             continue;
         const QRect seen = each->visibleRegion().boundingRect();
         if (!seen.isEmpty())
@@ -137,7 +140,8 @@ void MessageBar::build() {
 }
 
 int MessageBar::roomHeight(const Theme& theme) {
-    const int content = std::max(theme.controlHeight(), 2 * QFontMetrics(theme.font(TextStyle::body)).lineSpacing());
+    const int content =
+        std::max(theme.controlHeight(), 2 * QFontMetrics(theme.font(TextStyle::body)).lineSpacing());
     return content + 2 * theme.px(kPadding_px) + kFrame_px + theme.px(kAbove_px) + theme.px(kBelow_px);
 }
 
@@ -154,8 +158,10 @@ void MessageBar::setRoom(QWidget* room) {
 }
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
-    const bool moved = event->type() == QEvent::Resize || event->type() == QEvent::Move || event->type() == QEvent::Show;
-    if (moved && isVisible() && (watched == m_room || (watched == parent() && event->type() == QEvent::Resize)))
+    const bool moved =
+        event->type() == QEvent::Resize || event->type() == QEvent::Move || event->type() == QEvent::Show;
+    if (moved && isVisible() &&
+        (watched == m_room || (watched == parent() && event->type() == QEvent::Resize)))
         settle();
     return QFrame::eventFilter(watched, event);
 }
@@ -164,7 +170,8 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
 int MessageBar::widthOfOthers() const {
     const QMargins margins = layout()->contentsMargins();
     int width = margins.left() + margins.right() + kFrame_px;
-    for (const QWidget* part : {static_cast<const QWidget*>(m_sign), static_cast<const QWidget*>(m_more), static_cast<const QWidget*>(m_action), static_cast<const QWidget*>(m_close)})
+    for (const QWidget* part : {static_cast<const QWidget*>(m_sign), static_cast<const QWidget*>(m_more),
+                                static_cast<const QWidget*>(m_action), static_cast<const QWidget*>(m_close)})
         if (!part->isHidden())
             width += std::max(part->sizeHint().width(), part->minimumWidth()) + layout()->spacing();
     return width;
@@ -175,7 +182,8 @@ void MessageBar::fitText(int width, int height) {
     const QFontMetrics metrics(m_text->font());
     const auto fits = [&](const QString& words) {
         const QRect wide(0, 0, std::max(1, width - widthOfOthers()), 1 << 20);
-        return metrics.boundingRect(wide, Qt::TextWordWrap, words).height() <= height - 2 * m_theme.px(kPadding_px) - kFrame_px;
+        return metrics.boundingRect(wide, Qt::TextWordWrap, words).height() <=
+               height - 2 * m_theme.px(kPadding_px) - kFrame_px;
     };
     m_more->hide();
     const QString words = m_whole.simplified(); // a line break would waste space
@@ -194,7 +202,8 @@ void MessageBar::fitText(int width, int height) {
         (good ? low : high) = good ? middle + 1 : middle - 1;
     }
     const qsizetype space = words.lastIndexOf(QLatin1Char(' '), fit);
-    m_text->setText(words.left(fit < words.size() && space > fit / 2 ? space : fit).trimmed() + QStringLiteral(" …"));
+    m_text->setText(words.left(fit < words.size() && space > fit / 2 ? space : fit).trimmed() +
+                    QStringLiteral(" …"));
     m_text->setToolTip(m_whole);
 }
 
@@ -211,7 +220,8 @@ void MessageBar::settle() {
     }
     const int margin = m_theme.px(kMargin_px);
     const QRect place(m_room->mapTo(over, QPoint(margin, m_theme.px(kAbove_px))),
-                      QSize(m_room->width() - 2 * margin, m_room->height() - m_theme.px(kAbove_px) - m_theme.px(kBelow_px)));
+                      QSize(m_room->width() - 2 * margin,
+                            m_room->height() - m_theme.px(kAbove_px) - m_theme.px(kBelow_px)));
     fitText(place.width(), place.height());
     setGeometry(place);
 }
@@ -227,11 +237,13 @@ QRect MessageBar::freePlace() const {
     int least = std::numeric_limits<int>::max();
     for (const double wide : kWidths_px) {
         const int width = std::min(m_theme.px(wide), over.width() - 2 * margin);
-        const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
+        const int height =
+            layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
         for (int y = over.height() - height - margin; y >= margin; y -= m_theme.px(kStep_px)) {
             for (const int x : {(over.width() - width) / 2, margin, over.width() - width - margin}) {
                 const QRect place(x, y, width, height);
-                const int cost = costOf(place, parts) + (place.adjusted(0, -margin, 0, margin).contains(pointer) ? kControl : 0);
+                const int cost = costOf(place, parts) +
+                                 (place.adjusted(0, -margin, 0, margin).contains(pointer) ? kControl : 0);
                 if (cost < least) {
                     least = cost;
                     best = place;
@@ -251,7 +263,9 @@ void MessageBar::rise() {
         return;
     settle();
     const QList<QWidget*> others = over->findChildren<QWidget*>();
-    if (std::any_of(others.begin(), others.end(), [this](const QWidget* other) { return other != this && other->testAttribute(Qt::WA_NativeWindow); })) {
+    if (std::any_of(others.begin(), others.end(), [this](const QWidget* other) {
+            return other != this && other->testAttribute(Qt::WA_NativeWindow);
+        })) {
         setAttribute(Qt::WA_DontCreateNativeAncestors);
         setAttribute(Qt::WA_NativeWindow); // otherwise the window of a 3D scene would cover it
     }
@@ -269,7 +283,8 @@ void MessageBar::tell(const Message& message) {
     const Look look = lookOf(message.kind);
     setProperty("kind", QLatin1String(look.kind));
     style()->polish(this);
-    m_sign->setPixmap(m_theme.icon(QLatin1String(look.icon), look.ink).pixmap(m_theme.px(22), m_theme.px(22)));
+    m_sign->setPixmap(
+        m_theme.icon(QLatin1String(look.icon), look.ink).pixmap(m_theme.px(22), m_theme.px(22)));
     m_whole = message.text;
     m_more->hide();
     m_text->setText(m_whole);

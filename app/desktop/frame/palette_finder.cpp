@@ -36,7 +36,8 @@ QString titleOfKind(ThingKind kind) {
 /// Focuses the button with this text once it is enabled, because the screen may still be loading.
 class FocusWhenReady final : public QObject {
 public:
-    FocusWhenReady(QWidget* screen, QString text) : QObject(screen), m_screen(screen), m_text(std::move(text)) {
+    FocusWhenReady(QWidget* screen, QString text)
+        : QObject(screen), m_screen(screen), m_text(std::move(text)) {
         constexpr int kLook_ms = 50;
         connect(&m_timer, &QTimer::timeout, this, [this] { look(); });
         m_timer.start(kLook_ms);
@@ -93,7 +94,8 @@ void PaletteFinder::serve(CommandPalette& palette) {
     if (!m_collected) {
         m_collected = true;
         for (const ScreenEntry& entry : screenCatalogue())
-            if (std::any_of(entry.roles.begin(), entry.roles.end(), [this](database::Role role) { return m_context.has(role); }))
+            if (std::any_of(entry.roles.begin(), entry.roles.end(),
+                            [this](database::Role role) { return m_context.has(role); }))
                 m_toCollect << QLatin1String(entry.id);
     }
     QTimer::singleShot(0, this, &PaletteFinder::collectNext);
@@ -136,7 +138,8 @@ void PaletteFinder::find() {
     if (m_work)
         return; // reading is in progress; its result is searched for the latest text
     m_palette->say(tr("Searching people, sessions and studies …"));
-    SearchQuestion question{m_context.actor(), m_context.language(), m_context.locale(), m_context.site().catalogue()};
+    SearchQuestion question{m_context.actor(), m_context.language(), m_context.locale(),
+                            m_context.site().catalogue()};
     m_work = m_context.background().run(
         m_palette,
         [&database = m_context.site().database(), question = std::move(question)](WorkToken& working) {
@@ -159,12 +162,14 @@ std::vector<ScreenCommand> PaletteFinder::commandsElsewhere(const QString& typed
             continue; // already listed as a command of this screen
         for (const QString& command : there.commands)
             if (CommandPalette::fit(typed, command) >= kGoodFit && static_cast<int>(list.size()) < kMost)
-                list.push_back({tr("%1: %2").arg(there.title, command), {}, [this, screen = there.screen, command] {
-                                    m_context.navigator().go(screen);
-                                    for (QWidget* window : QApplication::topLevelWidgets())
-                                        if (auto* shown = window->findChild<Screen*>(QStringLiteral("screen.") + screen); shown && shown->isVisible())
-                                            new FocusWhenReady(shown, command);
-                                }});
+                list.push_back(
+                    {tr("%1: %2").arg(there.title, command), {}, [this, screen = there.screen, command] {
+                         m_context.navigator().go(screen);
+                         for (QWidget* window : QApplication::topLevelWidgets())
+                             if (auto* shown = window->findChild<Screen*>(QStringLiteral("screen.") + screen);
+                                 shown && shown->isVisible())
+                                 new FocusWhenReady(shown, command);
+                     }});
     }
     return list;
 }
@@ -179,12 +184,20 @@ void PaletteFinder::show(const std::shared_ptr<const SearchIndex>& index, const 
         if (found.best.empty())
             continue;
         const int more = found.all - static_cast<int>(found.best.size());
-        CommandGroup group{more > 0 ? tr("%1 (%n more; type more letters)", nullptr, more).arg(titleOfKind(kind)) : titleOfKind(kind), {}};
+        CommandGroup group{more > 0
+                               ? tr("%1 (%n more; type more letters)", nullptr, more).arg(titleOfKind(kind))
+                               : titleOfKind(kind),
+                           {}};
         for (const NamedThing* thing : found.best)
-            group.commands.push_back({thing->text, {}, [&context = m_context, place = thing->place] { context.navigator().go(place); }});
+            group.commands.push_back({thing->text, {}, [&context = m_context, place = thing->place] {
+                                          context.navigator().go(place);
+                                      }});
         groups.push_back(std::move(group));
     }
-    m_palette->showFound(std::move(groups), index->problems.empty() ? QString() : tr("Not everything could be searched: %1").arg(inWords(index->problems.front(), Tried::reading)));
+    m_palette->showFound(std::move(groups), index->problems.empty()
+                                                ? QString()
+                                                : tr("Not everything could be searched: %1")
+                                                      .arg(inWords(index->problems.front(), Tried::reading)));
 }
 
 } // namespace chiron::desktop

@@ -27,8 +27,7 @@ void add(SearchIndex& index, ThingKind kind, const QString& text, const QString&
 }
 
 /// Returns whether the reading succeeded. A missing permission gives no results; any other error is reported.
-template <class T>
-bool isThere(const core::Result<T>& read, SearchIndex& index) {
+template <class T> bool isThere(const core::Result<T>& read, SearchIndex& index) {
     if (!read && read.error().code != core::ErrorCode::notAllowed)
         index.problems.push_back(read.error());
     return read.has_value();
@@ -42,9 +41,13 @@ void addExercises(SearchIndex& index, const SearchQuestion& question) {
     for (const catalogue::Exercise& exercise : question.catalogue.exercises())
         for (const catalogue::ExerciseLevel& level : exercise.levels)
             add(index, ThingKind::exercise,
-                PaletteSearch::tr("%1, level %2: %3").arg(in(exercise.title, question), question.locale.toString(level.number), in(level.title, question)), {},
+                PaletteSearch::tr("%1, level %2: %3")
+                    .arg(in(exercise.title, question), question.locale.toString(level.number),
+                         in(level.title, question)),
+                {},
                 {QStringLiteral("exercise_setup"),
-                 {{QStringLiteral("exercise"), QString::fromStdString(exercise.id)}, {QStringLiteral("level"), level.number}}});
+                 {{QStringLiteral("exercise"), QString::fromStdString(exercise.id)},
+                  {QStringLiteral("level"), level.number}}});
 }
 
 void addPeople(SearchIndex& index, database::Connection& connection, const SearchQuestion& question) {
@@ -53,13 +56,17 @@ void addPeople(SearchIndex& index, database::Connection& connection, const Searc
         return;
     const bool keepsAccounts = question.actor.roles().contains(database::Role::admin);
     for (const database::Person& person : *people) {
-        const QString name = QString::fromStdString(person.name), full = QString::fromStdString(person.displayName);
-        add(index, ThingKind::person, full.isEmpty() ? name : PaletteSearch::tr("%1 (%2)").arg(full, name), {},
-            {keepsAccounts ? QStringLiteral("people") : QStringLiteral("sessions"), {{QStringLiteral("person"), qlonglong(person.id)}}});
+        const QString name = QString::fromStdString(person.name),
+                      full = QString::fromStdString(person.displayName);
+        add(index, ThingKind::person, full.isEmpty() ? name : PaletteSearch::tr("%1 (%2)").arg(full, name),
+            {},
+            {keepsAccounts ? QStringLiteral("people") : QStringLiteral("sessions"),
+             {{QStringLiteral("person"), qlonglong(person.id)}}});
     }
 }
 
-void addSessions(SearchIndex& index, database::Connection& connection, const SearchQuestion& question, const std::atomic<bool>& cancel) {
+void addSessions(SearchIndex& index, database::Connection& connection, const SearchQuestion& question,
+                 const std::atomic<bool>& cancel) {
     database::SessionFilter filter;
     filter.newestFirst = true;
     const auto sessions = database::SessionReader(connection, question.actor).listSessions(filter);
@@ -69,7 +76,8 @@ void addSessions(SearchIndex& index, database::Connection& connection, const Sea
     if (!isThere(names, index))
         return;
     const ExerciseTitles titles = exerciseTitles(question.catalogue, question.language);
-    const bool hasList = question.actor.roles().contains(database::Role::trainer) || question.actor.roles().contains(database::Role::researcher) ||
+    const bool hasList = question.actor.roles().contains(database::Role::trainer) ||
+                         question.actor.roles().contains(database::Role::researcher) ||
                          question.actor.roles().contains(database::Role::admin);
     for (const database::SessionSummary& session : *sessions) {
         if (cancel.load(std::memory_order_relaxed))
@@ -82,7 +90,8 @@ void addSessions(SearchIndex& index, database::Connection& connection, const Sea
         const qlonglong number = session.id;
         add(index, ThingKind::session,
             PaletteSearch::tr("Session %1: %2, level %3, %4, %5")
-                .arg(QString::number(number), titles.value(id, id), question.locale.toString(session.level), QString::fromStdString(names->of(session)), when),
+                .arg(QString::number(number), titles.value(id, id), question.locale.toString(session.level),
+                     QString::fromStdString(names->of(session)), when),
             QString::fromStdString(session.personName + ' ' + session.operatorName),
             opens ? Place{QStringLiteral("debrief"), {{QStringLiteral("session"), number}}}
                   : Place{QStringLiteral("sessions"), {{QStringLiteral("selected"), number}}});
@@ -95,7 +104,8 @@ void addStudies(SearchIndex& index, database::Connection& connection, const Sear
         return;
     for (const database::StudySummary& study : *studies) {
         const QString key = QString::fromStdString(study.key), title = QString::fromStdString(study.title);
-        add(index, ThingKind::study, title.isEmpty() ? key : title, key, {QStringLiteral("study"), {{QStringLiteral("study"), qlonglong(study.id)}}});
+        add(index, ThingKind::study, title.isEmpty() ? key : title, key,
+            {QStringLiteral("study"), {{QStringLiteral("study"), qlonglong(study.id)}}});
     }
 }
 
@@ -127,7 +137,8 @@ QString forSearch(const QString& text) {
     return out;
 }
 
-SearchIndex readSearchIndex(const database::Database& database, const SearchQuestion& question, const std::atomic<bool>& cancel) {
+SearchIndex readSearchIndex(const database::Database& database, const SearchQuestion& question,
+                            const std::atomic<bool>& cancel) {
     SearchIndex index;
     addExercises(index, question);
     const auto reader = database.openReader();

@@ -44,7 +44,8 @@ struct SearchQuestion {
 
 /// Reads everything that the repositories allow this person to see. Ends early when `cancel` is set.
 /// Thread: worker; blocks.
-SearchIndex readSearchIndex(const database::Database& database, const SearchQuestion& question, const std::atomic<bool>& cancel);
+SearchIndex readSearchIndex(const database::Database& database, const SearchQuestion& question,
+                            const std::atomic<bool>& cancel);
 
 /// The items of one kind that contain every typed word, those with a word that begins with it first: the best
 /// ones, and the number of all.

@@ -7,8 +7,8 @@
 #include "desktop/frame/languages.h"
 #include "desktop/frame/main_window.h"
 #include "desktop/frame/start_trace.h"
-#include "desktop/study_run/asked_sitting.h"
 #include "desktop/restore/restore_screen.h"
+#include "desktop/study_run/asked_sitting.h"
 #include "desktop/widgets/logo.h"
 
 #include <QCommandLineParser>
@@ -25,36 +25,49 @@ void describe(QCommandLineParser& arguments) {
     arguments.setApplicationDescription(QStringLiteral("Chiron: learn by touch"));
     arguments.addHelpOption();
     arguments.addVersionOption();
-    arguments.addOption({QStringLiteral("database"), QStringLiteral("The database to work on (default: the user's own)."), QStringLiteral("FILE")});
-    arguments.addOption({QStringLiteral("settings"), QStringLiteral("Where look and language are remembered (default: the user's own)."),
+    arguments.addOption({QStringLiteral("database"),
+                         QStringLiteral("The database to work on (default: the user's own)."),
                          QStringLiteral("FILE")});
-    arguments.addOption({QStringLiteral("study"), QStringLiteral("With --person: open this study, by its id or number, after the login."), QStringLiteral("STUDY")});
-    arguments.addOption({QStringLiteral("person"), QStringLiteral("With --study: go to the next trial of the participant with this code."), QStringLiteral("CODE")});
+    arguments.addOption({QStringLiteral("settings"),
+                         QStringLiteral("Where look and language are remembered (default: the user's own)."),
+                         QStringLiteral("FILE")});
+    arguments.addOption(
+        {QStringLiteral("study"),
+         QStringLiteral("With --person: open this study, by its id or number, after the login."),
+         QStringLiteral("STUDY")});
+    arguments.addOption(
+        {QStringLiteral("person"),
+         QStringLiteral("With --study: go to the next trial of the participant with this code."),
+         QStringLiteral("CODE")});
 }
 
 QString databaseFile(const QCommandLineParser& arguments) {
     const QString given = arguments.value(QStringLiteral("database"));
     if (!given.isEmpty())
         return QFileInfo(given).absoluteFilePath();
-    return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)).filePath(QStringLiteral("chiron/chiron.db"));
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation))
+        .filePath(QStringLiteral("chiron/chiron.db"));
 }
 
 /// A second desktop on this database raises this window. If this is the second one, it raises the first and
 /// exits.
-void connectInstances(AppContext& context, MainWindow& window, InstanceLink& link, QApplication& application) {
+void connectInstances(AppContext& context, MainWindow& window, InstanceLink& link,
+                      QApplication& application) {
     QObject::connect(&context, &AppContext::siteOpened, &link, [&context, &link] {
         if (const auto listens = link.listen(); !listens)
-            qWarning("A second program on this database could not raise this window: %s", listens.error().message.c_str());
+            qWarning("A second program on this database could not raise this window: %s",
+                     listens.error().message.c_str());
     });
     QObject::connect(&link, &InstanceLink::raiseAsked, &window, [&window] {
         window.setWindowState(window.windowState() & ~Qt::WindowMinimized);
         window.raise();
         window.activateWindow();
     });
-    QObject::connect(&context, &AppContext::siteFailed, &application, [&context, &application](const core::Error& error) {
-        if (error.code == core::ErrorCode::locked && InstanceLink::raiseOther(context.site().file()))
-            application.quit();
-    });
+    QObject::connect(
+        &context, &AppContext::siteFailed, &application, [&context, &application](const core::Error& error) {
+            if (error.code == core::ErrorCode::locked && InstanceLink::raiseOther(context.site().file()))
+                application.quit();
+        });
 }
 
 } // namespace
@@ -103,7 +116,8 @@ int runProgram(QApplication& application) {
     AppContext context(site, settings);
     applyAppearance(application, context);
     traceStart("appearance");
-    QObject::connect(&context, &AppContext::appearanceChanged, &application, [&] { applyAppearance(application, context); });
+    QObject::connect(&context, &AppContext::appearanceChanged, &application,
+                     [&] { applyAppearance(application, context); });
     MainWindow window(context); // after the connection above, so that the window is rebuilt in the new look
     context.navigator().replace(firstPlace(site));
     QObject::connect(&window, &MainWindow::firstPainted, &context, [&] {
@@ -112,7 +126,8 @@ int runProgram(QApplication& application) {
             context.openSite();
     });
     if (arguments.isSet(QStringLiteral("study")) && arguments.isSet(QStringLiteral("person")))
-        followAskedSitting(context, {arguments.value(QStringLiteral("study")), arguments.value(QStringLiteral("person"))});
+        followAskedSitting(
+            context, {arguments.value(QStringLiteral("study")), arguments.value(QStringLiteral("person"))});
     InstanceLink link(site.file());
     connectInstances(context, window, link, application);
     traceStart("window_made");

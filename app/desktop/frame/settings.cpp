@@ -13,7 +13,9 @@ namespace {
 
 const QStringList kThemes{QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("high_contrast")};
 
-QLatin1String asText(std::string_view token) { return {token.data(), static_cast<qsizetype>(token.size())}; }
+QLatin1String asText(std::string_view token) {
+    return {token.data(), static_cast<qsizetype>(token.size())};
+}
 
 QString settingsFile(const QString& given) {
     if (!given.isEmpty())
@@ -24,7 +26,9 @@ QString settingsFile(const QString& given) {
 
 /// The entry of a language, or English if it is unknown.
 const core::Language& languageOf(const QString& id) {
-    const auto found = std::find_if(core::kLanguages.begin(), core::kLanguages.end(), [&](const core::Language& language) { return id == asText(language.id); });
+    const auto found =
+        std::find_if(core::kLanguages.begin(), core::kLanguages.end(),
+                     [&](const core::Language& language) { return id == asText(language.id); });
     return found == core::kLanguages.end() ? core::kLanguages.front() : *found;
 }
 

@@ -42,8 +42,10 @@ void SideBar::showUnread(int sessions) {
         if (id != QStringLiteral("home"))
             continue;
         const QString title = button->property("title").toString();
-        button->setText(sessions > 0 ? tr("%1 (%2)").arg(title, m_context.locale().toString(sessions)) : title);
-        button->setAccessibleName(sessions > 0 ? tr("%1: %n session(s) with new comments", nullptr, sessions).arg(title) : title);
+        button->setText(sessions > 0 ? tr("%1 (%2)").arg(title, m_context.locale().toString(sessions))
+                                     : title);
+        button->setAccessibleName(
+            sessions > 0 ? tr("%1: %n session(s) with new comments", nullptr, sessions).arg(title) : title);
         button->setToolTip(sessions > 0 ? button->accessibleName() : QString());
     }
 }
@@ -63,7 +65,8 @@ QWidget* SideBar::entries() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(m_context.theme().px(4));
     for (const ScreenEntry& screen : screenCatalogue()) {
-        const bool mine = std::any_of(screen.roles.begin(), screen.roles.end(), [this](database::Role role) { return m_context.has(role); });
+        const bool mine = std::any_of(screen.roles.begin(), screen.roles.end(),
+                                      [this](database::Role role) { return m_context.has(role); });
         if (!mine)
             continue;
         const QString id = QLatin1String(screen.id);
@@ -105,12 +108,15 @@ QWidget* SideBar::personArea() {
     auto* column = new QVBoxLayout(area);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(m_context.theme().px(4));
-    auto* name = kit::label(m_context.theme(), QString::fromStdString(m_context.loginName()), TextStyle::strong);
+    auto* name =
+        kit::label(m_context.theme(), QString::fromStdString(m_context.loginName()), TextStyle::strong);
     name->setObjectName(QStringLiteral("nav.person"));
-    connect(&m_context, &AppContext::loginNameChanged, name, [this, name] { name->setText(QString::fromStdString(m_context.loginName())); });
+    connect(&m_context, &AppContext::loginNameChanged, name,
+            [this, name] { name->setText(QString::fromStdString(m_context.loginName())); });
     column->addWidget(name);
     auto* account = entry(QStringLiteral("user-identity"), tr("My account"), QStringLiteral("nav.account"));
-    connect(account, &QPushButton::clicked, this, [this] { m_context.navigator().go(QStringLiteral("account")); });
+    connect(account, &QPushButton::clicked, this,
+            [this] { m_context.navigator().go(QStringLiteral("account")); });
     auto* search = entry(QStringLiteral("search"), tr("Find a command"), QStringLiteral("nav.palette"));
     connect(search, &QPushButton::clicked, this, &SideBar::paletteAsked);
     auto* help = entry(QStringLiteral("help-contents"), tr("Help"), QStringLiteral("nav.help"));

@@ -19,7 +19,8 @@ inline void traceStart(const char* what) {
         clock_gettime(clock, &time);
         return static_cast<long long>(time.tv_sec) * 1'000'000'000LL + time.tv_nsec;
     };
-    std::fprintf(stderr, "chiron-start %s %lld %lld\n", what, read(CLOCK_MONOTONIC), read(CLOCK_PROCESS_CPUTIME_ID));
+    std::fprintf(stderr, "chiron-start %s %lld %lld\n", what, read(CLOCK_MONOTONIC),
+                 read(CLOCK_PROCESS_CPUTIME_ID));
 }
 
 } // namespace chiron::desktop

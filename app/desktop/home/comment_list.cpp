@@ -19,7 +19,8 @@ int newsUpTo(const std::vector<database::PersonId>& authors, database::PersonId 
     return upTo;
 }
 
-core::Result<std::vector<FoundComment>> readComments(const database::Database& database, const database::Actor& actor, const ExerciseTitles& titles) {
+core::Result<std::vector<FoundComment>>
+readComments(const database::Database& database, const database::Actor& actor, const ExerciseTitles& titles) {
     auto connection = database.openReader();
     CHIRON_TRY(connection);
     auto sessions = database::SessionReader(**connection, actor).commentedSessions();
@@ -36,11 +37,16 @@ core::Result<std::vector<FoundComment>> readComments(const database::Database& d
             const auto name = names.find(comment.author);
             const bool byOther = comment.author != actor.personId();
             concerned = concerned || !byOther;
-            found.push_back({row, {comment, name == names.end() ? std::string() : name->second}, byOther && concerned,
-                             static_cast<int>(i), static_cast<int>(session.comments.size())});
+            found.push_back({row,
+                             {comment, name == names.end() ? std::string() : name->second},
+                             byOther && concerned,
+                             static_cast<int>(i),
+                             static_cast<int>(session.comments.size())});
         }
     }
-    std::sort(found.begin(), found.end(), [](const FoundComment& a, const FoundComment& b) { return a.named.comment.id > b.named.comment.id; });
+    std::sort(found.begin(), found.end(), [](const FoundComment& a, const FoundComment& b) {
+        return a.named.comment.id > b.named.comment.id;
+    });
     return found;
 }
 

@@ -17,8 +17,8 @@ struct FoundComment {
     /// True if another person wrote it on the person's own session, or after a comment by the person. False
     /// if the person wrote it, or another wrote it before the person took part.
     bool received = false;
-    int place = 0;         ///< index among all comments on its session, from 0, in order of writing
-    int onSession = 0;     ///< number of all comments on its session
+    int place = 0;     ///< index among all comments on its session, from 0, in order of writing
+    int onSession = 0; ///< number of all comments on its session
 };
 
 /// Returns the number, counted from 1, of the last comment on a session that `self` should read, or 0 if
@@ -30,6 +30,7 @@ int newsUpTo(const std::vector<database::PersonId>& authors, database::PersonId 
 /// Reads everything that the actor wrote or received, newest comment first.
 /// Thread: worker; blocks.
 /// Errors: those of the repositories.
-core::Result<std::vector<FoundComment>> readComments(const database::Database& database, const database::Actor& actor, const ExerciseTitles& titles);
+core::Result<std::vector<FoundComment>>
+readComments(const database::Database& database, const database::Actor& actor, const ExerciseTitles& titles);
 
 } // namespace chiron::desktop

@@ -23,47 +23,62 @@ enum CommentChoice { allComments, receivedComments, writtenComments };
 const QString kWhichComments = QStringLiteral("which");
 
 QString commentChoiceToken(int choice) {
-    return choice == receivedComments ? QStringLiteral("received") : choice == writtenComments ? QStringLiteral("written") : QString();
+    return choice == receivedComments  ? QStringLiteral("received")
+           : choice == writtenComments ? QStringLiteral("written")
+                                       : QString();
 }
 
 } // namespace
 
-CommentsScreen::CommentsScreen(AppContext& context, const Place& place) : Screen(context, place), m_panel(new StatePanel(context.theme())) {
+CommentsScreen::CommentsScreen(AppContext& context, const Place& place)
+    : Screen(context, place), m_panel(new StatePanel(context.theme())) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_panel);
 }
 
-QString CommentsScreen::title() const { return tr("Comments"); }
+QString CommentsScreen::title() const {
+    return tr("Comments");
+}
 
 QString CommentsScreen::help() const {
-    return tr("All comments that you received or wrote, unread ones first, then the newest.\n\nEach leads to its moment in the playback, or to the debrief "
+    return tr("All comments that you received or wrote, unread ones first, then the newest.\n\nEach leads to "
+              "its moment in the playback, or to the debrief "
               "where it is about the whole session. What is shown here counts as read.");
 }
 
-void CommentsScreen::enter() { load(); }
+void CommentsScreen::enter() {
+    load();
+}
 
 void CommentsScreen::load() {
     m_panel->showLoading(tr("Reading the comments …"));
     context().background().run(
         this,
-        [&database = context().site().database(), actor = context().actor(), titles = exerciseTitles(context().site().catalogue(), context().language())](
-            WorkToken&) { return readComments(database, actor, titles); },
+        [&database = context().site().database(), actor = context().actor(),
+         titles = exerciseTitles(context().site().catalogue(), context().language())](WorkToken&) {
+            return readComments(database, actor, titles);
+        },
         [this](core::Result<std::vector<FoundComment>> comments) {
             if (comments)
                 show(std::move(*comments));
             else
-                m_panel->showError(tr("The comments could not be read."), comments.error(), [this] { load(); });
+                m_panel->showError(tr("The comments could not be read."), comments.error(),
+                                   [this] { load(); });
         });
 }
 
 void CommentsScreen::show(std::vector<FoundComment> comments) {
     m_comments = std::move(comments);
     if (m_comments.empty()) {
-        m_panel->showEmpty(tr("No comments yet"), tr("Comments on your sessions, and your comments on other people's sessions, will appear here."));
+        m_panel->showEmpty(
+            tr("No comments yet"),
+            tr("Comments on your sessions, and your comments on other people's sessions, will appear here."));
         return;
     }
-    const auto firstRead = std::stable_partition(m_comments.begin(), m_comments.end(), [this](const FoundComment& comment) { return isUnread(comment); });
+    const auto firstRead =
+        std::stable_partition(m_comments.begin(), m_comments.end(),
+                              [this](const FoundComment& comment) { return isUnread(comment); });
     m_unread.assign(static_cast<std::size_t>(firstRead - m_comments.begin()), true);
     m_unread.resize(m_comments.size(), false);
     build();
@@ -73,7 +88,9 @@ void CommentsScreen::show(std::vector<FoundComment> comments) {
 
 bool CommentsScreen::isUnread(const FoundComment& comment) const {
     const auto person = context().actor().personId();
-    return comment.received && comment.place >= context().settings().ofPerson(person, commentsSeenKey(comment.row.summary.id), 0).toInt();
+    return comment.received &&
+           comment.place >=
+               context().settings().ofPerson(person, commentsSeenKey(comment.row.summary.id), 0).toInt();
 }
 
 void CommentsScreen::build() {
@@ -93,7 +110,9 @@ void CommentsScreen::build() {
         if (place().parameters.value(kWhichComments).toString() == commentChoiceToken(choice))
             m_which->setCurrentIndex(choice);
     connect(m_which, &QComboBox::currentIndexChanged, this, [this](int choice) {
-        context().navigator().note(choice == allComments ? QVariantMap{} : QVariantMap{{kWhichComments, commentChoiceToken(choice)}});
+        context().navigator().note(choice == allComments
+                                       ? QVariantMap{}
+                                       : QVariantMap{{kWhichComments, commentChoiceToken(choice)}});
         fill();
     });
     row->addWidget(m_which, 0, Qt::AlignBottom);
@@ -126,10 +145,14 @@ void CommentsScreen::fill() {
     const int choice = m_which->currentIndex();
     const auto self = context().actor().personId();
     for (const FoundComment& comment : m_comments)
-        if (choice == allComments || (choice == receivedComments ? comment.received : comment.named.comment.author == self))
+        if (choice == allComments ||
+            (choice == receivedComments ? comment.received : comment.named.comment.author == self))
             m_chosen.push_back(&comment);
     if (m_chosen.empty())
-        m_lines->addWidget(kit::label(context().theme(), choice == receivedComments ? tr("Nobody has commented on your sessions yet.") : tr("You have not written any yet."),
+        m_lines->addWidget(kit::label(context().theme(),
+                                      choice == receivedComments
+                                          ? tr("Nobody has commented on your sessions yet.")
+                                          : tr("You have not written any yet."),
                                       TextStyle::body, "muted"));
     addMore();
 }
@@ -142,7 +165,8 @@ void CommentsScreen::addMore() {
         const bool unread = m_unread[static_cast<std::size_t>(&comment - m_comments.data())];
         m_lines->addWidget(card(comment, unread));
         if (unread)
-            context().settings().setOfPerson(person, commentsSeenKey(comment.row.summary.id), comment.onSession);
+            context().settings().setOfPerson(person, commentsSeenKey(comment.row.summary.id),
+                                             comment.onSession);
     }
     m_more->setVisible(m_shown < m_chosen.size());
     std::set<database::SessionId> still;
@@ -157,11 +181,15 @@ QString CommentsScreen::headOf(const FoundComment& comment) const {
     const QLocale locale = context().locale();
     const QString author = comment.named.comment.author == self ? tr("You")
                            : comment.named.author.empty()       ? tr("Somebody else")
-                                                                : QString::fromStdString(comment.named.author);
+                                                          : QString::fromStdString(comment.named.author);
     const QString what = SessionWords::what(comment.row.summary, comment.row.exercise, locale);
-    const QString when = SessionWords::ago(SessionWords::timeOf(comment.named.comment.utc), QDateTime::currentDateTimeUtc(), locale);
-    return comment.row.summary.person == self ? tr("%1 on your session %2: %3 · %4").arg(author, QString::number(comment.row.summary.id), what, when)
-                                              : tr("%1 on session %2 of %3: %4 · %5").arg(author, QString::number(comment.row.summary.id), comment.row.person, what, when);
+    const QString when = SessionWords::ago(SessionWords::timeOf(comment.named.comment.utc),
+                                           QDateTime::currentDateTimeUtc(), locale);
+    return comment.row.summary.person == self
+               ? tr("%1 on your session %2: %3 · %4")
+                     .arg(author, QString::number(comment.row.summary.id), what, when)
+               : tr("%1 on session %2 of %3: %4 · %5")
+                     .arg(author, QString::number(comment.row.summary.id), comment.row.person, what, when);
 }
 
 bool CommentsScreen::leadsToItsMoment(const FoundComment& comment) const {
@@ -187,8 +215,9 @@ QWidget* CommentsScreen::card(const FoundComment& comment, bool unread) {
     line->addLayout(words, 1);
     const bool running = comment.row.summary.state == database::SessionState::running;
     if (!comment.row.summary.sealed && !running) { // otherwise there is nothing that may be opened
-        auto* watch = leadsToItsMoment(comment) ? kit::button(theme, tr("Watch"), "", QStringLiteral("go-jump"))
-                                                : kit::button(theme, tr("Open the debrief"), "", QStringLiteral("view-statistics"));
+        auto* watch = leadsToItsMoment(comment)
+                          ? kit::button(theme, tr("Watch"), "", QStringLiteral("go-jump"))
+                          : kit::button(theme, tr("Open the debrief"), "", QStringLiteral("view-statistics"));
         watch->setObjectName(QStringLiteral("comments.open.%1").arg(comment.named.comment.id));
         connect(watch, &QPushButton::clicked, this, [this, &comment] { open(comment); });
         line->addWidget(watch, 0, Qt::AlignTop);
@@ -203,11 +232,15 @@ void CommentsScreen::open(const FoundComment& comment) {
         context().navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), session}});
         return;
     }
-    const QString author = comment.named.author.empty() ? tr("Somebody else") : QString::fromStdString(comment.named.author);
-    context().navigator().go(QStringLiteral("playback"), {{QStringLiteral("session"), session},
-                                                          {QStringLiteral("at_tick"), static_cast<qulonglong>(*comment.named.comment.tick)},
-                                                          {QStringLiteral("caption"), tr("%1: %2").arg(author, QString::fromStdString(comment.named.comment.text))},
-                                                          {QStringLiteral("tab"), QStringLiteral("comments")}});
+    const QString author =
+        comment.named.author.empty() ? tr("Somebody else") : QString::fromStdString(comment.named.author);
+    context().navigator().go(
+        QStringLiteral("playback"),
+        {{QStringLiteral("session"), session},
+         {QStringLiteral("at_tick"), static_cast<qulonglong>(*comment.named.comment.tick)},
+         {QStringLiteral("caption"),
+          tr("%1: %2").arg(author, QString::fromStdString(comment.named.comment.text))},
+         {QStringLiteral("tab"), QStringLiteral("comments")}});
 }
 
 } // namespace chiron::desktop

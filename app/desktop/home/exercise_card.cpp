@@ -66,19 +66,26 @@ ExerciseCard::ExerciseCard(AppContext& context, const catalogue::Exercise& exerc
                  [&](const session::LevelStanding& s) { return s.exercise == exercise.id; });
     const auto next = session::nextStep(own);
     for (const catalogue::ExerciseLevel& level : exercise.levels) {
-        const auto found = std::find_if(standings.begin(), standings.end(), [&](const session::LevelStanding& s) {
-            return s.exercise == exercise.id && s.level == level.number;
-        });
-        column->addWidget(levelButton(level, found == standings.end() ? nullptr : &*found, next && next->level == level.number));
+        const auto found =
+            std::find_if(standings.begin(), standings.end(), [&](const session::LevelStanding& s) {
+                return s.exercise == exercise.id && s.level == level.number;
+            });
+        column->addWidget(levelButton(level, found == standings.end() ? nullptr : &*found,
+                                      next && next->level == level.number));
     }
 }
 
-QWidget* ExerciseCard::levelButton(const catalogue::ExerciseLevel& level, const session::LevelStanding* standing, bool next) {
+QWidget* ExerciseCard::levelButton(const catalogue::ExerciseLevel& level,
+                                   const session::LevelStanding* standing, bool next) {
     const Theme& theme = m_context.theme();
-    const QString title = tr("Level %1: %2").arg(m_context.locale().toString(level.number), textIn(level.title, m_context));
+    const QString title =
+        tr("Level %1: %2").arg(m_context.locale().toString(level.number), textIn(level.title, m_context));
     auto* button = new TileButton(theme);
-    button->setObjectName(QStringLiteral("exercise.%1.%2").arg(QString::fromStdString(level.exercise)).arg(level.number));
-    const QString words = !standing ? QString() : next ? tr("%1 · next step").arg(standingWords(*standing)) : standingWords(*standing);
+    button->setObjectName(
+        QStringLiteral("exercise.%1.%2").arg(QString::fromStdString(level.exercise)).arg(level.number));
+    const QString words = !standing ? QString()
+                          : next    ? tr("%1 · next step").arg(standingWords(*standing))
+                                    : standingWords(*standing);
     button->setAccessibleName(standing ? tr("%1. %2").arg(title, words) : title);
     QHBoxLayout* row = button->row();
     row->addWidget(kit::label(theme, title, TextStyle::strong), 1);
@@ -92,7 +99,8 @@ QWidget* ExerciseCard::levelButton(const catalogue::ExerciseLevel& level, const 
     button->seal();
     connect(button, &QPushButton::clicked, this, [this, exercise = level.exercise, number = level.number] {
         m_context.navigator().go(QStringLiteral("exercise_setup"),
-                                 {{QStringLiteral("exercise"), QString::fromStdString(exercise)}, {QStringLiteral("level"), number}});
+                                 {{QStringLiteral("exercise"), QString::fromStdString(exercise)},
+                                  {QStringLiteral("level"), number}});
     });
     return button;
 }

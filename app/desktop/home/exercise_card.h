@@ -15,11 +15,12 @@ class ExerciseCard final : public QFrame {
     Q_OBJECT
 public:
     /// If `standings` is empty, the levels show no standing.
-    ExerciseCard(AppContext& context, const catalogue::Exercise& exercise, std::span<const session::LevelStanding> standings,
-                 QWidget* parent = nullptr);
+    ExerciseCard(AppContext& context, const catalogue::Exercise& exercise,
+                 std::span<const session::LevelStanding> standings, QWidget* parent = nullptr);
 
 private:
-    QWidget* levelButton(const catalogue::ExerciseLevel& level, const session::LevelStanding* standing, bool next);
+    QWidget* levelButton(const catalogue::ExerciseLevel& level, const session::LevelStanding* standing,
+                         bool next);
 
     AppContext& m_context;
 };

@@ -9,7 +9,8 @@
 
 namespace chiron::desktop {
 
-ExercisePicture::ExercisePicture(const Theme& theme, const catalogue::ExerciseLevel& level, QSize size_px, QWidget* parent)
+ExercisePicture::ExercisePicture(const Theme& theme, const catalogue::ExerciseLevel& level, QSize size_px,
+                                 QWidget* parent)
     : QWidget(parent), m_theme(theme), m_size(theme.px(size_px.width()), theme.px(size_px.height())) {
     const bool shown = std::find(level.cues.begin(), level.cues.end(), "object") != level.cues.end();
     if (const auto face = exerciseFace(level.exercise))

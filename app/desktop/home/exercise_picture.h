@@ -19,7 +19,8 @@ inline constexpr double kNoPictureScale = 1.5;
 class ExercisePicture final : public QWidget {
     Q_OBJECT
 public:
-    ExercisePicture(const Theme& theme, const catalogue::ExerciseLevel& level, QSize size_px, QWidget* parent = nullptr);
+    ExercisePicture(const Theme& theme, const catalogue::ExerciseLevel& level, QSize size_px,
+                    QWidget* parent = nullptr);
     ~ExercisePicture() override;
     QSize sizeHint() const override { return m_size; }
 

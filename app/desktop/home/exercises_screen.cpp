@@ -12,7 +12,8 @@ namespace chiron::desktop {
 
 namespace {
 
-core::Result<std::vector<database::SessionSummary>> ownSessions(const database::Database& database, const database::Actor& actor) {
+core::Result<std::vector<database::SessionSummary>> ownSessions(const database::Database& database,
+                                                                const database::Actor& actor) {
     auto reader = database.openReader();
     CHIRON_TRY(reader);
     database::SessionFilter filter;
@@ -34,7 +35,8 @@ QString ExercisesScreen::title() const {
 }
 
 QString ExercisesScreen::help() const {
-    return tr("All exercises of this site and their levels.\n\nEach level says whether you have passed it. Choose one to see what is "
+    return tr("All exercises of this site and their levels.\n\nEach level says whether you have passed it. "
+              "Choose one to see what is "
               "measured and what counts as passed, choose a device, and start.");
 }
 
@@ -45,7 +47,10 @@ void ExercisesScreen::enter() {
 void ExercisesScreen::load() {
     m_panel->showLoading(tr("Loading the exercises …"));
     context().background().run(
-        this, [&database = context().site().database(), actor = context().actor()](WorkToken&) { return ownSessions(database, actor); },
+        this,
+        [&database = context().site().database(), actor = context().actor()](WorkToken&) {
+            return ownSessions(database, actor);
+        },
         [this](const core::Result<std::vector<database::SessionSummary>>& own) {
             if (!own) {
                 m_panel->showError(tr("The exercises could not be loaded."), own.error(), [this] { load(); });
@@ -53,8 +58,9 @@ void ExercisesScreen::load() {
             }
             const catalogue::Catalogue& catalogue = context().site().catalogue();
             if (catalogue.exercises().empty()) {
-                m_panel->showEmpty(tr("There are no exercises"), tr("The content folder of this site contains no exercises. Ask an "
-                                                                    "administrator."));
+                m_panel->showEmpty(tr("There are no exercises"),
+                                   tr("The content folder of this site contains no exercises. Ask an "
+                                      "administrator."));
                 return;
             }
             const auto standings = session::levelStandings(catalogue, *own);

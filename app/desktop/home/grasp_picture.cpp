@@ -32,7 +32,8 @@ void GraspPicture::paintGrasper(QPainter& painter, QPointF tip, QPointF from, do
         const QPointF bow = 0.5 * (joint + end) + side * (0.35 * opening + 0.6 * thick) * beside;
         QPainterPath blade(joint);
         blade.quadTo(bow, end);
-        painter.setPen(QPen(m_theme.color(Colour::text), std::max(2.0, thick * 0.42), Qt::SolidLine, Qt::RoundCap));
+        painter.setPen(
+            QPen(m_theme.color(Colour::text), std::max(2.0, thick * 0.42), Qt::SolidLine, Qt::RoundCap));
         painter.setBrush(Qt::NoBrush);
         painter.drawPath(blade);
     }

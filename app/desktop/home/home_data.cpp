@@ -18,8 +18,8 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr int kNewest = 300;        // sessions in which to look for people who trained recently
-constexpr std::size_t kShown = 8;   // lines per list on the home screen
+constexpr int kNewest = 300;      // sessions in which to look for people who trained recently
+constexpr std::size_t kShown = 8; // lines per list on the home screen
 constexpr std::size_t kOwnShown = 5;
 constexpr int kLookedThrough = 50; // of the newest sessions with comments
 
@@ -32,10 +32,13 @@ struct HomeReading {
     const HomeQuestion& question;
     const PeopleNames& names;
 
-    SessionRow row(database::SessionSummary session) const { return makeSessionRow(std::move(session), question.titles, names); }
+    SessionRow row(database::SessionSummary session) const {
+        return makeSessionRow(std::move(session), question.titles, names);
+    }
 };
 
-std::vector<SessionRow> rowsOf(std::vector<database::SessionSummary> sessions, const HomeReading& reading, std::size_t most) {
+std::vector<SessionRow> rowsOf(std::vector<database::SessionSummary> sessions, const HomeReading& reading,
+                               std::size_t most) {
     std::vector<SessionRow> rows;
     for (database::SessionSummary& session : sessions) {
         if (rows.size() == most)
@@ -45,7 +48,8 @@ std::vector<SessionRow> rowsOf(std::vector<database::SessionSummary> sessions, c
     return rows;
 }
 
-core::Result<void> readCommented(database::Connection& connection, SessionReader& reader, const HomeReading& reading, HomeData& data) {
+core::Result<void> readCommented(database::Connection& connection, SessionReader& reader,
+                                 const HomeReading& reading, HomeData& data) {
     const HomeQuestion& question = reading.question;
     auto sessions = reader.commentedSessions({.toRead = true, .most = kLookedThrough});
     CHIRON_TRY(sessions);
@@ -59,12 +63,14 @@ core::Result<void> readCommented(database::Connection& connection, SessionReader
         if (upTo == 0)
             continue;
         const auto name = names.find(authors[static_cast<std::size_t>(upTo) - 1]);
-        data.commented.push_back({reading.row(std::move(session.session)), name == names.end() ? std::string() : name->second, upTo, own});
+        data.commented.push_back({reading.row(std::move(session.session)),
+                                  name == names.end() ? std::string() : name->second, upTo, own});
     }
     return {};
 }
 
-core::Result<void> readOwn(database::Connection& connection, SessionReader& reader, const HomeReading& reading, HomeData& data) {
+core::Result<void> readOwn(database::Connection& connection, SessionReader& reader,
+                           const HomeReading& reading, HomeData& data) {
     const HomeQuestion& question = reading.question;
     SessionFilter filter;
     filter.person = question.actor.personId();
@@ -79,15 +85,19 @@ core::Result<void> readOwn(database::Connection& connection, SessionReader& read
     return {};
 }
 
-std::vector<RecentPerson> recentPeople(const std::vector<database::SessionSummary>& newest, const PeopleNames& names) {
-    const std::string weekAgo = QDateTime::currentDateTimeUtc().addDays(-7).toString(Qt::ISODateWithMs).toStdString();
+std::vector<RecentPerson> recentPeople(const std::vector<database::SessionSummary>& newest,
+                                       const PeopleNames& names) {
+    const std::string weekAgo =
+        QDateTime::currentDateTimeUtc().addDays(-7).toString(Qt::ISODateWithMs).toStdString();
     std::vector<RecentPerson> people;
     for (const database::SessionSummary& session : newest) {
         if (session.person == database::Actor::kSimulatedPerson)
             continue;
-        auto found = std::find_if(people.begin(), people.end(), [&](const RecentPerson& p) { return p.person == session.person; });
+        auto found = std::find_if(people.begin(), people.end(),
+                                  [&](const RecentPerson& p) { return p.person == session.person; });
         if (found == people.end()) {
-            people.push_back({session.person, QString::fromStdString(names.of(session)), session.startedUtc, 0});
+            people.push_back(
+                {session.person, QString::fromStdString(names.of(session)), session.startedUtc, 0});
             found = std::prev(people.end());
         }
         found->sessions += session.startedUtc >= weekAgo ? 1 : 0;
@@ -109,28 +119,34 @@ core::Result<void> readForTrainer(SessionReader& reader, const HomeReading& read
     auto toReview = reader.listSessions(waiting);
     CHIRON_TRY(toReview);
     data.toReview = static_cast<int>(toReview->size());
-    std::stable_sort(toReview->begin(), toReview->end(),
-                     [](const auto& a, const auto& b) { return session::attentionRank(a) < session::attentionRank(b); });
+    std::stable_sort(toReview->begin(), toReview->end(), [](const auto& a, const auto& b) {
+        return session::attentionRank(a) < session::attentionRank(b);
+    });
     data.toLook = rowsOf(std::move(*toReview), reading, kShown);
     return {};
 }
 
-core::Result<void> readForAdmin(database::Database& database, database::Connection& connection, SessionReader& reader, const HomeQuestion& question, HomeData& data) {
+core::Result<void> readForAdmin(database::Database& database, database::Connection& connection,
+                                SessionReader& reader, const HomeQuestion& question, HomeData& data) {
     const auto people = database::AccountService(database).listPeople(question.actor);
     CHIRON_TRY(people);
-    data.accounts = static_cast<int>(std::count_if(people->begin(), people->end(), [](const auto& person) { return person.enabled; }));
+    data.accounts = static_cast<int>(
+        std::count_if(people->begin(), people->end(), [](const auto& person) { return person.enabled; }));
     const auto code = database::AccountService(database).hasRecoveryCode(question.actor);
     CHIRON_TRY(code);
     data.lacksRecoveryCode = !*code;
     database::StudyReader studies(connection, question.actor);
     const auto withdrawn = session::withdrawnParticipants(studies);
     CHIRON_TRY(withdrawn);
-    data.toErase = static_cast<int>(std::count_if(withdrawn->begin(), withdrawn->end(), [](const auto& each) { return each.participant.recordingsToErase; }));
+    data.toErase = static_cast<int>(std::count_if(withdrawn->begin(), withdrawn->end(), [](const auto& each) {
+        return each.participant.recordingsToErase;
+    }));
     data.room = session::storageRoom(question.databaseFile, recording::defaultRingFolder());
     auto standing = database::Upkeep::backupStanding(connection, question.actor);
     CHIRON_TRY(standing);
     data.backups = std::move(*standing);
-    const auto backups = session::listBackups(session::folderOfPlan(data.backups.plan, question.backupFolder, question.databaseFile));
+    const auto backups = session::listBackups(
+        session::folderOfPlan(data.backups.plan, question.backupFolder, question.databaseFile));
     data.latestBackupUtc = backups.empty() ? std::string() : backups.front().createdUtc;
     SessionFilter filter;
     filter.newestFirst = true;
@@ -150,7 +166,8 @@ void readRecovered(SessionReader& reader, const HomeReading& reading, HomeData& 
     for (const session::RecoveredSession& recovered : reading.question.recovered) {
         auto record = reader.session(recovered.session);
         if (record) // otherwise it belongs to another person, who sees it after logging in
-            data.recovered.push_back({reading.row(std::move(record->summary)), recovered.framesFromRing, recovered.problem});
+            data.recovered.push_back(
+                {reading.row(std::move(record->summary)), recovered.framesFromRing, recovered.problem});
     }
 }
 

@@ -46,20 +46,20 @@ struct HomeData {
     std::vector<SessionRow> own;                   ///< the latest few, newest first
     /// Recent sessions in which others wrote something that concerns the person; latest first.
     std::vector<CommentedSession> commented;
-    std::vector<SessionRow> toLook;                ///< for a trainer: the first few that need attention
-    int toReview = 0;                              ///< for a trainer: total number awaiting a review
-    std::vector<RecentPerson> people;              ///< for a trainer: latest first
+    std::vector<SessionRow> toLook;   ///< for a trainer: the first few that need attention
+    int toReview = 0;                 ///< for a trainer: total number awaiting a review
+    std::vector<RecentPerson> people; ///< for a trainer: latest first
     std::vector<RecoveredRow> recovered;
-    int accounts = 0;                              ///< for an administrator: number of enabled accounts
+    int accounts = 0; ///< for an administrator: number of enabled accounts
     /// For an administrator: the number of participants who asked for their recordings to be erased.
     int toErase = 0;
     /// For an administrator: without a recovery code, a forgotten password would need another person's help.
     bool lacksRecoveryCode = false;
-    std::optional<session::StorageRoom> room;      ///< for an administrator
-    std::string latestBackupUtc;                   ///< empty if none was found
-    database::BackupStanding backups;              ///< for an administrator: state of the backup schedule
-    bool lastLoopTimed = false;                    ///< whether the newest session ran in real time ...
-    bool lastLoopPriority = false;                 ///< ... and was granted real-time priority
+    std::optional<session::StorageRoom> room; ///< for an administrator
+    std::string latestBackupUtc;              ///< empty if none was found
+    database::BackupStanding backups;         ///< for an administrator: state of the backup schedule
+    bool lastLoopTimed = false;               ///< whether the newest session ran in real time ...
+    bool lastLoopPriority = false;            ///< ... and was granted real-time priority
 };
 
 /// What to read, and for whom. A value that is passed to the worker.

@@ -47,7 +47,8 @@ QVBoxLayout* HomeScreen::besidePicture(QVBoxLayout& card, const catalogue::Exerc
 
 QWidget* HomeScreen::tryCard(const HomeData& home) {
     const auto next = session::nextStep(home.standings);
-    const catalogue::ExerciseLevel* level = next ? context().site().catalogue().find(next->exercise, next->level) : nullptr;
+    const catalogue::ExerciseLevel* level =
+        next ? context().site().catalogue().find(next->exercise, next->level) : nullptr;
     if (!level)
         return nullptr;
     const Theme& theme = context().theme();
@@ -56,9 +57,13 @@ QWidget* HomeScreen::tryCard(const HomeData& home) {
     QVBoxLayout* words = besidePicture(*box.layout, *level);
     words->addWidget(kit::label(theme, tr("Try an exercise yourself"), TextStyle::title));
     const catalogue::Exercise* exercise = context().site().catalogue().find(next->exercise);
-    words->addWidget(kit::label(theme, tr("%1: %2").arg(exercise ? textIn(exercise->title, context()) : QString(),
-                                                        textIn(level->goal.empty() ? level->objective : level->goal, context()))));
-    words->addWidget(kit::label(theme, tr("It takes about a minute with mouse and keyboard, does not count, and ends with a debrief."), TextStyle::small, "muted"));
+    words->addWidget(kit::label(
+        theme, tr("%1: %2").arg(exercise ? textIn(exercise->title, context()) : QString(),
+                                textIn(level->goal.empty() ? level->objective : level->goal, context()))));
+    words->addWidget(kit::label(
+        theme,
+        tr("It takes about a minute with mouse and keyboard, does not count, and ends with a debrief."),
+        TextStyle::small, "muted"));
     auto* buttons = new QWidget;
     auto* flow = new FlowLayout(theme.px(10), buttons);
     flow->addWidget(tryButton(*next, "primary"));
@@ -71,7 +76,8 @@ QWidget* HomeScreen::tryCard(const HomeData& home) {
 }
 
 QPushButton* HomeScreen::tryButton(const session::LevelStanding& level, const char* kind) {
-    auto* button = opener(tr("Try it now"), QStringLiteral("training"), tryPlan(level.exercise, level.level).toMap(), kind);
+    auto* button = opener(tr("Try it now"), QStringLiteral("training"),
+                          tryPlan(level.exercise, level.level).toMap(), kind);
     button->setObjectName(QStringLiteral("home.try"));
     button->setToolTip(tr("A few trials that do not count, with mouse and keyboard."));
     return button;
@@ -79,33 +85,45 @@ QPushButton* HomeScreen::tryButton(const session::LevelStanding& level, const ch
 
 // The result of the last session of this exercise, from which "next" follows.
 QString HomeScreen::lastResult(const HomeData& home, const session::LevelStanding& next) const {
-    const auto row = std::find_if(home.own.begin(), home.own.end(), [&](const SessionRow& each) { return each.summary.exercise == next.exercise; });
+    const auto row = std::find_if(home.own.begin(), home.own.end(), [&](const SessionRow& each) {
+        return each.summary.exercise == next.exercise;
+    });
     if (row == home.own.end())
         return {};
     const database::SessionSummary& summary = row->summary;
     const bool ended = summary.state == database::SessionState::completed;
     return tr("Last time: level %1, %2, %3")
-        .arg(context().locale().toString(summary.level), ended ? SessionWords::outcome(SessionWords::outcomeOf(summary)) : SessionWords::state(summary.state),
-             SessionWords::ago(SessionWords::timeOf(summary.startedUtc), QDateTime::currentDateTimeUtc(), context().locale()));
+        .arg(context().locale().toString(summary.level),
+             ended ? SessionWords::outcome(SessionWords::outcomeOf(summary))
+                   : SessionWords::state(summary.state),
+             SessionWords::ago(SessionWords::timeOf(summary.startedUtc), QDateTime::currentDateTimeUtc(),
+                               context().locale()));
 }
 
 QWidget* HomeScreen::continueCard(const HomeData& home) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     const auto next = session::nextStep(home.standings);
-    const catalogue::ExerciseLevel* level = next ? context().site().catalogue().find(next->exercise, next->level) : nullptr;
+    const catalogue::ExerciseLevel* level =
+        next ? context().site().catalogue().find(next->exercise, next->level) : nullptr;
     if (!level) {
         box.layout->addWidget(kit::label(theme, tr("Every level is passed"), TextStyle::title));
         box.layout->addWidget(kit::label(theme, tr("Well done. Choose any exercise to stay in practice.")));
         return box.frame;
     }
     QVBoxLayout* words = besidePicture(*box.layout, *level);
-    words->addWidget(kit::label(theme, next->attempts > 0 ? tr("Continue where you left off") : tr("Your next step"), TextStyle::small, "muted"));
+    words->addWidget(kit::label(theme,
+                                next->attempts > 0 ? tr("Continue where you left off") : tr("Your next step"),
+                                TextStyle::small, "muted"));
     const catalogue::Exercise* exercise = context().site().catalogue().find(next->exercise);
-    words->addWidget(kit::label(theme, tr("%1, level %2: %3").arg(exercise ? textIn(exercise->title, context()) : QString(),
-                                                                  context().locale().toString(level->number), textIn(level->title, context())),
-                                TextStyle::title));
-    words->addWidget(kit::label(theme, textIn(level->goal.empty() ? level->objective : level->goal, context())));
+    words->addWidget(
+        kit::label(theme,
+                   tr("%1, level %2: %3")
+                       .arg(exercise ? textIn(exercise->title, context()) : QString(),
+                            context().locale().toString(level->number), textIn(level->title, context())),
+                   TextStyle::title));
+    words->addWidget(
+        kit::label(theme, textIn(level->goal.empty() ? level->objective : level->goal, context())));
     words->addWidget(kit::label(theme, standingWords(*next), TextStyle::small, "muted"));
     if (const QString last = lastResult(home, *next); !last.isEmpty()) {
         auto* line = kit::label(theme, last);
@@ -113,7 +131,9 @@ QWidget* HomeScreen::continueCard(const HomeData& home) {
         words->addWidget(line);
     }
     auto* go = opener(tr("Continue"), QStringLiteral("exercise_setup"),
-                      {{QStringLiteral("exercise"), QString::fromStdString(next->exercise)}, {QStringLiteral("level"), next->level}}, "primary");
+                      {{QStringLiteral("exercise"), QString::fromStdString(next->exercise)},
+                       {QStringLiteral("level"), next->level}},
+                      "primary");
     go->setObjectName(QStringLiteral("home.continue"));
     go->setIcon(theme.icon(QStringLiteral("media-playback-start"), Colour::accentText));
     go->setIconSize(QSize(theme.px(20), theme.px(20)));
@@ -132,8 +152,9 @@ QWidget* HomeScreen::progressCard(const HomeData& home) {
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("My progress"), TextStyle::title));
     if (home.own.empty()) {
-        box.layout->addWidget(kit::label(theme, tr("Nothing recorded yet. Your first session appears here once it has ended."),
-                                         TextStyle::body, "muted"));
+        box.layout->addWidget(
+            kit::label(theme, tr("Nothing recorded yet. Your first session appears here once it has ended."),
+                       TextStyle::body, "muted"));
         return box.frame;
     }
     box.layout->addWidget(new SessionLines(context(), home.own, false));
@@ -146,19 +167,26 @@ QWidget* HomeScreen::progressCard(const HomeData& home) {
 void HomeScreen::addTrainer(QVBoxLayout& column, const HomeData& home) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
-    auto* title = kit::label(theme, home.toReview > 0 ? tr("%n session(s) to review", nullptr, home.toReview) : tr("Sessions to review"), TextStyle::title);
+    auto* title = kit::label(theme,
+                             home.toReview > 0 ? tr("%n session(s) to review", nullptr, home.toReview)
+                                               : tr("Sessions to review"),
+                             TextStyle::title);
     title->setObjectName(QStringLiteral("home.to_review_count"));
     box.layout->addWidget(title);
     if (home.toLook.empty())
-        box.layout->addWidget(kit::label(theme, home.people.empty() ? tr("Nobody has trained yet. Trainees' sessions will appear here, interrupted ones first.")
-                                                                    : tr("Everything is reviewed. Of each level, a trainee's latest attempt will appear here."),
-                                         TextStyle::body, "muted"));
+        box.layout->addWidget(kit::label(
+            theme,
+            home.people.empty()
+                ? tr("Nobody has trained yet. Trainees' sessions will appear here, interrupted ones first.")
+                : tr("Everything is reviewed. Of each level, a trainee's latest attempt will appear here."),
+            TextStyle::body, "muted"));
     else
         box.layout->addWidget(new SessionLines(context(), home.toLook, true));
     auto* buttons = new QWidget;
     auto* row = new FlowLayout(theme.px(8), buttons);
     if (home.toReview > 0) {
-        auto* waiting = opener(tr("List of sessions to review"), QStringLiteral("sessions"), {{QStringLiteral("review"), QStringLiteral("to_review")}}, "primary");
+        auto* waiting = opener(tr("List of sessions to review"), QStringLiteral("sessions"),
+                               {{QStringLiteral("review"), QStringLiteral("to_review")}}, "primary");
         waiting->setObjectName(QStringLiteral("home.to_review"));
         row->addWidget(waiting);
     }
@@ -181,7 +209,8 @@ QWidget* HomeScreen::peopleCard(const HomeData& home) {
     const QDateTime now = QDateTime::currentDateTimeUtc();
     for (const RecentPerson& person : home.people) {
         auto* button = new TileButton(theme);
-        const QString when = SessionWords::ago(SessionWords::timeOf(person.latestUtc), now, context().locale());
+        const QString when =
+            SessionWords::ago(SessionWords::timeOf(person.latestUtc), now, context().locale());
         const QString count = tr("%n session(s) in the last 7 days", nullptr, person.sessions);
         button->setObjectName(QStringLiteral("home.person.%1").arg(person.person));
         button->setAccessibleName(tr("%1. %2. Opens the results.").arg(person.name, when));
@@ -190,31 +219,44 @@ QWidget* HomeScreen::peopleCard(const HomeData& home) {
         row->addWidget(kit::label(theme, count, TextStyle::body), 2);
         row->addWidget(kit::label(theme, when, TextStyle::small, "muted"), 1);
         button->seal();
-        connect(button, &QPushButton::clicked, this,
-                [this, id = person.person, name = person.name] {
-                    context().navigator().go(QStringLiteral("results"), {{QStringLiteral("person"), id}, {QStringLiteral("name"), name}});
-                });
+        connect(button, &QPushButton::clicked, this, [this, id = person.person, name = person.name] {
+            context().navigator().go(QStringLiteral("results"),
+                                     {{QStringLiteral("person"), id}, {QStringLiteral("name"), name}});
+        });
         box.layout->addWidget(button);
     }
     return box.frame;
 }
 
 void HomeScreen::addResearcher(QVBoxLayout& column) {
-    column.addWidget(stateCard({QStringLiteral("studies"), tr("Studies"),
-                               tr("Design a study or begin with a template, try it with simulated observers, freeze it, enrol participants."), "info", {},
-                               tr("Open the studies")}));
-    column.addWidget(stateCard({QStringLiteral("study_run"), tr("Run"),
-                               tr("Guide a participant through a study, by code and in their own order. Interrupted runs continue where "
-                                  "they stopped."), "info", {},
-                               tr("Run a study")}));
-    column.addWidget(stateCard({QStringLiteral("study_data"), tr("Data"),
-                               tr("Curves, thresholds and intervals of each person and the group, every trial with its fidelity, exports."), "info", {},
-                               tr("Open the data")}));
+    column.addWidget(stateCard({QStringLiteral("studies"),
+                                tr("Studies"),
+                                tr("Design a study or begin with a template, try it with simulated "
+                                   "observers, freeze it, enrol participants."),
+                                "info",
+                                {},
+                                tr("Open the studies")}));
+    column.addWidget(stateCard({QStringLiteral("study_run"),
+                                tr("Run"),
+                                tr("Guide a participant through a study, by code and in their own order. "
+                                   "Interrupted runs continue where "
+                                   "they stopped."),
+                                "info",
+                                {},
+                                tr("Run a study")}));
+    column.addWidget(stateCard({QStringLiteral("study_data"),
+                                tr("Data"),
+                                tr("Curves, thresholds and intervals of each person and the group, every "
+                                   "trial with its fidelity, exports."),
+                                "info",
+                                {},
+                                tr("Open the data")}));
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("Training sessions"), TextStyle::title));
-    box.layout->addWidget(kit::label(theme, tr("Every recorded session, by code instead of by name: filter the list, play sessions back, "
-                                               "save the list as a table.")));
+    box.layout->addWidget(kit::label(
+        theme, tr("Every recorded session, by code instead of by name: filter the list, play sessions back, "
+                  "save the list as a table.")));
     auto* open = opener(tr("Open the sessions"), QStringLiteral("sessions"), {}, "quiet");
     open->setObjectName(QStringLiteral("home.data"));
     box.layout->addWidget(open, 0, Qt::AlignLeft);
@@ -237,24 +279,34 @@ QWidget* HomeScreen::stateCard(const StateCard& card) {
 
 std::vector<HomeScreen::StateCard> HomeScreen::adminCards(const HomeData& home) const {
     const QLocale locale = context().locale();
-    const QString toErase = home.toErase > 0 ? tr("%n participant(s) withdrew from a study and asked for their recordings to be erased. Under People, choose "
-                                                  "\"Erase a participant\".", nullptr, home.toErase)
+    const QString toErase = home.toErase > 0 ? tr("%n participant(s) withdrew from a study and asked for "
+                                                  "their recordings to be erased. Under People, choose "
+                                                  "\"Erase a participant\".",
+                                                  nullptr, home.toErase)
                                              : QString();
     const session::StorageRoom room = home.room.value_or(session::StorageRoom{});
     const StorageNotice disk = StorageWords::room(room, locale);
-    const StorageNotice backup = StorageWords::backup(home.latestBackupUtc, QDateTime::currentDateTimeUtc(), locale);
-    const StorageNotice automatic = StorageWords::automatic(home.backups, QDateTime::currentDateTimeUtc(), locale);
+    const StorageNotice backup =
+        StorageWords::backup(home.latestBackupUtc, QDateTime::currentDateTimeUtc(), locale);
+    const StorageNotice automatic =
+        StorageWords::automatic(home.backups, QDateTime::currentDateTimeUtc(), locale);
     const StorageNotice& worst = !disk.isGood() ? disk : !home.backups.problem.empty() ? automatic : backup;
-    const QString loop = !home.lastLoopTimed       ? QString()
-                         : home.lastLoopPriority ? tr("The last session ran with real-time priority.")
-                                                 : tr("The last session ran without real-time priority: forces may feel less smooth.");
-    return {{QStringLiteral("people"), tr("People"), tr("%n account(s) can log in.", nullptr, home.accounts), "warning", toErase, tr("Open people"),
-             home.toErase > 0},
+    const QString loop =
+        !home.lastLoopTimed ? QString()
+        : home.lastLoopPriority
+            ? tr("The last session ran with real-time priority.")
+            : tr("The last session ran without real-time priority: forces may feel less smooth.");
+    return {{QStringLiteral("people"), tr("People"), tr("%n account(s) can log in.", nullptr, home.accounts),
+             "warning", toErase, tr("Open people"), home.toErase > 0},
             {QStringLiteral("storage"), tr("Storage"),
-             tr("The database uses %1; %2 is free.").arg(SessionWords::bytes(room.database_bytes, locale), SessionWords::bytes(room.diskFree_bytes, locale)),
+             tr("The database uses %1; %2 is free.")
+                 .arg(SessionWords::bytes(room.database_bytes, locale),
+                      SessionWords::bytes(room.diskFree_bytes, locale)),
              worst.kind, worst.text, tr("Open storage"), !worst.isGood()},
-            {QStringLiteral("station"), tr("Station"), tr("Devices, timing of the force loop, free space for recordings."),
-             home.lastLoopTimed && !home.lastLoopPriority ? "warning" : "good", loop, tr("Open the station check")}};
+            {QStringLiteral("station"), tr("Station"),
+             tr("Devices, timing of the force loop, free space for recordings."),
+             home.lastLoopTimed && !home.lastLoopPriority ? "warning" : "good", loop,
+             tr("Open the station check")}};
 }
 
 void HomeScreen::addAdmin(QVBoxLayout& column, const HomeData& home, bool thatAsk) {

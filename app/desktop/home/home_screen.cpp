@@ -13,7 +13,8 @@
 
 namespace chiron::desktop {
 
-HomeScreen::HomeScreen(AppContext& context, const Place& place) : Screen(context, place), m_panel(new StatePanel(context.theme())) {
+HomeScreen::HomeScreen(AppContext& context, const Place& place)
+    : Screen(context, place), m_panel(new StatePanel(context.theme())) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_panel);
@@ -24,9 +25,13 @@ QString HomeScreen::title() const {
 }
 
 QString HomeScreen::help() const {
-    return tr("Your next step, depending on your role.\n\nIf you have not trained yet, you can try an exercise here in about a minute. Trainees continue with the next level at the press of a button, choose any level "
-              "from the exercises, and see their latest results. Trainers see the sessions that need a review, interrupted or failed ones "
-              "first, and who trained recently. Administrators see whether people, storage and station are in order.\n\nThe list on the "
+    return tr("Your next step, depending on your role.\n\nIf you have not trained yet, you can try an "
+              "exercise here in about a minute. Trainees continue with the next level at the press of a "
+              "button, choose any level "
+              "from the exercises, and see their latest results. Trainers see the sessions that need a "
+              "review, interrupted or failed ones "
+              "first, and who trained recently. Administrators see whether people, storage and station are "
+              "in order.\n\nThe list on the "
               "left leads to all other screens; Ctrl+K finds any command by its name.");
 }
 
@@ -43,15 +48,20 @@ void HomeScreen::enter() {
 void HomeScreen::load() {
     m_panel->showLoading(tr("Finding your next step …"));
     DesktopSite& site = context().site();
-    HomeQuestion question{context().actor(), exerciseTitles(site.catalogue(), context().language()), site.catalogue(), site.recovered(),
+    HomeQuestion question{context().actor(),         exerciseTitles(site.catalogue(), context().language()),
+                          site.catalogue(),          site.recovered(),
                           site.file().toStdString(), backupPlace(context()).toStdString()};
     context().background().run(
-        this, [&database = site.database(), question = std::move(question)](WorkToken&) { return readHome(database, question); },
+        this,
+        [&database = site.database(), question = std::move(question)](WorkToken&) {
+            return readHome(database, question);
+        },
         [this](const core::Result<HomeData>& home) {
             if (home)
                 show(*home);
             else
-                m_panel->showError(tr("The home screen could not be loaded."), home.error(), [this] { load(); });
+                m_panel->showError(tr("The home screen could not be loaded."), home.error(),
+                                   [this] { load(); });
         });
 }
 
@@ -59,7 +69,8 @@ void HomeScreen::show(const HomeData& home) {
     const Theme& theme = context().theme();
     auto* page = new ScrollPage(theme, 1100);
     QVBoxLayout& column = *page->column();
-    column.addWidget(kit::label(theme, tr("Welcome, %1").arg(QString::fromStdString(home.name)), TextStyle::heading));
+    column.addWidget(
+        kit::label(theme, tr("Welcome, %1").arg(QString::fromStdString(home.name)), TextStyle::heading));
     addRecovered(column, home);
     addCommented(column, home);
     addRecoveryCode(column, home);
@@ -90,9 +101,11 @@ void HomeScreen::show(const HomeData& home) {
         m_first->setFocus(Qt::OtherFocusReason);
 }
 
-QPushButton* HomeScreen::opener(const QString& text, const QString& screen, const QVariantMap& parameters, const char* kind) {
+QPushButton* HomeScreen::opener(const QString& text, const QString& screen, const QVariantMap& parameters,
+                                const char* kind) {
     auto* button = kit::button(context().theme(), text, kind);
-    connect(button, &QPushButton::clicked, this, [this, screen, parameters] { context().navigator().go(screen, parameters); });
+    connect(button, &QPushButton::clicked, this,
+            [this, screen, parameters] { context().navigator().go(screen, parameters); });
     if (!m_first)
         m_first = button;
     return button;
@@ -104,11 +117,15 @@ void HomeScreen::addRecoveryCode(QVBoxLayout& column, const HomeData& home) {
     if (!home.lacksRecoveryCode)
         return;
     auto* notice = kit::notice(context().theme(), "warning",
-                               tr("You are an administrator and have no recovery code yet. With one, you can set a new password yourself if you forget yours."));
+                               tr("You are an administrator and have no recovery code yet. With one, you can "
+                                  "set a new password yourself if you forget yours."));
     notice->setObjectName(QStringLiteral("home.recovery_code"));
     auto* make = kit::button(context().theme(), tr("Make one …"));
     make->setObjectName(QStringLiteral("home.make_recovery_code"));
-    connect(make, &QPushButton::clicked, this, [this] { context().navigator().go(QStringLiteral("account"), {{QStringLiteral("focus"), QStringLiteral("recovery")}}); });
+    connect(make, &QPushButton::clicked, this, [this] {
+        context().navigator().go(QStringLiteral("account"),
+                                 {{QStringLiteral("focus"), QStringLiteral("recovery")}});
+    });
     notice->layout()->addWidget(make);
     column.addWidget(notice);
 }
@@ -119,18 +136,26 @@ void HomeScreen::addCommented(QVBoxLayout& column, const HomeData& home) {
     int unread = 0;
     for (const CommentedSession& commented : home.commented) {
         const database::SessionSummary& session = commented.row.summary;
-        if (context().settings().ofPerson(context().actor().personId(), commentsSeenKey(session.id), 0).toInt() >= commented.comments)
+        if (context()
+                .settings()
+                .ofPerson(context().actor().personId(), commentsSeenKey(session.id), 0)
+                .toInt() >= commented.comments)
             continue;
         ++unread;
-        const QString author = commented.author.empty() ? tr("Somebody") : QString::fromStdString(commented.author);
-        const QString number = QString::number(session.id), level = context().locale().toString(session.level);
-        const QString words = commented.own ? tr("%1 commented on your session %2 (%3, level %4).").arg(author, number, commented.row.exercise, level)
-                                            : tr("%1 answered your comment on session %2 (%3, level %4).").arg(author, number, commented.row.exercise, level);
+        const QString author =
+            commented.author.empty() ? tr("Somebody") : QString::fromStdString(commented.author);
+        const QString number = QString::number(session.id),
+                      level = context().locale().toString(session.level);
+        const QString words = commented.own ? tr("%1 commented on your session %2 (%3, level %4).")
+                                                  .arg(author, number, commented.row.exercise, level)
+                                            : tr("%1 answered your comment on session %2 (%3, level %4).")
+                                                  .arg(author, number, commented.row.exercise, level);
         auto* notice = kit::notice(theme, "info", words);
         notice->setObjectName(QStringLiteral("home.commented.%1").arg(session.id));
         auto* open = kit::button(theme, tr("Read"));
         connect(open, &QPushButton::clicked, this, [this, id = session.id] {
-            context().navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), static_cast<qint64>(id)}});
+            context().navigator().go(QStringLiteral("debrief"),
+                                     {{QStringLiteral("session"), static_cast<qint64>(id)}});
         });
         notice->layout()->addWidget(open);
         column.addWidget(notice);
@@ -140,7 +165,9 @@ void HomeScreen::addCommented(QVBoxLayout& column, const HomeData& home) {
 
 void HomeScreen::addComments(QVBoxLayout& column) {
     const int unread = context().unread();
-    auto* open = opener(unread > 0 ? tr("Comments: unread on %n session(s)", nullptr, unread) : tr("Comments, received and written"), QStringLiteral("comments"), {}, "");
+    auto* open = opener(unread > 0 ? tr("Comments: unread on %n session(s)", nullptr, unread)
+                                   : tr("Comments, received and written"),
+                        QStringLiteral("comments"), {}, "");
     open->setObjectName(QStringLiteral("home.comments"));
     open->setIcon(context().theme().icon(QStringLiteral("edit-comment")));
     column.addWidget(open, 0, Qt::AlignLeft);
@@ -151,21 +178,24 @@ void HomeScreen::addRecovered(QVBoxLayout& column, const HomeData& home) {
     for (const RecoveredRow& recovered : home.recovered) {
         const database::SessionSummary& session = recovered.row.summary;
         const bool whole = recovered.problem.empty();
-        const QString text =
-            whole ? tr("The program ended unexpectedly during session %1 (%2, %3). The session was saved as interrupted: %n sample(s) were "
-                       "kept and can be played back. The session does not count.",
-                       nullptr, static_cast<int>(session.frames))
-                        .arg(session.id)
-                        .arg(recovered.row.person, recovered.row.exercise)
-                  : tr("The program ended unexpectedly during session %1 (%2, %3). The session could not be fully recovered: %4")
-                        .arg(session.id)
-                        .arg(recovered.row.person, recovered.row.exercise, QString::fromStdString(recovered.problem));
+        const QString text = whole ? tr("The program ended unexpectedly during session %1 (%2, %3). The "
+                                        "session was saved as interrupted: %n sample(s) were "
+                                        "kept and can be played back. The session does not count.",
+                                        nullptr, static_cast<int>(session.frames))
+                                         .arg(session.id)
+                                         .arg(recovered.row.person, recovered.row.exercise)
+                                   : tr("The program ended unexpectedly during session %1 (%2, %3). The "
+                                        "session could not be fully recovered: %4")
+                                         .arg(session.id)
+                                         .arg(recovered.row.person, recovered.row.exercise,
+                                              QString::fromStdString(recovered.problem));
         auto* notice = kit::notice(theme, whole ? "info" : "warning", text);
         notice->setObjectName(QStringLiteral("home.recovered.%1").arg(session.id));
         if (session.state != database::SessionState::running) {
             auto* open = kit::button(theme, tr("View"));
             connect(open, &QPushButton::clicked, this, [this, id = session.id] {
-                context().navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), static_cast<qint64>(id)}});
+                context().navigator().go(QStringLiteral("debrief"),
+                                         {{QStringLiteral("session"), static_cast<qint64>(id)}});
             });
             notice->layout()->addWidget(open);
         }

@@ -59,7 +59,8 @@ private:
     };
     QWidget* stateCard(const StateCard& card);
     std::vector<StateCard> adminCards(const HomeData& home) const;
-    QPushButton* opener(const QString& text, const QString& screen, const QVariantMap& parameters = {}, const char* kind = "");
+    QPushButton* opener(const QString& text, const QString& screen, const QVariantMap& parameters = {},
+                        const char* kind = "");
 
     StatePanel* m_panel;
     QPushButton* m_first = nullptr; ///< gets the focus

@@ -12,7 +12,7 @@ namespace chiron::desktop {
 /// The context in which a picture of a level is painted.
 struct PictureFrame {
     const Theme& theme;
-    QSize size; ///< in pixels
+    QSize size;              ///< in pixels
     bool objectShown = true; ///< the level shows the object; otherwise it is drawn dashed
 };
 
@@ -21,7 +21,8 @@ struct PictureFrame {
 /// Thread: GUI.
 class LevelPicture {
 public:
-    explicit LevelPicture(const PictureFrame& frame) : m_theme(frame.theme), m_visible(frame.objectShown), m_size(frame.size) {}
+    explicit LevelPicture(const PictureFrame& frame)
+        : m_theme(frame.theme), m_visible(frame.objectShown), m_size(frame.size) {}
     LevelPicture(const LevelPicture&) = delete;
     LevelPicture& operator=(const LevelPicture&) = delete;
     virtual ~LevelPicture() = default;

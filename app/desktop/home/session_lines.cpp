@@ -9,7 +9,8 @@
 
 namespace chiron::desktop {
 
-SessionLines::SessionLines(AppContext& context, const std::vector<SessionRow>& rows, bool names, QWidget* parent)
+SessionLines::SessionLines(AppContext& context, const std::vector<SessionRow>& rows, bool names,
+                           QWidget* parent)
     : QWidget(parent), m_context(context) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -23,7 +24,8 @@ QWidget* SessionLines::line(const SessionRow& row, bool names) {
     const database::SessionSummary& session = row.summary;
     const QString attempt = SessionWords::what(session, row.exercise, m_context.locale());
     const QString what = names ? tr("%1: %2").arg(row.person, attempt) : attempt;
-    const QString when = SessionWords::ago(SessionWords::timeOf(session.startedUtc), QDateTime::currentDateTimeUtc(), m_context.locale());
+    const QString when = SessionWords::ago(SessionWords::timeOf(session.startedUtc),
+                                           QDateTime::currentDateTimeUtc(), m_context.locale());
     // An unfinished session gives the reason; any other says whether it was passed.
     const QString came = SessionWords::cameTo(session);
     const WordSign sign = SessionWords::cameToSign(session);
@@ -40,7 +42,8 @@ QWidget* SessionLines::line(const SessionRow& row, bool names) {
     line->addWidget(kit::label(theme, when, TextStyle::small, "muted"), 2);
     button->seal();
     connect(button, &QPushButton::clicked, this, [this, id = session.id] {
-        m_context.navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), static_cast<qint64>(id)}});
+        m_context.navigator().go(QStringLiteral("debrief"),
+                                 {{QStringLiteral("session"), static_cast<qint64>(id)}});
     });
     return button;
 }

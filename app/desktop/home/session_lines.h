@@ -15,7 +15,8 @@ class SessionLines final : public QWidget {
     Q_OBJECT
 public:
     /// `names`: show whose session it is.
-    SessionLines(AppContext& context, const std::vector<SessionRow>& rows, bool names, QWidget* parent = nullptr);
+    SessionLines(AppContext& context, const std::vector<SessionRow>& rows, bool names,
+                 QWidget* parent = nullptr);
 
 private:
     QWidget* line(const SessionRow& row, bool names);

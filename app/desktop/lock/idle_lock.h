@@ -18,8 +18,8 @@ public:
 
     explicit IdleLock(int idle_ms = kIdle_ms, QObject* parent = nullptr);
 
-    void touch();              ///< reports that somebody is there
-    void setHeld(bool held);   ///< true while a trial runs: never idle
+    void touch();                ///< reports that somebody is there
+    void setHeld(bool held);     ///< true while a trial runs: never idle
     void setActive(bool active); ///< true while somebody is logged in
     void setIdle(int idle_ms);   ///< sets the idle time
 

@@ -16,14 +16,19 @@ namespace {
 
 void addHead(const Theme& theme, QVBoxLayout& column, const QString& loginName) {
     auto* sign = new QLabel;
-    sign->setPixmap(theme.icon(QStringLiteral("system-lock-screen"), Colour::accent).pixmap(theme.px(44), theme.px(44)));
+    sign->setPixmap(
+        theme.icon(QStringLiteral("system-lock-screen"), Colour::accent).pixmap(theme.px(44), theme.px(44)));
     sign->setAlignment(Qt::AlignCenter);
     column.addWidget(sign);
     auto* heading = kit::label(theme, LockCover::tr("Locked"), TextStyle::heading);
     heading->setAlignment(Qt::AlignCenter);
     column.addWidget(heading);
-    auto* words = kit::label(theme, LockCover::tr("%1 is logged in. Everything keeps running and nothing is lost; only the screen is "
-                                                  "covered.").arg(loginName), TextStyle::body, "muted");
+    auto* words = kit::label(
+        theme,
+        LockCover::tr("%1 is logged in. Everything keeps running and nothing is lost; only the screen is "
+                      "covered.")
+            .arg(loginName),
+        TextStyle::body, "muted");
     words->setAlignment(Qt::AlignCenter);
     column.addWidget(words);
 }
@@ -43,7 +48,8 @@ LockCover::LockCover(const Theme& theme, const QString& loginName, QWidget* pare
     const int padding = theme.px(28);
     box.layout->setContentsMargins(padding, padding, padding, padding);
     addHead(theme, *box.layout, loginName);
-    m_password = form::passwordField(theme, box.layout, tr("Password of %1").arg(loginName), QStringLiteral("lock.password"));
+    m_password = form::passwordField(theme, box.layout, tr("Password of %1").arg(loginName),
+                                     QStringLiteral("lock.password"));
     m_notice = new NoticeArea(theme);
     m_notice->setObjectName(QStringLiteral("lock.notice"));
     box.layout->addWidget(m_notice);
@@ -57,7 +63,8 @@ LockCover::LockCover(const Theme& theme, const QString& loginName, QWidget* pare
     page->column()->addWidget(box.frame);
     page->column()->addStretch(1);
     m_wait = new WaitCountdown(this);
-    connect(m_wait, &WaitCountdown::changed, this, [this](int seconds) { m_unlock->setText(waitWords(seconds)); });
+    connect(m_wait, &WaitCountdown::changed, this,
+            [this](int seconds) { m_unlock->setText(waitWords(seconds)); });
     connect(m_wait, &WaitCountdown::finished, this, [this] {
         renew();
         m_password->setFocus();

@@ -31,7 +31,8 @@ LoginForm::LoginForm(const Theme& theme, QWidget* parent) : QWidget(parent) {
     m_forgotten->setObjectName(QStringLiteral("login.forgotten"));
     column->addWidget(m_forgotten, 0, Qt::AlignHCenter);
     m_wait = new WaitCountdown(this);
-    connect(m_wait, &WaitCountdown::changed, this, [this](int seconds) { m_enter->setText(waitWords(seconds)); });
+    connect(m_wait, &WaitCountdown::changed, this,
+            [this](int seconds) { m_enter->setText(waitWords(seconds)); });
     connect(m_wait, &WaitCountdown::finished, this, [this] {
         renew();
         m_password->setFocus();
@@ -85,7 +86,8 @@ void LoginForm::setWorking(bool working) {
 void LoginForm::showRefusal(const database::Refusal& refusal) {
     m_working = false;
     m_password->clear();
-    m_notice->say(refusal.kind == database::Refusal::Kind::failed ? "bad" : "warning", loginRefusalWords(refusal));
+    m_notice->say(refusal.kind == database::Refusal::Kind::failed ? "bad" : "warning",
+                  loginRefusalWords(refusal));
     m_saysOfName = refusal.kind != database::Refusal::Kind::failed;
     m_names->hideExplanation();
     m_wait->start(refusal.wait_ns);

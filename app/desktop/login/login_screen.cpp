@@ -32,7 +32,8 @@ struct Recovered {
     std::string newCode;
 };
 
-Recovered recoverAndLogIn(database::Database& database, const std::string& name, const std::string& code, const std::string& password) {
+Recovered recoverAndLogIn(database::Database& database, const std::string& name, const std::string& code,
+                          const std::string& password) {
     database::AccountService accounts(database);
     const auto newCode = accounts.tryRecover(name, code, password);
     if (!newCode)
@@ -90,8 +91,10 @@ QString LoginScreen::title() const {
 }
 
 QString LoginScreen::help() const {
-    return tr("Type a few letters of your name, or choose it in the list, then enter your password.\n\nAfter three wrong passwords the "
-              "account is locked for a short time; the button counts down the seconds. No data are lost.\n\nForgot your password? An "
+    return tr("Type a few letters of your name, or choose it in the list, then enter your password.\n\nAfter "
+              "three wrong passwords the "
+              "account is locked for a short time; the button counts down the seconds. No data are "
+              "lost.\n\nForgot your password? An "
               "administrator can give you a new one. Administrators can use their recovery code.");
 }
 
@@ -112,7 +115,8 @@ void LoginScreen::openAgain() {
 void LoginScreen::siteFailed(const core::Error& error) {
     context().navigator().note({{kFailed, true}});
     if (error.code == core::ErrorCode::locked) {
-        m_site->showError(tr("The site could not be opened."), error, [this] { openAgain(); }, Tried::opening);
+        m_site->showError(
+            tr("The site could not be opened."), error, [this] { openAgain(); }, Tried::opening);
         return;
     }
     examine(tr("The site could not be opened."), error, [this] { openAgain(); });
@@ -122,9 +126,12 @@ void LoginScreen::siteFailed(const core::Error& error) {
 void LoginScreen::examine(const QString& what, const core::Error& error, std::function<void()> again) {
     const auto token = context().background().run(
         this,
-        [file = context().site().file().toStdString()](WorkToken& working) { return database::examineFile(file, &working.flag()); },
+        [file = context().site().file().toStdString()](WorkToken& working) {
+            return database::examineFile(file, &working.flag());
+        },
         [this, what, error, again = std::move(again)](const database::FileState& file) {
-            if (file.health != database::FileHealth::damaged && file.health != database::FileHealth::missing) {
+            if (file.health != database::FileHealth::damaged &&
+                file.health != database::FileHealth::missing) {
                 m_site->showError(what, error, again, Tried::opening);
                 return;
             }
@@ -145,7 +152,10 @@ void LoginScreen::loadNames() {
 /// Shows no name if the site has none or it cannot be read; the list of names reports such an error.
 void LoginScreen::loadSiteName() {
     context().background().run(
-        this, [&database = context().site().database()](WorkToken&) { return readSiteName(database, database::Actor::anonymous()); },
+        this,
+        [&database = context().site().database()](WorkToken&) {
+            return readSiteName(database, database::Actor::anonymous());
+        },
         [this](const core::Result<QString>& name) {
             m_siteName->setText(name.value_or(QString()));
             m_siteName->setVisible(!m_siteName->text().isEmpty());
@@ -168,8 +178,9 @@ void LoginScreen::namesLoaded(core::Result<std::vector<database::LoginName>> nam
     loadSiteName();
     m_form->setNames(*names);
     if (context().site().database().isDemonstration())
-        m_form->showDemonstrationHint(tr("This is a demonstration: choose anyone. The password for everyone is %1")
-                                          .arg(QString::fromLatin1(session::kDemoPassword)));
+        m_form->showDemonstrationHint(
+            tr("This is a demonstration: choose anyone. The password for everyone is %1")
+                .arg(QString::fromLatin1(session::kDemoPassword)));
     m_site->showContent();
     m_form->focusFirst();
 }
@@ -186,7 +197,8 @@ void LoginScreen::setPage(QWidget* page) {
     m_room->addWidget(page);
     page->show(); // now, so that it can take the focus
     // Scrolls the page to its top once it has its size.
-    QMetaObject::invokeMethod(this, [this] { m_scroll->verticalScrollBar()->setValue(0); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this] { m_scroll->verticalScrollBar()->setValue(0); }, Qt::QueuedConnection);
 }
 
 void LoginScreen::showForm() {
@@ -217,14 +229,15 @@ void LoginScreen::logIn(const QString& name, const QString& password) {
 void LoginScreen::showForced(const database::Actor& actor, const QString& password) {
     auto* page = new NewPasswordPage(context().theme(), QString::fromStdString(actor.name()));
     connect(page, &NewPasswordPage::backAsked, this, &LoginScreen::showForm);
-    connect(page, &NewPasswordPage::submitted, this,
-            [this, page, actor, password](const QString& fresh) { changePassword(page, actor, password, fresh); });
+    connect(page, &NewPasswordPage::submitted, this, [this, page, actor, password](const QString& fresh) {
+        changePassword(page, actor, password, fresh);
+    });
     setPage(page);
     page->focusFirst();
 }
 
-void LoginScreen::changePassword(NewPasswordPage* page, const database::Actor& actor, const QString& oldPassword,
-                                 const QString& newPassword) {
+void LoginScreen::changePassword(NewPasswordPage* page, const database::Actor& actor,
+                                 const QString& oldPassword, const QString& newPassword) {
     if (oldPassword == newPassword) {
         page->showProblem(tr("This is the password that you were given. Choose another one."));
         return;
@@ -233,7 +246,8 @@ void LoginScreen::changePassword(NewPasswordPage* page, const database::Actor& a
     database::Database* database = &context().site().database();
     context().background().run(
         page,
-        [database, actor, old = oldPassword.toStdString(), fresh = newPassword.toStdString()](WorkToken&) -> core::Result<database::Actor> {
+        [database, actor, old = oldPassword.toStdString(),
+         fresh = newPassword.toStdString()](WorkToken&) -> core::Result<database::Actor> {
             database::AccountService accounts(*database);
             CHIRON_TRY(accounts.changePassword(actor, old, fresh));
             return accounts.login(actor.name(), fresh);
@@ -252,29 +266,35 @@ void LoginScreen::showRecovery() {
     auto* page = new RecoveryPage(context().theme(), m_form->name());
     connect(page, &RecoveryPage::backAsked, this, &LoginScreen::showForm);
     connect(page, &RecoveryPage::submitted, this,
-            [this, page](const QString& name, const QString& code, const QString& password) { recover(page, name, code, password); });
+            [this, page](const QString& name, const QString& code, const QString& password) {
+                recover(page, name, code, password);
+            });
     setPage(page);
     page->focusFirst();
 }
 
-void LoginScreen::recover(RecoveryPage* page, const QString& name, const QString& code, const QString& newPassword) {
+void LoginScreen::recover(RecoveryPage* page, const QString& name, const QString& code,
+                          const QString& newPassword) {
     page->setWorking(true);
     database::Database* database = &context().site().database();
     context().background().run(
         page,
-        [database, name = name.toStdString(), code = code.toStdString(), password = newPassword.toStdString()](WorkToken&) {
+        [database, name = name.toStdString(), code = code.toStdString(),
+         password = newPassword.toStdString()](WorkToken&) {
             return recoverAndLogIn(*database, name, code, password);
         },
         [this, page, name](Recovered done) {
             if (done.newCode.empty())
                 page->showRefusal(done.actor.error());
             else
-                showNewCode(done.actor ? *done.actor : database::Actor::anonymous(), name, QString::fromStdString(done.newCode));
+                showNewCode(done.actor ? *done.actor : database::Actor::anonymous(), name,
+                            QString::fromStdString(done.newCode));
         });
 }
 
 void LoginScreen::showNewCode(const database::Actor& actor, const QString& name, const QString& code) {
-    auto* panel = new RecoveryCodePanel(context().theme(), name, code, RecoveryCodePanel::Backups::haveEarlierCode);
+    auto* panel =
+        new RecoveryCodePanel(context().theme(), name, code, RecoveryCodePanel::Backups::haveEarlierCode);
     connect(panel, &RecoveryCodePanel::finished, this, [this, actor] {
         if (actor.kind() == database::ActorKind::person)
             context().logIn(actor);

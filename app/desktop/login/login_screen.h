@@ -46,7 +46,8 @@ private:
     void examine(const QString& what, const core::Error& error, std::function<void()> again);
     void openAgain();
     void logIn(const QString& name, const QString& password);
-    void changePassword(NewPasswordPage* page, const database::Actor& actor, const QString& oldPassword, const QString& newPassword);
+    void changePassword(NewPasswordPage* page, const database::Actor& actor, const QString& oldPassword,
+                        const QString& newPassword);
     void recover(RecoveryPage* page, const QString& name, const QString& code, const QString& newPassword);
 
     ScrollPage* m_scroll;

@@ -29,7 +29,10 @@ NameList::NameList(const Theme& theme, QWidget* parent) : QWidget(parent) {
     m_list->setUniformItemSizes(true);
     m_list->setMinimumHeight(theme.px(36) * kMostRows_shown);
     column->addWidget(m_list);
-    m_none = kit::label(theme, tr("Nobody of this name can log in here. Ask an administrator; your login name may have changed."), TextStyle::small, "muted");
+    m_none = kit::label(
+        theme,
+        tr("Nobody of this name can log in here. Ask an administrator; your login name may have changed."),
+        TextStyle::small, "muted");
     m_none->setObjectName(QStringLiteral("login.nobody"));
     m_none->hide();
     column->addWidget(m_none);
@@ -54,7 +57,8 @@ void NameList::setNames(const std::vector<database::LoginName>& names) {
     for (const database::LoginName& person : names) {
         const QString login = QString::fromStdString(person.name);
         const QString full = QString::fromStdString(person.displayName);
-        auto* item = new QListWidgetItem(full.isEmpty() || full == login ? login : tr("%1 (%2)").arg(full, login));
+        auto* item =
+            new QListWidgetItem(full.isEmpty() || full == login ? login : tr("%1 (%2)").arg(full, login));
         item->setData(kLoginName, login);
         m_list->addItem(item);
     }
@@ -106,7 +110,8 @@ void NameList::takeOnlyMatch() {
 }
 
 bool NameList::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == m_field && event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Down) {
+    if (watched == m_field && event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Down) {
         for (int i = 0; i < m_list->count(); ++i) {
             if (!m_list->item(i)->isHidden()) {
                 m_list->setFocus();

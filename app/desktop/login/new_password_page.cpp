@@ -7,13 +7,16 @@
 
 namespace chiron::desktop {
 
-NewPasswordPage::NewPasswordPage(const Theme& theme, const QString& loginName, QWidget* parent) : QWidget(parent) {
+NewPasswordPage::NewPasswordPage(const Theme& theme, const QString& loginName, QWidget* parent)
+    : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(12));
     column->addWidget(kit::label(theme, tr("Choose a password of your own"), TextStyle::heading));
-    column->addWidget(kit::label(theme, tr("Your current password was set by someone else. From your next login, only the new one is valid."),
-                                 TextStyle::body, "muted"));
+    column->addWidget(kit::label(
+        theme,
+        tr("Your current password was set by someone else. From your next login, only the new one is valid."),
+        TextStyle::body, "muted"));
     m_passwords = new PasswordFields(theme, QStringLiteral("change"));
     m_passwords->setLoginName(loginName);
     column->addWidget(m_passwords);

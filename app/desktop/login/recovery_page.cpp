@@ -17,9 +17,13 @@ RecoveryPage::RecoveryPage(const Theme& theme, const QString& loginName, QWidget
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(12));
     column->addWidget(kit::label(theme, tr("Forgot your password?"), TextStyle::heading));
-    column->addWidget(kit::notice(theme, "info", tr("Ask an administrator of this site. Under People, they can give you a new password "
-                                                    "with \"Reset password\". Your sessions and scores are kept.")));
-    column->addWidget(kit::label(theme, tr("Administrators can use their recovery code. It was shown when the site was set up, or when they made one under My account."),
+    column->addWidget(
+        kit::notice(theme, "info",
+                    tr("Ask an administrator of this site. Under People, they can give you a new password "
+                       "with \"Reset password\". Your sessions and scores are kept.")));
+    column->addWidget(kit::label(theme,
+                                 tr("Administrators can use their recovery code. It was shown when the site "
+                                    "was set up, or when they made one under My account."),
                                  TextStyle::body, "muted"));
     m_name = form::textField(theme, column, tr("Login name"), QStringLiteral("recovery.name"));
     m_name->setText(loginName);
@@ -40,7 +44,8 @@ RecoveryPage::RecoveryPage(const Theme& theme, const QString& loginName, QWidget
     row->addWidget(m_save);
     column->addLayout(row);
     m_wait = new WaitCountdown(this);
-    connect(m_wait, &WaitCountdown::changed, this, [this](int seconds) { m_save->setText(waitWords(seconds)); });
+    connect(m_wait, &WaitCountdown::changed, this,
+            [this](int seconds) { m_save->setText(waitWords(seconds)); });
     connect(m_wait, &WaitCountdown::finished, this, &RecoveryPage::renew);
     connect(m_name, &QLineEdit::textChanged, this, [this] { m_passwords->setLoginName(m_name->text()); });
     connect(m_name, &QLineEdit::textChanged, this, &RecoveryPage::renew);
@@ -60,16 +65,19 @@ void RecoveryPage::focusFirst() {
 
 void RecoveryPage::renew() {
     const bool waits = m_wait->isRunning();
-    for (QWidget* part : {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_code), static_cast<QWidget*>(m_passwords)})
+    for (QWidget* part :
+         {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_code), static_cast<QWidget*>(m_passwords)})
         part->setEnabled(!m_working && !waits);
-    m_save->setEnabled(!m_working && !waits && !m_name->text().isEmpty() && !m_code->text().trimmed().isEmpty() && m_passwords->isGood());
+    m_save->setEnabled(!m_working && !waits && !m_name->text().isEmpty() &&
+                       !m_code->text().trimmed().isEmpty() && m_passwords->isGood());
     if (!waits)
         m_save->setText(m_working ? tr("Checking …") : tr("Set the password"));
 }
 
 void RecoveryPage::submit() {
     if (m_save->isEnabled())
-        emit submitted(m_name->text(), m_code->text().trimmed().toUpper(), QString::fromStdString(m_passwords->password()));
+        emit submitted(m_name->text(), m_code->text().trimmed().toUpper(),
+                       QString::fromStdString(m_passwords->password()));
 }
 
 void RecoveryPage::setWorking(bool working) {

@@ -14,9 +14,11 @@
 namespace chiron::desktop {
 
 EditPersonDialog::EditPersonDialog(AppContext& context, database::Person person, QWidget* parent)
-    : FormDialog(context, QStringLiteral("edit_person"), tr("Edit %1").arg(QString::fromStdString(person.name)), parent),
+    : FormDialog(context, QStringLiteral("edit_person"),
+                 tr("Edit %1").arg(QString::fromStdString(person.name)), parent),
       m_person(std::move(person)) {
-    m_fullName = form::textField(theme(), column(), tr("Full name (may be left empty)"), QStringLiteral("edit_person.full_name"));
+    m_fullName = form::textField(theme(), column(), tr("Full name (may be left empty)"),
+                                 QStringLiteral("edit_person.full_name"));
     m_fullName->setText(QString::fromStdString(m_person.displayName));
     m_fullName->setMaxLength(database::kMaximumDisplayNameCharacters);
     m_name = new LoginNameField(theme(), QStringLiteral("edit_person"));
@@ -25,8 +27,10 @@ EditPersonDialog::EditPersonDialog(AppContext& context, database::Person person,
     m_renamed = kit::label(theme(), {}, TextStyle::body, "warning");
     m_renamed->setObjectName(QStringLiteral("edit_person.renamed"));
     column()->addWidget(m_renamed);
-    column()->addWidget(kit::label(theme(), tr("Sessions recorded so far stay with this person and show the new name. The earlier names stay in the "
-                                               "site's history. The password remains valid."),
+    column()->addWidget(kit::label(theme(),
+                                   tr("Sessions recorded so far stay with this person and show the new name. "
+                                      "The earlier names stay in the "
+                                      "site's history. The password remains valid."),
                                    TextStyle::small, "muted"));
     setAccept(tr("Save"));
     connect(m_fullName, &QLineEdit::textChanged, this, &EditPersonDialog::renew);
@@ -36,14 +40,16 @@ EditPersonDialog::EditPersonDialog(AppContext& context, database::Person person,
 }
 
 void EditPersonDialog::renew() {
-    const bool changed = m_name->name().toStdString() != m_person.name || m_fullName->text().trimmed().toStdString() != m_person.displayName;
+    const bool changed = m_name->name().toStdString() != m_person.name ||
+                         m_fullName->text().trimmed().toStdString() != m_person.displayName;
     setAcceptable(changed && m_name->isGood());
     sayWhatRenamingDoes();
 }
 
 /// Names that differ only in case are the same login name.
 void EditPersonDialog::sayWhatRenamingDoes() {
-    const bool renames = m_name->isGood() && database::nameKey(m_name->name().toStdString()) != database::nameKey(m_person.name);
+    const bool renames = m_name->isGood() &&
+                         database::nameKey(m_name->name().toStdString()) != database::nameKey(m_person.name);
     QStringList words;
     if (renames)
         words << tr("From now on, only %1 can be used to log in.").arg(m_name->name());
@@ -59,7 +65,9 @@ void EditPersonDialog::submit() {
     context().background().run(
         this,
         [database, actor = context().actor(), id = m_person.id, name = m_name->name().toStdString(),
-         displayName = m_fullName->text().trimmed().toStdString()](WorkToken&) { return database::AccountService(*database).changeNames(actor, id, name, displayName); },
+         displayName = m_fullName->text().trimmed().toStdString()](WorkToken&) {
+            return database::AccountService(*database).changeNames(actor, id, name, displayName);
+        },
         [this](const core::Result<void>& done) { saved(done); });
 }
 
@@ -75,7 +83,8 @@ void EditPersonDialog::saved(const core::Result<void>& done) {
     } else if (done.error().code == core::ErrorCode::badInput) { // the rest was checked during typing
         m_name->showTaken();
     } else {
-        say("bad", tr("%1 was not changed.\n%2").arg(QString::fromStdString(m_person.name), inWords(done.error())));
+        say("bad",
+            tr("%1 was not changed.\n%2").arg(QString::fromStdString(m_person.name), inWords(done.error())));
     }
 }
 

@@ -11,23 +11,34 @@
 namespace chiron::desktop {
 
 EraseDialog::EraseDialog(AppContext& context, database::Person person, QWidget* parent)
-    : ErasureDialog(context, QStringLiteral("erase"), tr("Erase %1").arg(QString::fromStdString(person.name)), parent), m_person(std::move(person)) {
-    column()->addWidget(kit::notice(theme(), "bad", tr("This cannot be undone. Disabling the account keeps everything and can be undone.")));
-    auto* which = kit::label(theme(), tr("This erases an account, and who the person was in studies whose key names the account. A participant who is known by a code alone is "
-                                         "erased with \"Erase a participant\"."),
+    : ErasureDialog(context, QStringLiteral("erase"), tr("Erase %1").arg(QString::fromStdString(person.name)),
+                    parent),
+      m_person(std::move(person)) {
+    column()->addWidget(
+        kit::notice(theme(), "bad",
+                    tr("This cannot be undone. Disabling the account keeps everything and can be undone.")));
+    auto* which = kit::label(theme(),
+                             tr("This erases an account, and who the person was in studies whose key names "
+                                "the account. A participant who is known by a code alone is "
+                                "erased with \"Erase a participant\"."),
                              TextStyle::body, "muted");
     which->setObjectName(QStringLiteral("erase.which"));
     column()->addWidget(which);
-    column()->addWidget(kit::label(theme(), tr("Overwritten: name, code, password, comments and reasons in free text."), TextStyle::body));
-    column()->addWidget(kit::label(theme(), tr("Kept without a name: sessions, scores, and a note of when and why the person was erased. "
-                                               "Earlier backups still contain the person until they are deleted; restoring one erases the "
-                                               "person again."),
-                                   TextStyle::body));
+    column()->addWidget(
+        kit::label(theme(), tr("Overwritten: name, code, password, comments and reasons in free text."),
+                   TextStyle::body));
+    column()->addWidget(kit::label(
+        theme(),
+        tr("Kept without a name: sessions, scores, and a note of when and why the person was erased. "
+           "Earlier backups still contain the person until they are deleted; restoring one erases the "
+           "person again."),
+        TextStyle::body));
     QLineEdit* reason = addReason();
     m_withdraw = new QCheckBox(tr("Consent is withdrawn: overwrite the recordings too"));
     m_withdraw->setObjectName(QStringLiteral("erase.withdraw"));
     column()->addWidget(m_withdraw);
-    m_typedName = form::textField(theme(), column(), tr("Type the login name to confirm: %1").arg(whom()), QStringLiteral("erase.name"));
+    m_typedName = form::textField(theme(), column(), tr("Type the login name to confirm: %1").arg(whom()),
+                                  QStringLiteral("erase.name"));
     connect(m_typedName, &QLineEdit::textChanged, this, &EraseDialog::renew);
     addPassword();
     reason->setFocus();
@@ -38,8 +49,11 @@ bool EraseDialog::isChosen() const {
 }
 
 ErasureDialog::Erasure EraseDialog::erasure() const {
-    return [id = m_person.id, withdraw = m_withdraw->isChecked()](database::AccountService& accounts, const database::Actor& actor, const std::string& password,
-                                                                  const std::string& reason) { return accounts.erasePerson(actor, password, id, reason, withdraw); };
+    return [id = m_person.id, withdraw = m_withdraw->isChecked()](
+               database::AccountService& accounts, const database::Actor& actor, const std::string& password,
+               const std::string& reason) {
+        return accounts.erasePerson(actor, password, id, reason, withdraw);
+    };
 }
 
 QString EraseDialog::doneWords() const {
@@ -47,7 +61,8 @@ QString EraseDialog::doneWords() const {
 }
 
 QString EraseDialog::cannotWords() const {
-    return tr("%1 cannot be erased now. You cannot erase yourself, and no session may be running.").arg(whom());
+    return tr("%1 cannot be erased now. You cannot erase yourself, and no session may be running.")
+        .arg(whom());
 }
 
 } // namespace chiron::desktop

@@ -12,10 +12,13 @@
 namespace chiron::desktop {
 
 EraseParticipantDialog::EraseParticipantDialog(AppContext& context, QWidget* parent)
-    : ErasureDialog(context, QStringLiteral("erase_participant"), tr("Erase a participant of a study"), parent) {
+    : ErasureDialog(context, QStringLiteral("erase_participant"), tr("Erase a participant of a study"),
+                    parent) {
     column()->addWidget(kit::notice(theme(), "bad", tr("This cannot be undone.")));
-    auto* which = kit::label(theme(), tr("This erases who stands behind the code in one study; an account of the same person stays. To erase an account, choose the person "
-                                         "in the list and press \"Erase\"."),
+    auto* which = kit::label(theme(),
+                             tr("This erases who stands behind the code in one study; an account of the same "
+                                "person stays. To erase an account, choose the person "
+                                "in the list and press \"Erase\"."),
                              TextStyle::body, "muted");
     which->setObjectName(QStringLiteral("erase_participant.which"));
     column()->addWidget(which);
@@ -37,17 +40,21 @@ EraseParticipantDialog::EraseParticipantDialog(AppContext& context, QWidget* par
 void EraseParticipantDialog::load() {
     readStudies(
         context(), this, [](database::StudyReader& reader) { return session::withdrawnParticipants(reader); },
-        [this](core::Result<std::vector<session::WithdrawnParticipant>> withdrawn) { loaded(std::move(withdrawn)); });
+        [this](core::Result<std::vector<session::WithdrawnParticipant>> withdrawn) {
+            loaded(std::move(withdrawn));
+        });
 }
 
 void EraseParticipantDialog::loaded(core::Result<std::vector<session::WithdrawnParticipant>> withdrawn) {
     if (!withdrawn) {
-        m_words->setText(tr("The studies could not be read.\n%1").arg(inWords(withdrawn.error(), Tried::reading)));
+        m_words->setText(
+            tr("The studies could not be read.\n%1").arg(inWords(withdrawn.error(), Tried::reading)));
         return;
     }
     m_withdrawn = *std::move(withdrawn);
     for (const session::WithdrawnParticipant& each : m_withdrawn)
-        m_who->addItem(tr("%1, %2").arg(QString::fromStdString(each.participant.code), QString::fromStdString(each.studyTitle)));
+        m_who->addItem(tr("%1, %2").arg(QString::fromStdString(each.participant.code),
+                                        QString::fromStdString(each.studyTitle)));
     m_who->setEnabled(!m_withdrawn.empty());
     renewWords();
     if (!m_withdrawn.empty())
@@ -56,18 +63,24 @@ void EraseParticipantDialog::loaded(core::Result<std::vector<session::WithdrawnP
 
 void EraseParticipantDialog::renewWords() {
     const session::WithdrawnParticipant* who = chosen();
-    m_words->setText(!who ? tr("No participant who has withdrawn waits to be erased. Researchers withdraw a participant on the study's Run screen.")
+    m_words->setText(!who ? tr("No participant who has withdrawn waits to be erased. Researchers withdraw a "
+                               "participant on the study's Run screen.")
                      : who->participant.recordingsToErase
-                         ? tr("Overwritten: who the participant was, the answers to questionnaires, comments on their sessions and, as the participant "
+                         ? tr("Overwritten: who the participant was, the answers to questionnaires, comments "
+                              "on their sessions and, as the participant "
                               "wished, the recordings. Kept under the code: runs and trials.")
-                         : tr("Overwritten: who the participant was, the answers to questionnaires and comments on their sessions. Kept under the code: "
-                              "runs, trials and recordings; the participant did not ask for the recordings to be erased."));
+                         : tr("Overwritten: who the participant was, the answers to questionnaires and "
+                              "comments on their sessions. Kept under the code: "
+                              "runs, trials and recordings; the participant did not ask for the recordings "
+                              "to be erased."));
     renew();
 }
 
 const session::WithdrawnParticipant* EraseParticipantDialog::chosen() const {
     const int row = m_who->currentIndex();
-    return row >= 0 && row < static_cast<int>(m_withdrawn.size()) ? &m_withdrawn[static_cast<std::size_t>(row)] : nullptr;
+    return row >= 0 && row < static_cast<int>(m_withdrawn.size())
+               ? &m_withdrawn[static_cast<std::size_t>(row)]
+               : nullptr;
 }
 
 QString EraseParticipantDialog::whom() const {
@@ -75,7 +88,8 @@ QString EraseParticipantDialog::whom() const {
 }
 
 ErasureDialog::Erasure EraseParticipantDialog::erasure() const {
-    return [id = chosen()->participant.id](database::AccountService& accounts, const database::Actor& actor, const std::string& password, const std::string& reason) {
+    return [id = chosen()->participant.id](database::AccountService& accounts, const database::Actor& actor,
+                                           const std::string& password, const std::string& reason) {
         return accounts.eraseParticipant(actor, password, id, reason);
     };
 }

@@ -22,20 +22,24 @@ struct Outcome {
 
 } // namespace
 
-ErasureDialog::ErasureDialog(AppContext& context, const QString& objectName, const QString& title, QWidget* parent)
+ErasureDialog::ErasureDialog(AppContext& context, const QString& objectName, const QString& title,
+                             QWidget* parent)
     : FormDialog(context, objectName, title, parent), m_wait(new WaitCountdown(this)) {}
 
 QLineEdit* ErasureDialog::addReason() {
-    m_reason = form::textField(theme(), column(), tr("Reason (kept)"), objectName() + QStringLiteral(".reason"));
+    m_reason =
+        form::textField(theme(), column(), tr("Reason (kept)"), objectName() + QStringLiteral(".reason"));
     connect(m_reason, &QLineEdit::textChanged, this, &ErasureDialog::renew);
     return m_reason;
 }
 
 void ErasureDialog::addPassword() {
-    m_password = form::passwordField(theme(), column(), tr("Your own password"), objectName() + QStringLiteral(".password"));
+    m_password = form::passwordField(theme(), column(), tr("Your own password"),
+                                     objectName() + QStringLiteral(".password"));
     m_passwordNote = new FieldNote(theme(), *column(), *m_password);
     setAccept(tr("Erase permanently"), "danger");
-    connect(m_wait, &WaitCountdown::changed, this, [this](int seconds) { setAccept(waitWords(seconds), "danger"); });
+    connect(m_wait, &WaitCountdown::changed, this,
+            [this](int seconds) { setAccept(waitWords(seconds), "danger"); });
     connect(m_wait, &WaitCountdown::finished, this, [this] {
         setAccept(tr("Erase permanently"), "danger");
         renew();
@@ -48,7 +52,8 @@ void ErasureDialog::renew() {
     if (!m_password)
         return; // still being built
     m_password->setEnabled(!m_wait->isRunning());
-    setAcceptable(!m_wait->isRunning() && isChosen() && !m_reason->text().trimmed().isEmpty() && !m_password->text().isEmpty());
+    setAcceptable(!m_wait->isRunning() && isChosen() && !m_reason->text().trimmed().isEmpty() &&
+                  !m_password->text().isEmpty());
 }
 
 void ErasureDialog::submit() {
@@ -70,7 +75,8 @@ void ErasureDialog::refused(const database::Refusal& refusal) {
     setWorking(false);
     m_password->clear();
     const bool wrong = refusal.kind == database::Refusal::Kind::wrong;
-    say("warning", wrong ? tr("Nobody was erased.") : tr("Nobody was erased.\n%1").arg(refusalWords(refusal)));
+    say("warning",
+        wrong ? tr("Nobody was erased.") : tr("Nobody was erased.\n%1").arg(refusalWords(refusal)));
     if (wrong)
         m_passwordNote->say(wrongPasswordWords());
     m_wait->start(refusal.wait_ns);
@@ -87,7 +93,8 @@ void ErasureDialog::finished(const core::Result<void>& done) {
         say("bad", cannotWords());
     } else if (done.error().code == core::ErrorCode::storage) {
         emit changed(); // the list shows how far the erasure got
-        say("bad", tr("The erasure of %1 is not complete: the file may still contain old copies. Press the button again to continue where "
+        say("bad", tr("The erasure of %1 is not complete: the file may still contain old copies. Press the "
+                      "button again to continue where "
                       "it stopped.\n%2")
                        .arg(whom(), inWords(done.error())));
     } else {

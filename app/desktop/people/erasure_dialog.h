@@ -20,18 +20,19 @@ class WaitCountdown;
 class ErasureDialog : public FormDialog {
     Q_OBJECT
 protected:
-    using Erasure = std::function<core::Result<void>(database::AccountService&, const database::Actor&, const std::string& password, const std::string& reason)>;
+    using Erasure = std::function<core::Result<void>(database::AccountService&, const database::Actor&,
+                                                     const std::string& password, const std::string& reason)>;
 
     ErasureDialog(AppContext& context, const QString& objectName, const QString& title, QWidget* parent);
     QLineEdit* addReason();
     void addPassword(); ///< also adds the button; call it last
     void renew();
 
-    virtual bool isChosen() const = 0;        ///< it is clear who is to be erased
+    virtual bool isChosen() const = 0; ///< it is clear who is to be erased
     virtual QString whom() const = 0;
-    virtual Erasure erasure() const = 0;      ///< the work, which runs on a worker
+    virtual Erasure erasure() const = 0; ///< the work, which runs on a worker
     virtual QString doneWords() const = 0;
-    virtual QString cannotWords() const = 0;  ///< text for the case that the data layer does not allow it yet
+    virtual QString cannotWords() const = 0; ///< text for the case that the data layer does not allow it yet
 
     void submit() override;
 

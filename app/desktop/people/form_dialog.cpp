@@ -101,7 +101,8 @@ void FormDialog::say(const char* kind, const QString& text) {
     m_notice->say(kind, text);
     if (!text.isEmpty())
         // Deferred until the notice has its size.
-        QMetaObject::invokeMethod(this, [this] { m_page->ensureWidgetVisible(m_notice); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this] { m_page->ensureWidgetVisible(m_notice); }, Qt::QueuedConnection);
 }
 
 void FormDialog::showResult(QWidget* result) {

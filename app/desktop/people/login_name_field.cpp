@@ -36,7 +36,8 @@ void LoginNameField::focusField() {
 }
 
 void LoginNameField::showTaken() {
-    say("bad", tr("Somebody has this login name already. Names that differ only in capital letters count as the same."));
+    say("bad", tr("Somebody has this login name already. Names that differ only in capital letters count as "
+                  "the same."));
     focusField();
 }
 
@@ -47,7 +48,8 @@ void LoginNameField::renew() {
     else if (name().isEmpty())
         say("", tr("A login name is needed. No commas."));
     else
-        say("bad", tr("This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are "
+        say("bad", tr("This name cannot be used. Use at most %1 characters, no commas and no spaces at the "
+                      "ends. Some names are "
                       "reserved for the program.")
                        .arg(QLocale().toString(database::kMaximumNameCharacters)));
     emit changed();

@@ -40,22 +40,30 @@ QFont secretFont(const report::PlotTheme& theme) {
     return font;
 }
 
-std::vector<Line> linesOf(const LoginSlips& slips, const database::ImportedPerson& person, const report::PlotTheme& theme) {
+std::vector<Line> linesOf(const LoginSlips& slips, const database::ImportedPerson& person,
+                          const report::PlotTheme& theme) {
     const QString name = shown(person.displayName.empty() ? person.name : person.displayName);
     std::vector<Line> lines{{words(QT_TRANSLATE_NOOP("LoginSlips", "Name")), name, theme.font(14, true)}};
     if (!slips.site.isEmpty())
         lines.push_back({words(QT_TRANSLATE_NOOP("LoginSlips", "Site")), slips.site, theme.font(12)});
-    lines.push_back({words(QT_TRANSLATE_NOOP("LoginSlips", "Login name")), shown(person.name), secretFont(theme)});
-    lines.push_back({words(QT_TRANSLATE_NOOP("LoginSlips", "Password")), shown(person.madePassword), secretFont(theme)});
+    lines.push_back(
+        {words(QT_TRANSLATE_NOOP("LoginSlips", "Login name")), shown(person.name), secretFont(theme)});
+    lines.push_back(
+        {words(QT_TRANSLATE_NOOP("LoginSlips", "Password")), shown(person.madePassword), secretFont(theme)});
     return lines;
 }
 
-report::Block slipOf(const LoginSlips& slips, const database::ImportedPerson& person, const report::PlotTheme& theme) {
+report::Block slipOf(const LoginSlips& slips, const database::ImportedPerson& person,
+                     const report::PlotTheme& theme) {
     const std::vector<Line> lines = linesOf(slips, person, theme);
-    const QString advice = words(QT_TRANSLATE_NOOP("LoginSlips", "At your first login, choose your name in the list, enter this password and then choose one of your own. "
-                                                                 "After that, this slip is of no use: destroy it."));
+    const QString advice =
+        words(QT_TRANSLATE_NOOP("LoginSlips", "At your first login, choose your name in the list, enter this "
+                                              "password and then choose one of your own. "
+                                              "After that, this slip is of no use: destroy it."));
     const double width = report::kPageBodyWidth - 2 * kPadding;
-    const auto heightOf = [width](const Line& line) { return report::textHeight(line.value, line.font, width - kLabelWidth) + 5; };
+    const auto heightOf = [width](const Line& line) {
+        return report::textHeight(line.value, line.font, width - kLabelWidth) + 5;
+    };
     const QFont small = theme.font(11);
     report::Block block;
     block.height = 2 * kPadding + report::textHeight(advice, small, width) + 6;
@@ -65,11 +73,15 @@ report::Block slipOf(const LoginSlips& slips, const database::ImportedPerson& pe
         double y = box.top() + kPadding;
         for (const Line& line : lines) {
             const double height = heightOf(line);
-            report::drawText(painter, QRectF(box.left() + kPadding, y + 2, kLabelWidth - 8, height), line.label, {small, theme.muted});
-            report::drawText(painter, QRectF(box.left() + kPadding + kLabelWidth, y, width - kLabelWidth, height), line.value, {line.font, theme.ink});
+            report::drawText(painter, QRectF(box.left() + kPadding, y + 2, kLabelWidth - 8, height),
+                             line.label, {small, theme.muted});
+            report::drawText(painter,
+                             QRectF(box.left() + kPadding + kLabelWidth, y, width - kLabelWidth, height),
+                             line.value, {line.font, theme.ink});
             y += height;
         }
-        report::drawText(painter, QRectF(box.left() + kPadding, y + 6, width, box.bottom() - y), advice, {small, theme.ink});
+        report::drawText(painter, QRectF(box.left() + kPadding, y + 6, width, box.bottom() - y), advice,
+                         {small, theme.ink});
         painter.setPen(QPen(theme.muted, 0.8, Qt::DashLine)); // a line to cut along
         painter.drawLine(QPointF(box.left(), box.bottom()), QPointF(box.right(), box.bottom()));
     };
@@ -85,15 +97,23 @@ std::vector<report::Block> blocksOf(const LoginSlips& slips, const report::PlotT
 
 report::PageFrame frameOf(const LoginSlips& slips) {
     const QString title = words(QT_TRANSLATE_NOOP("LoginSlips", "Login slips"));
-    return {title, slips.site, words(QT_TRANSLATE_NOOP("LoginSlips", "Cut along the dashed lines and hand each slip to its person.")), title, QStringLiteral("Chiron"), slips.site};
+    return {title,
+            slips.site,
+            words(QT_TRANSLATE_NOOP("LoginSlips",
+                                    "Cut along the dashed lines and hand each slip to its person.")),
+            title,
+            QStringLiteral("Chiron"),
+            slips.site};
 }
 
 } // namespace
 
-core::Result<void> writeLoginSlips(const QString& path, const LoginSlips& slips, const report::PlotTheme& theme) {
+core::Result<void> writeLoginSlips(const QString& path, const LoginSlips& slips,
+                                   const report::PlotTheme& theme) {
     auto done = report::writePages(path, frameOf(slips), blocksOf(slips, theme), theme);
     if (done && !QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner))
-        return core::fail(core::ErrorCode::storage, path.toStdString() + ": others may read this file, which could not be changed");
+        return core::fail(core::ErrorCode::storage,
+                          path.toStdString() + ": others may read this file, which could not be changed");
     return done;
 }
 

@@ -22,7 +22,8 @@ struct LoginSlips {
 /// Writes the slips as a PDF of A4 pages to cut up. Only the file's owner may read it.
 /// Thread: GUI.
 /// Errors: storage naming the path.
-core::Result<void> writeLoginSlips(const QString& path, const LoginSlips& slips, const report::PlotTheme& theme);
+core::Result<void> writeLoginSlips(const QString& path, const LoginSlips& slips,
+                                   const report::PlotTheme& theme);
 
 /// Paints the same pages on a printer. Returns false if the printer cannot be painted on.
 /// Thread: GUI.

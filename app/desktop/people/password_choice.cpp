@@ -26,7 +26,9 @@ PasswordChoice::PasswordChoice(const Theme& theme, const QString& prefix, QWidge
     column->addWidget(m_generate);
     column->addWidget(m_type);
     column->addWidget(m_fields);
-    column->addWidget(kit::label(theme, tr("It has to be changed at the next login, so that only its owner knows it."), TextStyle::small, "muted"));
+    column->addWidget(
+        kit::label(theme, tr("It has to be changed at the next login, so that only its owner knows it."),
+                   TextStyle::small, "muted"));
     connect(m_type, &QRadioButton::toggled, this, [this](bool typed) {
         m_fields->setVisible(typed);
         if (typed)
@@ -52,13 +54,17 @@ std::string PasswordChoice::password() const {
     return isGenerated() ? database::generatedPassword() : m_fields->password();
 }
 
-QWidget* handedPassword(const Theme& theme, const QString& headline, const QString& loginName, const QString& password) {
+QWidget* handedPassword(const Theme& theme, const QString& headline, const QString& loginName,
+                        const QString& password) {
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout(whole);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(12));
     column->addWidget(kit::notice(theme, "good", headline));
-    column->addWidget(kit::label(theme, PasswordChoice::tr("Hand this password to %1. It is shown only now and has to be changed at the next login.").arg(loginName)));
+    column->addWidget(kit::label(
+        theme, PasswordChoice::tr(
+                   "Hand this password to %1. It is shown only now and has to be changed at the next login.")
+                   .arg(loginName)));
     const kit::Box box = kit::box(theme, "raised");
     auto* words = kit::label(theme, password, TextStyle::mono);
     words->setObjectName(QStringLiteral("handed.password"));

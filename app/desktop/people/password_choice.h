@@ -34,6 +34,7 @@ private:
 };
 
 /// Shows once the password that an administrator has set for somebody, so that it can be handed over.
-QWidget* handedPassword(const Theme& theme, const QString& headline, const QString& loginName, const QString& password);
+QWidget* handedPassword(const Theme& theme, const QString& headline, const QString& loginName,
+                        const QString& password);
 
 } // namespace chiron::desktop

@@ -18,7 +18,8 @@ void PeopleModel::setPeople(std::vector<database::Person> people) {
 }
 
 const database::Person* PeopleModel::find(database::PersonId id) const {
-    const auto found = std::find_if(m_people.begin(), m_people.end(), [id](const database::Person& p) { return p.id == id; });
+    const auto found = std::find_if(m_people.begin(), m_people.end(),
+                                    [id](const database::Person& p) { return p.id == id; });
     return found == m_people.end() ? nullptr : &*found;
 }
 
@@ -43,8 +44,10 @@ QVariant PeopleModel::data(const QModelIndex& index, int role) const {
     if (role == kPersonId)
         return static_cast<qlonglong>(person.id);
     if (role == kSearch)
-        return forSearch(QStringList{QString::fromStdString(person.name), QString::fromStdString(person.displayName), rolesInWords(person.roles).join(QLatin1Char(' ')),
-                                     stateWords(person)}.join(QLatin1Char(' ')));
+        return forSearch(QStringList{QString::fromStdString(person.name),
+                                     QString::fromStdString(person.displayName),
+                                     rolesInWords(person.roles).join(QLatin1Char(' ')), stateWords(person)}
+                             .join(QLatin1Char(' ')));
     if (role == kChips && index.column() == roles)
         return rolesInWords(person.roles);
     if (role == Qt::DecorationRole && index.column() == account)

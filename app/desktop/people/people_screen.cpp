@@ -32,7 +32,8 @@ void tellApart(QPushButton& button, const QString& words) {
 
 } // namespace
 
-PeopleScreen::PeopleScreen(AppContext& context, const Place& place) : Screen(context, place), m_chosen(place.parameters.value(QStringLiteral("person")).toLongLong()) {
+PeopleScreen::PeopleScreen(AppContext& context, const Place& place)
+    : Screen(context, place), m_chosen(place.parameters.value(QStringLiteral("person")).toLongLong()) {
     auto* page = new ScrollPage(context.theme(), 1100);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -48,13 +49,19 @@ QString PeopleScreen::title() const {
 }
 
 QString PeopleScreen::help() const {
-    return tr("Everybody who has an account on this site.\n\nChoose a person in the list, then an action below it. Changing roles and "
-              "disabling take effect at once and can be undone. A person who gets a new password has to change it at the next "
-              "login.\n\n\"Edit\" changes a person's name or login name; the earlier ones stay in the history.\n\n\"Import roster\" reads a "
-              "CSV file as a spreadsheet saves it, with headings such as login name, full name and role (\"Save a template\" makes one), and "
-              "first shows what will happen: either everything in the file is done, or nothing. Passwords are made for new people and can be "
+    return tr("Everybody who has an account on this site.\n\nChoose a person in the list, then an action "
+              "below it. Changing roles and "
+              "disabling take effect at once and can be undone. A person who gets a new password has to "
+              "change it at the next "
+              "login.\n\n\"Edit\" changes a person's name or login name; the earlier ones stay in the "
+              "history.\n\n\"Import roster\" reads a "
+              "CSV file as a spreadsheet saves it, with headings such as login name, full name and role "
+              "(\"Save a template\" makes one), and "
+              "first shows what will happen: either everything in the file is done, or nothing. Passwords "
+              "are made for new people and can be "
               "printed as slips.\n\n\"Export all data\" writes all data about a person to one "
-              "file. \"Erase\" permanently removes a person's identity. \"Erase a participant\" does the same for somebody who has withdrawn from a study and need "
+              "file. \"Erase\" permanently removes a person's identity. \"Erase a participant\" does the "
+              "same for somebody who has withdrawn from a study and need "
               "not have an account.");
 }
 
@@ -82,7 +89,8 @@ QWidget* PeopleScreen::headRow() {
     auto* participant = kit::button(theme, tr("Erase a participant …"), "", QStringLiteral("edit-delete"));
     participant->setObjectName(QStringLiteral("people.erase_participant"));
     connect(participant, &QPushButton::clicked, this, &PeopleScreen::eraseParticipant);
-    tellApart(*participant, tr("Permanently removes the identity of somebody who took part in a study and need not have an account here."));
+    tellApart(*participant, tr("Permanently removes the identity of somebody who took part in a study and "
+                               "need not have an account here."));
     row->addWidget(participant);
     column->addWidget(buttons);
     m_search = new QLineEdit;
@@ -128,10 +136,11 @@ QWidget* PeopleScreen::listPart() {
     m_panel->showLoading(tr("Reading the list of people …"));
     connect(m_search, &QLineEdit::textChanged, this, &PeopleScreen::find);
     connect(m_search, &QLineEdit::returnPressed, m_table, qOverload<>(&QWidget::setFocus));
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& row) {
-        m_chosen = row.isValid() ? row.data(PeopleModel::kPersonId).toLongLong() : 0;
-        renewActions();
-    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& row) {
+                m_chosen = row.isValid() ? row.data(PeopleModel::kPersonId).toLongLong() : 0;
+                renewActions();
+            });
     return m_panel;
 }
 
@@ -149,7 +158,8 @@ QWidget* PeopleScreen::actionPart() {
     box.layout->addWidget(m_earlier);
     auto* buttons = new QWidget;
     auto* row = new FlowLayout(theme.px(8), buttons);
-    const auto add = [&](const QString& text, const QString& icon, const char* name, void (PeopleScreen::*act)(), const char* kind = "") {
+    const auto add = [&](const QString& text, const QString& icon, const char* name,
+                         void (PeopleScreen::*act)(), const char* kind = "") {
         auto* button = kit::button(theme, text, kind, icon);
         button->setObjectName(QLatin1String(name));
         connect(button, &QPushButton::clicked, this, act);
@@ -157,10 +167,14 @@ QWidget* PeopleScreen::actionPart() {
         return button;
     };
     m_edit = add(tr("Edit"), QStringLiteral("document-edit"), "people.edit", &PeopleScreen::editPerson);
-    m_roles = add(tr("Change roles"), QStringLiteral("user-properties"), "people.roles", &PeopleScreen::editRoles);
-    m_reset = add(tr("Reset password"), QStringLiteral("dialog-password"), "people.reset", &PeopleScreen::resetPassword);
-    m_enable = add(tr("Disable"), QStringLiteral("dialog-cancel"), "people.enable", &PeopleScreen::toggleEnabled);
-    m_export = add(tr("Export all data"), QStringLiteral("document-export"), "people.export", &PeopleScreen::askExport);
+    m_roles =
+        add(tr("Change roles"), QStringLiteral("user-properties"), "people.roles", &PeopleScreen::editRoles);
+    m_reset = add(tr("Reset password"), QStringLiteral("dialog-password"), "people.reset",
+                  &PeopleScreen::resetPassword);
+    m_enable =
+        add(tr("Disable"), QStringLiteral("dialog-cancel"), "people.enable", &PeopleScreen::toggleEnabled);
+    m_export = add(tr("Export all data"), QStringLiteral("document-export"), "people.export",
+                   &PeopleScreen::askExport);
     m_erase = add(tr("Erase"), QStringLiteral("edit-delete"), "people.erase", &PeopleScreen::erase, "danger");
     tellApart(*m_erase, tr("Permanently removes the identity of the person who is chosen in the list."));
     box.layout->addWidget(buttons);
@@ -175,7 +189,10 @@ void PeopleScreen::enter() {
 void PeopleScreen::load() {
     database::Database* database = &context().site().database();
     context().background().run(
-        this, [database, actor = context().actor()](WorkToken&) { return database::AccountService(*database).listPeople(actor); },
+        this,
+        [database, actor = context().actor()](WorkToken&) {
+            return database::AccountService(*database).listPeople(actor);
+        },
         [this](core::Result<std::vector<database::Person>> people) { loaded(std::move(people)); });
 }
 
@@ -202,10 +219,12 @@ void PeopleScreen::find(const QString& text) {
     if (m_found->rowCount() > 0 || m_model->rowCount() == 0)
         m_panel->showContent();
     else
-        m_panel->showEmpty(tr("Nobody is found"), tr("No name and no role matches \"%1\".").arg(text.trimmed()), tr("Show everybody"), [this] {
-            m_search->clear();
-            m_search->setFocus();
-        });
+        m_panel->showEmpty(tr("Nobody is found"),
+                           tr("No name and no role matches \"%1\".").arg(text.trimmed()),
+                           tr("Show everybody"), [this] {
+                               m_search->clear();
+                               m_search->setFocus();
+                           });
 }
 
 void PeopleScreen::fitColumns() {
@@ -238,7 +257,10 @@ void PeopleScreen::showEarlierNames() {
         return;
     database::Database* database = &context().site().database();
     context().background().run(
-        this, [database, actor = context().actor(), id = m_chosen](WorkToken&) { return database::AccountService(*database).earlierNames(actor, id); },
+        this,
+        [database, actor = context().actor(), id = m_chosen](WorkToken&) {
+            return database::AccountService(*database).earlierNames(actor, id);
+        },
         [this, id = m_chosen](const core::Result<std::vector<database::EarlierName>>& names) {
             if (id != m_chosen || !names || names->empty())
                 return; // somebody else has been chosen, or there are no earlier names to show
@@ -246,8 +268,12 @@ void PeopleScreen::showEarlierNames() {
             for (const database::EarlierName& before : *names) {
                 const QString name = QString::fromStdString(before.name);
                 const QString full = QString::fromStdString(before.displayName);
-                const QDateTime until = QDateTime::fromString(QString::fromStdString(before.untilUtc), Qt::ISODateWithMs).toLocalTime();
-                lines << tr("Until %1: %2").arg(context().locale().toString(until, QLocale::ShortFormat), full.isEmpty() ? name : tr("%1 (%2)").arg(full, name));
+                const QDateTime until =
+                    QDateTime::fromString(QString::fromStdString(before.untilUtc), Qt::ISODateWithMs)
+                        .toLocalTime();
+                lines << tr("Until %1: %2")
+                             .arg(context().locale().toString(until, QLocale::ShortFormat),
+                                  full.isEmpty() ? name : tr("%1 (%2)").arg(full, name));
             }
             m_earlier->setText(lines.join(QLatin1Char('\n')));
             m_earlier->show();
@@ -267,9 +293,11 @@ void PeopleScreen::renewActions() {
     const QString name = QString::fromStdString(person->name);
     const QString full = QString::fromStdString(person->displayName);
     m_chosenName->setText(full.isEmpty() ? name : tr("%1 (%2)").arg(full, name));
-    m_chosenWords->setText(tr("Code %1: what researchers see in the place of the name.").arg(QString::fromStdString(person->code)));
+    m_chosenWords->setText(tr("Code %1: what researchers see in the place of the name.")
+                               .arg(QString::fromStdString(person->code)));
     m_enable->setText(person->enabled ? tr("Disable") : tr("Enable"));
-    m_enable->setIcon(context().theme().icon(person->enabled ? QStringLiteral("dialog-cancel") : QStringLiteral("dialog-ok-apply")));
+    m_enable->setIcon(context().theme().icon(person->enabled ? QStringLiteral("dialog-cancel")
+                                                             : QStringLiteral("dialog-ok-apply")));
 }
 
 } // namespace chiron::desktop

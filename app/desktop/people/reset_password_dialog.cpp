@@ -9,9 +9,12 @@
 namespace chiron::desktop {
 
 ResetPasswordDialog::ResetPasswordDialog(AppContext& context, database::Person person, QWidget* parent)
-    : FormDialog(context, QStringLiteral("reset"), tr("New password for %1").arg(QString::fromStdString(person.name)), parent),
+    : FormDialog(context, QStringLiteral("reset"),
+                 tr("New password for %1").arg(QString::fromStdString(person.name)), parent),
       m_person(std::move(person)) {
-    column()->addWidget(kit::label(theme(), tr("The current password stops working at once. Sessions and scores are kept."), TextStyle::body, "muted"));
+    column()->addWidget(
+        kit::label(theme(), tr("The current password stops working at once. Sessions and scores are kept."),
+                   TextStyle::body, "muted"));
     m_password = new PasswordChoice(theme(), QStringLiteral("reset"));
     m_password->setLoginName(QString::fromStdString(m_person.name));
     column()->addWidget(m_password);

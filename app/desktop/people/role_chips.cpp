@@ -22,7 +22,8 @@ QSize RoleChips::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&
     int width = 2 * m_theme.px(kPadding);
     for (const QString& chip : index.data(PeopleModel::kChips).toStringList())
         width += chipWidth(chip) + m_theme.px(kGap);
-    return {width, std::max(QStyledItemDelegate::sizeHint(option, index).height(), m_theme.px(kChipHeight + kGap))};
+    return {width,
+            std::max(QStyledItemDelegate::sizeHint(option, index).height(), m_theme.px(kChipHeight + kGap))};
 }
 
 void RoleChips::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {

@@ -26,7 +26,9 @@ QString permits(database::Role role) {
 
 } // namespace
 
-RoleChoice::RoleChoice(const Theme& theme, const QString& prefix, const database::RoleSet& roles, QWidget* parent) : QWidget(parent) {
+RoleChoice::RoleChoice(const Theme& theme, const QString& prefix, const database::RoleSet& roles,
+                       QWidget* parent)
+    : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(4));
@@ -34,7 +36,8 @@ RoleChoice::RoleChoice(const Theme& theme, const QString& prefix, const database
     for (const database::Role role : database::kAllRoles) {
         auto* box = new QCheckBox(roleName(role));
         const std::string_view word = database::token(role);
-        box->setObjectName(prefix + QLatin1Char('.') + QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size())));
+        box->setObjectName(prefix + QLatin1Char('.') +
+                           QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size())));
         box->setChecked(roles.contains(role));
         box->setAccessibleDescription(permits(role));
         column->addWidget(box);

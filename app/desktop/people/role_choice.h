@@ -17,7 +17,8 @@ class RoleChoice final : public QWidget {
     Q_OBJECT
 public:
     /// Object names are "<prefix>.trainee", ...
-    RoleChoice(const Theme& theme, const QString& prefix, const database::RoleSet& roles, QWidget* parent = nullptr);
+    RoleChoice(const Theme& theme, const QString& prefix, const database::RoleSet& roles,
+               QWidget* parent = nullptr);
     database::RoleSet roles() const;
 
 signals:

@@ -9,13 +9,17 @@
 namespace chiron::desktop {
 
 RolesDialog::RolesDialog(AppContext& context, database::Person person, QWidget* parent)
-    : FormDialog(context, QStringLiteral("roles"), tr("Roles of %1").arg(QString::fromStdString(person.name)), parent),
+    : FormDialog(context, QStringLiteral("roles"), tr("Roles of %1").arg(QString::fromStdString(person.name)),
+                 parent),
       m_person(std::move(person)) {
     m_roles = new RoleChoice(theme(), QStringLiteral("roles"), m_person.roles);
     column()->addWidget(m_roles);
-    column()->addWidget(kit::label(theme(), tr("The change takes effect at once, even for people who are logged in."), TextStyle::small, "muted"));
+    column()->addWidget(kit::label(theme(),
+                                   tr("The change takes effect at once, even for people who are logged in."),
+                                   TextStyle::small, "muted"));
     setAccept(tr("Save"));
-    connect(m_roles, &RoleChoice::changed, this, [this] { setAcceptable(!m_roles->roles().empty() && m_roles->roles() != m_person.roles); });
+    connect(m_roles, &RoleChoice::changed, this,
+            [this] { setAcceptable(!m_roles->roles().empty() && m_roles->roles() != m_person.roles); });
 }
 
 void RolesDialog::submit() {
@@ -33,15 +37,19 @@ void RolesDialog::submit() {
                 emit changed();
                 // The side bar still shows the roles from the login.
                 if (m_person.id == context().actor().personId())
-                    context().messages().tell({MessageKind::done, tr("Your roles are changed. Log in again to see the screens that go with them."), tr("Log out"),
-                                               [&app = context()] { app.logOut(); }});
+                    context().messages().tell(
+                        {MessageKind::done,
+                         tr("Your roles are changed. Log in again to see the screens that go with them."),
+                         tr("Log out"), [&app = context()] { app.logOut(); }});
                 else
                     context().messages().done(tr("The roles of %1 are changed.").arg(name));
                 accept();
             } else if (done.error().code == core::ErrorCode::wrongUse) {
                 // This is the only rule that a choice of roles can violate.
-                say("bad", tr("%1 remains an administrator: a site needs at least one who can log in. Make another person an administrator "
-                              "first.").arg(name));
+                say("bad", tr("%1 remains an administrator: a site needs at least one who can log in. Make "
+                              "another person an administrator "
+                              "first.")
+                               .arg(name));
             } else {
                 say("bad", tr("The roles of %1 were not changed.\n%2").arg(name, inWords(done.error())));
             }

@@ -27,7 +27,9 @@ constexpr double kPanelHeight = 260;
 
 RosterDialog::RosterDialog(AppContext& context, const QString& fileName, std::string bytes, QWidget* parent)
     : FormDialog(context, QStringLiteral("roster"), tr("Import people"), parent), m_bytes(std::move(bytes)) {
-    column()->addWidget(kit::label(theme(), tr("From %1. Nothing is changed before you press Import.").arg(fileName), TextStyle::body, "muted"));
+    column()->addWidget(kit::label(theme(),
+                                   tr("From %1. Nothing is changed before you press Import.").arg(fileName),
+                                   TextStyle::body, "muted"));
     m_read = kit::label(theme(), {}, TextStyle::small, "muted");
     m_read->setObjectName(QStringLiteral("roster.read"));
     m_read->hide();
@@ -72,7 +74,8 @@ void RosterDialog::load() {
     const int asked = ++m_asked;
     context().background().run(
         this,
-        [database, actor = context().actor(), bytes = m_bytes, chosen = existing(), roles = m_roleWords](WorkToken&) {
+        [database, actor = context().actor(), bytes = m_bytes, chosen = existing(),
+         roles = m_roleWords](WorkToken&) {
             return database::AccountService(*database).previewCsv(actor, bytes, chosen, roles);
         },
         [this, asked](core::Result<database::RosterPlan> plan) {
@@ -81,7 +84,8 @@ void RosterDialog::load() {
             if (plan)
                 showPlan(*plan);
             else
-                m_panel->showError(tr("The list could not be compared with the people on this site."), plan.error(), [this] { load(); });
+                m_panel->showError(tr("The list could not be compared with the people on this site."),
+                                   plan.error(), [this] { load(); });
         });
 }
 
@@ -94,7 +98,10 @@ void RosterDialog::askRoles(const database::Roster& roster) {
     auto* rows = new QVBoxLayout(m_roles);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(theme().px(4));
-    rows->addWidget(kit::label(theme(), tr("The list has words that are not roles here. Choose what each of them stands for, or correct the file."), TextStyle::label));
+    rows->addWidget(kit::label(theme(),
+                               tr("The list has words that are not roles here. Choose what each of them "
+                                  "stands for, or correct the file."),
+                               TextStyle::label));
     for (const std::string& word : roster.unknownRoles)
         rows->addWidget(roleChoice(word));
     column()->insertWidget(column()->indexOf(m_panel), m_roles);
@@ -105,13 +112,15 @@ QWidget* RosterDialog::roleChoice(const std::string& word) {
     auto* row = new QHBoxLayout(line);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme().px(8));
-    const QString shown = word.empty() ? tr("No role is given") : tr("“%1”").arg(QString::fromStdString(word));
+    const QString shown =
+        word.empty() ? tr("No role is given") : tr("“%1”").arg(QString::fromStdString(word));
     row->addWidget(kit::label(theme(), shown), 1);
     auto* choice = new QComboBox;
     choice->setObjectName(QStringLiteral("roster.role.%1").arg(QString::fromStdString(word)));
     choice->setAccessibleName(tr("Role that %1 stands for").arg(shown));
     choice->addItem(tr("Choose a role …"));
-    constexpr std::array kRoles{database::Role::trainee, database::Role::trainer, database::Role::researcher, database::Role::admin};
+    constexpr std::array kRoles{database::Role::trainee, database::Role::trainer, database::Role::researcher,
+                                database::Role::admin};
     for (const database::Role role : kRoles)
         choice->addItem(rolesInWords({role}).join(QString()));
     row->addWidget(choice, 2);
@@ -130,7 +139,8 @@ void RosterDialog::showPlan(const database::RosterPlan& plan) {
     m_changes = plan.count(Kind::add) + plan.count(Kind::update);
     m_read->setText(rosterReadWords(roster));
     m_read->setVisible(!m_read->text().isEmpty());
-    m_existing->setVisible(static_cast<int>(plan.steps.size()) > plan.count(Kind::add) && roster.problems.empty());
+    m_existing->setVisible(static_cast<int>(plan.steps.size()) > plan.count(Kind::add) &&
+                           roster.problems.empty());
     auto* whole = new QWidget;
     auto* parts = new QVBoxLayout(whole);
     parts->setContentsMargins(0, 0, 0, 0);
@@ -138,7 +148,11 @@ void RosterDialog::showPlan(const database::RosterPlan& plan) {
     if (!roster.problems.empty()) {
         parts->addWidget(problemList(roster));
     } else {
-        QFrame* notice = kit::notice(theme(), rosterLeavesDoubts(plan) ? "warning" : m_changes > 0 ? "good" : "info", rosterPlanWords(plan).join(QLatin1Char('\n')));
+        QFrame* notice = kit::notice(theme(),
+                                     rosterLeavesDoubts(plan) ? "warning"
+                                     : m_changes > 0          ? "good"
+                                                              : "info",
+                                     rosterPlanWords(plan).join(QLatin1Char('\n')));
         notice->setObjectName(QStringLiteral("roster.summary"));
         parts->addWidget(notice);
     }
@@ -148,7 +162,8 @@ void RosterDialog::showPlan(const database::RosterPlan& plan) {
     delete m_panel->content(); // from the previous choice
     m_panel->setContent(whole);
     m_panel->showContent();
-    setAccept(roster.problems.empty() && m_changes > 0 ? tr("Import %n people", nullptr, m_changes) : tr("Import"));
+    setAccept(roster.problems.empty() && m_changes > 0 ? tr("Import %n people", nullptr, m_changes)
+                                                       : tr("Import"));
     setAcceptable(roster.problems.empty() && m_changes > 0);
     leaveOnly(roster.problems.empty() && m_changes == 0);
 }
@@ -159,8 +174,12 @@ QWidget* RosterDialog::problemList(const database::Roster& roster) const {
         lines << rosterProblemWords(roster.problems[i]);
     if (roster.problems.size() > kMostProblems_shown)
         lines << tr("and %n more", nullptr, static_cast<int>(roster.problems.size() - kMostProblems_shown));
-    lines.prepend(roster.encoding.empty() ? tr("Nothing can be imported from this file.") : m_roles ? tr("Nothing can be imported yet: choose above what the words stand for, or correct these lines in the file and choose it again.")
-                                           : tr("Nothing can be imported yet: correct these lines in the file, then choose it again."));
+    lines.prepend(
+        roster.encoding.empty() ? tr("Nothing can be imported from this file.")
+        : m_roles
+            ? tr("Nothing can be imported yet: choose above what the words stand for, or correct these lines "
+                 "in the file and choose it again.")
+            : tr("Nothing can be imported yet: correct these lines in the file, then choose it again."));
     QFrame* notice = kit::notice(theme(), "bad", lines.join(QLatin1Char('\n')));
     notice->setObjectName(QStringLiteral("roster.problems"));
     return notice;
@@ -174,11 +193,15 @@ void RosterDialog::submit() {
     database::Database* database = &context().site().database();
     auto token = context().background().run(
         this,
-        [database, actor = context().actor(), bytes = m_bytes, chosen = existing(), roles = m_roleWords](WorkToken& work) {
-            return database::AccountService(*database).importCsv(actor, bytes, chosen, [&work](int done, int of) {
-                work.setProgress(done, of);
-                return !work.cancelled();
-            }, roles);
+        [database, actor = context().actor(), bytes = m_bytes, chosen = existing(),
+         roles = m_roleWords](WorkToken& work) {
+            return database::AccountService(*database).importCsv(
+                actor, bytes, chosen,
+                [&work](int done, int of) {
+                    work.setProgress(done, of);
+                    return !work.cancelled();
+                },
+                roles);
         },
         [this](core::Result<database::RosterOutcome> outcome) {
             setWorking(false);
@@ -193,7 +216,8 @@ void RosterDialog::submit() {
             // This is the only rule that a list without errors can violate.
             const bool last = outcome.error().code == core::ErrorCode::wrongUse;
             say(outcome.error().code == core::ErrorCode::cancelled ? "info" : "bad",
-                last ? tr("Nothing was changed: the site needs at least one administrator who can log in, and the list would leave none.")
+                last ? tr("Nothing was changed: the site needs at least one administrator who can log in, "
+                          "and the list would leave none.")
                      : tr("Nothing was changed.\n%1").arg(inWords(outcome.error())));
         });
     m_panel->showLoading(tr("Importing %n people …", nullptr, m_changes), token);
@@ -206,7 +230,8 @@ void RosterDialog::showDone(database::RosterOutcome outcome) {
         words << tr("%n people were added.", nullptr, static_cast<int>(outcome.added.size()));
     if (outcome.updated > 0)
         words << tr("%n people were updated.", nullptr, outcome.updated);
-    std::erase_if(outcome.added, [](const database::ImportedPerson& person) { return person.madePassword.empty(); });
+    std::erase_if(outcome.added,
+                  [](const database::ImportedPerson& person) { return person.madePassword.empty(); });
     if (outcome.added.empty()) {
         context().messages().done(words.join(QLatin1Char(' ')));
         accept();
@@ -215,7 +240,8 @@ void RosterDialog::showDone(database::RosterOutcome outcome) {
     m_slips = new SlipsPanel(context(), words.join(QLatin1Char(' ')), std::move(outcome.added));
     connect(m_slips, &SlipsPanel::told, this, [this](QWidget* notice) {
         // Deferred until the notice has its size.
-        QMetaObject::invokeMethod(this, [this, notice] { reveal(*notice); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, notice] { reveal(*notice); }, Qt::QueuedConnection);
     });
     showSecret(m_slips, m_slips->findChild<QPushButton*>(QStringLiteral("slips.print")));
 }
@@ -223,7 +249,8 @@ void RosterDialog::showDone(database::RosterOutcome outcome) {
 void RosterDialog::reject() {
     if (m_slips && !m_slips->isTaken() && !m_warned) {
         m_warned = true;
-        say("warning", tr("The slips have been neither printed nor saved. If you close this window again, the passwords are gone; you can then only set "
+        say("warning", tr("The slips have been neither printed nor saved. If you close this window again, "
+                          "the passwords are gone; you can then only set "
                           "new ones, one by one."));
         return;
     }

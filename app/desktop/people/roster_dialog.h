@@ -41,7 +41,7 @@ private:
 
     std::string m_bytes;
     int m_changes = 0;
-    int m_asked = 0; ///< number of times the list was read, to discard outdated answers
+    int m_asked = 0;                 ///< number of times the list was read, to discard outdated answers
     database::RoleWords m_roleWords; ///< as chosen in this dialog
     QWidget* m_roles = nullptr;      ///< the role choices; null if every word names a role
     QLabel* m_read;

@@ -19,8 +19,8 @@ using Kind = database::RosterStep::Kind;
 constexpr double kTableHeight = 240;
 constexpr int kLoginNameColumn = 2;
 constexpr int kFullNameColumn = 3;
-constexpr int kMostDoubts = 5; // lines of the summary
-constexpr int kMostNames = 5;  // likewise
+constexpr int kMostDoubts = 5;     // lines of the summary
+constexpr int kMostNames = 5;      // likewise
 constexpr int kMeasuredRows = 100; // measuring a list of thousands would take too long
 
 QString words(const char* text) {
@@ -64,7 +64,8 @@ QString rolesWords(const database::RoleSet& roles) {
 
 /// "Bob → Robert" if the value changes.
 QString change(bool changes, const QString& before, const QString& after) {
-    return changes && before != after ? words(QT_TRANSLATE_NOOP("RosterWords", "%1 → %2")).arg(before, after) : after;
+    return changes && before != after ? words(QT_TRANSLATE_NOOP("RosterWords", "%1 → %2")).arg(before, after)
+                                      : after;
 }
 
 /// A remark on which person is meant; empty for most lines.
@@ -76,13 +77,21 @@ QString whoIsMeant(const database::RosterStep& step) {
     case Doubt::none:
         break;
     case Doubt::nameOfAnother:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "Line %1: the login name %2 belongs to %3 today; it used to be that of %4. Check who is meant."))
-            .arg(line, name, QString::fromStdString(step.displayNameBefore.empty() ? step.name : step.displayNameBefore), QString::fromStdString(step.other));
+        return words(QT_TRANSLATE_NOOP("RosterWords", "Line %1: the login name %2 belongs to %3 today; it "
+                                                      "used to be that of %4. Check who is meant."))
+            .arg(line, name,
+                 QString::fromStdString(step.displayNameBefore.empty() ? step.name : step.displayNameBefore),
+                 QString::fromStdString(step.other));
     case Doubt::severalHadIt:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "Line %1: several people had the login name %2 before and nobody has it today, so nobody is changed. Write today's login name in the list."))
+        return words(
+                   QT_TRANSLATE_NOOP("RosterWords",
+                                     "Line %1: several people had the login name %2 before and nobody has it "
+                                     "today, so nobody is changed. Write today's login name in the list."))
             .arg(line, name);
     case Doubt::sameAsLine:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "Line %1: this is the same person as in line %2, under another login name. Only line %2 counts.")).arg(line, QLocale().toString(step.otherLine));
+        return words(QT_TRANSLATE_NOOP("RosterWords", "Line %1: this is the same person as in line %2, under "
+                                                      "another login name. Only line %2 counts."))
+            .arg(line, QLocale().toString(step.otherLine));
     }
     return {};
 }
@@ -90,13 +99,20 @@ QString whoIsMeant(const database::RosterStep& step) {
 /// "bob, known as robert today".
 QString loginNameWords(const database::RosterStep& step) {
     const QString name = QString::fromStdString(step.name);
-    return step.earlierName.empty() ? name : words(QT_TRANSLATE_NOOP("RosterWords", "%1, known as %2 today")).arg(QString::fromStdString(step.earlierName), name);
+    return step.earlierName.empty() ? name
+                                    : words(QT_TRANSLATE_NOOP("RosterWords", "%1, known as %2 today"))
+                                          .arg(QString::fromStdString(step.earlierName), name);
 }
 
 void addWhoIsMeant(QStringList& lines, const database::RosterPlan& plan) {
-    const auto renamed = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return !step.earlierName.empty(); }));
+    const auto renamed = static_cast<int>(
+        std::count_if(plan.steps.begin(), plan.steps.end(),
+                      [](const database::RosterStep& step) { return !step.earlierName.empty(); }));
     if (renamed > 0)
-        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people are listed under an earlier login name and are recognised by it."), renamed);
+        lines << counted(
+            QT_TRANSLATE_N_NOOP("RosterWords",
+                                "%n people are listed under an earlier login name and are recognised by it."),
+            renamed);
     int doubts = 0;
     for (const database::RosterStep& step : plan.steps) {
         const QString doubt = whoIsMeant(step);
@@ -107,11 +123,16 @@ void addWhoIsMeant(QStringList& lines, const database::RosterPlan& plan) {
     }
     const int more = doubts - kMostDoubts;
     if (more > 0)
-        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "It is not certain who is meant in %n more lines. Point at the login name in the table to read why."), more);
+        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords",
+                                             "It is not certain who is meant in %n more lines. Point at "
+                                             "the login name in the table to read why."),
+                         more);
 }
 
 QString keepsFullNameWords(const database::RosterStep& step) {
-    return words(QT_TRANSLATE_NOOP("RosterWords", "The list has the earlier full name %1; the one of today stays.")).arg(QString::fromStdString(step.earlierDisplayName));
+    return words(QT_TRANSLATE_NOOP("RosterWords",
+                                   "The list has the earlier full name %1; the one of today stays."))
+        .arg(QString::fromStdString(step.earlierDisplayName));
 }
 
 /// Lists the people whose full name would change, and those who keep theirs although the list contains
@@ -123,24 +144,38 @@ void addFullNames(QStringList& lines, const database::RosterPlan& plan) {
             continue;
         if (++renamed <= kMostNames)
             lines << words(QT_TRANSLATE_NOOP("RosterWords", "%1 would be called %2."))
-                         .arg(QString::fromStdString(step.displayNameBefore.empty() ? step.name : step.displayNameBefore), QString::fromStdString(step.displayName));
+                         .arg(QString::fromStdString(step.displayNameBefore.empty() ? step.name
+                                                                                    : step.displayNameBefore),
+                              QString::fromStdString(step.displayName));
     }
     if (renamed > kMostNames)
-        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n more people would get another full name; the table shows them."), renamed - kMostNames);
-    const auto kept = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return !step.earlierDisplayName.empty(); }));
+        lines << counted(
+            QT_TRANSLATE_N_NOOP("RosterWords",
+                                "%n more people would get another full name; the table shows them."),
+            renamed - kMostNames);
+    const auto kept = static_cast<int>(
+        std::count_if(plan.steps.begin(), plan.steps.end(),
+                      [](const database::RosterStep& step) { return !step.earlierDisplayName.empty(); }));
     if (kept > 0)
-        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person."), kept);
+        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords",
+                                             "%n people are listed under an earlier full name and keep the "
+                                             "one of today. To give an earlier one back, edit the person."),
+                         kept);
 }
 
 } // namespace
 
 bool rosterLeavesDoubts(const database::RosterPlan& plan) {
-    return std::any_of(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return step.doubt != database::RosterStep::Doubt::none; });
+    return std::any_of(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) {
+        return step.doubt != database::RosterStep::Doubt::none;
+    });
 }
 
 QString rosterReadWords(const database::Roster& roster) {
-    return roster.encoding.empty() ? QString()
-                                   : words(QT_TRANSLATE_NOOP("RosterWords", "Read as %1, separated by %2.")).arg(QString::fromStdString(roster.encoding), delimiterWords(roster.delimiter));
+    return roster.encoding.empty()
+               ? QString()
+               : words(QT_TRANSLATE_NOOP("RosterWords", "Read as %1, separated by %2."))
+                     .arg(QString::fromStdString(roster.encoding), delimiterWords(roster.delimiter));
 }
 
 QStringList rosterPlanWords(const database::RosterPlan& plan) {
@@ -149,29 +184,50 @@ QStringList rosterPlanWords(const database::RosterPlan& plan) {
     const int updated = plan.count(Kind::update);
     const int left = plan.count(Kind::skip) + plan.count(Kind::same);
     if (added > 0)
-        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would be added. Each must choose a password of their own at the first login."), added);
+        lines << counted(
+            QT_TRANSLATE_N_NOOP(
+                "RosterWords",
+                "%n people would be added. Each must choose a password of their own at the first login."),
+            added);
     if (updated > 0)
-        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would be updated; their passwords remain valid."), updated);
+        lines << counted(
+            QT_TRANSLATE_N_NOOP("RosterWords", "%n people would be updated; their passwords remain valid."),
+            updated);
     addFullNames(lines, plan);
-    const auto lost = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) {
-        return step.kind == Kind::update && step.rolesBefore.contains(database::Role::admin) && !step.roles.contains(database::Role::admin);
-    }));
+    const auto lost = static_cast<int>(
+        std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) {
+            return step.kind == Kind::update && step.rolesBefore.contains(database::Role::admin) &&
+                   !step.roles.contains(database::Role::admin);
+        }));
     if (lost > 0)
-        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would no longer be administrators."), lost);
-    const bool allHere = !plan.steps.empty() && std::none_of(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return step.person == 0; });
+        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would no longer be administrators."),
+                         lost);
+    const bool allHere = !plan.steps.empty() &&
+                         std::none_of(plan.steps.begin(), plan.steps.end(),
+                                      [](const database::RosterStep& step) { return step.person == 0; });
     if (added + updated == 0 && allHere)
-        lines << words(QT_TRANSLATE_NOOP("RosterWords", "Nothing to import: everybody on the list is already here."));
+        lines << words(
+            QT_TRANSLATE_NOOP("RosterWords", "Nothing to import: everybody on the list is already here."));
     else if (left > 0)
-        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people have an account already and would be left as they are."), left);
+        lines << counted(
+            QT_TRANSLATE_N_NOOP("RosterWords",
+                                "%n people have an account already and would be left as they are."),
+            left);
     addWhoIsMeant(lines, plan);
-    const auto made = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return step.makesPassword; }));
+    const auto made =
+        static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(),
+                                       [](const database::RosterStep& step) { return step.makesPassword; }));
     if (made > 0)
-        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n passwords would be made. They are shown once, right after the import, to be printed as slips."), made);
+        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords",
+                                             "%n passwords would be made. They are shown once, right after "
+                                             "the import, to be printed as slips."),
+                         made);
     if (!plan.roster.ignoredColumns.empty()) {
         QStringList titles;
         for (const std::string& title : plan.roster.ignoredColumns)
             titles << QString::fromStdString(title);
-        lines << words(QT_TRANSLATE_NOOP("RosterWords", "Columns that are not imported: %1.")).arg(titles.join(QStringLiteral(", ")));
+        lines << words(QT_TRANSLATE_NOOP("RosterWords", "Columns that are not imported: %1."))
+                     .arg(titles.join(QStringLiteral(", ")));
     }
     return lines;
 }
@@ -189,8 +245,10 @@ QWidget* rosterTable(const Theme& theme, const database::RosterPlan& plan) {
     auto* table = new QTableWidget(static_cast<int>(plan.steps.size()), 5);
     table->setObjectName(QStringLiteral("roster.people"));
     table->setAccessibleName(words(QT_TRANSLATE_NOOP("RosterWords", "People in the list")));
-    table->setHorizontalHeaderLabels({words(QT_TRANSLATE_NOOP("RosterWords", "Line")), words(QT_TRANSLATE_NOOP("RosterWords", "What happens")),
-                                      words(QT_TRANSLATE_NOOP("RosterWords", "Login name")), words(QT_TRANSLATE_NOOP("RosterWords", "Full name")),
+    table->setHorizontalHeaderLabels({words(QT_TRANSLATE_NOOP("RosterWords", "Line")),
+                                      words(QT_TRANSLATE_NOOP("RosterWords", "What happens")),
+                                      words(QT_TRANSLATE_NOOP("RosterWords", "Login name")),
+                                      words(QT_TRANSLATE_NOOP("RosterWords", "Full name")),
                                       words(QT_TRANSLATE_NOOP("RosterWords", "Roles"))});
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -201,21 +259,25 @@ QWidget* rosterTable(const Theme& theme, const database::RosterPlan& plan) {
     for (const database::RosterStep& step : plan.steps) {
         const QStringList problems = problemsOf(plan.roster, step.line);
         const bool updates = step.kind == Kind::update && problems.isEmpty();
-        const QString happens = problems.isEmpty() ? kindWords(step.kind) : words(QT_TRANSLATE_NOOP("RosterWords", "Cannot be imported yet"));
+        const QString happens = problems.isEmpty()
+                                    ? kindWords(step.kind)
+                                    : words(QT_TRANSLATE_NOOP("RosterWords", "Cannot be imported yet"));
         const QString cells[] = {QLocale().toString(step.line), happens, loginNameWords(step),
-                                 change(updates, QString::fromStdString(step.displayNameBefore), QString::fromStdString(step.displayName)),
+                                 change(updates, QString::fromStdString(step.displayNameBefore),
+                                        QString::fromStdString(step.displayName)),
                                  change(updates, rolesWords(step.rolesBefore), rolesWords(step.roles))};
         for (int column = 0; column < static_cast<int>(std::size(cells)); ++column) {
             auto* item = new QTableWidgetItem(cells[column]);
             const QString doubt = whoIsMeant(step);
-            item->setToolTip(!problems.isEmpty()                                              ? problems.join(QLatin1Char('\n'))
-                             : column == kLoginNameColumn && !doubt.isEmpty()                        ? doubt
-                             : column == kFullNameColumn && !step.earlierDisplayName.empty() ? keepsFullNameWords(step)
-                                                                                             // The whole
-                                                                                             // text, in case
-                                                                                             // a small window
-                                                                                             // cuts it off.
-                                                                                             : cells[column]);
+            item->setToolTip(!problems.isEmpty() ? problems.join(QLatin1Char('\n'))
+                             : column == kLoginNameColumn && !doubt.isEmpty() ? doubt
+                             : column == kFullNameColumn && !step.earlierDisplayName.empty()
+                                 ? keepsFullNameWords(step)
+                                 // The whole
+                                 // text, in case
+                                 // a small window
+                                 // cuts it off.
+                                 : cells[column]);
             table->setItem(row, column, item);
         }
         ++row;

@@ -17,11 +17,15 @@ QString words(const char* text) {
 } // namespace
 
 QByteArray rosterTemplate(const QLocale& locale) {
-    const QStringList lines[] = {
-        {words(QT_TRANSLATE_NOOP("RosterTemplate", "Full name")), words(QT_TRANSLATE_NOOP("RosterTemplate", "Login name")), words(QT_TRANSLATE_NOOP("RosterTemplate", "Role"))},
-        {words(QT_TRANSLATE_NOOP("RosterTemplate", "Example: Anna Miller")), QStringLiteral("anna.miller"), roleName(database::Role::trainee)},
-        {words(QT_TRANSLATE_NOOP("RosterTemplate", "Example: Peter Brown")), QStringLiteral("peter.brown"), roleName(database::Role::trainer)}};
-    const QString separator = locale.decimalPoint() == QLatin1String(",") ? QStringLiteral(";") : QStringLiteral(",");
+    const QStringList lines[] = {{words(QT_TRANSLATE_NOOP("RosterTemplate", "Full name")),
+                                  words(QT_TRANSLATE_NOOP("RosterTemplate", "Login name")),
+                                  words(QT_TRANSLATE_NOOP("RosterTemplate", "Role"))},
+                                 {words(QT_TRANSLATE_NOOP("RosterTemplate", "Example: Anna Miller")),
+                                  QStringLiteral("anna.miller"), roleName(database::Role::trainee)},
+                                 {words(QT_TRANSLATE_NOOP("RosterTemplate", "Example: Peter Brown")),
+                                  QStringLiteral("peter.brown"), roleName(database::Role::trainer)}};
+    const QString separator =
+        locale.decimalPoint() == QLatin1String(",") ? QStringLiteral(";") : QStringLiteral(",");
     QString text;
     for (const QStringList& line : lines)
         text += line.join(separator) + QStringLiteral("\r\n");
@@ -32,7 +36,8 @@ core::Result<void> writeRosterTemplate(const QString& name, const QLocale& local
     const QByteArray text = rosterTemplate(locale);
     QSaveFile file(name);
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-        return core::fail(core::ErrorCode::storage, name.toStdString() + ": " + file.errorString().toStdString());
+        return core::fail(core::ErrorCode::storage,
+                          name.toStdString() + ": " + file.errorString().toStdString());
     return {};
 }
 

@@ -25,20 +25,27 @@ constexpr double kTableHeight = 220;
 const QString kSite = QStringLiteral("site_name");
 } // namespace
 
-SlipsPanel::SlipsPanel(AppContext& context, const QString& headline, std::vector<database::ImportedPerson> people, QWidget* parent)
+SlipsPanel::SlipsPanel(AppContext& context, const QString& headline,
+                       std::vector<database::ImportedPerson> people, QWidget* parent)
     : QWidget(parent), m_context(context), m_people(std::move(people)) {
     const Theme& theme = context.theme();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(12));
     column->addWidget(kit::notice(theme, "good", headline));
-    column->addWidget(kit::notice(theme, "warning", tr("These passwords are shown only now. The program keeps no readable copy: print or save the slips "
-                                                       "before you close this window.")));
+    column->addWidget(kit::notice(
+        theme, "warning",
+        tr("These passwords are shown only now. The program keeps no readable copy: print or save the slips "
+           "before you close this window.")));
     column->addWidget(peopleTable());
-    m_site = form::textField(theme, column, tr("Name of the site on the slips (may be left empty)"), QStringLiteral("slips.site"));
+    m_site = form::textField(theme, column, tr("Name of the site on the slips (may be left empty)"),
+                             QStringLiteral("slips.site"));
     m_site->setText(context.settings().ofPerson(context.actor().personId(), kSite, QString()).toString());
     context.background().run(
-        this, [&database = context.site().database(), actor = context.actor()](WorkToken&) { return readSiteName(database, actor); },
+        this,
+        [&database = context.site().database(), actor = context.actor()](WorkToken&) {
+            return readSiteName(database, actor);
+        },
         [this](const core::Result<QString>& name) {
             if (name && !name->isEmpty() && !m_site->isModified())
                 m_site->setText(*name);
@@ -107,7 +114,8 @@ void SlipsPanel::print() {
         const bool printed = paintLoginSlips(*printer, slips(), report::lightTheme(m_context.locale()));
         m_taken = m_taken || printed;
         if (printed)
-            say("good", tr("The slips were sent to the printer. Check the paper before you close this window."));
+            say("good",
+                tr("The slips were sent to the printer. Check the paper before you close this window."));
         else
             say("bad", tr("The slips could not be printed. Choose another printer, or save them as PDF."));
     });
@@ -129,7 +137,9 @@ void SlipsPanel::saveTo(const QString& file) {
     const auto done = writeLoginSlips(file, slips(), report::lightTheme(m_context.locale()));
     m_taken = m_taken || done.has_value();
     if (done)
-        say("good", tr("The slips were saved to %1, which only you can read. Delete the file once they are printed.").arg(QDir::toNativeSeparators(file)));
+        say("good",
+            tr("The slips were saved to %1, which only you can read. Delete the file once they are printed.")
+                .arg(QDir::toNativeSeparators(file)));
     else
         say("bad", tr("The slips were not saved.\n%1").arg(inWords(done.error())));
 }

@@ -18,7 +18,8 @@ class NoticeArea;
 class SlipsPanel final : public QWidget {
     Q_OBJECT
 public:
-    SlipsPanel(AppContext& context, const QString& headline, std::vector<database::ImportedPerson> people, QWidget* parent = nullptr);
+    SlipsPanel(AppContext& context, const QString& headline, std::vector<database::ImportedPerson> people,
+               QWidget* parent = nullptr);
 
     bool isTaken() const { return m_taken; } ///< printed or saved at least once
     void saveTo(const QString& file);

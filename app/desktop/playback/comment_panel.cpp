@@ -11,7 +11,8 @@
 namespace chiron::desktop {
 
 CommentPanel::CommentPanel(const Theme& theme, const QLocale& locale, MomentWords moments, QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_moments(std::move(moments)), m_list(new QListWidget) {
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_moments(std::move(moments)),
+      m_list(new QListWidget) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, theme.px(8), 0, 0);
     column->setSpacing(theme.px(6));
@@ -57,7 +58,8 @@ void CommentPanel::buildDraft(QVBoxLayout& column) {
     m_add = kit::button(m_theme, {}, "", QStringLiteral("edit-comment"));
     m_add->setObjectName(QStringLiteral("playback.comment_add"));
     m_add->setEnabled(false);
-    m_reviewed = kit::button(m_theme, tr("Reviewed, nothing to add"), "quiet", QStringLiteral("dialog-ok-apply"));
+    m_reviewed =
+        kit::button(m_theme, tr("Reviewed, nothing to add"), "quiet", QStringLiteral("dialog-ok-apply"));
     m_reviewed->setObjectName(QStringLiteral("playback.reviewed"));
     m_reviewed->hide();
     inner->addWidget(m_text);
@@ -76,7 +78,8 @@ void CommentPanel::buildDraft(QVBoxLayout& column) {
             emit addAsked(draft());
     });
     connect(m_noReply, &QPushButton::clicked, this, [this] { answer(nullptr); });
-    connect(m_reviewed, &QPushButton::clicked, this, [this] { emit addAsked(tr("Reviewed. Nothing to add.")); });
+    connect(m_reviewed, &QPushButton::clicked, this,
+            [this] { emit addAsked(tr("Reviewed. Nothing to add.")); });
     setMoment(0.0);
 }
 
@@ -84,9 +87,13 @@ QString CommentPanel::draft() const {
     return m_text->toPlainText().trimmed();
 }
 
-bool CommentPanel::mayAdd() const { return !m_draft->isHidden(); }
+bool CommentPanel::mayAdd() const {
+    return !m_draft->isHidden();
+}
 
-void CommentPanel::write() { m_text->setFocus(Qt::ShortcutFocusReason); }
+void CommentPanel::write() {
+    m_text->setFocus(Qt::ShortcutFocusReason);
+}
 
 void CommentPanel::clearDraft() {
     // The focus moves first, because the pressed button is disabled once the text is empty, and the page
@@ -104,7 +111,8 @@ void CommentPanel::setMoment(double t_s) {
 
 void CommentPanel::showReply() {
     m_noReply->setVisible(m_replyTo.has_value());
-    m_add->setText(m_replyTo ? tr("Reply to %1").arg(authorOf(*m_replyTo)) : tr("Comment here: %1").arg(m_moments.at(m_shown_s)));
+    m_add->setText(m_replyTo ? tr("Reply to %1").arg(authorOf(*m_replyTo))
+                             : tr("Comment here: %1").arg(m_moments.at(m_shown_s)));
 }
 
 const NamedComment* CommentPanel::chosen() const {
@@ -129,18 +137,23 @@ void CommentPanel::reply(std::int64_t comment) {
         }
 }
 
-void CommentPanel::setMayReview(bool may) { m_reviewed->setVisible(may); }
+void CommentPanel::setMayReview(bool may) {
+    m_reviewed->setVisible(may);
+}
 
 void CommentPanel::setMayAdd(bool may) {
     m_draft->setVisible(may);
 }
 
 QString CommentPanel::authorOf(const NamedComment& comment) const {
-    return comment.comment.author == m_reader ? tr("You") : comment.author.empty() ? tr("Somebody else") : QString::fromStdString(comment.author);
+    return comment.comment.author == m_reader ? tr("You")
+           : comment.author.empty()           ? tr("Somebody else")
+                                              : QString::fromStdString(comment.author);
 }
 
 QString CommentPanel::headOf(const NamedComment& comment, double t_s) const {
-    const QDateTime utc = QDateTime::fromString(QString::fromStdString(comment.comment.utc), Qt::ISODateWithMs);
+    const QDateTime utc =
+        QDateTime::fromString(QString::fromStdString(comment.comment.utc), Qt::ISODateWithMs);
     const QString when = m_locale.toString(utc.toLocalTime().date(), QLocale::ShortFormat);
     return comment.comment.tick ? tr("%1 · %2 · %3").arg(m_moments.at(t_s), authorOf(comment), when)
                                 : tr("Whole session · %1 · %2").arg(authorOf(comment), when);
@@ -148,15 +161,17 @@ QString CommentPanel::headOf(const NamedComment& comment, double t_s) const {
 
 void CommentPanel::show(std::vector<NamedComment> comments, database::PersonId reader,
                         const std::function<double(std::uint64_t)>& timeOf) {
-    std::stable_sort(comments.begin(), comments.end(),
-                     [](const NamedComment& a, const NamedComment& b) { return a.comment.tick < b.comment.tick; });
+    std::stable_sort(comments.begin(), comments.end(), [](const NamedComment& a, const NamedComment& b) {
+        return a.comment.tick < b.comment.tick;
+    });
     m_reader = reader;
     m_comments = std::move(comments);
     const QSignalBlocker quiet(m_list);
     m_list->clear();
     for (const NamedComment& named : m_comments) {
         const double t_s = named.comment.tick ? timeOf(*named.comment.tick) : 0.0;
-        const QString text = named.comment.text.empty() ? tr("(erased)") : QString::fromStdString(named.comment.text);
+        const QString text =
+            named.comment.text.empty() ? tr("(erased)") : QString::fromStdString(named.comment.text);
         auto* item = new QListWidgetItem(m_theme.icon(QStringLiteral("edit-comment"), Colour::warning),
                                          QStringLiteral("%1\n%2").arg(headOf(named, t_s), text));
         if (named.comment.tick)

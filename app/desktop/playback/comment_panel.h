@@ -29,15 +29,16 @@ public:
 
     /// `timeOf` converts a tick into the recording's time. The list is in order of time, with comments on the
     /// whole session first. A reply belongs to the moment of the comment that it answers and stands below it.
-    void show(std::vector<NamedComment> comments, database::PersonId reader, const std::function<double(std::uint64_t)>& timeOf);
-    void setMoment(double t_s); ///< the moment that a new comment refers to
+    void show(std::vector<NamedComment> comments, database::PersonId reader,
+              const std::function<double(std::uint64_t)>& timeOf);
+    void setMoment(double t_s);  ///< the moment that a new comment refers to
     void setMayAdd(bool may);    ///< what the screen offers; permission is checked where comments are stored
     void setMayReview(bool may); ///< allows marking another person's session as reviewed without a comment
     bool mayAdd() const;
     void write(); ///< moves the focus to the text field
     /// Makes the next text a reply to this comment, if the comment exists and is by another person.
     void reply(std::int64_t comment);
-    void clearDraft();             ///< also ends a reply
+    void clearDraft(); ///< also ends a reply
     QString draft() const;
 
 signals:

@@ -29,15 +29,18 @@ std::vector<double> scaled(const std::vector<double>& values, double factor) {
 
 } // namespace
 
-double quantityAt(const session::PlaybackTrack& track, const session::PlaybackView& view, const std::string& id) {
+double quantityAt(const session::PlaybackTrack& track, const session::PlaybackView& view,
+                  const std::string& id) {
     for (std::size_t i = 0; i < track.quantities.size() && i < view.quantities.size(); ++i)
         if (track.quantities[i].id == id)
             return view.quantities[i];
     return 0.0;
 }
 
-std::array<double, 3> placeAt(const session::PlaybackTrack& track, const session::PlaybackView& view, const std::string& name) {
-    return {quantityAt(track, view, name + "_x_m"), quantityAt(track, view, name + "_y_m"), quantityAt(track, view, name + "_z_m")};
+std::array<double, 3> placeAt(const session::PlaybackTrack& track, const session::PlaybackView& view,
+                              const std::string& name) {
+    return {quantityAt(track, view, name + "_x_m"), quantityAt(track, view, name + "_y_m"),
+            quantityAt(track, view, name + "_z_m")};
 }
 
 core::LaparoscopyCues graspCuesAt(const session::PlaybackTrack& track, const session::PlaybackView& view) {
@@ -45,7 +48,8 @@ core::LaparoscopyCues graspCuesAt(const session::PlaybackTrack& track, const ses
     const session::PlaybackTrial* trial = track.trial(view.moment.trial);
     // After a failed trial the remains are shown.
     const bool torn = view.moment.phase == core::TrialPhase::between && trial && trial->failed;
-    const bool there = torn || view.moment.phase == core::TrialPhase::ready || view.moment.phase == core::TrialPhase::running;
+    const bool there = torn || view.moment.phase == core::TrialPhase::ready ||
+                       view.moment.phase == core::TrialPhase::running;
     if (!there || track.quantities.empty())
         return cues;
     cues.present = cues.objectShown = true;
@@ -68,11 +72,13 @@ QString graspReadout(const session::PlaybackView& view, const QString& held, con
     const QString force = report::formatValue(tool.tissue_N.norm(), QStringLiteral("N"), locale);
     const QString speed = report::formatValue(1e3 * tool.speed_m_per_s, QStringLiteral("mm/s"), locale);
     return view.moment.paused
-               ? PlaybackTexts::tr("Trial %1 · %2 · %3 · force %4 · speed %5").arg(trial, stillWords(view.moment), held, force, speed)
+               ? PlaybackTexts::tr("Trial %1 · %2 · %3 · force %4 · speed %5")
+                     .arg(trial, stillWords(view.moment), held, force, speed)
                : PlaybackTexts::tr("Trial %1 · %2 · force %3 · speed %4").arg(trial, held, force, speed);
 }
 
-std::vector<report::TimeSpan> excessEnergy(const std::vector<double>& t_s, const std::vector<double>& in, const std::vector<double>& held) {
+std::vector<report::TimeSpan> excessEnergy(const std::vector<double>& t_s, const std::vector<double>& in,
+                                           const std::vector<double>& held) {
     std::vector<report::TimeSpan> spans;
     bool open = false;
     for (std::size_t i = 0; i < t_s.size(); ++i) {
@@ -95,8 +101,10 @@ void addEnergyPlot(PlaybackPlots& plots) {
     const std::vector<report::TimeSpan> excess = excessEnergy(plots.series().t_s, in->values, held->values);
     if (!excess.empty())
         view->addHatchedSpans(PlaybackPlots::tr("more stored than supplied"), excess);
-    view->addLine(PlaybackPlots::tr("supplied"), plots.series().t_s, scaled(in->values, 1e3), report::PlotStyle::dashedB);
-    view->addLine(PlaybackPlots::tr("stored"), plots.series().t_s, scaled(held->values, 1e3), report::PlotStyle::solidA);
+    view->addLine(PlaybackPlots::tr("supplied"), plots.series().t_s, scaled(in->values, 1e3),
+                  report::PlotStyle::dashedB);
+    view->addLine(PlaybackPlots::tr("stored"), plots.series().t_s, scaled(held->values, 1e3),
+                  report::PlotStyle::solidA);
     plots.add(std::move(view), "playback.energy_plot", {PlaybackPlots::tr("Energy (mJ)"), {}, {}, true});
 }
 

@@ -12,7 +12,8 @@ namespace chiron::desktop {
 
 MarkList::MarkList(const Theme& theme, const QLocale& locale, std::vector<session::PlaybackMark> marks,
                    const std::string& exercise, MomentWords moments, QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_marks(std::move(marks)), m_exercise(exercise), m_moments(std::move(moments)) {
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_marks(std::move(marks)), m_exercise(exercise),
+      m_moments(std::move(moments)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, theme.px(8), 0, 0);
     column->setSpacing(theme.px(6));
@@ -54,8 +55,9 @@ void MarkList::fill() {
             continue;
         if (mark.kind == session::PlaybackMarkKind::contact && !m_contacts->isChecked())
             continue;
-        auto* item = new QListWidgetItem(m_theme.icon(markIcon(mark), markColour(mark.kind)),
-                                         tr("%1  %2").arg(m_moments.at(mark.t_s), markText(mark, m_exercise, m_locale)));
+        auto* item = new QListWidgetItem(
+            m_theme.icon(markIcon(mark), markColour(mark.kind)),
+            tr("%1  %2").arg(m_moments.at(mark.t_s), markText(mark, m_exercise, m_locale)));
         item->setData(Qt::UserRole, mark.t_s);
         m_list->addItem(item);
     }

@@ -14,7 +14,8 @@ constexpr double kLongestJump_s = 0.25;
 PlaybackClock::PlaybackClock(QObject* parent) : QObject(parent) {
     m_timer.setInterval(kPicture_ms);
     m_timer.setTimerType(Qt::PreciseTimer);
-    connect(&m_timer, &QTimer::timeout, this, [this] { advance(1e-9 * static_cast<double>(m_sinceTick.nsecsElapsed())); });
+    connect(&m_timer, &QTimer::timeout, this,
+            [this] { advance(1e-9 * static_cast<double>(m_sinceTick.nsecsElapsed())); });
 }
 
 void PlaybackClock::setDuration(double duration_s) {

@@ -25,9 +25,9 @@ public:
     bool playing() const noexcept { return m_playing; }
     double speed() const noexcept { return m_speed; }
 
-    void seek(double t_s); ///< clamped; playing continues from there
+    void seek(double t_s);   ///< clamped; playing continues from there
     void step(int pictures); ///< pauses, then moves by this many samples (negative: back)
-    void play(); ///< starts from the beginning if the position is at the end
+    void play();             ///< starts from the beginning if the position is at the end
     void pause();
     void toggle() { m_playing ? pause() : play(); }
     void setSpeed(double times); ///< 0.1..4

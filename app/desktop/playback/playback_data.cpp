@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t kMostGhosts = 40;
 
-std::optional<double> metricOf(database::Connection& connection, const database::Actor& actor, database::SessionId session,
-                               const std::string& metric) {
+std::optional<double> metricOf(database::Connection& connection, const database::Actor& actor,
+                               database::SessionId session, const std::string& metric) {
     const auto card = database::ScoreRepository(connection, actor).scores(session);
     if (!card)
         return std::nullopt; // without a score it cannot be the best
@@ -27,8 +27,8 @@ std::optional<double> metricOf(database::Connection& connection, const database:
     return std::nullopt;
 }
 
-GhostCandidate* bestOf(std::vector<GhostCandidate>& own, database::Connection& connection, const database::Actor& actor,
-                       const std::string& metric, bool lowerIsBetter) {
+GhostCandidate* bestOf(std::vector<GhostCandidate>& own, database::Connection& connection,
+                       const database::Actor& actor, const std::string& metric, bool lowerIsBetter) {
     GhostCandidate* best = nullptr;
     double bestValue = 0.0;
     for (GhostCandidate& candidate : own) {
@@ -44,7 +44,8 @@ GhostCandidate* bestOf(std::vector<GhostCandidate>& own, database::Connection& c
 } // namespace
 
 core::Result<PlaybackData> loadPlayback(database::Connection& connection, const database::Actor& actor,
-                                        database::SessionId session, const std::function<bool(double)>& progress) {
+                                        database::SessionId session,
+                                        const std::function<bool(double)>& progress) {
     PlaybackData data;
     auto record = database::SessionReader(connection, actor).session(session);
     CHIRON_TRY(record);
@@ -67,9 +68,10 @@ core::Result<PlaybackData> loadPlayback(database::Connection& connection, const 
     return data;
 }
 
-core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& connection, const database::Actor& actor,
-                                                     const database::SessionRecord& record, const std::string& mainMetric,
-                                                     bool lowerIsBetter) {
+core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& connection,
+                                                     const database::Actor& actor,
+                                                     const database::SessionRecord& record,
+                                                     const std::string& mainMetric, bool lowerIsBetter) {
     database::SessionFilter filter;
     filter.exercise = record.summary.exercise;
     filter.level = record.summary.level;
@@ -97,7 +99,8 @@ core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& conne
             best->role = GhostRole::ownBest;
         own.front().role = GhostRole::ownFirst; // sessions are in the order of their numbers
     }
-    std::stable_sort(own.begin(), own.end(), [](const GhostCandidate& a, const GhostCandidate& b) { return a.role < b.role; });
+    std::stable_sort(own.begin(), own.end(),
+                     [](const GhostCandidate& a, const GhostCandidate& b) { return a.role < b.role; });
     std::reverse(others.begin(), others.end());
     own.insert(own.end(), scripted.begin(), scripted.end());
     own.insert(own.end(), others.begin(), others.end());
@@ -114,8 +117,8 @@ std::map<database::PersonId, std::string> shownNames(database::Connection& conne
     return names;
 }
 
-core::Result<std::vector<NamedComment>> loadComments(database::Connection& connection, const database::Actor& actor,
-                                                     database::SessionId session) {
+core::Result<std::vector<NamedComment>>
+loadComments(database::Connection& connection, const database::Actor& actor, database::SessionId session) {
     auto comments = database::SessionReader(connection, actor).comments(session);
     CHIRON_TRY(comments);
     std::map<database::PersonId, std::string> names = shownNames(connection);

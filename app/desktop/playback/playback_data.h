@@ -22,7 +22,7 @@ struct PlaybackData {
     database::SessionRecord record; ///< with the person's name as the screens show it
     session::SessionSetup setup;
     std::unique_ptr<PlaybackLayer> layer; ///< of its exercise; null without a recording
-    session::PlaybackTrack track; ///< empty if nothing was recorded or the recording was erased
+    session::PlaybackTrack track;         ///< empty if nothing was recorded or the recording was erased
 };
 
 /// Why a session is offered as a ghost, that is, as a second session for comparison.
@@ -43,16 +43,18 @@ struct NamedComment {
 /// Thread: worker; blocks. The same holds for the functions below.
 /// Errors: those of the repositories and the reader; doesNotHold naming a damaged chunk; cancelled.
 core::Result<PlaybackData> loadPlayback(database::Connection& connection, const database::Actor& actor,
-                                        database::SessionId session, const std::function<bool(double)>& progress);
+                                        database::SessionId session,
+                                        const std::function<bool(double)>& progress);
 /// Lists completed sessions of the same exercise, level and device class: first the person's own first and
 /// best, then scripted ones, then the others from the newest.
-core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& connection, const database::Actor& actor,
-                                                     const database::SessionRecord& record, const std::string& mainMetric,
-                                                     bool lowerIsBetter);
+core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& connection,
+                                                     const database::Actor& actor,
+                                                     const database::SessionRecord& record,
+                                                     const std::string& mainMetric, bool lowerIsBetter);
 /// The people's names as this site's login screen shows them, so that nothing is revealed that is not visible
 /// there anyway. Empty if reading fails.
 std::map<database::PersonId, std::string> shownNames(database::Connection& connection);
-core::Result<std::vector<NamedComment>> loadComments(database::Connection& connection, const database::Actor& actor,
-                                                     database::SessionId session);
+core::Result<std::vector<NamedComment>>
+loadComments(database::Connection& connection, const database::Actor& actor, database::SessionId session);
 
 } // namespace chiron::desktop

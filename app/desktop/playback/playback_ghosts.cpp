@@ -13,7 +13,9 @@ namespace chiron::desktop {
 
 void PlaybackScreen::loadGhosts() {
     const catalogue::ExerciseLevel& level = m_data->setup.level;
-    std::string metric = !level.gates.empty() ? level.gates.front().metric : level.metrics.empty() ? std::string() : level.metrics.front().id;
+    std::string metric = !level.gates.empty()    ? level.gates.front().metric
+                         : level.metrics.empty() ? std::string()
+                                                 : level.metrics.front().id;
     const scoring::MetricDefinition* definition = scoring::findMetric(metric);
     const bool lowerIsBetter = !definition || definition->direction != scoring::Direction::higherIsBetter;
     database::Database& database = context().site().database();
@@ -22,13 +24,15 @@ void PlaybackScreen::loadGhosts() {
         [&database, actor = context().actor(), record = m_data->record, metric = std::move(metric),
          lowerIsBetter](WorkToken&) -> core::Result<std::vector<GhostCandidate>> {
             auto connection = database.openReader();
-            return connection ? listGhosts(**connection, actor, record, metric, lowerIsBetter) : tl::unexpected(connection.error());
+            return connection ? listGhosts(**connection, actor, record, metric, lowerIsBetter)
+                              : tl::unexpected(connection.error());
         },
         [this](core::Result<std::vector<GhostCandidate>> candidates) {
             if (candidates)
                 showGhosts(*candidates);
             else
-                context().messages().error(tr("The sessions for comparison could not be loaded."), candidates.error(), Tried::reading);
+                context().messages().error(tr("The sessions for comparison could not be loaded."),
+                                           candidates.error(), Tried::reading);
         });
 }
 
@@ -47,7 +51,8 @@ void PlaybackScreen::showGhosts(const std::vector<GhostCandidate>& candidates) {
     if (candidates.empty())
         m_ghostChoice->setItemText(0, tr("No other completed session of this level"));
     m_ghostChoice->setEnabled(!candidates.empty());
-    const int wanted = m_ghostChoice->findData(place().parameters.value(QStringLiteral("ghost"), qlonglong(0)).toLongLong());
+    const int wanted =
+        m_ghostChoice->findData(place().parameters.value(QStringLiteral("ghost"), qlonglong(0)).toLongLong());
     if (wanted > 0) {
         m_ghostChoice->setCurrentIndex(wanted);
         chooseGhost();
@@ -80,7 +85,9 @@ void PlaybackScreen::chooseGhost() {
             if (ghost)
                 showGhost(std::move(*ghost));
             else
-                context().messages().error(tr("The second session could not be read. This one is shown alone."), ghost.error(), Tried::reading);
+                context().messages().error(
+                    tr("The second session could not be read. This one is shown alone."), ghost.error(),
+                    Tried::reading);
         });
 }
 

@@ -20,7 +20,7 @@ struct PlaybackSwitch {
     const char* key; ///< parameter of the screen's place; the check box is named "playback.<key>"
     QString text;
     QString tip;
-    bool on = false;        ///< default, if the place does not say
+    bool on = false; ///< default, if the place does not say
     /// Concerns how the scene is drawn, so the box stands beside the readout; otherwise it concerns what is
     /// examined and stands in its own row.
     bool ofPicture = false;
@@ -44,10 +44,11 @@ public:
     virtual void setUp(scene3d::SceneSetup&) const {}
     /// Adds to the scene what it shows at a moment of the track. What the state points to stays valid until
     /// the next call.
-    virtual void showIn(scene3d::SceneState&, const session::PlaybackTrack&, const session::PlaybackView&, double /*t_s*/) {}
+    virtual void showIn(scene3d::SceneState&, const session::PlaybackTrack&, const session::PlaybackView&,
+                        double /*t_s*/) {}
     /// One line of text about a moment of the track.
-    virtual QString readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s,
-                            const QLocale& locale) const = 0;
+    virtual QString readout(const session::PlaybackTrack& track, const session::PlaybackView& view,
+                            double t_s, const QLocale& locale) const = 0;
     /// Adds the layer's plots between those of force and speed. It is called each time all plots are drawn.
     virtual void addPlots(PlaybackPlots&) const {}
 };

@@ -30,9 +30,12 @@ void PlaybackScreen::build() {
     page->column()->addWidget(headBox());
     const database::SessionRecord& record = m_data->record;
     if (record.summary.state == database::SessionState::voided)
-        page->column()->addWidget(kit::notice(theme, "warning", tr("Declared void: %1").arg(QString::fromStdString(record.voidReason))));
+        page->column()->addWidget(kit::notice(
+            theme, "warning", tr("Declared void: %1").arg(QString::fromStdString(record.voidReason))));
     else if (!record.decisions.empty())
-        page->column()->addWidget(kit::notice(theme, "info", tr("This session was void and counts again. The debrief says who decided it and why.")));
+        page->column()->addWidget(kit::notice(
+            theme, "info",
+            tr("This session was void and counts again. The debrief says who decided it and why.")));
     auto* row = new ResponsiveRow(theme.px(820), theme.px(14));
     row->add(stageColumn(), 3);
     row->add(sideColumn(), 2);
@@ -51,20 +54,27 @@ QWidget* PlaybackScreen::headBox() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     const QString language = context().language();
-    const QString level = QString::fromStdString(catalogue::textIn(m_data->setup.level.title, language.toStdString()));
+    const QString level =
+        QString::fromStdString(catalogue::textIn(m_data->setup.level.title, language.toStdString()));
     const QString exercise = exerciseTitle(context().site().catalogue(), summary.exercise, language);
     const QString number = context().locale().toString(summary.level);
+    column->addWidget(kit::label(
+        theme,
+        summary.attempt > 0 ? tr("%1, attempt %2 at level %3: %4")
+                                  .arg(exercise, context().locale().toString(summary.attempt), number, level)
+                            : tr("%1, level %2: %3").arg(exercise, number, level),
+        TextStyle::title));
     column->addWidget(kit::label(theme,
-                                 summary.attempt > 0 ? tr("%1, attempt %2 at level %3: %4").arg(exercise, context().locale().toString(summary.attempt), number, level)
-                                                     : tr("%1, level %2: %3").arg(exercise, number, level),
-                                 TextStyle::title));
-    column->addWidget(kit::label(theme, tr("%1 · %2 · %3 · %4").arg(whoText(summary), whenText(summary, context().locale()), outcomeText(summary), forceText(summary)),
+                                 tr("%1 · %2 · %3 · %4")
+                                     .arg(whoText(summary), whenText(summary, context().locale()),
+                                          outcomeText(summary), forceText(summary)),
                                  TextStyle::small, "muted"));
     row->add(words, 1);
     auto* debrief = kit::button(theme, tr("Debrief"), "", QStringLiteral("view-statistics"));
     debrief->setObjectName(QStringLiteral("playback.debrief"));
     connect(debrief, &QPushButton::clicked, this, [this] {
-        context().navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(sessionId())}});
+        context().navigator().go(QStringLiteral("debrief"),
+                                 {{QStringLiteral("session"), qlonglong(sessionId())}});
     });
     row->add(debrief, 0);
     if (const QString command = resultsCommand(context(), summary); !command.isEmpty()) {
@@ -78,7 +88,8 @@ QWidget* PlaybackScreen::headBox() {
         const bool voided = summary.state == database::SessionState::voided;
         auto* button = voided ? kit::button(theme, tr("Count it again …"), "", QStringLiteral("edit-undo"))
                               : kit::button(theme, tr("Declare void …"), "", QStringLiteral("dialog-cancel"));
-        button->setObjectName(voided ? QStringLiteral("playback.reinstate") : QStringLiteral("playback.void"));
+        button->setObjectName(voided ? QStringLiteral("playback.reinstate")
+                                     : QStringLiteral("playback.void"));
         connect(button, &QPushButton::clicked, this, &PlaybackScreen::askDecision);
         row->add(button, 0);
     }
@@ -126,8 +137,10 @@ QWidget* PlaybackScreen::stageColumn() {
     for (const session::PlaybackSpan& span : m_data->track.paused)
         pauses_s.emplace_back(span.begin_s, span.end_s);
     column->addWidget(new TransportBar(theme, locale, m_clock, momentWords(), std::move(pauses_s)));
-    const bool expert = context().has(database::Role::trainer) || context().has(database::Role::researcher) || context().has(database::Role::admin);
-    m_plots = new PlaybackPlots(theme, locale, m_data->track, m_data->setup.level, m_data->layer.get(), expert);
+    const bool expert = context().has(database::Role::trainer) || context().has(database::Role::researcher) ||
+                        context().has(database::Role::admin);
+    m_plots =
+        new PlaybackPlots(theme, locale, m_data->track, m_data->setup.level, m_data->layer.get(), expert);
     connect(m_plots, &PlaybackPlots::seekAsked, &m_clock, &PlaybackClock::seek);
     column->addWidget(m_plots);
     return stage;
@@ -188,17 +201,21 @@ QWidget* PlaybackScreen::sideColumn() {
     m_tabs = new QTabWidget;
     m_tabs->setObjectName(QStringLiteral("playback.tabs"));
     m_tabs->setMinimumHeight(theme.px(300));
-    auto* marks = new MarkList(theme, context().locale(), m_data->track.marks, m_data->setup.level.exercise, momentWords());
+    auto* marks = new MarkList(theme, context().locale(), m_data->track.marks, m_data->setup.level.exercise,
+                               momentWords());
     connect(marks, &MarkList::seekAsked, &m_clock, &PlaybackClock::seek);
     m_tabs->addTab(marks, tr("Events"));
     m_comments = new CommentPanel(theme, context().locale(), momentWords());
     connect(m_comments, &CommentPanel::seekAsked, &m_clock, &PlaybackClock::seek);
-    connect(m_comments, &CommentPanel::addAsked, this, [this](const QString& text) { addComment(text, m_data->track.tickAt(m_clock.position_s())); });
-    connect(m_comments, &CommentPanel::replyAsked, this, [this](const QString& text, const NamedComment& to) { addComment(text, to.comment.tick); });
+    connect(m_comments, &CommentPanel::addAsked, this,
+            [this](const QString& text) { addComment(text, m_data->track.tickAt(m_clock.position_s())); });
+    connect(m_comments, &CommentPanel::replyAsked, this,
+            [this](const QString& text, const NamedComment& to) { addComment(text, to.comment.tick); });
     const bool mine = m_data->record.summary.person == context().actor().personId();
-    m_comments->setMayAdd(mine || context().has(database::Role::trainer) || context().has(database::Role::researcher) ||
-                          context().has(database::Role::admin));
-    m_comments->setMayReview(!mine && context().has(database::Role::trainer) && !m_data->record.summary.reviewed);
+    m_comments->setMayAdd(mine || context().has(database::Role::trainer) ||
+                          context().has(database::Role::researcher) || context().has(database::Role::admin));
+    m_comments->setMayReview(!mine && context().has(database::Role::trainer) &&
+                             !m_data->record.summary.reviewed);
     m_tabs->addTab(m_comments, tr("Comments (C)"));
     if (place().parameters.value(QStringLiteral("tab")).toString() == QLatin1String("comments"))
         m_tabs->setCurrentWidget(m_comments);

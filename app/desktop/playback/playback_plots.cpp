@@ -21,7 +21,8 @@ constexpr double kPageLead = 0.05; // share of the page before the cursor after 
 } // namespace
 
 PlaybackPlots::PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track,
-                             const catalogue::ExerciseLevel& level, const PlaybackLayer* layer, bool books, QWidget* parent)
+                             const catalogue::ExerciseLevel& level, const PlaybackLayer* layer, bool books,
+                             QWidget* parent)
     : QWidget(parent), m_theme(theme), m_locale(locale), m_track(track), m_layer(layer),
       m_series(session_report::seriesOf(track, level, locale)), m_limit_N(track.forceLimit_N), m_books(books),
       m_column(new QVBoxLayout(this)) {
@@ -32,7 +33,9 @@ PlaybackPlots::PlaybackPlots(const Theme& theme, const QLocale& locale, const se
     setGhost({}, {});
 }
 
-double PlaybackPlots::end_s() const { return m_series.t_s.empty() ? 1e-3 : std::max(m_series.t_s.back(), 1e-3); }
+double PlaybackPlots::end_s() const {
+    return m_series.t_s.empty() ? 1e-3 : std::max(m_series.t_s.back(), 1e-3);
+}
 
 QWidget* PlaybackPlots::zoomRow() {
     auto* row = new QWidget;
@@ -46,9 +49,12 @@ QWidget* PlaybackPlots::zoomRow() {
         line->addWidget(button);
         return button;
     };
-    m_zoomIn = add("playback.zoom_in", "zoom-in", tr("Show less time, larger (+)"), [this] { zoom(kZoomStep); });
-    m_zoomOut = add("playback.zoom_out", "zoom-out", tr("Show more time (-)"), [this] { zoom(1.0 / kZoomStep); });
-    m_zoomWhole = add("playback.zoom_whole", "zoom-fit-width", tr("Show the whole session (0)"), [this] { zoomWhole(); });
+    m_zoomIn =
+        add("playback.zoom_in", "zoom-in", tr("Show less time, larger (+)"), [this] { zoom(kZoomStep); });
+    m_zoomOut =
+        add("playback.zoom_out", "zoom-out", tr("Show more time (-)"), [this] { zoom(1.0 / kZoomStep); });
+    m_zoomWhole = add("playback.zoom_whole", "zoom-fit-width", tr("Show the whole session (0)"),
+                      [this] { zoomWhole(); });
     showButtons();
     return row;
 }
@@ -57,7 +63,8 @@ void PlaybackPlots::zoom(double factor) {
     const double whole_s = end_s();
     const double wide_s = std::clamp((m_to_s - m_from_s) * factor, std::min(kLeast_s, whole_s), whole_s);
     const double share = (m_cursor_s - m_from_s) / (m_to_s - m_from_s);
-    const double from_s = std::clamp(m_cursor_s - std::clamp(share, 0.0, 1.0) * wide_s, 0.0, whole_s - wide_s);
+    const double from_s =
+        std::clamp(m_cursor_s - std::clamp(share, 0.0, 1.0) * wide_s, 0.0, whole_s - wide_s);
     showWindow(from_s, from_s + wide_s);
 }
 
@@ -69,7 +76,9 @@ void PlaybackPlots::showButtons() {
     m_zoomWhole->setEnabled(wide_s < end_s());
 }
 
-void PlaybackPlots::zoomWhole() { showWindow(0.0, end_s()); }
+void PlaybackPlots::zoomWhole() {
+    showWindow(0.0, end_s());
+}
 
 void PlaybackPlots::showWindow(double from_s, double to_s) {
     m_from_s = from_s;
@@ -79,7 +88,8 @@ void PlaybackPlots::showWindow(double from_s, double to_s) {
         view->setXWindow(from_s, to_s);
 }
 
-report::PlotView* PlaybackPlots::laidOut(std::unique_ptr<report::PlotView> plot, const char* name, int height_px) {
+report::PlotView* PlaybackPlots::laidOut(std::unique_ptr<report::PlotView> plot, const char* name,
+                                         int height_px) {
     report::PlotView* view = plot.release(); // the layout's widget owns it
     view->setObjectName(QLatin1String(name));
     view->setMinimumHeight(m_theme.px(height_px));
@@ -90,7 +100,8 @@ report::PlotView* PlaybackPlots::laidOut(std::unique_ptr<report::PlotView> plot,
     return view;
 }
 
-void PlaybackPlots::put(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, int height_px) {
+void PlaybackPlots::put(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name,
+                        int height_px) {
     delete member;
     member = laidOut(std::move(view), name, height_px);
 }
@@ -110,15 +121,16 @@ void PlaybackPlots::add(std::unique_ptr<report::PlotView> view, const char* name
     m_ofLayer.push_back(laidOut(std::move(view), name, kLowHeight_px));
 }
 
-void PlaybackPlots::addSecond(report::PlotView& view, const std::vector<double> session::GhostSeries::*values, double factor) const {
+void PlaybackPlots::addSecond(report::PlotView& view, const std::vector<double> session::GhostSeries::*values,
+                              double factor) const {
     if (!m_ghost || (m_ghost->*values).empty())
         return;
     std::vector<double> scaled;
     for (const double value : m_ghost->*values)
         scaled.push_back(factor * value);
     const bool several = m_series.tools.size() > 1; // a ghost shows its first tool
-    view.addLine(several ? tr("%1: %2").arg(m_ghostName, m_series.tools.front().name) : m_ghostName, m_ghost->t_s, scaled,
-                 report::PlotStyle::dashDotD);
+    view.addLine(several ? tr("%1: %2").arg(m_ghostName, m_series.tools.front().name) : m_ghostName,
+                 m_ghost->t_s, scaled, report::PlotStyle::dashDotD);
 }
 
 std::vector<report::PlotView*> PlaybackPlots::views() const {
@@ -162,8 +174,8 @@ void PlaybackPlots::slim(report::PlotView& view, const QString& time) {
         view.setXAxis({time, m_from_s, m_to_s});
 }
 
-void PlaybackPlots::putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, const QString& quantity,
-                           bool last) {
+void PlaybackPlots::putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member,
+                           const char* name, const QString& quantity, bool last) {
     slim(*view, last ? tr("Time in the recording (s)") : QString());
     view->setLegendShown(false); // same lines as above
     view->setYAxis({QString(), 0.0, {}});

@@ -36,8 +36,9 @@ class PlaybackPlots : public QWidget {
 public:
     /// `track` and `layer` outlive it. Without a layer, nothing specific to an exercise is drawn. `books`:
     /// also plot the energy balance, from which an expert sees whether the simulation generated energy.
-    PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, const catalogue::ExerciseLevel& level,
-                  const PlaybackLayer* layer = nullptr, bool books = true, QWidget* parent = nullptr);
+    PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track,
+                  const catalogue::ExerciseLevel& level, const PlaybackLayer* layer = nullptr,
+                  bool books = true, QWidget* parent = nullptr);
 
     /// Redraws everything with or without the lines of the second session; `name` appears in the legend.
     void setGhost(const std::optional<session::GhostSeries>& ghost, const QString& name);
@@ -62,7 +63,8 @@ public:
     /// Adds a plot below the others.
     void add(std::unique_ptr<report::PlotView> view, const char* name, const LayerPlotLook& look);
     /// Adds the line of the second session, if there is one and it has these values.
-    void addSecond(report::PlotView& view, const std::vector<double> session::GhostSeries::*values, double factor) const;
+    void addSecond(report::PlotView& view, const std::vector<double> session::GhostSeries::*values,
+                   double factor) const;
 
 signals:
     void seekAsked(double t_s);
@@ -74,10 +76,12 @@ private:
     std::vector<report::PlotView*> views() const; ///< all plots
     double end_s() const;
     report::PlotView* laidOut(std::unique_ptr<report::PlotView> view, const char* name, int height_px);
-    void put(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, int height_px);
+    void put(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name,
+             int height_px);
     /// Places a low plot, with its quantity across the top, because the word does not fit beside the axis in
     /// any language.
-    void putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, const QString& quantity, bool last);
+    void putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name,
+                const QString& quantity, bool last);
     void slim(report::PlotView& view, const QString& time);
 
     const Theme& m_theme;
@@ -98,7 +102,7 @@ private:
     /// Force rendered to each of several tools; null if there is only one tool or no force was felt.
     report::PlotView* m_felt = nullptr;
     report::PlotView* m_speed = nullptr;
-    std::vector<report::PlotView*> m_ofLayer; ///< in drawing order
+    std::vector<report::PlotView*> m_ofLayer;      ///< in drawing order
     const session::GhostSeries* m_ghost = nullptr; ///< set only while the plots are being drawn
     QString m_ghostName;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/playback/playback_scene.h"
 
-#include "session/playback_ghost.h"
 #include "core/laparoscopy_cues.h"
+#include "session/playback_ghost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,8 @@ scene3d::ToolView viewOf(const session::PlaybackTool& tool, bool felt) {
 
 } // namespace
 
-scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forceLimit_N, const Theme& theme) {
+scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forceLimit_N,
+                                 const Theme& theme) {
     scene3d::SceneSetup scene;
     scene.exercise = setup.level.exercise;
     scene.parameters = setup.level.parameters;
@@ -48,8 +49,8 @@ scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forc
     return scene;
 }
 
-scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const session::PlaybackTrack* ghost, double t_s,
-                                 PlaybackLayer* layer) {
+scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const session::PlaybackTrack* ghost,
+                                 double t_s, PlaybackLayer* layer) {
     scene3d::SceneState state;
     const session::PlaybackView view = track.at(t_s);
     state.time_s = t_s;
@@ -58,7 +59,8 @@ scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const sess
     if (view.object) {
         state.objectShown = true;
         state.p_WObject = view.object->p_WObject;
-        state.exercise.own<core::LaparoscopyCues>().body[0].q_W = {std::cos(0.5 * view.object->turn_rad), 0.0, 0.0, std::sin(0.5 * view.object->turn_rad)};
+        state.exercise.own<core::LaparoscopyCues>().body[0].q_W = {
+            std::cos(0.5 * view.object->turn_rad), 0.0, 0.0, std::sin(0.5 * view.object->turn_rad)};
         state.dimpleShown = view.object->dimpleCentre_m.has_value();
         state.dimpleCentre_m = view.object->dimpleCentre_m.value_or(core::Vec2::Zero());
     }

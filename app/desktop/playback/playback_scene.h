@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/playback/playback_layer.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
 #include "desktop/theme/theme.h"
-#include "desktop/playback/playback_layer.h"
 #include "session/playback_track.h"
 #include "session/session_setup.h"
 
@@ -15,7 +15,7 @@ scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forc
 
 /// The state of the scene at a moment of the recording. `ghost` and `layer` (of the track's exercise) may be
 /// null.
-scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const session::PlaybackTrack* ghost, double t_s,
-                                 PlaybackLayer* layer = nullptr);
+scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const session::PlaybackTrack* ghost,
+                                 double t_s, PlaybackLayer* layer = nullptr);
 
 } // namespace chiron::desktop

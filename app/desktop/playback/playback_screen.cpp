@@ -7,9 +7,9 @@
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/scrubber.h"
-#include "desktop/scene3d/scene_loader.h"
 #include "desktop/plots/session_words.h"
 #include "desktop/results/results_place.h"
+#include "desktop/scene3d/scene_loader.h"
 #include "desktop/sessions/session_words.h"
 #include "desktop/sessions/void_dialog.h"
 #include "desktop/widgets/state_panel.h"
@@ -45,28 +45,36 @@ QString PlaybackScreen::title() const {
 }
 
 QString PlaybackScreen::help() const {
-    return tr("A session as it was recorded.\n\nSpace plays and pauses. The arrow keys move one frame forward or back, with Shift one "
-              "second, with Ctrl to the next or previous event; Home and End jump to the beginning and the end. Clicking in a plot jumps "
-              "to that time. Plus and minus zoom the plots, 0 shows the whole session.\n\nC writes a comment at the moment shown.\n\nPauses "
-              "are hatched, and skipped unless you switch that off. Triangles on the time bar are penalties, flags are answers, squares below it are "
-              "comments.\n\nChoose a second session to see it beside this one: each of its trials starts together with the trial here and "
+    return tr("A session as it was recorded.\n\nSpace plays and pauses. The arrow keys move one frame "
+              "forward or back, with Shift one "
+              "second, with Ctrl to the next or previous event; Home and End jump to the beginning and the "
+              "end. Clicking in a plot jumps "
+              "to that time. Plus and minus zoom the plots, 0 shows the whole session.\n\nC writes a comment "
+              "at the moment shown.\n\nPauses "
+              "are hatched, and skipped unless you switch that off. Triangles on the time bar are penalties, "
+              "flags are answers, squares below it are "
+              "comments.\n\nChoose a second session to see it beside this one: each of its trials starts "
+              "together with the trial here and "
               "is drawn in the same place.");
 }
 
 std::vector<ScreenCommand> PlaybackScreen::commands() {
     std::vector<ScreenCommand> list{
-            {tr("Play or pause"), QKeySequence(Qt::Key_Space), [this] { m_clock.toggle(); }, false},
-            {tr("One frame forward"), QKeySequence(Qt::Key_Right), [this] { m_clock.step(1); }, false},
-            {tr("One frame back"), QKeySequence(Qt::Key_Left), [this] { m_clock.step(-1); }, false},
-            {tr("Next event"), QKeySequence(Qt::CTRL | Qt::Key_Right), [this] { seekMark(1); }, false},
-            {tr("Previous event"), QKeySequence(Qt::CTRL | Qt::Key_Left), [this] { seekMark(-1); }, false},
-            {tr("Write a comment at this moment"), QKeySequence(Qt::Key_C), [this] { writeComment(); }, false},
-            {tr("Zoom in on the plots"), QKeySequence(Qt::Key_Plus), [this] { zoomPlots(Qt::Key_Plus); }, false},
-            {tr("Zoom out of the plots"), QKeySequence(Qt::Key_Minus), [this] { zoomPlots(Qt::Key_Minus); }, false},
-            {tr("The whole session in the plots"), QKeySequence(Qt::Key_0), [this] { zoomPlots(Qt::Key_0); }, false},
-            {tr("To the beginning"), QKeySequence(Qt::Key_Home), [this] { m_clock.seek(0.0); }, false},
-            {tr("To the end"), QKeySequence(Qt::Key_End), [this] { m_clock.seek(m_clock.duration_s()); }, false}};
-    if (const QString results = m_data ? resultsCommand(context(), m_data->record.summary) : QString(); !results.isEmpty())
+        {tr("Play or pause"), QKeySequence(Qt::Key_Space), [this] { m_clock.toggle(); }, false},
+        {tr("One frame forward"), QKeySequence(Qt::Key_Right), [this] { m_clock.step(1); }, false},
+        {tr("One frame back"), QKeySequence(Qt::Key_Left), [this] { m_clock.step(-1); }, false},
+        {tr("Next event"), QKeySequence(Qt::CTRL | Qt::Key_Right), [this] { seekMark(1); }, false},
+        {tr("Previous event"), QKeySequence(Qt::CTRL | Qt::Key_Left), [this] { seekMark(-1); }, false},
+        {tr("Write a comment at this moment"), QKeySequence(Qt::Key_C), [this] { writeComment(); }, false},
+        {tr("Zoom in on the plots"), QKeySequence(Qt::Key_Plus), [this] { zoomPlots(Qt::Key_Plus); }, false},
+        {tr("Zoom out of the plots"), QKeySequence(Qt::Key_Minus), [this] { zoomPlots(Qt::Key_Minus); },
+         false},
+        {tr("The whole session in the plots"), QKeySequence(Qt::Key_0), [this] { zoomPlots(Qt::Key_0); },
+         false},
+        {tr("To the beginning"), QKeySequence(Qt::Key_Home), [this] { m_clock.seek(0.0); }, false},
+        {tr("To the end"), QKeySequence(Qt::Key_End), [this] { m_clock.seek(m_clock.duration_s()); }, false}};
+    if (const QString results = m_data ? resultsCommand(context(), m_data->record.summary) : QString();
+        !results.isEmpty())
         list.push_back({results, {}, [this] { openResults(); }});
     return list;
 }
@@ -83,7 +91,8 @@ void PlaybackScreen::load() {
     database::Database& database = context().site().database();
     m_work = context().background().run(
         this,
-        [&database, actor = context().actor(), id = sessionId()](WorkToken& token) -> core::Result<PlaybackData> {
+        [&database, actor = context().actor(),
+         id = sessionId()](WorkToken& token) -> core::Result<PlaybackData> {
             // This loads what the scene needs, so that the window does not wait for it later.
             scene3d::findWhyFlat();
             auto connection = database.openReader();
@@ -98,24 +107,35 @@ void PlaybackScreen::load() {
                 return showData(std::move(*loaded));
             // Trying again would give the same result.
             if (loaded.error().code == core::ErrorCode::doesNotHold)
-                return m_panel->showError(tr("This recording is damaged and cannot be played back. Its scores are kept."), loaded.error());
+                return m_panel->showError(
+                    tr("This recording is damaged and cannot be played back. Its scores are kept."),
+                    loaded.error());
             m_panel->showError(tr("This session could not be opened"), loaded.error(), [this] { load(); });
         });
     m_panel->showLoading(tr("Reading the recording …"), m_work);
 }
 
 void PlaybackScreen::showData(PlaybackData loaded) {
-    const auto toDebrief = [this] { context().navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(sessionId())}}); };
+    const auto toDebrief = [this] {
+        context().navigator().go(QStringLiteral("debrief"),
+                                 {{QStringLiteral("session"), qlonglong(sessionId())}});
+    };
     if (loaded.record.summary.recordingErased)
-        return m_panel->showEmpty(tr("The recording was erased"), tr("It was erased at the person's request. The scores are kept."), tr("Open the debrief"), toDebrief);
+        return m_panel->showEmpty(tr("The recording was erased"),
+                                  tr("It was erased at the person's request. The scores are kept."),
+                                  tr("Open the debrief"), toDebrief);
     if (loaded.track.empty())
-        return m_panel->showEmpty(tr("Nothing was recorded"), tr("This session ended before its first sample. It is kept and listed."), tr("Open the debrief"), toDebrief);
+        return m_panel->showEmpty(tr("Nothing was recorded"),
+                                  tr("This session ended before its first sample. It is kept and listed."),
+                                  tr("Open the debrief"), toDebrief);
     m_data = std::move(loaded);
     readMoment();
     build();
     m_panel->showContent();
     m_clock.setDuration(m_data->track.duration_s);
-    const double begin_s = place().parameters.contains(QStringLiteral("at_tick")) ? std::max(0.0, m_moment_s - kPlaybackLeadIn_s) : 0.0;
+    const double begin_s = place().parameters.contains(QStringLiteral("at_tick"))
+                               ? std::max(0.0, m_moment_s - kPlaybackLeadIn_s)
+                               : 0.0;
     m_clock.seek(place().parameters.value(QStringLiteral("at_s"), begin_s).toDouble());
     m_scrubber->setFocus();
     // The scene is created after this page has been painted.
@@ -126,8 +146,9 @@ void PlaybackScreen::showData(PlaybackData loaded) {
 
 void PlaybackScreen::readMoment() {
     const QVariantMap& asked = place().parameters;
-    m_moment_s = asked.contains(QStringLiteral("at_tick")) ? m_data->track.timeOfTick(asked.value(QStringLiteral("at_tick")).toULongLong())
-                                                            : asked.value(QStringLiteral("caption_s"), -1.0).toDouble();
+    m_moment_s = asked.contains(QStringLiteral("at_tick"))
+                     ? m_data->track.timeOfTick(asked.value(QStringLiteral("at_tick")).toULongLong())
+                     : asked.value(QStringLiteral("caption_s"), -1.0).toDouble();
 }
 
 scene3d::SceneSetup PlaybackScreen::sceneSetup() const {
@@ -272,13 +293,16 @@ void PlaybackScreen::loadComments() {
     database::Database& database = context().site().database();
     context().background().run(
         this,
-        [&database, actor = context().actor(), id = sessionId()](WorkToken&) -> core::Result<std::vector<NamedComment>> {
+        [&database, actor = context().actor(),
+         id = sessionId()](WorkToken&) -> core::Result<std::vector<NamedComment>> {
             auto connection = database.openReader();
-            return connection ? desktop::loadComments(**connection, actor, id) : tl::unexpected(connection.error());
+            return connection ? desktop::loadComments(**connection, actor, id)
+                              : tl::unexpected(connection.error());
         },
         [this](core::Result<std::vector<NamedComment>> comments) {
             if (!comments)
-                return context().messages().error(tr("The comments could not be read."), comments.error(), Tried::reading);
+                return context().messages().error(tr("The comments could not be read."), comments.error(),
+                                                  Tried::reading);
             std::vector<double> moments_s;
             for (const NamedComment& named : *comments)
                 if (named.comment.tick)
@@ -322,20 +346,25 @@ void PlaybackScreen::addComment(const QString& text, std::optional<std::uint64_t
     database::Database& database = context().site().database();
     context().background().run(
         this,
-        [&database, actor = context().actor(), id = sessionId(), words = text.toStdString(), tick](WorkToken&) {
+        [&database, actor = context().actor(), id = sessionId(), words = text.toStdString(),
+         tick](WorkToken&) {
             return database.write([&](database::WriteContext& write) {
                 return database::SessionRepository(write.connection(), actor).addComment(id, words, tick);
             });
         },
         [this](core::Result<std::int64_t> added) {
             if (!added)
-                return context().messages().error(tr("The comment was not saved. Its text is still here."), added.error());
+                return context().messages().error(tr("The comment was not saved. Its text is still here."),
+                                                  added.error());
             m_comments->clearDraft();
             loadComments();
             const database::SessionSummary& session = m_data->record.summary;
-            if (session.person != context().actor().personId() && session.person != database::Actor::kSimulatedPerson)
-                context().messages().done((context().has(database::Role::trainer) ? tr("The comment is saved, and the session counts as reviewed. %1 is told of it on Home.")
-                                                                                  : tr("The comment is saved. %1 is told of it on Home."))
+            if (session.person != context().actor().personId() &&
+                session.person != database::Actor::kSimulatedPerson)
+                context().messages().done((context().has(database::Role::trainer)
+                                               ? tr("The comment is saved, and the session counts as "
+                                                    "reviewed. %1 is told of it on Home.")
+                                               : tr("The comment is saved. %1 is told of it on Home."))
                                               .arg(QString::fromStdString(session.personName)));
             m_comments->setMayReview(false);
         });
@@ -349,30 +378,39 @@ void PlaybackScreen::askDecision() {
     m_clock.pause();
     const database::SessionSummary& session = m_data->record.summary;
     const bool voided = session.state == database::SessionState::voided;
-    auto* dialog = new VoidSessionDialog(context().theme(), session.id, QString::fromStdString(session.personName),
-                                         SessionWords::which(session, exerciseTitle(context().site().catalogue(), session.exercise, context().language()), context().locale()), this,
-                                         voided ? VoidSessionDialog::Decision::countAgain : VoidSessionDialog::Decision::voidIt);
+    auto* dialog = new VoidSessionDialog(
+        context().theme(), session.id, QString::fromStdString(session.personName),
+        SessionWords::which(
+            session, exerciseTitle(context().site().catalogue(), session.exercise, context().language()),
+            context().locale()),
+        this, voided ? VoidSessionDialog::Decision::countAgain : VoidSessionDialog::Decision::voidIt);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, voided] { voided ? countAgain(dialog->reason()) : declareVoid(dialog->reason()); });
+    connect(dialog, &QDialog::accepted, this, [this, dialog, voided] {
+        voided ? countAgain(dialog->reason()) : declareVoid(dialog->reason());
+    });
     dialog->open();
 }
 
 void PlaybackScreen::declareVoid(const QString& reason) {
-    decide(&database::SessionRepository::voidSession, reason, tr("Session %1 is voided. Its recording is kept; it no longer counts.").arg(sessionId()),
+    decide(&database::SessionRepository::voidSession, reason,
+           tr("Session %1 is voided. Its recording is kept; it no longer counts.").arg(sessionId()),
            tr("Session %1 was not voided; nothing was changed.").arg(sessionId()));
 }
 
 void PlaybackScreen::countAgain(const QString& reason) {
-    decide(&database::SessionRepository::reinstateSession, reason, tr("Session %1 counts again. That it was void stays on record.").arg(sessionId()),
+    decide(&database::SessionRepository::reinstateSession, reason,
+           tr("Session %1 counts again. That it was void stays on record.").arg(sessionId()),
            tr("Session %1 is still void; nothing was changed.").arg(sessionId()));
 }
 
-void PlaybackScreen::decide(core::Result<void> (database::SessionRepository::*decision)(database::SessionId, const std::string&), const QString& reason,
-                            const QString& done, const QString& failed) {
+void PlaybackScreen::decide(core::Result<void> (database::SessionRepository::*decision)(database::SessionId,
+                                                                                        const std::string&),
+                            const QString& reason, const QString& done, const QString& failed) {
     database::Database& database = context().site().database();
     context().background().run(
         this,
-        [&database, actor = context().actor(), id = sessionId(), decision, words = reason.toStdString()](WorkToken&) {
+        [&database, actor = context().actor(), id = sessionId(), decision,
+         words = reason.toStdString()](WorkToken&) {
             return database.write([&](database::WriteContext& write) {
                 database::SessionRepository sessions(write.connection(), actor);
                 return (sessions.*decision)(id, words);

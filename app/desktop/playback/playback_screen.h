@@ -93,8 +93,9 @@ private:
     void addComment(const QString& text, std::optional<std::uint64_t> tick);
     MomentWords momentWords() const;
     void askDecision(); ///< to void the session, or to count a voided one again
-    void decide(core::Result<void> (database::SessionRepository::*decision)(database::SessionId, const std::string&), const QString& reason,
-                const QString& done, const QString& failed);
+    void decide(core::Result<void> (database::SessionRepository::*decision)(database::SessionId,
+                                                                            const std::string&),
+                const QString& reason, const QString& done, const QString& failed);
     void openResults();
     void readMoment(); ///< from the place, in seconds or as an executed tick
 

@@ -24,10 +24,12 @@ Scrubber::Scrubber(const Theme& theme, QWidget* parent) : QAbstractSlider(parent
     setPageStep(1000);
     setAccessibleName(tr("Position in the recording"));
     // Only a person's input requests a seek, because setPosition() blocks the signal.
-    connect(this, &QAbstractSlider::valueChanged, this, [this](int value_ms) { emit seekAsked(1e-3 * value_ms); });
+    connect(this, &QAbstractSlider::valueChanged, this,
+            [this](int value_ms) { emit seekAsked(1e-3 * value_ms); });
 }
 
-void Scrubber::setTrack(const session::PlaybackTrack& track, const std::string& exercise, MomentWords moments) {
+void Scrubber::setTrack(const session::PlaybackTrack& track, const std::string& exercise,
+                        MomentWords moments) {
     m_exercise = exercise;
     m_moments = std::move(moments);
     m_duration_s = track.duration_s;
@@ -35,7 +37,8 @@ void Scrubber::setTrack(const session::PlaybackTrack& track, const std::string& 
     m_paused = track.paused;
     m_marks.clear();
     for (const session::PlaybackMark& mark : track.marks)
-        if (mark.kind != PlaybackMarkKind::contact && mark.kind != PlaybackMarkKind::paused && mark.kind != PlaybackMarkKind::trialStarted)
+        if (mark.kind != PlaybackMarkKind::contact && mark.kind != PlaybackMarkKind::paused &&
+            mark.kind != PlaybackMarkKind::trialStarted)
             m_marks.push_back(mark);
     const QSignalBlocker quiet(this);
     setRange(0, qRound(1e3 * m_duration_s));
@@ -87,9 +90,14 @@ void Scrubber::keyPressEvent(QKeyEvent* event) {
     // between milliseconds.
     const double page_s = 1e-3 * pageStep();
     switch (event->key()) {
-    case Qt::Key_PageUp: emit seekAsked(m_position_s + page_s); return;
-    case Qt::Key_PageDown: emit seekAsked(m_position_s - page_s); return;
-    default: event->ignore(); // arrows, Home, End and Space belong to the screen, wherever the focus is
+    case Qt::Key_PageUp:
+        emit seekAsked(m_position_s + page_s);
+        return;
+    case Qt::Key_PageDown:
+        emit seekAsked(m_position_s - page_s);
+        return;
+    default:
+        event->ignore(); // arrows, Home, End and Space belong to the screen, wherever the focus is
     }
 }
 
@@ -126,7 +134,8 @@ void Scrubber::paintTrials(QPainter& painter) const {
     const double gap = m_theme.px(1);
     painter.setFont(m_theme.font(TextStyle::small));
     for (const session::PlaybackTrial& trial : m_trials) {
-        const QRectF span(xOf(trial.start_s), bar.top(), std::max(1.0, xOf(trial.end_s) - xOf(trial.start_s) - gap), bar.height());
+        const QRectF span(xOf(trial.start_s), bar.top(),
+                          std::max(1.0, xOf(trial.end_s) - xOf(trial.start_s) - gap), bar.height());
         painter.setPen(Qt::NoPen);
         painter.setBrush(m_theme.color(Colour::seriesA));
         painter.drawRect(span);
@@ -134,11 +143,13 @@ void Scrubber::paintTrials(QPainter& painter) const {
         const QString number = m_trials.size() > 1 ? locale().toString(trial.index + 1) : QString();
         if (painter.fontMetrics().horizontalAdvance(number) + m_theme.px(4) < span.width()) {
             painter.setPen(m_theme.color(Colour::muted));
-            painter.drawText(QRectF(span.left(), bar.bottom() + m_theme.px(1), span.width(), m_theme.px(16)), Qt::AlignHCenter, number);
+            painter.drawText(QRectF(span.left(), bar.bottom() + m_theme.px(1), span.width(), m_theme.px(16)),
+                             Qt::AlignHCenter, number);
         }
     }
     for (const session::PlaybackSpan& pause : m_paused) {
-        const QRectF span(QPointF(xOf(pause.begin_s), bar.top() - gap), QPointF(xOf(pause.end_s), bar.bottom() + gap));
+        const QRectF span(QPointF(xOf(pause.begin_s), bar.top() - gap),
+                          QPointF(xOf(pause.end_s), bar.bottom() + gap));
         painter.setPen(QPen(m_theme.color(Colour::borderStrong), gap));
         painter.setBrush(m_theme.color(Colour::surface));
         painter.drawRect(span);
@@ -156,8 +167,10 @@ void Scrubber::paintMarks(QPainter& painter) const {
         painter.setPen(Qt::NoPen);
         painter.setBrush(m_theme.color(markColour(mark.kind)));
         if (session::isPenalty(mark.kind)) {
-            painter.drawPolygon(QPolygonF({QPointF(x, top), QPointF(x - size, top - 1.8 * size), QPointF(x + size, top - 1.8 * size)}));
-        } else if (mark.kind == PlaybackMarkKind::marked || mark.kind == PlaybackMarkKind::found || mark.kind == PlaybackMarkKind::completed) {
+            painter.drawPolygon(QPolygonF(
+                {QPointF(x, top), QPointF(x - size, top - 1.8 * size), QPointF(x + size, top - 1.8 * size)}));
+        } else if (mark.kind == PlaybackMarkKind::marked || mark.kind == PlaybackMarkKind::found ||
+                   mark.kind == PlaybackMarkKind::completed) {
             painter.drawRect(QRectF(x - 0.15 * size, top - 2.2 * size, 0.3 * size, 2.2 * size));
             painter.drawRect(QRectF(x, top - 2.2 * size, 1.3 * size, 1.1 * size));
         } else {
@@ -166,7 +179,8 @@ void Scrubber::paintMarks(QPainter& painter) const {
     }
     painter.setBrush(m_theme.color(Colour::warning));
     for (const double t_s : m_comments_s)
-        painter.drawRoundedRect(QRectF(xOf(t_s) - size, bar.bottom() + m_theme.px(2), 2 * size, 1.6 * size), 1, 1);
+        painter.drawRoundedRect(QRectF(xOf(t_s) - size, bar.bottom() + m_theme.px(2), 2 * size, 1.6 * size),
+                                1, 1);
 }
 
 void Scrubber::paintHandle(QPainter& painter) const {

@@ -18,7 +18,9 @@ namespace {
 constexpr std::array kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 }
 
-TransportBar::TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, MomentWords moments, std::vector<std::pair<double, double>> pauses_s, QWidget* parent)
+TransportBar::TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock,
+                           MomentWords moments, std::vector<std::pair<double, double>> pauses_s,
+                           QWidget* parent)
     : QWidget(parent), m_theme(theme), m_locale(locale), m_clock(clock), m_moments(std::move(moments)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -48,7 +50,8 @@ void TransportBar::buildButtons(QLayout& row) {
         row.addWidget(button);
         return button;
     };
-    add("playback.begin", "media-skip-backward", tr("To the beginning (Home)"), [this] { m_clock.seek(0.0); });
+    add("playback.begin", "media-skip-backward", tr("To the beginning (Home)"),
+        [this] { m_clock.seek(0.0); });
     add("playback.back", "go-previous", tr("One frame back (Left)"), [this] { m_clock.step(-1); });
     m_play = kit::button(m_theme, tr("Play"), "primary", QStringLiteral("media-playback-start"));
     m_play->setObjectName(QStringLiteral("playback.play"));
@@ -60,7 +63,8 @@ void TransportBar::buildButtons(QLayout& row) {
     connect(m_play, &QPushButton::clicked, this, [this] { m_clock.toggle(); });
     row.addWidget(m_play);
     add("playback.on", "go-next", tr("One frame forward (Right)"), [this] { m_clock.step(1); });
-    add("playback.end", "media-skip-forward", tr("To the end (End)"), [this] { m_clock.seek(m_clock.duration_s()); });
+    add("playback.end", "media-skip-forward", tr("To the end (End)"),
+        [this] { m_clock.seek(m_clock.duration_s()); });
 }
 
 void TransportBar::buildSpeed(QLayout& row) {
@@ -73,7 +77,8 @@ void TransportBar::buildSpeed(QLayout& row) {
         if (speed == 1.0)
             m_speed->setCurrentIndex(m_speed->count() - 1);
     }
-    connect(m_speed, &QComboBox::currentIndexChanged, this, [this] { m_clock.setSpeed(m_speed->currentData().toDouble()); });
+    connect(m_speed, &QComboBox::currentIndexChanged, this,
+            [this] { m_clock.setSpeed(m_speed->currentData().toDouble()); });
     row.addWidget(m_speed);
 }
 
@@ -84,19 +89,25 @@ void TransportBar::buildLeap(QLayout& row, std::vector<std::pair<double, double>
     leap->setObjectName(QStringLiteral("playback.skip_pauses"));
     leap->setChecked(true);
     row.addWidget(leap);
-    const auto set = [this, pauses = std::move(pauses_s)](bool on) { m_clock.setLeapt(on ? pauses : std::vector<std::pair<double, double>>()); };
+    const auto set = [this, pauses = std::move(pauses_s)](bool on) {
+        m_clock.setLeapt(on ? pauses : std::vector<std::pair<double, double>>());
+    };
     connect(leap, &QCheckBox::toggled, this, set);
     set(true);
 }
 
 void TransportBar::showPlaying(bool playing) {
     m_play->setText(playing ? tr("Pause") : tr("Play"));
-    m_play->setIcon(m_theme.icon(playing ? QStringLiteral("media-playback-pause") : QStringLiteral("media-playback-start"), Colour::accentText));
+    m_play->setIcon(m_theme.icon(playing ? QStringLiteral("media-playback-pause")
+                                         : QStringLiteral("media-playback-start"),
+                                 Colour::accentText));
 }
 
 void TransportBar::showTime() {
     m_time->setText(m_moments.at(m_clock.position_s()));
-    m_time->setToolTip(tr("%1 of %2 in the recording, which begins before the first trial").arg(clockText(m_clock.position_s(), m_locale), clockText(m_clock.duration_s(), m_locale)));
+    m_time->setToolTip(
+        tr("%1 of %2 in the recording, which begins before the first trial")
+            .arg(clockText(m_clock.position_s(), m_locale), clockText(m_clock.duration_s(), m_locale)));
 }
 
 } // namespace chiron::desktop

@@ -20,8 +20,8 @@ class TransportBar : public QWidget {
     Q_OBJECT
 public:
     /// `pauses_s`: begin and end of each pause. Playing skips pauses unless the person wants to see them.
-    TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, MomentWords moments, std::vector<std::pair<double, double>> pauses_s = {},
-                 QWidget* parent = nullptr);
+    TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, MomentWords moments,
+                 std::vector<std::pair<double, double>> pauses_s = {}, QWidget* parent = nullptr);
 
 private:
     void buildButtons(class QLayout& row);

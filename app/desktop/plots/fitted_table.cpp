@@ -10,7 +10,8 @@ namespace {
 constexpr int kRow_px = 36;
 }
 
-FittedTable::FittedTable(const Theme& theme, int columns, QWidget* parent) : QTableWidget(0, columns, parent), m_theme(theme) {
+FittedTable::FittedTable(const Theme& theme, int columns, QWidget* parent)
+    : QTableWidget(0, columns, parent), m_theme(theme) {
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(theme.px(kRow_px));
     horizontalHeader()->setFixedHeight(theme.px(kRow_px));

@@ -25,26 +25,40 @@ QString words(const char* text) {
 
 QString stateTitle(SessionState state) {
     switch (state) {
-    case SessionState::running: return words(QT_TRANSLATE_NOOP("Sessions", "Running"));
-    case SessionState::completed: return words(QT_TRANSLATE_NOOP("Sessions", "Completed"));
-    case SessionState::stopped: return words(QT_TRANSLATE_NOOP("Sessions", "Stopped"));
-    case SessionState::interrupted: return words(QT_TRANSLATE_NOOP("Sessions", "Interrupted"));
-    case SessionState::incomplete: return words(QT_TRANSLATE_NOOP("Sessions", "Incomplete"));
-    case SessionState::faulted: return words(QT_TRANSLATE_NOOP("Sessions", "Faulted"));
-    case SessionState::voided: return words(QT_TRANSLATE_NOOP("Sessions", "Voided"));
+    case SessionState::running:
+        return words(QT_TRANSLATE_NOOP("Sessions", "Running"));
+    case SessionState::completed:
+        return words(QT_TRANSLATE_NOOP("Sessions", "Completed"));
+    case SessionState::stopped:
+        return words(QT_TRANSLATE_NOOP("Sessions", "Stopped"));
+    case SessionState::interrupted:
+        return words(QT_TRANSLATE_NOOP("Sessions", "Interrupted"));
+    case SessionState::incomplete:
+        return words(QT_TRANSLATE_NOOP("Sessions", "Incomplete"));
+    case SessionState::faulted:
+        return words(QT_TRANSLATE_NOOP("Sessions", "Faulted"));
+    case SessionState::voided:
+        return words(QT_TRANSLATE_NOOP("Sessions", "Voided"));
     }
     return {};
 }
 
 QString stateIcon(SessionState state) {
     switch (state) {
-    case SessionState::running: return QStringLiteral("media-playback-start");
-    case SessionState::completed: return QStringLiteral("dialog-ok-apply");
-    case SessionState::stopped: return QStringLiteral("media-playback-stop");
-    case SessionState::interrupted: return QStringLiteral("dialog-warning");
-    case SessionState::incomplete: return QStringLiteral("dialog-warning");
-    case SessionState::faulted: return QStringLiteral("dialog-error");
-    case SessionState::voided: return QStringLiteral("dialog-cancel");
+    case SessionState::running:
+        return QStringLiteral("media-playback-start");
+    case SessionState::completed:
+        return QStringLiteral("dialog-ok-apply");
+    case SessionState::stopped:
+        return QStringLiteral("media-playback-stop");
+    case SessionState::interrupted:
+        return QStringLiteral("dialog-warning");
+    case SessionState::incomplete:
+        return QStringLiteral("dialog-warning");
+    case SessionState::faulted:
+        return QStringLiteral("dialog-error");
+    case SessionState::voided:
+        return QStringLiteral("dialog-cancel");
     }
     return {};
 }
@@ -54,7 +68,8 @@ QString outcomeText(const database::SessionSummary& session) {
         return words(QT_TRANSLATE_NOOP("Sessions", "Not counted"));
     if (session.state != SessionState::completed || !session.passed)
         return stateTitle(session.state);
-    return *session.passed ? words(QT_TRANSLATE_NOOP("Sessions", "Passed")) : words(QT_TRANSLATE_NOOP("Sessions", "Not passed"));
+    return *session.passed ? words(QT_TRANSLATE_NOOP("Sessions", "Passed"))
+                           : words(QT_TRANSLATE_NOOP("Sessions", "Not passed"));
 }
 
 QString outcomeIcon(const database::SessionSummary& session) {
@@ -64,21 +79,26 @@ QString outcomeIcon(const database::SessionSummary& session) {
 }
 
 QString feltText(bool felt) {
-    return felt ? words(QT_TRANSLATE_NOOP("Sessions", "Felt")) : words(QT_TRANSLATE_NOOP("Sessions", "Shown, not felt"));
+    return felt ? words(QT_TRANSLATE_NOOP("Sessions", "Felt"))
+                : words(QT_TRANSLATE_NOOP("Sessions", "Shown, not felt"));
 }
 
 QString forceText(const database::SessionSummary& session) {
     if (!session.felt)
         return words(QT_TRANSLATE_NOOP("Sessions", "Force shown, not felt"));
-    return session.operatorName.empty() ? words(QT_TRANSLATE_NOOP("Sessions", "Force felt"))
-                                        : words(QT_TRANSLATE_NOOP("Sessions", "Force rendered to a scripted hand"));
+    return session.operatorName.empty()
+               ? words(QT_TRANSLATE_NOOP("Sessions", "Force felt"))
+               : words(QT_TRANSLATE_NOOP("Sessions", "Force rendered to a scripted hand"));
 }
 
 QString whoText(const database::SessionSummary& session) {
-    const QString person = session.person == database::Actor::kSimulatedPerson ? QString() : QString::fromStdString(session.personName);
+    const QString person = session.person == database::Actor::kSimulatedPerson
+                               ? QString()
+                               : QString::fromStdString(session.personName);
     if (session.operatorName.empty())
         return QString::fromStdString(session.personName);
-    const QString script = words(QT_TRANSLATE_NOOP("Sessions", "%1 (scripted)")).arg(operatorTitle(session.operatorName));
+    const QString script =
+        words(QT_TRANSLATE_NOOP("Sessions", "%1 (scripted)")).arg(operatorTitle(session.operatorName));
     return person.isEmpty() ? script : person + QStringLiteral(" · ") + script;
 }
 
@@ -89,20 +109,25 @@ QString deviceText(const devices::DeviceDescriptor& device) {
 }
 
 QString whenText(const database::SessionSummary& session, const QLocale& locale) {
-    const QDateTime utc = QDateTime::fromString(QString::fromStdString(session.startedUtc), Qt::ISODateWithMs);
+    const QDateTime utc =
+        QDateTime::fromString(QString::fromStdString(session.startedUtc), Qt::ISODateWithMs);
     if (!utc.isValid())
         return QString::fromStdString(session.startedUtc);
     return locale.toString(utc.toOffsetFromUtc(session.utcOffset_min * 60), QLocale::ShortFormat);
 }
 
-QString exerciseTitle(const catalogue::Catalogue& catalogue, const std::string& exercise, const QString& language) {
+QString exerciseTitle(const catalogue::Catalogue& catalogue, const std::string& exercise,
+                      const QString& language) {
     for (const catalogue::Exercise& entry : catalogue.exercises())
         if (entry.id == exercise)
             return QString::fromStdString(catalogue::textIn(entry.title, language.toStdString()));
-    return exercise == SessionWords::kComparison ? SessionWords::comparison() : QString::fromStdString(exercise).replace(QLatin1Char('_'), QLatin1Char(' '));
+    return exercise == SessionWords::kComparison
+               ? SessionWords::comparison()
+               : QString::fromStdString(exercise).replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
-QString levelTitle(const catalogue::Catalogue& catalogue, const std::string& exercise, int level, const QString& language) {
+QString levelTitle(const catalogue::Catalogue& catalogue, const std::string& exercise, int level,
+                   const QString& language) {
     const catalogue::ExerciseLevel* entry = catalogue.find(exercise, level);
     const QString number = QLocale().toString(level);
     if (!entry)

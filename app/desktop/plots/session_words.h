@@ -30,8 +30,10 @@ QString deviceText(const devices::DeviceDescriptor& device);
 /// When the session began, in the time zone of the place of recording.
 QString whenText(const database::SessionSummary& session, const QLocale& locale);
 /// The title in the content's language, or the id if the content no longer contains it.
-QString exerciseTitle(const catalogue::Catalogue& catalogue, const std::string& exercise, const QString& language);
-QString levelTitle(const catalogue::Catalogue& catalogue, const std::string& exercise, int level, const QString& language);
+QString exerciseTitle(const catalogue::Catalogue& catalogue, const std::string& exercise,
+                      const QString& language);
+QString levelTitle(const catalogue::Catalogue& catalogue, const std::string& exercise, int level,
+                   const QString& language);
 /// A position in a recording: "1:02.4".
 QString clockText(double t_s, const QLocale& locale);
 

@@ -17,7 +17,8 @@ const QString kPart = QStringLiteral("part");
 
 bool isNamed(const QString& folded, const QString& part) {
     const QStringList words = part.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    return std::all_of(words.begin(), words.end(), [&folded](const QString& word) { return folded.contains(word); });
+    return std::all_of(words.begin(), words.end(),
+                       [&folded](const QString& word) { return folded.contains(word); });
 }
 
 } // namespace
@@ -25,7 +26,9 @@ bool isNamed(const QString& folded, const QString& part) {
 bool ProgressFilter::matches(const session::PersonStanding& person, const QDateTime& now) const {
     const QStringList parts = forSearch(names).split(QLatin1Char(','), Qt::SkipEmptyParts);
     const QString folded = forSearch(QString::fromStdString(person.name));
-    if (!parts.isEmpty() && std::none_of(parts.begin(), parts.end(), [&folded](const QString& each) { return !each.trimmed().isEmpty() && isNamed(folded, each); }))
+    if (!parts.isEmpty() && std::none_of(parts.begin(), parts.end(), [&folded](const QString& each) {
+            return !each.trimmed().isEmpty() && isNamed(folded, each);
+        }))
         return false;
     switch (part) {
     case GroupPart::everybody:

@@ -22,7 +22,9 @@ const QString kChosenExercise = QStringLiteral("exercise");
 
 /// Reads the standings of the group. An actor who may not list people gets nothing (AccountRepository).
 /// Thread: worker; blocks.
-core::Result<std::vector<session::PersonStanding>> readGroup(const database::Database& database, const database::Actor& actor, const catalogue::Catalogue& catalogue) {
+core::Result<std::vector<session::PersonStanding>> readGroup(const database::Database& database,
+                                                             const database::Actor& actor,
+                                                             const catalogue::Catalogue& catalogue) {
     auto reader = database.openReader();
     CHIRON_TRY(reader);
     const auto people = database::AccountRepository(**reader, actor).listPeople();
@@ -35,7 +37,8 @@ core::Result<std::vector<session::PersonStanding>> readGroup(const database::Dat
 } // namespace
 
 ProgressScreen::ProgressScreen(AppContext& context, const Place& place)
-    : Screen(context, place), m_filter(ProgressFilter::fromMap(place.parameters)), m_wanted(place.parameters.value(kChosenPerson).toLongLong()),
+    : Screen(context, place), m_filter(ProgressFilter::fromMap(place.parameters)),
+      m_wanted(place.parameters.value(kChosenPerson).toLongLong()),
       m_wantedExercise(place.parameters.value(kChosenExercise).toString().toStdString()) {
     const Theme& theme = context.theme();
     auto* all = new QVBoxLayout(this);
@@ -46,7 +49,8 @@ ProgressScreen::ProgressScreen(AppContext& context, const Place& place)
     column->setSpacing(theme.px(10));
     column->addWidget(buildHead());
     column->addWidget(buildFilters());
-    m_table = new ProgressTable(theme, context.locale(), context.site().catalogue(), exerciseTitles(context.site().catalogue(), context.language()));
+    m_table = new ProgressTable(theme, context.locale(), context.site().catalogue(),
+                                exerciseTitles(context.site().catalogue(), context.language()));
     m_panel = new StatePanel(theme);
     m_panel->setContent(m_table);
     column->addWidget(m_panel, 1);
@@ -62,15 +66,23 @@ ProgressScreen::ProgressScreen(AppContext& context, const Place& place)
     showActions();
 }
 
-QString ProgressScreen::title() const { return tr("Progress"); }
+QString ProgressScreen::title() const {
+    return tr("Progress");
+}
 
 QString ProgressScreen::help() const {
-    return tr("How far each person of the group is.\n\nA row is a person. Under each exercise stands the lowest level that the person has not passed, or \"All "
-              "passed\"; a cross marks a level that they have tried. \"Last session\" says when they trained last, and \"To review\" how many of their sessions "
-              "await your review. The line below the table says more about the chosen cell: the standing at every level of an exercise, or, at the name, the step that "
-              "the program offers next. Trainees whose accounts are disabled are left out.\n\nThe program keeps no lists of groups: type several names with commas between "
-              "them to see only these people. The list beside it shows only those who have not trained for some time, or who have not passed everything.\n\nChoose "
-              "a cell with the arrow keys and press Return to see the sessions of that person at that exercise.");
+    return tr(
+        "How far each person of the group is.\n\nA row is a person. Under each exercise stands the lowest "
+        "level that the person has not passed, or \"All "
+        "passed\"; a cross marks a level that they have tried. \"Last session\" says when they trained last, "
+        "and \"To review\" how many of their sessions "
+        "await your review. The line below the table says more about the chosen cell: the standing at every "
+        "level of an exercise, or, at the name, the step that "
+        "the program offers next. Trainees whose accounts are disabled are left out.\n\nThe program keeps no "
+        "lists of groups: type several names with commas between "
+        "them to see only these people. The list beside it shows only those who have not trained for some "
+        "time, or who have not passed everything.\n\nChoose "
+        "a cell with the arrow keys and press Return to see the sessions of that person at that exercise.");
 }
 
 QWidget* ProgressScreen::buildHead() {
@@ -131,18 +143,22 @@ QWidget* ProgressScreen::buildActions() {
 }
 
 std::vector<ScreenCommand> ProgressScreen::commands() {
-    return {{tr("Filter by name"), QKeySequence(QKeySequence::Find), [this] { m_names->setFocus(Qt::ShortcutFocusReason); }},
+    return {{tr("Filter by name"), QKeySequence(QKeySequence::Find),
+             [this] { m_names->setFocus(Qt::ShortcutFocusReason); }},
             {m_open->text(), QKeySequence(Qt::Key_Return), [this] { openSessions(); }, false},
             {m_results->text(), {}, [this] { openResults(); }}};
 }
 
-void ProgressScreen::enter() { load(); }
+void ProgressScreen::enter() {
+    load();
+}
 
 void ProgressScreen::load() {
     m_panel->showLoading(tr("Reading how far everybody is …"));
     context().background().run(
         this,
-        [&database = context().site().database(), actor = context().actor(), catalogue = context().site().catalogue()](WorkToken&) {
+        [&database = context().site().database(), actor = context().actor(),
+         catalogue = context().site().catalogue()](WorkToken&) {
             return readGroup(database, actor, catalogue);
         },
         [this](core::Result<std::vector<session::PersonStanding>> people) { take(std::move(people)); });
@@ -150,7 +166,8 @@ void ProgressScreen::load() {
 
 void ProgressScreen::take(core::Result<std::vector<session::PersonStanding>> people) {
     if (!people) {
-        m_panel->showError(tr("The progress of the group could not be read."), people.error(), [this] { load(); });
+        m_panel->showError(tr("The progress of the group could not be read."), people.error(),
+                           [this] { load(); });
         return;
     }
     m_table->show({});
@@ -187,23 +204,31 @@ void ProgressScreen::showPeople() {
         if (m_filter.matches(person, QDateTime::currentDateTimeUtc()))
             shown.push_back(&person);
     const int all = static_cast<int>(m_people.size());
-    m_count->setText(m_filter.isEmpty() ? tr("%n person(s)", nullptr, all)
-                                        : tr("%1 of %2 people").arg(context().locale().toString(static_cast<int>(shown.size())), context().locale().toString(all)));
+    m_count->setText(m_filter.isEmpty()
+                         ? tr("%n person(s)", nullptr, all)
+                         : tr("%1 of %2 people")
+                               .arg(context().locale().toString(static_cast<int>(shown.size())),
+                                    context().locale().toString(all)));
     m_clear->setEnabled(!m_filter.isEmpty());
     m_table->show(std::move(shown));
     if (m_table->rowCount() > 0)
         m_panel->showContent();
     else if (all == 0)
-        m_panel->showEmpty(tr("There are no trainees yet"), tr("As soon as an administrator has added trainees under People, they are listed here, also before they have trained."));
+        m_panel->showEmpty(tr("There are no trainees yet"),
+                           tr("As soon as an administrator has added trainees under People, they are listed "
+                              "here, also before they have trained."));
     else
-        m_panel->showEmpty(tr("Nobody matches these filters"), tr("%n person(s) in all.", nullptr, all), tr("Clear the filters"), [this] { clearFilter(); });
+        m_panel->showEmpty(tr("Nobody matches these filters"), tr("%n person(s) in all.", nullptr, all),
+                           tr("Clear the filters"), [this] { clearFilter(); });
     showActions();
 }
 
 void ProgressScreen::showActions() {
     const bool any = m_panel->state() == StatePanel::State::content && m_table->chosen();
     const bool trained = any && m_table->chosen()->latest;
-    const QString none = any && !trained ? tr("%1 has no sessions yet.").arg(QString::fromStdString(m_table->chosen()->name)) : QString();
+    const QString none =
+        any && !trained ? tr("%1 has no sessions yet.").arg(QString::fromStdString(m_table->chosen()->name))
+                        : QString();
     for (QPushButton* button : {m_open, m_results}) {
         button->setEnabled(trained);
         button->setToolTip(none);
@@ -227,7 +252,8 @@ void ProgressScreen::openSessions() {
     if (!person)
         return;
     if (!person->latest) {
-        context().messages().information(tr("%1 has no sessions yet.").arg(QString::fromStdString(person->name)));
+        context().messages().information(
+            tr("%1 has no sessions yet.").arg(QString::fromStdString(person->name)));
         return;
     }
     QVariantMap filter{{kChosenPerson, static_cast<qint64>(person->person)}};
@@ -241,7 +267,8 @@ void ProgressScreen::openResults() {
     const session::PersonStanding* person = m_table->chosen();
     if (!person || !person->latest)
         return;
-    QVariantMap of{{QStringLiteral("person"), static_cast<qint64>(person->person)}, {QStringLiteral("name"), QString::fromStdString(person->name)}};
+    QVariantMap of{{QStringLiteral("person"), static_cast<qint64>(person->person)},
+                   {QStringLiteral("name"), QString::fromStdString(person->name)}};
     const std::string exercise = m_table->chosenExercise();
     for (const session::ExerciseStanding& standing : person->exercises)
         if (standing.exercise == exercise) {

@@ -47,7 +47,7 @@ private:
     void openResults();
 
     ProgressFilter m_filter;
-    database::PersonId m_wanted = 0;  ///< person to select after loading
+    database::PersonId m_wanted = 0; ///< person to select after loading
     std::string m_wantedExercise;
     std::vector<session::PersonStanding> m_people; ///< everybody, independent of the filter
     bool m_showing = false;

@@ -28,8 +28,10 @@ QString inTwoLines(QString heading) {
 
 } // namespace
 
-ProgressTable::ProgressTable(const Theme& theme, QLocale locale, const catalogue::Catalogue& catalogue, ExerciseTitles titles, QWidget* parent)
-    : FittedTable(theme, firstExercise + static_cast<int>(catalogue.exercises().size()), parent), m_theme(theme), m_locale(std::move(locale)), m_titles(std::move(titles)) {
+ProgressTable::ProgressTable(const Theme& theme, QLocale locale, const catalogue::Catalogue& catalogue,
+                             ExerciseTitles titles, QWidget* parent)
+    : FittedTable(theme, firstExercise + static_cast<int>(catalogue.exercises().size()), parent),
+      m_theme(theme), m_locale(std::move(locale)), m_titles(std::move(titles)) {
     setObjectName(QStringLiteral("progress.table"));
     setAccessibleName(tr("Progress of the group"));
     setFont(theme.font(TextStyle::body));
@@ -49,7 +51,8 @@ ProgressTable::ProgressTable(const Theme& theme, QLocale locale, const catalogue
         setHorizontalHeaderItem(column, head);
     }
     horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    horizontalHeader()->setFixedHeight(2 * QFontMetrics(theme.font(TextStyle::strong)).lineSpacing() + theme.px(14));
+    horizontalHeader()->setFixedHeight(2 * QFontMetrics(theme.font(TextStyle::strong)).lineSpacing() +
+                                       theme.px(14));
     connect(this, &QTableWidget::activated, this, &ProgressTable::openAsked);
 }
 
@@ -76,7 +79,8 @@ QTableWidgetItem& ProgressTable::put(int row, int column, const QString& text) {
 void ProgressTable::fillRow(int row, const session::PersonStanding& person) {
     put(row, name, QString::fromStdString(person.name));
     if (person.latest)
-        put(row, latest, SessionWords::startedOn(*person.latest, m_locale)).setToolTip(SessionWords::started(*person.latest, m_locale));
+        put(row, latest, SessionWords::startedOn(*person.latest, m_locale))
+            .setToolTip(SessionWords::started(*person.latest, m_locale));
     else
         put(row, latest, tr("None yet"));
     put(row, toReview, person.toReview > 0 ? m_locale.toString(person.toReview) : QStringLiteral("–"));
@@ -89,7 +93,8 @@ void ProgressTable::fillRow(int row, const session::PersonStanding& person) {
 void ProgressTable::putStanding(int row, int column, const session::ExerciseStanding& standing) {
     const QString whole = openWords(standing);
     const bool begun = standing.open && standing.attempts > 0;
-    QTableWidgetItem& cell = put(row, column, begun ? tr("Level %1").arg(m_locale.toString(standing.open->level)) : whole);
+    QTableWidgetItem& cell =
+        put(row, column, begun ? tr("Level %1").arg(m_locale.toString(standing.open->level)) : whole);
     cell.setToolTip(whole);
     cell.setData(Qt::AccessibleTextRole, whole);
     if (!standing.open)
@@ -104,7 +109,9 @@ QString ProgressTable::openWords(const session::ExerciseStanding& standing) cons
     if (standing.attempts == 0)
         return tr("Not begun");
     const QString level = m_locale.toString(standing.open->level);
-    return standing.open->attempts > 0 ? tr("Level %1, %n attempt(s)", nullptr, standing.open->attempts).arg(level) : tr("Level %1, not tried").arg(level);
+    return standing.open->attempts > 0
+               ? tr("Level %1, %n attempt(s)", nullptr, standing.open->attempts).arg(level)
+               : tr("Level %1, not tried").arg(level);
 }
 
 QString ProgressTable::nextWords(const session::PersonStanding& person) const {
@@ -116,21 +123,27 @@ QString ProgressTable::nextWords(const session::PersonStanding& person) const {
 
 const session::PersonStanding* ProgressTable::chosen() const {
     const int row = currentRow();
-    return row >= 0 && row < static_cast<int>(m_people.size()) ? m_people[static_cast<std::size_t>(row)] : nullptr;
+    return row >= 0 && row < static_cast<int>(m_people.size()) ? m_people[static_cast<std::size_t>(row)]
+                                                               : nullptr;
 }
 
 std::string ProgressTable::chosenExercise() const {
     const int column = currentColumn() - firstExercise;
-    return column >= 0 && column < static_cast<int>(m_exercises.size()) ? m_exercises[static_cast<std::size_t>(column)] : std::string();
+    return column >= 0 && column < static_cast<int>(m_exercises.size())
+               ? m_exercises[static_cast<std::size_t>(column)]
+               : std::string();
 }
 
 void ProgressTable::choose(database::PersonId person, const std::string& exercise) {
     if (m_people.empty())
         return;
-    const auto row = std::find_if(m_people.begin(), m_people.end(), [person](const auto* each) { return each->person == person; });
+    const auto row = std::find_if(m_people.begin(), m_people.end(),
+                                  [person](const auto* each) { return each->person == person; });
     const auto column = std::find(m_exercises.begin(), m_exercises.end(), exercise);
     setCurrentCell(row == m_people.end() ? 0 : static_cast<int>(row - m_people.begin()),
-                   column == m_exercises.end() ? static_cast<int>(name) : firstExercise + static_cast<int>(column - m_exercises.begin()));
+                   column == m_exercises.end()
+                       ? static_cast<int>(name)
+                       : firstExercise + static_cast<int>(column - m_exercises.begin()));
 }
 
 QString ProgressTable::chosenInWords() const {
@@ -140,7 +153,8 @@ QString ProgressTable::chosenInWords() const {
     const QString who = QString::fromStdString(person->name);
     const std::string exercise = chosenExercise();
     if (exercise.empty())
-        return person->next ? tr("%1 – next step: %2").arg(who, nextWords(*person)) : tr("%1 – %2").arg(who, nextWords(*person));
+        return person->next ? tr("%1 – next step: %2").arg(who, nextWords(*person))
+                            : tr("%1 – %2").arg(who, nextWords(*person));
     QStringList levels;
     for (const session::ExerciseStanding& standing : person->exercises)
         if (standing.exercise == exercise)

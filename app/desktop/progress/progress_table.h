@@ -19,12 +19,13 @@ class ProgressTable final : public FittedTable {
 public:
     enum Column { name, latest, toReview, firstExercise };
 
-    ProgressTable(const Theme& theme, QLocale locale, const catalogue::Catalogue& catalogue, ExerciseTitles titles, QWidget* parent = nullptr);
+    ProgressTable(const Theme& theme, QLocale locale, const catalogue::Catalogue& catalogue,
+                  ExerciseTitles titles, QWidget* parent = nullptr);
 
     /// The pointers must outlive the table's use of them.
     void show(std::vector<const session::PersonStanding*> people);
-    const session::PersonStanding* chosen() const;                 ///< null if nobody is chosen
-    std::string chosenExercise() const; ///< of the chosen cell; empty for all exercises
+    const session::PersonStanding* chosen() const; ///< null if nobody is chosen
+    std::string chosenExercise() const;            ///< of the chosen cell; empty for all exercises
     void choose(database::PersonId person, const std::string& exercise);
     QString chosenInWords() const; ///< person and cell that are chosen, level by level
 

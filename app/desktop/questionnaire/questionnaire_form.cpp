@@ -22,9 +22,11 @@ namespace {
 constexpr int kMostButtons = 11; // more of them are hard to distinguish, so a slider is used
 }
 
-QuestionnaireForm::QuestionnaireForm(const Theme& theme, const QLocale& locale, const psychophysics::Questionnaire& questionnaire, const QString& language,
-                                     QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_questionnaire(questionnaire), m_language(language) {
+QuestionnaireForm::QuestionnaireForm(const Theme& theme, const QLocale& locale,
+                                     const psychophysics::Questionnaire& questionnaire,
+                                     const QString& language, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_questionnaire(questionnaire),
+      m_language(language) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(14));
@@ -35,8 +37,10 @@ QuestionnaireForm::QuestionnaireForm(const Theme& theme, const QLocale& locale, 
 void QuestionnaireForm::addItem(const QuestionnaireItem& item) {
     const kit::Box box = kit::box(m_theme);
     const QString words = study_words::text(item.text, m_language);
-    box.layout->addWidget(kit::label(m_theme, item.required ? words : tr("%1 (optional)").arg(words), TextStyle::strong));
-    Item added{&item, kit::label(m_theme, tr("Please answer this question."), TextStyle::small, "bad"), nullptr, {}};
+    box.layout->addWidget(
+        kit::label(m_theme, item.required ? words : tr("%1 (optional)").arg(words), TextStyle::strong));
+    Item added{
+        &item, kit::label(m_theme, tr("Please answer this question."), TextStyle::small, "bad"), nullptr, {}};
     const QString name = QStringLiteral("questionnaire.%1").arg(QString::fromStdString(item.id));
     switch (item.kind) {
     case QuestionnaireItem::Kind::likert:
@@ -61,8 +65,10 @@ void QuestionnaireForm::addItem(const QuestionnaireItem& item) {
 /// The meanings of the two ends of a scale.
 QLayout* QuestionnaireForm::ends(const Item& item) const {
     auto* row = new QHBoxLayout;
-    row->addWidget(kit::label(m_theme, study_words::text(item.asked->low, m_language), TextStyle::body, "muted"), 1);
-    auto* high = kit::label(m_theme, study_words::text(item.asked->high, m_language), TextStyle::body, "muted");
+    row->addWidget(
+        kit::label(m_theme, study_words::text(item.asked->low, m_language), TextStyle::body, "muted"), 1);
+    auto* high =
+        kit::label(m_theme, study_words::text(item.asked->high, m_language), TextStyle::body, "muted");
     high->setAlignment(Qt::AlignRight);
     row->addWidget(high, 1);
     return row;
@@ -115,7 +121,9 @@ void QuestionnaireForm::addSlider(QLayout& layout, Item& item, const QString& na
     slider->setTickInterval(1);
     slider->setFocusPolicy(Qt::StrongFocus);
     column->addWidget(slider);
-    auto* state = kit::label(m_theme, tr("Not answered yet: move the slider, or press Space to leave it in the middle."), TextStyle::small, "muted");
+    auto* state = kit::label(
+        m_theme, tr("Not answered yet: move the slider, or press Space to leave it in the middle."),
+        TextStyle::small, "muted");
     state->setObjectName(name + QStringLiteral(".state"));
     column->addWidget(state);
     layout.addWidget(part);
@@ -166,7 +174,10 @@ void QuestionnaireForm::addNumber(QLayout& layout, Item& item, const QString& na
     field->setMaximumWidth(m_theme.px(200));
     field->setLocale(m_locale);
     if (item.asked->highest > item.asked->lowest)
-        layout.addWidget(kit::label(m_theme, tr("From %1 to %2").arg(study_words::plainNumber(item.asked->lowest, m_locale), study_words::plainNumber(item.asked->highest, m_locale)),
+        layout.addWidget(kit::label(m_theme,
+                                    tr("From %1 to %2")
+                                        .arg(study_words::plainNumber(item.asked->lowest, m_locale),
+                                             study_words::plainNumber(item.asked->highest, m_locale)),
                                     TextStyle::small, "muted"));
     layout.addWidget(field);
     item.first = field;
@@ -197,7 +208,8 @@ void QuestionnaireForm::addText(QLayout& layout, Item& item, const QString& name
     };
 }
 
-std::vector<database::QuestionnaireAnswer> QuestionnaireForm::answers(database::ParticipantNumber participant, database::StudyRunNumber run) const {
+std::vector<database::QuestionnaireAnswer> QuestionnaireForm::answers(database::ParticipantNumber participant,
+                                                                      database::StudyRunNumber run) const {
     std::vector<database::QuestionnaireAnswer> answers;
     for (const Item& item : m_items) {
         database::QuestionnaireAnswer answer;
@@ -213,7 +225,9 @@ std::vector<database::QuestionnaireAnswer> QuestionnaireForm::answers(database::
     return answers;
 }
 
-int QuestionnaireForm::answered() const { return static_cast<int>(answers(0).size()); }
+int QuestionnaireForm::answered() const {
+    return static_cast<int>(answers(0).size());
+}
 
 bool QuestionnaireForm::showMissing() {
     QWidget* first = nullptr;

@@ -20,11 +20,14 @@ namespace chiron::desktop {
 class QuestionnaireForm final : public QWidget {
     Q_OBJECT
 public:
-    QuestionnaireForm(const Theme& theme, const QLocale& locale, const psychophysics::Questionnaire& questionnaire, const QString& language, QWidget* parent = nullptr);
+    QuestionnaireForm(const Theme& theme, const QLocale& locale,
+                      const psychophysics::Questionnaire& questionnaire, const QString& language,
+                      QWidget* parent = nullptr);
 
     /// The answers so far, with the language in which each question is shown. Items without an answer are
     /// left out. `run`: the run of the condition that the questionnaire is about; 0 if it is asked only once.
-    std::vector<database::QuestionnaireAnswer> answers(database::ParticipantNumber participant, database::StudyRunNumber run = 0) const;
+    std::vector<database::QuestionnaireAnswer> answers(database::ParticipantNumber participant,
+                                                       database::StudyRunNumber run = 0) const;
     /// Marks the items that must still be answered and scrolls to the first one. Returns false if none is
     /// missing.
     bool showMissing();
@@ -38,7 +41,7 @@ private:
     struct Item {
         const psychophysics::QuestionnaireItem* asked;
         QLabel* missing;
-        QWidget* first; ///< gets the focus
+        QWidget* first;                                           ///< gets the focus
         std::function<bool(database::QuestionnaireAnswer&)> read; ///< returns false if there is no answer
     };
     void addItem(const psychophysics::QuestionnaireItem& item);

@@ -23,20 +23,29 @@ QuestionnaireScreen::QuestionnaireScreen(AppContext& context, const Place& place
     column->addWidget(m_panel);
 }
 
-QString QuestionnaireScreen::title() const { return tr("Questionnaire"); }
+QString QuestionnaireScreen::title() const {
+    return tr("Questionnaire");
+}
 
 QString QuestionnaireScreen::help() const {
-    return tr("Each participant answers these questions once, or once about each condition.\n\nPress Tab to move from question to question, the arrow keys to move along "
-              "a scale, Space to choose. Required questions are marked if they are left unanswered. The answers are stored under the "
+    return tr("Each participant answers these questions once, or once about each condition.\n\nPress Tab to "
+              "move from question to question, the arrow keys to move along "
+              "a scale, Space to choose. Required questions are marked if they are left unanswered. The "
+              "answers are stored under the "
               "participant's code as soon as they are submitted.");
 }
 
-void QuestionnaireScreen::enter() { load(); }
+void QuestionnaireScreen::enter() {
+    load();
+}
 
 void QuestionnaireScreen::load() {
-    m_panel->showLoading(tr("Reading the questions …"),
-                         readStudies(context(), this, [study = m_study](database::StudyReader& reader) { return openStudy(reader, study); },
-                                     [this](const core::Result<OpenStudy>& study) { loaded(study); }));
+    m_panel->showLoading(
+        tr("Reading the questions …"),
+        readStudies(
+            context(), this,
+            [study = m_study](database::StudyReader& reader) { return openStudy(reader, study); },
+            [this](const core::Result<OpenStudy>& study) { loaded(study); }));
 }
 
 void QuestionnaireScreen::loaded(const core::Result<OpenStudy>& study) {
@@ -49,21 +58,25 @@ void QuestionnaireScreen::loaded(const core::Result<OpenStudy>& study) {
             m_participant = row.participant.id;
     for (const psychophysics::Questionnaire& questionnaire : study->design.questionnaires)
         if (m_participant != 0 && questionnaire.id == m_questionnaire) {
-            if (m_run != 0 ? study->answeredAfter.contains({m_run, m_questionnaire}) : study->answered.contains({m_participant, m_questionnaire}))
+            if (m_run != 0 ? study->answeredAfter.contains({m_run, m_questionnaire})
+                           : study->answered.contains({m_participant, m_questionnaire}))
                 m_panel->showEmpty(tr("Already answered"),
-                                   m_run != 0 ? tr("Each participant answers it once about each condition.") : tr("Each participant answers a questionnaire once."), tr("Back"),
-                                   [this] { goBack(); });
+                                   m_run != 0 ? tr("Each participant answers it once about each condition.")
+                                              : tr("Each participant answers a questionnaire once."),
+                                   tr("Back"), [this] { goBack(); });
             else
                 build(questionnaire);
             return;
         }
-    m_panel->showError(tr("This questionnaire does not exist"), {core::ErrorCode::notFound, m_code.toStdString() + ", " + m_questionnaire});
+    m_panel->showError(tr("This questionnaire does not exist"),
+                       {core::ErrorCode::notFound, m_code.toStdString() + ", " + m_questionnaire});
 }
 
 void QuestionnaireScreen::build(const psychophysics::Questionnaire& questionnaire) {
     const Theme& theme = context().theme();
     auto* page = new ScrollPage(theme, 820);
-    page->column()->addWidget(kit::label(theme, study_words::text(questionnaire.title, context().language()), TextStyle::heading));
+    page->column()->addWidget(
+        kit::label(theme, study_words::text(questionnaire.title, context().language()), TextStyle::heading));
     page->column()->addWidget(kit::label(theme, tr("Participant %1").arg(m_code), TextStyle::body, "muted"));
     m_form = new QuestionnaireForm(theme, context().locale(), questionnaire, context().language());
     page->column()->addWidget(m_form);
@@ -83,11 +96,15 @@ void QuestionnaireScreen::submit() {
         return;
     m_submit->setEnabled(false);
     writeStudies(
-        context(), this, [answers = m_form->answers(m_participant, m_run)](database::StudyRepository& studies) { return studies.storeQuestionnaireAnswers(answers); },
+        context(), this,
+        [answers = m_form->answers(m_participant, m_run)](database::StudyRepository& studies) {
+            return studies.storeQuestionnaireAnswers(answers);
+        },
         [this](const core::Result<void>& done) {
             m_submit->setEnabled(true);
             if (!done) {
-                m_notice->say("bad", tr("The answers were not stored. They are still on this page.\n%1").arg(inWords(done.error())));
+                m_notice->say("bad", tr("The answers were not stored. They are still on this page.\n%1")
+                                         .arg(inWords(done.error())));
                 return;
             }
             m_stored = true;
@@ -99,7 +116,8 @@ void QuestionnaireScreen::submit() {
 bool QuestionnaireScreen::mayLeave() {
     if (m_stored || !m_form || m_form->answered() == 0)
         return true;
-    QMessageBox box(QMessageBox::Question, title(), tr("Leave without submitting?"), QMessageBox::NoButton, window());
+    QMessageBox box(QMessageBox::Question, title(), tr("Leave without submitting?"), QMessageBox::NoButton,
+                    window());
     box.setInformativeText(tr("The answers on this page are not stored yet."));
     QPushButton* stay = box.addButton(tr("Stay"), QMessageBox::RejectRole);
     QPushButton* leave = box.addButton(tr("Leave"), QMessageBox::DestructiveRole);
@@ -109,7 +127,9 @@ bool QuestionnaireScreen::mayLeave() {
 }
 
 void QuestionnaireScreen::goBack() {
-    context().navigator().replace({QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_code}}});
+    context().navigator().replace(
+        {QStringLiteral("study_run"),
+         {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_code}}});
 }
 
 } // namespace chiron::desktop

@@ -38,7 +38,8 @@ void AttemptsTable::put(int row, int column, const QString& text, const QString&
 }
 
 void AttemptsTable::show(const std::vector<Attempt>& attempts, const QString& metric) {
-    setHorizontalHeaderLabels({tr("When"), tr("Attempt"), tr("Force"), metric.isEmpty() ? tr("Value") : metricTitle(metric), tr("Outcome")});
+    setHorizontalHeaderLabels({tr("When"), tr("Attempt"), tr("Force"),
+                               metric.isEmpty() ? tr("Value") : metricTitle(metric), tr("Outcome")});
     setRowCount(static_cast<int>(attempts.size()));
     for (int row = 0; row < rowCount(); ++row) {
         const Attempt& attempt = attempts[attempts.size() - 1 - static_cast<std::size_t>(row)];
@@ -46,13 +47,16 @@ void AttemptsTable::show(const std::vector<Attempt>& attempts, const QString& me
         put(row, 0, whenText(summary, m_locale));
         item(row, 0)->setData(Qt::UserRole, qlonglong(summary.id));
         const QString level = m_locale.toString(summary.level);
-        put(row, 1, summary.familiarisation ? tr("Level %1, familiarisation").arg(level)
-                    : summary.attempt > 0   ? SessionWords::attempt(summary, m_locale)
-                                            : tr("Level %1").arg(level));
+        put(row, 1,
+            summary.familiarisation ? tr("Level %1, familiarisation").arg(level)
+            : summary.attempt > 0   ? SessionWords::attempt(summary, m_locale)
+                                    : tr("Level %1").arg(level));
         put(row, 2, feltText(summary.felt));
         put(row, 4, outcomeText(summary), outcomeIcon(summary), outcomeColour(summary));
         const scoring::MetricValue* value = attempt.metric(metric.toStdString());
-        put(row, 3, value ? report::formatValue(value->value, unitText(QString::fromStdString(value->unit)), m_locale) : QStringLiteral("–"));
+        put(row, 3,
+            value ? report::formatValue(value->value, unitText(QString::fromStdString(value->unit)), m_locale)
+                  : QStringLiteral("–"));
         item(row, 3)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }
     setRowsSeen(std::clamp(rowCount(), 1, kMostRowsSeen));

@@ -50,7 +50,8 @@ void draw(report::PlotView& view, const QString& name, const Curve& curve, repor
 
 } // namespace
 
-std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& attempts, const report::MetricRow& row,
+std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& attempts,
+                                                const report::MetricRow& row,
                                                 const report::PlotTheme& theme) {
     auto view = std::make_unique<report::PlotView>(theme);
     const QString title = metricTitle(row.id);
@@ -68,7 +69,8 @@ std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& atte
         for (double& x : curve->x)
             x -= named ? 1.0 : 0.0; // categories start at 0
     if (row.bandLow && row.bandHigh && !felt.x.empty())
-        view->addBand(Words::tr("benchmark, felt (%1)").arg(bandSourceText(row.bandSource)), *row.bandLow, *row.bandHigh);
+        view->addBand(Words::tr("benchmark, felt (%1)").arg(bandSourceText(row.bandSource)), *row.bandLow,
+                      *row.bandHigh);
     draw(*view, Words::tr("felt"), felt, report::PlotStyle::solidA);
     draw(*view, Words::tr("shown, not felt"), shown, report::PlotStyle::dashedB);
     for (const auto& gate : {row.gateMinimum, row.gateMaximum})

@@ -14,7 +14,7 @@ namespace chiron::desktop {
 /// from its first attempt; pass mark and benchmark band lie behind them. `row` gives the metric's id, unit,
 /// gate and band.
 /// Thread: GUI.
-std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& attempts, const report::MetricRow& row,
-                                                const report::PlotTheme& theme);
+std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& attempts,
+                                                const report::MetricRow& row, const report::PlotTheme& theme);
 
 } // namespace chiron::desktop

@@ -25,23 +25,27 @@ core::Result<void> writeJson(const QString& path, const QJsonObject& json) {
     QSaveFile file(path);
     const QByteArray text = QJsonDocument(json).toJson();
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-        return core::fail(core::ErrorCode::storage, (path + QStringLiteral(": ") + file.errorString()).toStdString());
+        return core::fail(core::ErrorCode::storage,
+                          (path + QStringLiteral(": ") + file.errorString()).toStdString());
     return {};
 }
 
-core::Result<void> writeSamples(database::Connection& connection, const database::Actor& actor, database::SessionId session,
-                                const QDir& folder) {
+core::Result<void> writeSamples(database::Connection& connection, const database::Actor& actor,
+                                database::SessionId session, const QDir& folder) {
     auto stored = session::SessionView::open(connection, actor, session);
     CHIRON_TRY(stored);
     return session::exportCsv(**stored, folder.filePath(QStringLiteral("session_%1.csv").arg(session)));
 }
 
 core::Result<QDir> newFolder(const QString& parent, const database::Person& person) {
-    const QString name = QStringLiteral("chiron-%1-%2").arg(QString::fromStdString(person.name),
-                                                            QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss")));
+    const QString name =
+        QStringLiteral("chiron-%1-%2")
+            .arg(QString::fromStdString(person.name),
+                 QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss")));
     QDir folder(parent);
     if (!folder.mkdir(name) || !folder.cd(name))
-        return core::fail(core::ErrorCode::storage, folder.filePath(name).toStdString() + ": the folder could not be made");
+        return core::fail(core::ErrorCode::storage,
+                          folder.filePath(name).toStdString() + ": the folder could not be made");
     return folder;
 }
 
@@ -58,8 +62,9 @@ bool Attempt::onCurve() const {
     return summary.state == database::SessionState::completed && summary.attempt > 0;
 }
 
-core::Result<std::vector<Attempt>> loadAttempts(database::Connection& connection, const database::Actor& actor,
-                                                database::PersonId person, const std::function<bool(double)>& progress) {
+core::Result<std::vector<Attempt>> loadAttempts(database::Connection& connection,
+                                                const database::Actor& actor, database::PersonId person,
+                                                const std::function<bool(double)>& progress) {
     database::SessionFilter filter;
     filter.person = person;
     auto sessions = database::SessionReader(connection, actor).listSessions(filter);
@@ -72,18 +77,21 @@ core::Result<std::vector<Attempt>> loadAttempts(database::Connection& connection
         auto card = scores.scores(summary.id);
         if (!card && card.error().code != core::ErrorCode::notFound)
             return tl::unexpected(card.error());
-        attempts.push_back({std::move(summary), card ? std::move(card->metrics) : std::vector<scoring::MetricValue>{}});
+        attempts.push_back(
+            {std::move(summary), card ? std::move(card->metrics) : std::vector<scoring::MetricValue>{}});
     }
     return attempts;
 }
 
-core::Result<std::string> exportOwnData(database::Connection& connection, const database::Actor& actor, const std::string& parent,
+core::Result<std::string> exportOwnData(database::Connection& connection, const database::Actor& actor,
+                                        const std::string& parent,
                                         const std::function<bool(double)>& progress) {
     auto everything = database::PrivacyRepository(connection, actor).exportPerson(actor.personId());
     CHIRON_TRY(everything);
     auto folder = newFolder(QString::fromStdString(parent), everything->person);
     CHIRON_TRY(folder);
-    CHIRON_TRY(writeJson(folder->filePath(QStringLiteral("person.json")), session::personExportJson(*everything)));
+    CHIRON_TRY(
+        writeJson(folder->filePath(QStringLiteral("person.json")), session::personExportJson(*everything)));
     std::size_t done = 0;
     for (const database::PersonSession& session : everything->sessions) {
         if (!progress(static_cast<double>(done++) / static_cast<double>(everything->sessions.size())))

@@ -29,14 +29,16 @@ struct Attempt {
 /// stops.
 /// Thread: worker; blocks.
 /// Errors: those of the repositories; cancelled.
-core::Result<std::vector<Attempt>> loadAttempts(database::Connection& connection, const database::Actor& actor,
-                                                database::PersonId person, const std::function<bool(double)>& progress);
+core::Result<std::vector<Attempt>> loadAttempts(database::Connection& connection,
+                                                const database::Actor& actor, database::PersonId person,
+                                                const std::function<bool(double)>& progress);
 
 /// Writes everything stored about the actor's own person into a new folder inside `parent` (person.json, and
 /// the samples of each session as CSV) and returns the folder.
 /// Thread: worker; blocks.
 /// Errors: those of the repositories; storage; cancelled (files that were already written stay).
-core::Result<std::string> exportOwnData(database::Connection& connection, const database::Actor& actor, const std::string& parent,
+core::Result<std::string> exportOwnData(database::Connection& connection, const database::Actor& actor,
+                                        const std::string& parent,
                                         const std::function<bool(double)>& progress);
 
 } // namespace chiron::desktop

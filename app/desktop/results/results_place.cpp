@@ -34,7 +34,8 @@ QString resultsCommand(const AppContext& context, const database::SessionSummary
         return ResultsWords::tr("My results");
     using enum database::Role;
     const bool may = context.has(trainer) || context.has(researcher) || context.has(admin);
-    return may ? ResultsWords::tr("Results of %1").arg(QString::fromStdString(session.personName)) : QString();
+    return may ? ResultsWords::tr("Results of %1").arg(QString::fromStdString(session.personName))
+               : QString();
 }
 
 } // namespace chiron::desktop

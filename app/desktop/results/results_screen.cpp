@@ -39,7 +39,9 @@ ResultsScreen::~ResultsScreen() {
 }
 
 database::PersonId ResultsScreen::person() const {
-    return place().parameters.value(QStringLiteral("person"), qlonglong(context().actor().personId())).toLongLong();
+    return place()
+        .parameters.value(QStringLiteral("person"), qlonglong(context().actor().personId()))
+        .toLongLong();
 }
 
 bool ResultsScreen::isOwn() const {
@@ -47,16 +49,22 @@ bool ResultsScreen::isOwn() const {
 }
 
 QString ResultsScreen::title() const {
-    return isOwn() ? tr("My results") : tr("Results of %1").arg(place().parameters.value(QStringLiteral("name")).toString());
+    return isOwn() ? tr("My results")
+                   : tr("Results of %1").arg(place().parameters.value(QStringLiteral("name")).toString());
 }
 
 QString ResultsScreen::help() const {
     if (!isOwn())
-        return tr("The results of one person.\n\nChoose an exercise, a level and a metric. The curve has a point for each completed attempt; attempts with "
-                  "felt force and attempts with force shown only are never compared. Press Return or double-click to open an attempt.");
-    return tr("All your sessions, and your progress.\n\nChoose an exercise, a level and a metric. The curve has a point for each completed "
-              "attempt. Attempts with felt force and attempts with force shown only have separate lines and are never compared. The "
-              "horizontal line is the pass mark; the band shows what others reached.\n\nPress Return or double-click to open an attempt. "
+        return tr("The results of one person.\n\nChoose an exercise, a level and a metric. The curve has a "
+                  "point for each completed attempt; attempts with "
+                  "felt force and attempts with force shown only are never compared. Press Return or "
+                  "double-click to open an attempt.");
+    return tr("All your sessions, and your progress.\n\nChoose an exercise, a level and a metric. The curve "
+              "has a point for each completed "
+              "attempt. Attempts with felt force and attempts with force shown only have separate lines and "
+              "are never compared. The "
+              "horizontal line is the pass mark; the band shows what others reached.\n\nPress Return or "
+              "double-click to open an attempt. "
               "\"Export my data\" writes everything that is stored about you to a folder of your choice.");
 }
 
@@ -74,7 +82,8 @@ void ResultsScreen::load() {
     database::Database& database = context().site().database();
     m_work = context().background().run(
         this,
-        [&database, actor = context().actor(), whose = person()](WorkToken& token) -> core::Result<std::vector<Attempt>> {
+        [&database, actor = context().actor(),
+         whose = person()](WorkToken& token) -> core::Result<std::vector<Attempt>> {
             auto connection = database.openReader();
             CHIRON_TRY(connection);
             return loadAttempts(**connection, actor, whose, [&token](double part) {
@@ -98,8 +107,9 @@ void ResultsScreen::showAttempts(std::vector<Attempt> attempts) {
         return;
     }
     if (m_attempts.empty()) {
-        m_panel->showEmpty(tr("No results yet"), tr("Your first session will be here, with its scores and its playback."), tr("Choose an exercise"),
-                           [this] { context().navigator().go(QStringLiteral("exercises")); });
+        m_panel->showEmpty(
+            tr("No results yet"), tr("Your first session will be here, with its scores and its playback."),
+            tr("Choose an exercise"), [this] { context().navigator().go(QStringLiteral("exercises")); });
         return;
     }
     build();
@@ -134,9 +144,13 @@ void ResultsScreen::build() {
     auto* row = new FlowLayout(theme.px(8), buttons);
     row->addWidget(open);
     if (!isOwn()) {
-        auto* all = kit::button(theme, tr("All sessions of this person"), "", QStringLiteral("view-list-details"));
+        auto* all =
+            kit::button(theme, tr("All sessions of this person"), "", QStringLiteral("view-list-details"));
         all->setObjectName(QStringLiteral("results.sessions"));
-        connect(all, &QPushButton::clicked, this, [this] { context().navigator().go(QStringLiteral("sessions"), {{QStringLiteral("person"), qlonglong(person())}}); });
+        connect(all, &QPushButton::clicked, this, [this] {
+            context().navigator().go(QStringLiteral("sessions"),
+                                     {{QStringLiteral("person"), qlonglong(person())}});
+        });
         row->addWidget(all);
     }
     page->column()->addWidget(buttons);
@@ -153,8 +167,11 @@ QWidget* ResultsScreen::ownData() {
     auto* column = new QVBoxLayout(part);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(kit::label(theme, tr("Your data"), TextStyle::title));
-    column->addWidget(kit::label(theme, tr("A copy of everything that is held about you: your account, sessions, scores, comments and samples. "
-                                           "It is yours to keep; nothing is removed here."), TextStyle::body, "muted"));
+    column->addWidget(kit::label(theme,
+                                 tr("A copy of everything that is held about you: your account, sessions, "
+                                    "scores, comments and samples. "
+                                    "It is yours to keep; nothing is removed here."),
+                                 TextStyle::body, "muted"));
     auto* exportButton = kit::button(theme, tr("Export my data …"), "", QStringLiteral("document-save"));
     exportButton->setObjectName(QStringLiteral("results.export"));
     connect(exportButton, &QPushButton::clicked, this, &ResultsScreen::askExport);
@@ -189,11 +206,15 @@ QWidget* ResultsScreen::filterRow() {
     for (auto attempt = m_attempts.rbegin(); attempt != m_attempts.rend(); ++attempt) {
         const QString id = QString::fromStdString(attempt->summary.exercise);
         if (m_exercise->findData(id) < 0)
-            m_exercise->addItem(exerciseTitle(context().site().catalogue(), attempt->summary.exercise, context().language()), id);
+            m_exercise->addItem(
+                exerciseTitle(context().site().catalogue(), attempt->summary.exercise, context().language()),
+                id);
     }
     const int asked = m_exercise->findData(place().parameters.value(QStringLiteral("exercise")));
     const Attempt* last = lastScored({});
-    m_exercise->setCurrentIndex(std::max(0, asked >= 0 || !last ? asked : m_exercise->findData(QString::fromStdString(last->summary.exercise))));
+    m_exercise->setCurrentIndex(std::max(
+        0,
+        asked >= 0 || !last ? asked : m_exercise->findData(QString::fromStdString(last->summary.exercise))));
     connect(m_exercise, &QComboBox::activated, this, &ResultsScreen::fillLevels);
     connect(m_level, &QComboBox::activated, this, &ResultsScreen::fillMetrics);
     connect(m_metric, &QComboBox::activated, this, &ResultsScreen::showSelection);
@@ -201,9 +222,11 @@ QWidget* ResultsScreen::filterRow() {
 }
 
 const Attempt* ResultsScreen::lastScored(const std::string& exercise) const {
-    const auto found = std::find_if(m_attempts.rbegin(), m_attempts.rend(), [&exercise](const Attempt& attempt) {
-        return attempt.summary.attempt > 0 && !attempt.metrics.empty() && (exercise.empty() || attempt.summary.exercise == exercise);
-    });
+    const auto found =
+        std::find_if(m_attempts.rbegin(), m_attempts.rend(), [&exercise](const Attempt& attempt) {
+            return attempt.summary.attempt > 0 && !attempt.metrics.empty() &&
+                   (exercise.empty() || attempt.summary.exercise == exercise);
+        });
     return found == m_attempts.rend() ? nullptr : &*found;
 }
 
@@ -225,8 +248,11 @@ void ResultsScreen::fillLevels() {
     }
     std::sort(levels.begin(), levels.end());
     for (const int level : levels)
-        m_level->addItem(levelTitle(context().site().catalogue(), exercise, level, context().language()), level);
-    const int asked = asksFor(m_exercise->currentData().toString()) ? m_level->findData(place().parameters.value(QStringLiteral("level")).toInt()) : -1;
+        m_level->addItem(levelTitle(context().site().catalogue(), exercise, level, context().language()),
+                         level);
+    const int asked = asksFor(m_exercise->currentData().toString())
+                          ? m_level->findData(place().parameters.value(QStringLiteral("level")).toInt())
+                          : -1;
     const Attempt* last = lastScored(exercise);
     m_level->setCurrentIndex(asked >= 0 ? asked : m_level->findData(last ? last->summary.level : newest));
     fillMetrics();
@@ -235,21 +261,23 @@ void ResultsScreen::fillLevels() {
 std::vector<Attempt> ResultsScreen::selected() const {
     std::vector<Attempt> attempts;
     for (const Attempt& attempt : m_attempts)
-        if (attempt.summary.exercise == m_exercise->currentData().toString().toStdString() && attempt.summary.level == m_level->currentData().toInt())
+        if (attempt.summary.exercise == m_exercise->currentData().toString().toStdString() &&
+            attempt.summary.level == m_level->currentData().toInt())
             attempts.push_back(attempt);
     return attempts;
 }
 
 void ResultsScreen::fillMetrics() {
     const std::vector<Attempt> attempts = selected();
-    const catalogue::ExerciseLevel* level =
-        context().site().catalogue().find(m_exercise->currentData().toString().toStdString(), m_level->currentData().toInt());
+    const catalogue::ExerciseLevel* level = context().site().catalogue().find(
+        m_exercise->currentData().toString().toStdString(), m_level->currentData().toInt());
     m_metric->clear();
     for (auto attempt = attempts.rbegin(); attempt != attempts.rend(); ++attempt)
         for (const scoring::MetricValue& value : attempt->metrics)
             if (const QString id = QString::fromStdString(value.id); m_metric->findData(id) < 0)
                 m_metric->addItem(metricTitle(id), id);
-    const QString main = level && !level->gates.empty() ? QString::fromStdString(level->gates.front().metric) : QString();
+    const QString main =
+        level && !level->gates.empty() ? QString::fromStdString(level->gates.front().metric) : QString();
     const int wanted = m_metric->findData(place().parameters.value(QStringLiteral("metric"), main));
     m_metric->setCurrentIndex(std::max(0, wanted));
     showSelection();
@@ -261,8 +289,8 @@ report::MetricRow ResultsScreen::metricRow(const std::vector<Attempt>& attempts)
     for (const Attempt& attempt : attempts)
         if (const scoring::MetricValue* value = attempt.metric(row.id.toStdString()))
             row.unit = unitText(QString::fromStdString(value->unit));
-    const catalogue::ExerciseLevel* level =
-        context().site().catalogue().find(m_exercise->currentData().toString().toStdString(), m_level->currentData().toInt());
+    const catalogue::ExerciseLevel* level = context().site().catalogue().find(
+        m_exercise->currentData().toString().toStdString(), m_level->currentData().toInt());
     for (const scoring::Gate& gate : level ? level->gates : std::vector<scoring::Gate>{}) {
         if (row.id != QLatin1String(gate.metric.c_str()))
             continue;
@@ -270,7 +298,8 @@ report::MetricRow ResultsScreen::metricRow(const std::vector<Attempt>& attempts)
         row.gateMaximum = gate.maximum;
         row.limit = session::limitBehind(*level, gate);
     }
-    for (const catalogue::MetricChoice& metric : level ? level->metrics : std::vector<catalogue::MetricChoice>{})
+    for (const catalogue::MetricChoice& metric :
+         level ? level->metrics : std::vector<catalogue::MetricChoice>{})
         if (row.id == QLatin1String(metric.id.c_str()))
             session_report::addPublishedBand(row, metric.version);
     return row;
@@ -288,7 +317,7 @@ void ResultsScreen::showSelection() {
     m_table->show(attempts, row.id);
     showPart(attempts);
     if (context().navigator().current().screen != place().screen)
-        return; // another screen has already been requested
+        return;                             // another screen has already been requested
     QVariantMap shown = place().parameters; // keeps whose results they are
     shown.insert(QStringLiteral("exercise"), m_exercise->currentData());
     shown.insert(QStringLiteral("level"), m_level->currentData());
@@ -345,7 +374,8 @@ void ResultsScreen::exportTo(const QString& parent) {
     database::Database& database = context().site().database();
     m_export = context().background().run(
         this,
-        [&database, actor = context().actor(), folder = parent.toStdString()](WorkToken& token) -> core::Result<std::string> {
+        [&database, actor = context().actor(),
+         folder = parent.toStdString()](WorkToken& token) -> core::Result<std::string> {
             auto connection = database.openReader();
             CHIRON_TRY(connection);
             return exportOwnData(**connection, actor, folder, [&token](double part) {
@@ -356,13 +386,15 @@ void ResultsScreen::exportTo(const QString& parent) {
         [this, progress](core::Result<std::string> folder) {
             progress->deleteLater();
             if (folder)
-                context().messages().done(tr("Your data was written to %1.").arg(QString::fromStdString(*folder)));
+                context().messages().done(
+                    tr("Your data was written to %1.").arg(QString::fromStdString(*folder)));
             else
                 context().messages().error(tr("Your data could not be written completely."), folder.error());
         });
     connect(progress, &QProgressDialog::canceled, this, [token = m_export] { token->cancel(); });
     auto* poll = new QTimer(progress);
-    connect(poll, &QTimer::timeout, progress, [progress, token = m_export] { progress->setValue(std::min(99, token->done())); });
+    connect(poll, &QTimer::timeout, progress,
+            [progress, token = m_export] { progress->setValue(std::min(99, token->done())); });
     poll->start(100);
 }
 

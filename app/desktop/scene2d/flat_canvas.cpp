@@ -81,7 +81,8 @@ QRectF FlatCanvas::paintBars(QPainter& painter, QRectF room) const {
         const bool over = dial.limit_N > 0.0 && value_N > dial.limit_N;
         const QRectF hollow = GaugePainter::hollow();
         painter.save();
-        painter.translate(room.right() - GaugePainter::kWidth * unit, room.center().y() - 0.5 * GaugePainter::kHeight * unit);
+        painter.translate(room.right() - GaugePainter::kWidth * unit,
+                          room.center().y() - 0.5 * GaugePainter::kHeight * unit);
         painter.scale(unit, unit);
         painter.fillRect(hollow, m_setup.colours.background);
         QRectF liquid = hollow;
@@ -94,7 +95,8 @@ QRectF FlatCanvas::paintBars(QPainter& painter, QRectF room) const {
         room.setRight(room.right() - (GaugePainter::kWidth * unit + kGap * m_setup.scale));
     };
     if (m_setup.cues.arrow)
-        paint(m_content ? m_content->forceBar(m_setup, m_state) : forceDial(m_setup), largestForce_N(m_state));
+        paint(m_content ? m_content->forceBar(m_setup, m_state) : forceDial(m_setup),
+              largestForce_N(m_state));
     const auto second = m_content ? m_content->secondBar(m_state) : std::nullopt;
     if (second && second->shown)
         paint(second->dial, second->value_N);
@@ -150,7 +152,8 @@ void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel, const Sce
     }
     const bool several = toolsOf(m_state) > 1;
     if (m_state.ghost.present && !m_content->drawsTools())
-        tools.paintTool(m_state.ghost, m_ghostHeld.of(m_state.ghost, entersLeft(0, several, m_setup.leftHanded)), true);
+        tools.paintTool(m_state.ghost,
+                        m_ghostHeld.of(m_state.ghost, entersLeft(0, several, m_setup.leftHanded)), true);
     for (std::size_t i = 0; i < m_state.tool.size(); ++i) {
         const ToolView& tool = m_state.tool[i];
         if (!tool.present)
@@ -160,7 +163,8 @@ void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel, const Sce
             tools.paintDropLine(from, m_content->groundHeight_m(m_state, from.x(), from.y()));
         }
         if (m_setup.cues.tool && !m_content->drawsTools()) {
-            const core::Quat held = m_held[i].of(tool, entersLeft(static_cast<int>(i), several, m_setup.leftHanded));
+            const core::Quat held =
+                m_held[i].of(tool, entersLeft(static_cast<int>(i), several, m_setup.leftHanded));
             tools.paintTool(tool, held, false);
             if (several)
                 tools.paintRings(tool, held, static_cast<int>(i), m_state.activeTool == static_cast<int>(i));

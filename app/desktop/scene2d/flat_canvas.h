@@ -33,7 +33,7 @@ protected:
 
 private:
     void nameIt();
-    QRectF paintReason(QPainter& painter) const; ///< returns the remaining area of the widget
+    QRectF paintReason(QPainter& painter) const;            ///< returns the remaining area of the widget
     QRectF paintBars(QPainter& painter, QRectF room) const; ///< returns the remaining area, too
     void placePanels(FlatPanel& above, FlatPanel& side, const QRectF& room) const;
     void paintPanel(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup);

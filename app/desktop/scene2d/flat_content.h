@@ -18,7 +18,8 @@ public:
     virtual ~IFlatContent() = default;
     /// May paint the whole area itself and return true. Returning false makes the canvas paint the two panels
     /// below.
-    virtual bool paintWhole(QPainter& painter, const QRectF& room, const SceneSetup& setup, const SceneState& state) const {
+    virtual bool paintWhole(QPainter& painter, const QRectF& room, const SceneSetup& setup,
+                            const SceneState& state) const {
         (void)painter, (void)room, (void)setup, (void)state;
         return false;
     }

@@ -20,16 +20,22 @@ constexpr double kTitleMargin = 12.0;
 constexpr double kTick_mm = 20.0;
 
 /// A number fits at every n-th tick; returns n.
-int numbered(double number_px, double tick_px) { return std::max(1, static_cast<int>(std::ceil(number_px / tick_px))); }
+int numbered(double number_px, double tick_px) {
+    return std::max(1, static_cast<int>(std::ceil(number_px / tick_px)));
+}
 
-bool isNumbered(double mm, int every) { return static_cast<int>(std::lround(mm / kTick_mm)) % every == 0; }
+bool isNumbered(double mm, int every) {
+    return static_cast<int>(std::lround(mm / kTick_mm)) % every == 0;
+}
 
 } // namespace
 
 FlatPanel::FlatPanel(Side side, const QRectF& range_mm, const SceneSetup& setup)
     : m_side(side), m_range_mm(range_mm), m_setup(setup) {}
 
-double FlatPanel::scaleIn(double height, double scale) { return std::min(scale, std::max(0.7, 0.5 * height / (kTop + kBottom))); }
+double FlatPanel::scaleIn(double height, double scale) {
+    return std::min(scale, std::max(0.7, 0.5 * height / (kTop + kBottom)));
+}
 
 QSizeF FlatPanel::cardSize(double pixelsPerMm) const {
     return {m_range_mm.width() * pixelsPerMm + (kLeft + kRight) * unit(),
@@ -53,7 +59,8 @@ QPointF FlatPanel::at(double across_mm, double up_mm) const {
 }
 
 QPointF FlatPanel::project(const core::Vec3& p_m) const {
-    return at((m_side == Side::profile ? p_m.y() : p_m.x()) * 1e3, (m_side == Side::above ? p_m.y() : p_m.z()) * 1e3);
+    return at((m_side == Side::profile ? p_m.y() : p_m.x()) * 1e3,
+              (m_side == Side::above ? p_m.y() : p_m.z()) * 1e3);
 }
 
 QFont FlatPanel::font(double size, bool bold) const {
@@ -81,8 +88,9 @@ void FlatPanel::paintCard(QPainter& painter, const QString& title, const QString
     painter.drawRoundedRect(card, 8.0 * u, 8.0 * u);
     painter.setPen(m_setup.colours.ink);
     painter.setFont(titleFont(title, painter.device()));
-    painter.drawText(QRectF(card.left() + kTitleMargin * u, card.top(), card.width() - 2.0 * kTitleMargin * u, kTop * u),
-                     Qt::AlignLeft | Qt::AlignVCenter, title);
+    painter.drawText(
+        QRectF(card.left() + kTitleMargin * u, card.top(), card.width() - 2.0 * kTitleMargin * u, kTop * u),
+        Qt::AlignLeft | Qt::AlignVCenter, title);
     paintTicks(painter);
     painter.setPen(m_setup.colours.ink);
     painter.setFont(font(12, false));

@@ -35,7 +35,8 @@ public:
     void place(const QPointF& corner, double pixelsPerMm);
 
     void paintCard(QPainter& painter, const QString& title, const QString& across, const QString& up) const;
-    /// The font of a card's title: smaller where the card is too narrow for the title in its usual size. Call place() first.
+    /// The font of a card's title: smaller where the card is too narrow for the title in its usual size. Call
+    /// place() first.
     QFont titleFont(const QString& title, QPaintDevice* device) const;
     QPointF at(double across_mm, double up_mm) const;
     /// Projects a point or vector of W (in metres) into this view.

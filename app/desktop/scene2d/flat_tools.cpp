@@ -52,7 +52,8 @@ void FlatTools::paintTool(const ToolView& tool, const core::Quat& q_W, bool ghos
 }
 
 /// The two blades taper from the joint to their tips and diverge by the jaw's angle.
-void FlatTools::paintBlades(const ToolView& tool, const core::Quat& q_W, double shaft, const QColor& steel, const QColor& edge) {
+void FlatTools::paintBlades(const ToolView& tool, const core::Quat& q_W, double shaft, const QColor& steel,
+                            const QColor& edge) {
     const core::Vec3 tip = drawnTip(tool);
     const QPointF neck = m_panel.project(tip + q_W * core::Vec3(0.0, 0.0, 0.022));
     m_painter.setPen(QPen(edge, m_panel.unit()));
@@ -67,7 +68,8 @@ void FlatTools::paintBlades(const ToolView& tool, const core::Quat& q_W, double 
             continue;
         const QPointF beside = QPointF(-way.y(), way.x()) / length;
         QPolygonF blade;
-        blade << to + 0.16 * shaft * beside << neck + 0.46 * shaft * beside << neck - 0.46 * shaft * beside << to - 0.16 * shaft * beside;
+        blade << to + 0.16 * shaft * beside << neck + 0.46 * shaft * beside << neck - 0.46 * shaft * beside
+              << to - 0.16 * shaft * beside;
         m_painter.drawPolygon(blade);
     }
 }
@@ -173,7 +175,8 @@ void FlatTools::paintAnswer(const core::Vec3& p_W) {
     const QPointF at = m_panel.project(p_W);
     m_painter.setBrush(Qt::NoBrush);
     for (const double radius_mm : kAnswerRings_mm)
-        for (const auto& [colour, wide] : {std::pair{m_setup.colours.background, 4.5}, {m_setup.colours.ink, 2.0}}) {
+        for (const auto& [colour, wide] :
+             {std::pair{m_setup.colours.background, 4.5}, {m_setup.colours.ink, 2.0}}) {
             m_painter.setPen(QPen(colour, wide * m_panel.unit()));
             m_painter.drawEllipse(at, m_panel.pixels(radius_mm), m_panel.pixels(radius_mm));
         }

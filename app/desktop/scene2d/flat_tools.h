@@ -26,7 +26,8 @@ public:
     void paintAnswer(const core::Vec3& p_W); ///< double ring where the mark should have been
 
 private:
-    void paintBlades(const ToolView& tool, const core::Quat& q_W, double shaft, const QColor& steel, const QColor& edge);
+    void paintBlades(const ToolView& tool, const core::Quat& q_W, double shaft, const QColor& steel,
+                     const QColor& edge);
     void paintAcross(const QPointF& middle, const QPointF& along, double half_mm, double wide,
                      const QColor& colour);
     void paintArrowShape(const QPointF& from, const QPointF& along, bool over, double halo,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene3d/scene_state.h"
 #include "core/laparoscopy_cues.h"
+#include "desktop/scene3d/scene_state.h"
 
 #include <QColor>
 
@@ -19,7 +19,8 @@ inline core::Vec3 drawnTip(const ToolView& tool) {
 inline core::Vec3 setDownBy(const SceneState& state, std::size_t tool) {
     const core::LaparoscopyCues& scene = state.exercise.of<core::LaparoscopyCues>();
     for (int i = 0; scene.objectShown && i < scene.bodies; ++i)
-        if (const core::BodyCue& body = scene.body[static_cast<std::size_t>(i)]; (body.heldBy & (1U << tool)) != 0)
+        if (const core::BodyCue& body = scene.body[static_cast<std::size_t>(i)];
+            (body.heldBy & (1U << tool)) != 0)
             return {body.p_W[0], body.p_W[1], body.p_W[2]};
     return drawnTip(state.tool[tool]);
 }

@@ -33,7 +33,9 @@ struct SecondBar {
 };
 
 /// The end of a scale that includes `most_N`: the next multiple of 0.5 N, at least 1 N.
-inline double endOfScale_N(double most_N) { return std::max(1.0, std::ceil(2.0 * most_N) / 2.0); }
+inline double endOfScale_N(double most_N) {
+    return std::max(1.0, std::ceil(2.0 * most_N) / 2.0);
+}
 
 /// The translation context for the texts at the bars.
 struct GaugeTexts {

@@ -37,9 +37,8 @@ bool hasOpenGl() {
 
 ScenePlugin findPlugin() {
     if (qEnvironmentVariableIsSet("CHIRON_NO_3D"))
-        return {nullptr,
-                words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
-                                        "Shown in 2D: 3D is switched off on this station."))};
+        return {nullptr, words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
+                                                 "Shown in 2D: 3D is switched off on this station."))};
     const QString platform = QGuiApplication::platformName();
     if (platform == QLatin1String("offscreen") || platform == QLatin1String("minimal") || !hasOpenGl())
         return {nullptr, words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
@@ -53,23 +52,21 @@ ScenePlugin findPlugin() {
 ScenePlugin loadScenePlugin(const QString& folder) {
     const QString file = QDir(folder).filePath(QLatin1String(kScenePluginFile));
     if (!QFile::exists(file))
-        return {nullptr,
-                words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
-                                        "Shown in 2D: the 3D part of Chiron is not installed."))};
+        return {nullptr, words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
+                                                 "Shown in 2D: the 3D part of Chiron is not installed."))};
     QLibrary library(file);
     library.setLoadHints(QLibrary::PreventUnloadHint); // Qt3D cannot be unloaded safely
     if (!library.load())
         return {nullptr,
-                words(QT_TRANSLATE_NOOP(
-                          "chiron::scene3d::SceneLoader",
-                          "Shown in 2D: the 3D part of Chiron could not be loaded (%1)."))
+                words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
+                                        "Shown in 2D: the 3D part of Chiron could not be loaded (%1)."))
                     .arg(library.errorString())};
     const auto abi = reinterpret_cast<SceneAbiFunction>(library.resolve(kSceneAbiSymbol));
     const auto make = reinterpret_cast<SceneMakeFunction>(library.resolve(kSceneMakeSymbol));
     if (!abi || !make || sceneAbi() != abi())
-        return {nullptr, words(QT_TRANSLATE_NOOP(
-                             "chiron::scene3d::SceneLoader",
-                             "Shown in 2D: the 3D part belongs to another version of Chiron. Reinstall Chiron to fix this."))};
+        return {nullptr, words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
+                                                 "Shown in 2D: the 3D part belongs to another version of "
+                                                 "Chiron. Reinstall Chiron to fix this."))};
     return {make, {}};
 }
 
@@ -82,8 +79,8 @@ LoadedScene makeSceneView(const SceneSetup& setup, QWidget* parent) {
     if (plugin.make) {
         if (std::unique_ptr<ISceneView> view{plugin.make(&setup, parent)})
             return {std::move(view), {}};
-        plugin.why = words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
-                                             "Shown in 2D: this exercise has no 3D scene."));
+        plugin.why = words(
+            QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader", "Shown in 2D: this exercise has no 3D scene."));
     }
     return {makeFlatSceneView(setup, plugin.why, parent), plugin.why};
 }

@@ -40,7 +40,8 @@ void paintOctagon(QPainter& painter, const QRectF& sign, const QColor& colour) {
     painter.drawPolygon(octagon);
     painter.setPen(Qt::NoPen);
     painter.setBrush(Qt::white);
-    painter.drawRect(QRectF(sign.center() - QPointF(0.16, 0.16) * sign.width(), QSizeF(0.32, 0.32) * sign.width()));
+    painter.drawRect(
+        QRectF(sign.center() - QPointF(0.16, 0.16) * sign.width(), QSizeF(0.32, 0.32) * sign.width()));
 }
 
 } // namespace
@@ -52,7 +53,8 @@ QFont SceneNotePainter::font(double size_px, bool bold) const {
     return font;
 }
 
-void SceneNotePainter::paint(QPainter& painter, const QRectF& room, double unit, const SceneNote& note) const {
+void SceneNotePainter::paint(QPainter& painter, const QRectF& room, double unit,
+                             const SceneNote& note) const {
     if (note.kind == SceneNote::Kind::none)
         return;
     painter.save();
@@ -65,7 +67,8 @@ void SceneNotePainter::paint(QPainter& painter, const QRectF& room, double unit,
     painter.restore();
 }
 
-void SceneNotePainter::paintVeil(QPainter& painter, const QRectF& room, double unit, const SceneNote& note) const {
+void SceneNotePainter::paintVeil(QPainter& painter, const QRectF& room, double unit,
+                                 const SceneNote& note) const {
     painter.fillRect(room, QColor(0, 0, 0, kVeil));
     const QRectF lines = room.adjusted(0.08 * room.width(), 0.0, -0.08 * room.width(), 0.0);
     const QFont large = font(kTitle * unit, true), small = font(kWords * unit, false);
@@ -85,10 +88,12 @@ void SceneNotePainter::paintVeil(QPainter& painter, const QRectF& room, double u
     painter.setFont(large);
     painter.drawText(QRectF(lines.left(), y, lines.width(), titleHigh), kWrapped, note.title);
     painter.setFont(small);
-    painter.drawText(QRectF(lines.left(), y + titleHigh + gap, lines.width(), wordsHigh), kWrapped, note.words);
+    painter.drawText(QRectF(lines.left(), y + titleHigh + gap, lines.width(), wordsHigh), kWrapped,
+                     note.words);
 }
 
-void SceneNotePainter::paintPlate(QPainter& painter, const QRectF& room, double unit, const SceneNote& note) const {
+void SceneNotePainter::paintPlate(QPainter& painter, const QRectF& room, double unit,
+                                  const SceneNote& note) const {
     const double gap = kGap * unit;
     const QRectF lines = room.adjusted(2.0 * gap, 2.0 * gap, -2.0 * gap, -2.0 * gap);
     QFont large = font(kTitle * unit, true);

@@ -12,8 +12,8 @@ namespace chiron::scene3d {
 /// What a level shows in the scene: the cues of its content (the `shown` ones if no force is felt).
 struct SceneCues {
     bool tool = true;
-    bool arrow = false; ///< force arrow with the limit line
-    bool object = true; ///< endoscopy: the camera's picture
+    bool arrow = false;    ///< force arrow with the limit line
+    bool object = true;    ///< endoscopy: the camera's picture
     bool overview = false; ///< endoscopy: the second picture, from outside
     bool guidance = false; ///< endoscopy: the path is marked in the picture
 };
@@ -39,9 +39,9 @@ struct SceneSetup {
     SceneCues cues;
     SceneColours colours;
     bool depthOfField = false; ///< endoscopy: the camera's picture is sharp at one distance only (P1)
-    bool leftHanded = false; ///< the entry point of a tool without orientation lies on the left
-    double scale = 1.0;      ///< of lines and text: 1..2
-    QString family;          ///< font
+    bool leftHanded = false;   ///< the entry point of a tool without orientation lies on the left
+    double scale = 1.0;        ///< of lines and text: 1..2
+    QString family;            ///< font
 };
 
 } // namespace chiron::scene3d

@@ -46,7 +46,7 @@ struct SceneState {
     core::ExerciseCues exercise; ///< as the exercise's scene displayed it, or as recorded
     core::ExerciseCues overlay;  ///< added by the exercise's screens
     int activeTool = -1; ///< with several tools, the one that mouse and keyboard move; it has a collar
-    SceneNote note; ///< drawn over everything else
+    SceneNote note;      ///< drawn over everything else
     double time_s = 0.0;
 };
 

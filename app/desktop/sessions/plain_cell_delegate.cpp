@@ -5,7 +5,8 @@
 
 namespace chiron::desktop {
 
-void PlainCellDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+void PlainCellDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                              const QModelIndex& index) const {
     if (option.state & QStyle::State_Selected)
         painter->fillRect(option.rect, m_theme.color(Colour::accentSoft));
     QRect room = option.rect.adjusted(m_theme.px(6), 0, -m_theme.px(6), 0);

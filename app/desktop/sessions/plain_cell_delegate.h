@@ -12,8 +12,10 @@ namespace chiron::desktop {
 class PlainCellDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 public:
-    explicit PlainCellDelegate(const Theme& theme, QObject* parent = nullptr) : QStyledItemDelegate(parent), m_theme(theme) {}
-    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    explicit PlainCellDelegate(const Theme& theme, QObject* parent = nullptr)
+        : QStyledItemDelegate(parent), m_theme(theme) {}
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
 
 private:
     const Theme& m_theme;

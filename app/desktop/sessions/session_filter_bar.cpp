@@ -42,7 +42,8 @@ Period periodOf(const SessionListFilter& filter) {
 
 } // namespace
 
-SessionFilterBar::SessionFilterBar(const Theme& theme, const catalogue::Catalogue& catalogue, const QString& language, QWidget* parent)
+SessionFilterBar::SessionFilterBar(const Theme& theme, const catalogue::Catalogue& catalogue,
+                                   const QString& language, QWidget* parent)
     : QWidget(parent) {
     auto* flow = new FlowLayout(theme.px(8), this);
     m_search = new QLineEdit;
@@ -100,7 +101,8 @@ void SessionFilterBar::buildChoices(const catalogue::Catalogue& catalogue, const
         m_level->addItem(tr("Level %1").arg(level), level);
     m_state = choice(QStringLiteral("state"), tr("All states"), tr("State"));
     using enum database::SessionState;
-    for (const database::SessionState state : {running, completed, stopped, interrupted, incomplete, faulted, voided})
+    for (const database::SessionState state :
+         {running, completed, stopped, interrupted, incomplete, faulted, voided})
         m_state->addItem(SessionWords::state(state), static_cast<int>(state));
     m_outcome = choice(QStringLiteral("outcome"), tr("All results"), tr("Result"));
     for (const Outcome outcome : {Outcome::passed, Outcome::notPassed, Outcome::notScored, Outcome::practice})
@@ -111,7 +113,8 @@ void SessionFilterBar::buildChoices(const catalogue::Catalogue& catalogue, const
     m_device = choice(QStringLiteral("device"), tr("Force felt or only shown"), tr("Force"));
     m_device->addItem(tr("Force felt by the hand"), true);
     m_device->addItem(tr("Force only shown, not felt"), false);
-    m_device->setToolTip(tr("Whether the device let the hand feel the force, or the screen only showed it, as with mouse and keyboard"));
+    m_device->setToolTip(tr("Whether the device let the hand feel the force, or the screen only showed it, "
+                            "as with mouse and keyboard"));
 }
 
 void SessionFilterBar::buildPeriod(const Theme& theme) {
@@ -136,7 +139,8 @@ void SessionFilterBar::makeDates() {
     if (m_from)
         return;
     m_showing = true;
-    for (auto [member, name, label] : {std::tuple{&m_from, "from", tr("From this day")}, std::tuple{&m_to, "to", tr("To this day")}}) {
+    for (auto [member, name, label] :
+         {std::tuple{&m_from, "from", tr("From this day")}, std::tuple{&m_to, "to", tr("To this day")}}) {
         auto* edit = new QDateEdit(QDate::currentDate());
         edit->setObjectName(QStringLiteral("sessions.") + QLatin1String(name));
         edit->setAccessibleName(label);
@@ -234,7 +238,8 @@ void SessionFilterBar::setPeople(const std::vector<SessionRow>& rows) {
     std::vector<std::pair<QString, qint64>> byName;
     for (const auto& [id, name] : people)
         byName.emplace_back(name, id);
-    std::sort(byName.begin(), byName.end(), [](const auto& a, const auto& b) { return a.first.localeAwareCompare(b.first) < 0; });
+    std::sort(byName.begin(), byName.end(),
+              [](const auto& a, const auto& b) { return a.first.localeAwareCompare(b.first) < 0; });
     m_showing = true;
     while (m_person->count() > 1)
         m_person->removeItem(m_person->count() - 1);

@@ -20,7 +20,8 @@ namespace chiron::desktop {
 class SessionFilterBar final : public QWidget {
     Q_OBJECT
 public:
-    SessionFilterBar(const Theme& theme, const catalogue::Catalogue& catalogue, const QString& language, QWidget* parent = nullptr);
+    SessionFilterBar(const Theme& theme, const catalogue::Catalogue& catalogue, const QString& language,
+                     QWidget* parent = nullptr);
 
     /// Shows a filter without emitting changed().
     void setFilter(const SessionListFilter& filter);

@@ -50,7 +50,8 @@ QVariantMap SessionListFilter::toMap() const {
     if (to.isValid())
         map.insert(QStringLiteral("to"), to.toString(Qt::ISODate));
     if (review)
-        map.insert(QStringLiteral("review"), *review == ReviewState::toReview ? QStringLiteral("to_review") : QStringLiteral("reviewed"));
+        map.insert(QStringLiteral("review"), *review == ReviewState::toReview ? QStringLiteral("to_review")
+                                                                              : QStringLiteral("reviewed"));
     if (commented)
         map.insert(QStringLiteral("commented"), true);
     if (archived)
@@ -64,7 +65,8 @@ SessionListFilter SessionListFilter::fromMap(const QVariantMap& map) {
     filter.person = map.value(QStringLiteral("person")).toLongLong();
     filter.exercise = map.value(QStringLiteral("exercise")).toString();
     filter.level = map.value(QStringLiteral("level")).toInt();
-    filter.state = database::sessionStateFromToken(map.value(QStringLiteral("state")).toString().toStdString());
+    filter.state =
+        database::sessionStateFromToken(map.value(QStringLiteral("state")).toString().toStdString());
     const QString device = map.value(QStringLiteral("device")).toString();
     if (device == QLatin1String("felt") || device == QLatin1String("shown"))
         filter.felt = device == QLatin1String("felt");
@@ -98,15 +100,21 @@ bool SessionMatcher::matchesDay(const database::SessionSummary& session) const {
 
 bool SessionMatcher::matches(const SessionRow& row) const {
     const database::SessionSummary& session = row.summary;
-    const bool inReview = !m_filter.review || (*m_filter.review == ReviewState::toReview ? session.toReview : session.reviewed);
+    const bool inReview =
+        !m_filter.review || (*m_filter.review == ReviewState::toReview ? session.toReview : session.reviewed);
     // Trials of a study have no level, whatever is stored.
     const bool hasNoLevel = session.exercise == SessionWords::kComparison;
-    if (!inReview || (m_filter.commented && session.comments == 0) || (session.archived && !m_filter.archived) || (m_filter.person != 0 && session.person != m_filter.person) ||
-        (!m_exercise.empty() && session.exercise != m_exercise) || (m_filter.level != 0 && (session.level != m_filter.level || hasNoLevel)) ||
-        (m_filter.state && session.state != *m_filter.state) || (m_filter.felt && session.felt != *m_filter.felt) ||
+    if (!inReview || (m_filter.commented && session.comments == 0) ||
+        (session.archived && !m_filter.archived) ||
+        (m_filter.person != 0 && session.person != m_filter.person) ||
+        (!m_exercise.empty() && session.exercise != m_exercise) ||
+        (m_filter.level != 0 && (session.level != m_filter.level || hasNoLevel)) ||
+        (m_filter.state && session.state != *m_filter.state) ||
+        (m_filter.felt && session.felt != *m_filter.felt) ||
         (m_filter.outcome && SessionWords::outcomeOf(session) != *m_filter.outcome) || !matchesDay(session))
         return false;
-    return std::all_of(m_words.begin(), m_words.end(), [&row](const QString& word) { return row.search.contains(word); });
+    return std::all_of(m_words.begin(), m_words.end(),
+                       [&row](const QString& word) { return row.search.contains(word); });
 }
 
 } // namespace chiron::desktop

@@ -16,18 +16,18 @@ enum class ReviewState { toReview, reviewed };
 
 /// The filter of the session list. A value; a Place carries it as a map, so that going back restores it.
 struct SessionListFilter {
-    QString text;            ///< every word must occur in number, person, exercise or operator
-    qint64 person = 0;       ///< 0: anybody
-    QString exercise;        ///< id; empty: any
-    int level = 0;           ///< 0: any
+    QString text;      ///< every word must occur in number, person, exercise or operator
+    qint64 person = 0; ///< 0: anybody
+    QString exercise;  ///< id; empty: any
+    int level = 0;     ///< 0: any
     std::optional<database::SessionState> state;
     std::optional<bool> felt;
     std::optional<Outcome> outcome;
-    QDate from;              ///< local days at the place of recording; invalid: open
+    QDate from; ///< local days at the place of recording; invalid: open
     QDate to;
-    bool archived = false;   ///< include archived sessions
+    bool archived = false; ///< include archived sessions
     std::optional<ReviewState> review;
-    bool commented = false;  ///< only sessions with comments
+    bool commented = false; ///< only sessions with comments
 
     bool operator==(const SessionListFilter&) const = default;
     bool isEmpty() const { return *this == SessionListFilter{}; }

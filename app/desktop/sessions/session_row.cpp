@@ -16,7 +16,8 @@ ExerciseTitles exerciseTitles(const catalogue::Catalogue& catalogue, const QStri
     return titles;
 }
 
-SessionRow makeSessionRow(database::SessionSummary summary, const ExerciseTitles& titles, const PeopleNames& names) {
+SessionRow makeSessionRow(database::SessionSummary summary, const ExerciseTitles& titles,
+                          const PeopleNames& names) {
     SessionRow row;
     row.person = QString::fromStdString(names.of(summary));
     const QString id = QString::fromStdString(summary.exercise);
@@ -29,8 +30,10 @@ SessionRow makeSessionRow(database::SessionSummary summary, const ExerciseTitles
     return row;
 }
 
-core::Result<std::vector<SessionRow>> readSessionRows(const database::Database& database, const database::Actor& actor,
-                                                      const ExerciseTitles& titles, const database::SessionFilter& filter) {
+core::Result<std::vector<SessionRow>> readSessionRows(const database::Database& database,
+                                                      const database::Actor& actor,
+                                                      const ExerciseTitles& titles,
+                                                      const database::SessionFilter& filter) {
     auto reader = database.openReader();
     CHIRON_TRY(reader);
     auto sessions = database::SessionReader(**reader, actor).listSessions(filter);
@@ -51,7 +54,8 @@ core::Result<SessionRow> readSessionRow(const database::Database& database, cons
     auto record = database::SessionReader(**reader, actor).session(session);
     CHIRON_TRY(record);
     const auto names = PeopleNames::read(**reader, actor);
-    return names ? core::Result<SessionRow>(makeSessionRow(std::move(record->summary), titles, *names)) : tl::unexpected(names.error());
+    return names ? core::Result<SessionRow>(makeSessionRow(std::move(record->summary), titles, *names))
+                 : tl::unexpected(names.error());
 }
 
 } // namespace chiron::desktop

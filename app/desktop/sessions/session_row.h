@@ -28,13 +28,16 @@ struct SessionRow {
 using ExerciseTitles = QHash<QString, QString>;
 ExerciseTitles exerciseTitles(const catalogue::Catalogue& catalogue, const QString& language);
 
-SessionRow makeSessionRow(database::SessionSummary summary, const ExerciseTitles& titles, const PeopleNames& names = {});
+SessionRow makeSessionRow(database::SessionSummary summary, const ExerciseTitles& titles,
+                          const PeopleNames& names = {});
 
 /// Reads the rows that match the filter.
 /// Thread: worker; blocks.
 /// Errors: those of the repository.
-core::Result<std::vector<SessionRow>> readSessionRows(const database::Database& database, const database::Actor& actor,
-                                                      const ExerciseTitles& titles, const database::SessionFilter& filter);
+core::Result<std::vector<SessionRow>> readSessionRows(const database::Database& database,
+                                                      const database::Actor& actor,
+                                                      const ExerciseTitles& titles,
+                                                      const database::SessionFilter& filter);
 /// Reads one row again after its session changed.
 core::Result<SessionRow> readSessionRow(const database::Database& database, const database::Actor& actor,
                                         const ExerciseTitles& titles, database::SessionId session);

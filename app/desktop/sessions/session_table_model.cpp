@@ -28,15 +28,18 @@ std::strong_ordering compare(const SessionRow& a, const SessionRow& b, int colum
     case SessionTableModel::operatorName:
         return a.summary.operatorName <=> b.summary.operatorName;
     case SessionTableModel::result:
-        return std::pair(a.summary.state, SessionWords::outcomeOf(a.summary)) <=> std::pair(b.summary.state, SessionWords::outcomeOf(b.summary));
+        return std::pair(a.summary.state, SessionWords::outcomeOf(a.summary)) <=>
+               std::pair(b.summary.state, SessionWords::outcomeOf(b.summary));
     case SessionTableModel::score:
         // The scores are compared as shares of the pass marks that were met.
-        return a.summary.gatesMet * std::max(1, b.summary.gates) <=> b.summary.gatesMet * std::max(1, a.summary.gates);
+        return a.summary.gatesMet * std::max(1, b.summary.gates) <=>
+               b.summary.gatesMet * std::max(1, a.summary.gates);
     case SessionTableModel::comments:
         return a.summary.comments <=> b.summary.comments;
     case SessionTableModel::review:
         // Sessions that await a review come first.
-        return std::pair(!a.summary.toReview, a.summary.reviewed) <=> std::pair(!b.summary.toReview, b.summary.reviewed);
+        return std::pair(!a.summary.toReview, a.summary.reviewed) <=>
+               std::pair(!b.summary.toReview, b.summary.reviewed);
     case SessionTableModel::device:
         return b.summary.felt <=> a.summary.felt;
     case SessionTableModel::length:
@@ -71,7 +74,8 @@ QVariant SessionTableModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
         return tip(row);
     case Qt::TextAlignmentRole:
-        if (index.column() == number || index.column() == level || index.column() == attempt || index.column() == length || index.column() == comments)
+        if (index.column() == number || index.column() == level || index.column() == attempt ||
+            index.column() == length || index.column() == comments)
             return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
         return QVariant::fromValue(Qt::AlignLeft | Qt::AlignVCenter);
     case Qt::ForegroundRole:
@@ -93,13 +97,15 @@ QString SessionTableModel::text(const SessionRow& row, int column) const {
     case exercise:
         return row.exercise;
     case level:
-        return session.exercise == SessionWords::kComparison ? QStringLiteral("–") : m_locale.toString(session.level);
+        return session.exercise == SessionWords::kComparison ? QStringLiteral("–")
+                                                             : m_locale.toString(session.level);
     case attempt:
         return session.attempt > 0 ? m_locale.toString(session.attempt) : QString();
     case operatorName:
         return SessionWords::moved(session);
     case result:
-        return session.archived ? tr("%1, archived").arg(SessionWords::cameTo(session)) : SessionWords::cameTo(session);
+        return session.archived ? tr("%1, archived").arg(SessionWords::cameTo(session))
+                                : SessionWords::cameTo(session);
     case score:
         return SessionWords::gates(session, m_locale);
     case comments:
@@ -116,8 +122,10 @@ QString SessionTableModel::text(const SessionRow& row, int column) const {
 }
 
 QString SessionTableModel::tip(const SessionRow& row) const {
-    const QString took = row.summary.sealed ? tr("The length of a session in a blinded study is shown once the study is unblinded.")
-                                            : tr("Length: %1.").arg(SessionWords::length(row.summary.ticks, m_locale));
+    const QString took =
+        row.summary.sealed
+            ? tr("The length of a session in a blinded study is shown once the study is unblinded.")
+            : tr("Length: %1.").arg(SessionWords::length(row.summary.ticks, m_locale));
     const QString gates = SessionWords::gates(row.summary, m_locale);
     const QString which = SessionWords::attempt(row.summary, m_locale);
     return (which.isEmpty() ? QString() : which + QLatin1Char('\n')) +
@@ -132,7 +140,8 @@ QVariant SessionTableModel::picture(const SessionRow& row, int column) const {
 QIcon SessionTableModel::icon(const WordSign& sign) const {
     const std::pair key{QString::fromLatin1(sign.icon), sign.ink};
     const auto known = m_icons.find(key);
-    return known != m_icons.end() ? known->second : m_icons.emplace(key, m_theme.icon(key.first, key.second)).first->second;
+    return known != m_icons.end() ? known->second
+                                  : m_icons.emplace(key, m_theme.icon(key.first, key.second)).first->second;
 }
 
 QVariant SessionTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -204,7 +213,9 @@ void SessionTableModel::append(std::vector<SessionRow> rows) {
 void SessionTableModel::replace(std::vector<SessionRow> rows) {
     beginResetModel(); // rows may leave the list or move within it
     for (SessionRow& row : rows) {
-        const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&row](const SessionRow& r) { return r.summary.id == row.summary.id; });
+        const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&row](const SessionRow& r) {
+            return r.summary.id == row.summary.id;
+        });
         if (found != m_rows.end())
             *found = std::move(row);
     }
@@ -259,7 +270,8 @@ void SessionTableModel::sort(int column, Qt::SortOrder order) {
 }
 
 int SessionTableModel::rowOf(database::SessionId session) const {
-    const auto found = std::find_if(m_shown.begin(), m_shown.end(), [&](std::size_t i) { return m_rows[i].summary.id == session; });
+    const auto found = std::find_if(m_shown.begin(), m_shown.end(),
+                                    [&](std::size_t i) { return m_rows[i].summary.id == session; });
     return found == m_shown.end() ? -1 : static_cast<int>(found - m_shown.begin());
 }
 

@@ -20,7 +20,22 @@ class SessionTableModel final : public QAbstractTableModel {
 public:
     /// The person comes first, then the number that identifies the session in messages. sessions_screen.cpp
     /// decides which columns a narrow window leaves out.
-    enum Column { person, number, operatorName, exercise, level, attempt, started, result, score, comments, review, device, length, columns };
+    enum Column {
+        person,
+        number,
+        operatorName,
+        exercise,
+        level,
+        attempt,
+        started,
+        result,
+        score,
+        comments,
+        review,
+        device,
+        length,
+        columns
+    };
 
     SessionTableModel(const Theme& theme, QLocale locale, QObject* parent = nullptr);
 

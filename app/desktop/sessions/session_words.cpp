@@ -11,7 +11,8 @@ namespace {
 
 /// A stopped practice counts as ended, not as broken off.
 bool saysOutcome(const database::SessionSummary& session) {
-    return session.state == SessionState::completed || (session.familiarisation && session.state == SessionState::stopped);
+    return session.state == SessionState::completed ||
+           (session.familiarisation && session.state == SessionState::stopped);
 }
 
 /// The start in the local time of the place of recording; invalid if the stored text cannot be read.
@@ -106,7 +107,9 @@ WordSign SessionWords::cameToSign(const database::SessionSummary& session) {
 
 QString SessionWords::moved(const database::SessionSummary& session) {
     // "Unsafe": the text in brackets is only for choosing an operator.
-    return session.operatorName.empty() ? tr("Own hand") : operatorTitle(session.operatorName).section(QStringLiteral(" ("), 0, 0);
+    return session.operatorName.empty()
+               ? tr("Own hand")
+               : operatorTitle(session.operatorName).section(QStringLiteral(" ("), 0, 0);
 }
 
 QString SessionWords::device(bool felt) {
@@ -115,25 +118,34 @@ QString SessionWords::device(bool felt) {
 
 QString SessionWords::gates(const database::SessionSummary& session, const QLocale& locale) {
     const bool brokenOffPractice = session.familiarisation && session.state != SessionState::completed;
-    return session.gates > 0 && !brokenOffPractice ? tr("%1 of %2").arg(locale.toString(session.gatesMet), locale.toString(session.gates)) : QString();
+    return session.gates > 0 && !brokenOffPractice
+               ? tr("%1 of %2").arg(locale.toString(session.gatesMet), locale.toString(session.gates))
+               : QString();
 }
 
 QString SessionWords::attempt(const database::SessionSummary& session, const QLocale& locale) {
-    return session.attempt > 0 ? tr("Attempt %1 at level %2").arg(locale.toString(session.attempt), locale.toString(session.level)) : QString();
+    return session.attempt > 0 ? tr("Attempt %1 at level %2")
+                                     .arg(locale.toString(session.attempt), locale.toString(session.level))
+                               : QString();
 }
 
-QString SessionWords::what(const database::SessionSummary& session, const QString& exercise, const QLocale& locale) {
+QString SessionWords::what(const database::SessionSummary& session, const QString& exercise,
+                           const QLocale& locale) {
     if (session.exercise == kComparison)
         return exercise;
     const QString level = locale.toString(session.level);
-    return session.attempt > 0 ? tr("%1, attempt %2 at level %3").arg(exercise, locale.toString(session.attempt), level)
-                               : tr("%1, level %2").arg(exercise, level);
+    return session.attempt > 0
+               ? tr("%1, attempt %2 at level %3").arg(exercise, locale.toString(session.attempt), level)
+               : tr("%1, level %2").arg(exercise, level);
 }
 
-QString SessionWords::which(const database::SessionSummary& session, const QString& exercise, const QLocale& locale) {
+QString SessionWords::which(const database::SessionSummary& session, const QString& exercise,
+                            const QLocale& locale) {
     const QDateTime begun = localStart(session);
     // Includes seconds, because several attempts may have begun within one minute.
-    const QString when = begun.isValid() ? locale.toString(begun.date(), QLocale::ShortFormat) + begun.time().toString(QStringLiteral(" HH:mm:ss")) : QString();
+    const QString when = begun.isValid() ? locale.toString(begun.date(), QLocale::ShortFormat) +
+                                               begun.time().toString(QStringLiteral(" HH:mm:ss"))
+                                         : QString();
     return QStringList{what(session, exercise, locale), when, cameTo(session)}.join(QStringLiteral(" · "));
 }
 
@@ -157,7 +169,9 @@ QString SessionWords::length(std::uint64_t ticks, const QLocale& locale) {
     const auto seconds = static_cast<int>(ticks / 1000);
     if (seconds < 60)
         return tr("%1 s").arg(locale.toString(seconds));
-    return tr("%1 min %2 s").arg(locale.toString(seconds / 60), locale.toString(seconds % 60).rightJustified(2, QLatin1Char('0')));
+    return tr("%1 min %2 s")
+        .arg(locale.toString(seconds / 60),
+             locale.toString(seconds % 60).rightJustified(2, QLatin1Char('0')));
 }
 
 QString SessionWords::ago(const QDateTime& then, const QDateTime& now, const QLocale& locale) {
@@ -169,13 +183,16 @@ QString SessionWords::ago(const QDateTime& then, const QDateTime& now, const QLo
     if (minutes < 48 * 60)
         return tr("%n hour(s) ago", nullptr, static_cast<int>(minutes / 60));
     const qint64 days = minutes / (24 * 60);
-    return days <= 31 ? tr("%n day(s) ago", nullptr, static_cast<int>(days)) : locale.toString(then.toLocalTime().date(), QLocale::ShortFormat);
+    return days <= 31 ? tr("%n day(s) ago", nullptr, static_cast<int>(days))
+                      : locale.toString(then.toLocalTime().date(), QLocale::ShortFormat);
 }
 
 QString SessionWords::bytes(std::uint64_t bytes, const QLocale& locale) {
     return locale.formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
 }
 
-QString SessionWords::comparison() { return tr("Study"); }
+QString SessionWords::comparison() {
+    return tr("Study");
+}
 
 } // namespace chiron::desktop

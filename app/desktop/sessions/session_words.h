@@ -41,9 +41,11 @@ public:
     static QString attempt(const database::SessionSummary& session, const QLocale& locale);
     /// "Find the apex, attempt 3 at level 2", or "Find the apex, level 2" if it is not an attempt; `exercise`
     /// is the title.
-    static QString what(const database::SessionSummary& session, const QString& exercise, const QLocale& locale);
+    static QString what(const database::SessionSummary& session, const QString& exercise,
+                        const QLocale& locale);
     /// "Find the apex, attempt 3 at level 2 · 28/11/2026 09:46:12 · Not passed".
-    static QString which(const database::SessionSummary& session, const QString& exercise, const QLocale& locale);
+    static QString which(const database::SessionSummary& session, const QString& exercise,
+                         const QLocale& locale);
     static QString review(const database::SessionSummary& session);
     /// Local date and time at the place of recording; empty if the time stamp cannot be read.
     static QString started(const database::SessionSummary& session, const QLocale& locale);

@@ -39,7 +39,8 @@ void writeInBackground(AppContext& context, QObject* owner, Job job, Done done) 
 
 std::vector<ScreenCommand> SessionsScreen::commands() {
     std::vector<ScreenCommand> list{
-        {tr("Search in the list"), QKeySequence(QKeySequence::Find), [this] { m_filterBar->search()->setFocus(Qt::ShortcutFocusReason); }},
+        {tr("Search in the list"), QKeySequence(QKeySequence::Find),
+         [this] { m_filterBar->search()->setFocus(Qt::ShortcutFocusReason); }},
         {m_open->text(), QKeySequence(Qt::Key_Return), [this] { open(QStringLiteral("debrief")); }, false},
         {m_play->text(), QKeySequence(Qt::CTRL | Qt::Key_P), [this] { open(QStringLiteral("playback")); }},
         {tr("Save the list …"), QKeySequence(QKeySequence::Save), [this] { exportList(); }}};
@@ -70,7 +71,9 @@ void SessionsScreen::selectSomething() {
         m_wanted = wanted; // it may be among the sessions that have not been read yet
 }
 
-QString SessionsScreen::sealedWords() { return tr("A session of a blinded study can be opened once the study is unblinded."); }
+QString SessionsScreen::sealedWords() {
+    return tr("A session of a blinded study can be opened once the study is unblinded.");
+}
 
 void SessionsScreen::showActions() {
     const SessionRow* row = m_panel->state() == StatePanel::State::content ? selected() : nullptr;
@@ -97,7 +100,9 @@ void SessionsScreen::open(const QString& screen) {
     if (!row)
         return;
     if (row->summary.state == database::SessionState::running) {
-        context().messages().information(tr("Session %1 is still running. It can be opened as soon as it has ended.").arg(row->summary.id));
+        context().messages().information(
+            tr("Session %1 is still running. It can be opened as soon as it has ended.")
+                .arg(row->summary.id));
         return;
     }
     if (row->summary.sealed) {
@@ -120,14 +125,20 @@ void SessionsScreen::askDecision() {
     const SessionRow* row = selected();
     if (!row || row->summary.state == database::SessionState::running)
         return;
-    const auto decision = row->summary.state == database::SessionState::voided ? VoidSessionDialog::Decision::countAgain : VoidSessionDialog::Decision::voidIt;
-    auto* dialog = new VoidSessionDialog(context().theme(), row->summary.id, row->person, SessionWords::which(row->summary, row->exercise, context().locale()), this, decision);
+    const auto decision = row->summary.state == database::SessionState::voided
+                              ? VoidSessionDialog::Decision::countAgain
+                              : VoidSessionDialog::Decision::voidIt;
+    auto* dialog = new VoidSessionDialog(context().theme(), row->summary.id, row->person,
+                                         SessionWords::which(row->summary, row->exercise, context().locale()),
+                                         this, decision);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, decision, id = row->summary.id] { decide(id, decision, dialog->reason()); });
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog, decision, id = row->summary.id] { decide(id, decision, dialog->reason()); });
     dialog->open();
 }
 
-void SessionsScreen::decide(database::SessionId session, VoidSessionDialog::Decision decision, const QString& reason) {
+void SessionsScreen::decide(database::SessionId session, VoidSessionDialog::Decision decision,
+                            const QString& reason) {
     const bool voids = decision == VoidSessionDialog::Decision::voidIt;
     writeInBackground(
         context(), this,
@@ -136,11 +147,14 @@ void SessionsScreen::decide(database::SessionId session, VoidSessionDialog::Deci
         },
         [this, session, voids](const core::Result<void>& done) {
             if (!done) {
-                context().messages().error(voids ? tr("Session %1 was not voided.").arg(session) : tr("Session %1 is still void.").arg(session), done.error());
+                context().messages().error(voids ? tr("Session %1 was not voided.").arg(session)
+                                                 : tr("Session %1 is still void.").arg(session),
+                                           done.error());
                 return;
             }
-            context().messages().done(voids ? tr("Session %1 is voided. Its recording is kept; it no longer counts.").arg(session)
-                                            : tr("Session %1 counts again. That it was void stays on record.").arg(session));
+            context().messages().done(
+                voids ? tr("Session %1 is voided. Its recording is kept; it no longer counts.").arg(session)
+                      : tr("Session %1 counts again. That it was void stays on record.").arg(session));
             reload(session);
         });
 }
@@ -150,16 +164,21 @@ void SessionsScreen::archive(database::SessionId session, bool archived) {
     const QPointer<SessionsScreen> screen(this);
     const auto put = [&app, screen, session](bool to, std::function<void()> undo) {
         writeInBackground(
-            app, &app, [session, to](database::SessionRepository& sessions) { return sessions.setArchived(session, to); },
+            app, &app,
+            [session, to](database::SessionRepository& sessions) {
+                return sessions.setArchived(session, to);
+            },
             [&app, screen, session, to, undo](const core::Result<void>& done) {
                 if (!done) {
-                    app.messages().error(SessionsScreen::tr("Session %1 was not changed.").arg(session), done.error());
+                    app.messages().error(SessionsScreen::tr("Session %1 was not changed.").arg(session),
+                                         done.error());
                     return;
                 }
-                app.messages().tell({MessageKind::done,
-                                     to ? SessionsScreen::tr("Session %1 is archived: nothing was deleted.").arg(session)
-                                        : SessionsScreen::tr("Session %1 is back in the list.").arg(session),
-                                     undo ? SessionsScreen::tr("Undo") : QString(), undo});
+                app.messages().tell(
+                    {MessageKind::done,
+                     to ? SessionsScreen::tr("Session %1 is archived: nothing was deleted.").arg(session)
+                        : SessionsScreen::tr("Session %1 is back in the list.").arg(session),
+                     undo ? SessionsScreen::tr("Undo") : QString(), undo});
                 if (screen)
                     screen->reload(session);
             });
@@ -170,7 +189,8 @@ void SessionsScreen::archive(database::SessionId session, bool archived) {
 void SessionsScreen::reload(database::SessionId session) {
     context().background().run(
         this,
-        [&database = context().site().database(), actor = context().actor(), titles = m_titles, session](WorkToken&) -> core::Result<std::vector<SessionRow>> {
+        [&database = context().site().database(), actor = context().actor(), titles = m_titles,
+         session](WorkToken&) -> core::Result<std::vector<SessionRow>> {
             auto row = readSessionRow(database, actor, titles, session);
             CHIRON_TRY(row);
             database::SessionFilter siblings;
@@ -184,7 +204,8 @@ void SessionsScreen::reload(database::SessionId session) {
             if (rows)
                 m_model->replace(std::move(*rows));
             else
-                context().messages().error(tr("The session could not be read again."), rows.error(), Tried::reading);
+                context().messages().error(tr("The session could not be read again."), rows.error(),
+                                           Tried::reading);
         });
 }
 
@@ -193,7 +214,8 @@ void SessionsScreen::exportList() {
         context().messages().information(tr("The list is empty, so there is nothing to save."));
         return;
     }
-    auto* dialog = new QFileDialog(this, tr("Save the list"), QString(), tr("Comma-separated values (*.csv)"));
+    auto* dialog =
+        new QFileDialog(this, tr("Save the list"), QString(), tr("Comma-separated values (*.csv)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("csv"));

@@ -27,7 +27,8 @@ QByteArray line(const database::SessionSummary& s) {
                                 s.familiarisation ? "true" : "false",
                                 s.archived ? "true" : "false",
                                 field(s.operatorName),
-                                s.sealed ? QByteArray() : QByteArray::number(static_cast<double>(s.ticks) * 1e-3, 'f', 3),
+                                s.sealed ? QByteArray()
+                                         : QByteArray::number(static_cast<double>(s.ticks) * 1e-3, 'f', 3),
                                 s.gates > 0 ? QByteArray::number(s.gates) : QByteArray(),
                                 s.gates > 0 ? QByteArray::number(s.gatesMet) : QByteArray(),
                                 QByteArray::number(s.comments),
@@ -39,7 +40,8 @@ QByteArray line(const database::SessionSummary& s) {
 } // namespace
 
 QByteArray sessionsCsv(const std::vector<SessionRow>& rows) {
-    QByteArray text = "session,started_utc,person,exercise,level,state,passed,device_class,familiarisation,archived,operator,length_s,gates,gates_met,comments,reviewed,attempt\r\n";
+    QByteArray text = "session,started_utc,person,exercise,level,state,passed,device_class,familiarisation,"
+                      "archived,operator,length_s,gates,gates_met,comments,reviewed,attempt\r\n";
     for (const SessionRow& row : rows)
         text += line(row.summary);
     return text;
@@ -49,7 +51,8 @@ core::Result<void> writeSessionsCsv(const std::vector<SessionRow>& rows, const Q
     QSaveFile file(name);
     const QByteArray text = sessionsCsv(rows);
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-        return core::fail(core::ErrorCode::storage, name.toStdString() + ": cannot be written: " + file.errorString().toStdString());
+        return core::fail(core::ErrorCode::storage,
+                          name.toStdString() + ": cannot be written: " + file.errorString().toStdString());
     return {};
 }
 

@@ -28,8 +28,11 @@ const QString kChosenOn = QStringLiteral("chosen_on");
 /// The person's last filter, if they chose it today. A filter that remains from an earlier day would be
 /// confusing.
 SessionListFilter ownFilter(AppContext& context) {
-    const QVariantMap kept = context.settings().ofPerson(context.actor().personId(), kOwnFilter, QVariantMap()).toMap();
-    return kept.value(kChosenOn).toString() == QDate::currentDate().toString(Qt::ISODate) ? SessionListFilter::fromMap(kept) : SessionListFilter();
+    const QVariantMap kept =
+        context.settings().ofPerson(context.actor().personId(), kOwnFilter, QVariantMap()).toMap();
+    return kept.value(kChosenOn).toString() == QDate::currentDate().toString(Qt::ISODate)
+               ? SessionListFilter::fromMap(kept)
+               : SessionListFilter();
 }
 
 void keepOwnFilter(AppContext& context, const SessionListFilter& filter) {
@@ -65,7 +68,8 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
     const int sign = theme.px(26);
     std::array<int, SessionTableModel::columns> widths{};
     widths[SessionTableModel::number] = widest({QStringLiteral("00000")});
-    widths[SessionTableModel::started] = widest({locale.toString(QDateTime(QDate(2026, 10, 20), QTime(20, 40)), QLocale::ShortFormat)});
+    widths[SessionTableModel::started] =
+        widest({locale.toString(QDateTime(QDate(2026, 10, 20), QTime(20, 40)), QLocale::ShortFormat)});
     widths[SessionTableModel::person] = widest({QStringLiteral("Nikos Newcomer")});
     widths[SessionTableModel::exercise] = widest(titles.values());
     widths[SessionTableModel::attempt] = widest({QStringLiteral("000")});
@@ -79,9 +83,11 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
     database::SessionSummary waiting;
     waiting.toReview = true;
     widths[SessionTableModel::score] = widest({SessionWords::gates(reviewed, locale)});
-    widths[SessionTableModel::review] = widest({SessionWords::review(reviewed), SessionWords::review(waiting)});
+    widths[SessionTableModel::review] =
+        widest({SessionWords::review(reviewed), SessionWords::review(waiting)});
     widths[SessionTableModel::device] = widest({SessionWords::device(true), SessionWords::device(false)});
-    widths[SessionTableModel::length] = widest({SessionWords::length(3'599'000, locale), SessionTableModel::tr("sealed")});
+    widths[SessionTableModel::length] =
+        widest({SessionWords::length(3'599'000, locale), SessionTableModel::tr("sealed")});
     for (int column = 0; column < SessionTableModel::columns; ++column) {
         const int arrow = theme.px(24); // room for the sort indicator, which any column may get
         const int head = table.horizontalHeader()->sectionSizeHint(column) + arrow;
@@ -90,7 +96,8 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
 }
 
 /// The columns that a narrow window leaves out, first to last; a row's tool tip still shows them.
-constexpr std::array<int, 5> kMayGo{SessionTableModel::length, SessionTableModel::device, SessionTableModel::operatorName, SessionTableModel::attempt,
+constexpr std::array<int, 5> kMayGo{SessionTableModel::length, SessionTableModel::device,
+                                    SessionTableModel::operatorName, SessionTableModel::attempt,
                                     SessionTableModel::number};
 
 } // namespace
@@ -108,7 +115,8 @@ SessionsScreen::SessionsScreen(AppContext& context, const Place& place)
     column->addWidget(buildHead());
     m_filterBar = new SessionFilterBar(theme, context.site().catalogue(), context.language());
     m_wanted = place.parameters.value(kSelected).toLongLong();
-    m_filterBar->setFilter(place.parameters.isEmpty() ? ownFilter(context) : SessionListFilter::fromMap(place.parameters));
+    m_filterBar->setFilter(place.parameters.isEmpty() ? ownFilter(context)
+                                                      : SessionListFilter::fromMap(place.parameters));
     column->addWidget(m_filterBar);
     m_panel = new StatePanel(theme);
     m_panel->setContent(buildTable());
@@ -123,11 +131,16 @@ QString SessionsScreen::title() const {
 }
 
 QString SessionsScreen::help() const {
-    return tr("All sessions recorded at this site, newest first.\n\nType in the search field or choose from the lists beside it to narrow "
-              "the list. What you choose stays for the rest of the day. A link from another screen, such as \"List of sessions to review\", shows its own list "
-              "and leaves your choice as it was. Click a column header to sort by it.\n\nPress Return or double-click to open "
-              "the debrief of the selected session, Ctrl+P to play it back. \"Results of this person\" shows how they develop at its exercise and "
-              "level. \"Void\" asks for a reason and takes a session out of every count; the recording is kept, and \"Count it again\" takes the "
+    return tr("All sessions recorded at this site, newest first.\n\nType in the search field or choose from "
+              "the lists beside it to narrow "
+              "the list. What you choose stays for the rest of the day. A link from another screen, such as "
+              "\"List of sessions to review\", shows its own list "
+              "and leaves your choice as it was. Click a column header to sort by it.\n\nPress Return or "
+              "double-click to open "
+              "the debrief of the selected session, Ctrl+P to play it back. \"Results of this person\" shows "
+              "how they develop at its exercise and "
+              "level. \"Void\" asks for a reason and takes a session out of every count; the recording is "
+              "kept, and \"Count it again\" takes the "
               "decision back. \"Archive\" takes it out of the usual lists and can be undone.");
 }
 
@@ -208,9 +221,11 @@ QWidget* SessionsScreen::buildActions() {
         row->addWidget(button);
         return button;
     };
-    m_open = add(QStringLiteral("open"), tr("Open the debrief"), "primary", QStringLiteral("document-open-folder"));
+    m_open = add(QStringLiteral("open"), tr("Open the debrief"), "primary",
+                 QStringLiteral("document-open-folder"));
     m_play = add(QStringLiteral("play"), tr("Play back"), "", QStringLiteral("media-playback-start"));
-    m_results = add(QStringLiteral("results"), tr("Results of this person"), "", QStringLiteral("office-chart-line"));
+    m_results =
+        add(QStringLiteral("results"), tr("Results of this person"), "", QStringLiteral("office-chart-line"));
     m_void = add(QStringLiteral("void"), tr("Void …"), "", QStringLiteral("dialog-cancel"));
     m_reinstate = add(QStringLiteral("reinstate"), tr("Count it again …"), "", QStringLiteral("edit-undo"));
     m_archive = add(QStringLiteral("archive"), tr("Archive"), "", QStringLiteral("archive-insert"));
@@ -271,9 +286,8 @@ void SessionsScreen::load() {
 void SessionsScreen::loadRest(database::SessionId before) {
     context().background().run(
         this,
-        [&database = context().site().database(), actor = context().actor(), titles = m_titles, before](WorkToken&) {
-            return readSessionRows(database, actor, titles, pageBefore(before, kPage));
-        },
+        [&database = context().site().database(), actor = context().actor(), titles = m_titles,
+         before](WorkToken&) { return readSessionRows(database, actor, titles, pageBefore(before, kPage)); },
         [this](core::Result<std::vector<SessionRow>> rows) { take(std::move(rows), false); });
 }
 
@@ -304,13 +318,17 @@ void SessionsScreen::take(core::Result<std::vector<SessionRow>> rows, bool first
 
 void SessionsScreen::showState() {
     const QLocale locale = context().locale();
-    const auto waiting = std::count_if(m_model->all().begin(), m_model->all().end(), [](const SessionRow& row) { return row.summary.toReview; });
+    const auto waiting = std::count_if(m_model->all().begin(), m_model->all().end(),
+                                       [](const SessionRow& row) { return row.summary.toReview; });
     const bool tells = m_complete && waiting > 0 && context().has(database::Role::trainer);
-    m_count->setText((tells ? tr("%n session(s) to review", nullptr, static_cast<int>(waiting)) + QStringLiteral(" · ") : QString()) +
-                     (!m_complete ? tr("Loading the older sessions …")
-                     : m_model->filter().isEmpty()
-                         ? tr("%n session(s)", nullptr, m_model->rowCount())
-                         : tr("%1 of %2 sessions").arg(locale.toString(m_model->rowCount()), locale.toString(m_model->total()))));
+    m_count->setText(
+        (tells ? tr("%n session(s) to review", nullptr, static_cast<int>(waiting)) + QStringLiteral(" · ")
+               : QString()) +
+        (!m_complete ? tr("Loading the older sessions …")
+         : m_model->filter().isEmpty()
+             ? tr("%n session(s)", nullptr, m_model->rowCount())
+             : tr("%1 of %2 sessions")
+                   .arg(locale.toString(m_model->rowCount()), locale.toString(m_model->total()))));
     if (m_model->rowCount() > 0) {
         const bool wasThere = m_panel->state() == StatePanel::State::content;
         m_panel->showContent();
@@ -322,8 +340,9 @@ void SessionsScreen::showState() {
         m_panel->showEmpty(tr("No session has been recorded yet"),
                            tr("As soon as somebody trains, the session is listed here."));
     } else {
-        m_panel->showEmpty(tr("No session matches these filters"), tr("%n session(s) in all.", nullptr, m_model->total()),
-                           tr("Clear the filters"), [this] {
+        m_panel->showEmpty(tr("No session matches these filters"),
+                           tr("%n session(s) in all.", nullptr, m_model->total()), tr("Clear the filters"),
+                           [this] {
                                m_filterBar->setFilter({});
                                chooseFilter({});
                            });

@@ -23,8 +23,9 @@ VoidDialogWords voidDialogWords(VoidSessionDialog::Decision decision) {
         return {QStringLiteral("reinstate"),
                 VoidSessionDialog::tr("Count a session again"),
                 VoidSessionDialog::tr("Count session %1 of %2 again?"),
-                VoidSessionDialog::tr("The session counts as it did before it was voided: for passing its level and in results. Both "
-                              "decisions stay with it, each with a name, a time and a reason."),
+                VoidSessionDialog::tr("The session counts as it did before it was voided: for passing its "
+                                      "level and in results. Both "
+                                      "decisions stay with it, each with a name, a time and a reason."),
                 VoidSessionDialog::tr("For example: another session was meant"),
                 VoidSessionDialog::tr("Leave it void"),
                 VoidSessionDialog::tr("Count it again"),
@@ -33,9 +34,11 @@ VoidDialogWords voidDialogWords(VoidSessionDialog::Decision decision) {
     return {QStringLiteral("void"),
             VoidSessionDialog::tr("Void a session"),
             VoidSessionDialog::tr("Void session %1 of %2?"),
-            VoidSessionDialog::tr("Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: neither for passing "
-                          "a level nor in anybody's results. Your name and the reason are stored with it. If it was a mistake, the session can be "
-                          "counted again, with a reason of its own."),
+            VoidSessionDialog::tr("Recording, scores and comments stay and can still be viewed. The session "
+                                  "no longer counts for anything: neither for passing "
+                                  "a level nor in anybody's results. Your name and the reason are stored "
+                                  "with it. If it was a mistake, the session can be "
+                                  "counted again, with a reason of its own."),
             VoidSessionDialog::tr("For example: the device was not calibrated"),
             VoidSessionDialog::tr("Keep it as it is"),
             VoidSessionDialog::tr("Void the session"),
@@ -45,7 +48,8 @@ VoidDialogWords voidDialogWords(VoidSessionDialog::Decision decision) {
 
 } // namespace
 
-VoidSessionDialog::VoidSessionDialog(const Theme& theme, qint64 session, const QString& person, const QString& what, QWidget* parent, Decision decision)
+VoidSessionDialog::VoidSessionDialog(const Theme& theme, qint64 session, const QString& person,
+                                     const QString& what, QWidget* parent, Decision decision)
     : QDialog(parent) {
     const VoidDialogWords words = voidDialogWords(decision);
     setObjectName(words.name);
@@ -79,7 +83,8 @@ VoidSessionDialog::VoidSessionDialog(const Theme& theme, qint64 session, const Q
     row->addWidget(keep);
     row->addWidget(m_confirm);
     column->addLayout(row);
-    connect(m_reason, &QPlainTextEdit::textChanged, this, [this] { m_confirm->setEnabled(!reason().isEmpty()); });
+    connect(m_reason, &QPlainTextEdit::textChanged, this,
+            [this] { m_confirm->setEnabled(!reason().isEmpty()); });
     connect(keep, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_confirm, &QPushButton::clicked, this, &QDialog::accept);
     m_reason->setFocus();

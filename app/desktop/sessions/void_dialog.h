@@ -18,8 +18,8 @@ public:
     enum class Decision { voidIt, countAgain };
 
     /// `what`: exercise, level, time and result, so that nobody voids the wrong session.
-    VoidSessionDialog(const Theme& theme, qint64 session, const QString& person, const QString& what, QWidget* parent,
-                      Decision decision = Decision::voidIt);
+    VoidSessionDialog(const Theme& theme, qint64 session, const QString& person, const QString& what,
+                      QWidget* parent, Decision decision = Decision::voidIt);
     QString reason() const;
 
 private:

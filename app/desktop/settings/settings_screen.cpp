@@ -22,8 +22,8 @@ struct Choice {
 
 /// A card with one radio button per choice; `chosen` receives the id of the selected one.
 template <class Chosen>
-QWidget* choices(const Theme& theme, QWidget* owner, const QString& name, const QString& title, const std::vector<Choice>& list,
-                 const QString& present, Chosen chosen) {
+QWidget* choices(const Theme& theme, QWidget* owner, const QString& name, const QString& title,
+                 const std::vector<Choice>& list, const QString& present, Chosen chosen) {
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, title, TextStyle::title));
     auto* group = new QButtonGroup(owner);
@@ -33,7 +33,9 @@ QWidget* choices(const Theme& theme, QWidget* owner, const QString& name, const 
         radio->setChecked(choice.id == present);
         group->addButton(radio);
         box.layout->addWidget(radio);
-        QObject::connect(radio, &QRadioButton::clicked, owner, [chosen, id = choice.id] { chosen(id); }, Qt::QueuedConnection);
+        QObject::connect(
+            radio, &QRadioButton::clicked, owner, [chosen, id = choice.id] { chosen(id); },
+            Qt::QueuedConnection);
     }
     return box.frame;
 }
@@ -60,8 +62,10 @@ QString SettingsScreen::title() const {
 }
 
 QString SettingsScreen::help() const {
-    return tr("How the program looks and sounds on this station.\n\nEvery choice takes effect at once and is remembered on this "
-              "computer. Nothing here changes what is recorded or how it is scored.\n\nAdministrators also give the site its name here.");
+    return tr("How the program looks and sounds on this station.\n\nEvery choice takes effect at once and is "
+              "remembered on this "
+              "computer. Nothing here changes what is recorded or how it is scored.\n\nAdministrators also "
+              "give the site its name here.");
 }
 
 QWidget* SettingsScreen::languageBox() {
@@ -69,14 +73,17 @@ QWidget* SettingsScreen::languageBox() {
     std::vector<Choice> list;
     for (const auto& [id, name] : languageChoices())
         list.push_back({id, name});
-    return choices(context().theme(), this, QStringLiteral("language"), tr("Language"), list, context().language(),
-                   [this](const QString& id) { context().setStationLanguage(id); });
+    return choices(context().theme(), this, QStringLiteral("language"), tr("Language"), list,
+                   context().language(), [this](const QString& id) { context().setStationLanguage(id); });
 }
 
 QWidget* SettingsScreen::themeBox() {
-    const std::vector<Choice> list{{QStringLiteral("0"), tr("Light")}, {QStringLiteral("1"), tr("Dark")}, {QStringLiteral("2"), tr("High contrast")}};
+    const std::vector<Choice> list{{QStringLiteral("0"), tr("Light")},
+                                   {QStringLiteral("1"), tr("Dark")},
+                                   {QStringLiteral("2"), tr("High contrast")}};
     return choices(context().theme(), this, QStringLiteral("theme"), tr("Colours"), list,
-                   QString::number(static_cast<int>(context().settings().theme())), [this](const QString& id) {
+                   QString::number(static_cast<int>(context().settings().theme())),
+                   [this](const QString& id) {
                        context().settings().setTheme(static_cast<ThemeName>(id.toInt()));
                        context().applyAppearance();
                    });
@@ -109,13 +116,17 @@ QWidget* SettingsScreen::soundBox() {
         one->setObjectName(QStringLiteral("settings.sound.%1").arg(cue.id));
         one->setChecked(context().settings().soundCue(cue.id));
         one->setEnabled(check->isChecked());
-        connect(one, &QCheckBox::toggled, this, [this, id = cue.id](bool on) { context().settings().setSoundCue(id, on); });
+        connect(one, &QCheckBox::toggled, this,
+                [this, id = cue.id](bool on) { context().settings().setSoundCue(id, on); });
         connect(check, &QCheckBox::toggled, one, &QCheckBox::setEnabled);
         box.layout->addWidget(one);
     }
     connect(check, &QCheckBox::toggled, this, [this](bool on) { context().settings().setSound(on); });
-    box.layout->addWidget(kit::label(context().theme(), tr("Everything that can be heard is also shown. The force behind it is recorded "
-                                                           "even when the sound is off."), TextStyle::small, "muted"));
+    box.layout->addWidget(
+        kit::label(context().theme(),
+                   tr("Everything that can be heard is also shown. The force behind it is recorded "
+                      "even when the sound is off."),
+                   TextStyle::small, "muted"));
     return box.frame;
 }
 

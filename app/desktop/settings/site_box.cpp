@@ -21,9 +21,13 @@ SiteBox::SiteBox(AppContext& context, QWidget* parent) : QWidget(parent), m_cont
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(box.frame);
     box.layout->addWidget(kit::label(theme, tr("Site"), TextStyle::title));
-    m_name = form::textField(theme, box.layout, tr("Name of the site, such as the clinic's (may be left empty)"), QStringLiteral("settings.site_name"));
+    m_name =
+        form::textField(theme, box.layout, tr("Name of the site, such as the clinic's (may be left empty)"),
+                        QStringLiteral("settings.site_name"));
     m_name->setMaxLength(database::kMaximumSiteNameCharacters);
-    box.layout->addWidget(kit::label(theme, tr("Everybody sees it at the login, on password slips and at the top of reports. A change stands in the audit trail."),
+    box.layout->addWidget(kit::label(theme,
+                                     tr("Everybody sees it at the login, on password slips and at the top of "
+                                        "reports. A change stands in the audit trail."),
                                      TextStyle::small, "muted"));
     m_save = kit::button(theme, tr("Save the site's name"), "primary");
     m_save->setObjectName(QStringLiteral("settings.save_site_name"));
@@ -40,10 +44,15 @@ SiteBox::SiteBox(AppContext& context, QWidget* parent) : QWidget(parent), m_cont
 
 void SiteBox::load() {
     m_context.background().run(
-        this, [&database = m_context.site().database(), actor = m_context.actor()](WorkToken&) { return readSiteName(database, actor); },
+        this,
+        [&database = m_context.site().database(), actor = m_context.actor()](WorkToken&) {
+            return readSiteName(database, actor);
+        },
         [this](const core::Result<QString>& name) {
             if (!name) {
-                m_notice->say("bad", tr("The site's name could not be read.\n%1").arg(inWords(name.error(), Tried::reading)));
+                m_notice->say(
+                    "bad",
+                    tr("The site's name could not be read.\n%1").arg(inWords(name.error(), Tried::reading)));
                 return;
             }
             m_known = true;
@@ -66,8 +75,11 @@ void SiteBox::save() {
     const QString name = m_name->text().trimmed();
     m_context.background().run(
         this,
-        [&database = m_context.site().database(), actor = m_context.actor(), name = name.toStdString()](WorkToken&) {
-            return database.write([&](database::WriteContext& writing) { return database::SiteRepository(writing.connection(), actor).setSiteName(name); });
+        [&database = m_context.site().database(), actor = m_context.actor(),
+         name = name.toStdString()](WorkToken&) {
+            return database.write([&](database::WriteContext& writing) {
+                return database::SiteRepository(writing.connection(), actor).setSiteName(name);
+            });
         },
         [this, name](const core::Result<void>& done) {
             m_saves = false;
@@ -75,7 +87,8 @@ void SiteBox::save() {
             renew();
             m_name->setFocus();
             if (done)
-                m_notice->say("good", name.isEmpty() ? tr("The site has no name any more.") : tr("The site is now called %1.").arg(name));
+                m_notice->say("good", name.isEmpty() ? tr("The site has no name any more.")
+                                                     : tr("The site is now called %1.").arg(name));
             else
                 m_notice->say("bad", tr("The site's name was not changed.\n%1").arg(inWords(done.error())));
         });

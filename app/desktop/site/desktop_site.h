@@ -29,7 +29,8 @@ public:
     const database::DatabaseOptions& options() const noexcept { return m_options; }
 
     bool isOpen() const noexcept { return m_database != nullptr; }
-    void setOpened(std::unique_ptr<database::Database> database, std::vector<session::RecoveredSession> recovered) {
+    void setOpened(std::unique_ptr<database::Database> database,
+                   std::vector<session::RecoveredSession> recovered) {
         m_database = std::move(database);
         m_recovered = std::move(recovered);
     }

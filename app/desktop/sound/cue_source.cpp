@@ -11,7 +11,9 @@ namespace chiron::desktop {
 CueSource::CueSource(realtime::LatestValue<SoundCues>& cues, int rate_Hz, int channels)
     : m_cues(cues), m_synthesiser(rate_Hz), m_channels(std::max(channels, 1)) {}
 
-qint64 CueSource::bytesAvailable() const { return 1 << 16; }
+qint64 CueSource::bytesAvailable() const {
+    return 1 << 16;
+}
 
 qint64 CueSource::readData(char* data, qint64 bytes) {
     const qint64 frameSize = m_channels * static_cast<qint64>(sizeof(std::int16_t));

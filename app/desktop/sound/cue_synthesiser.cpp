@@ -9,19 +9,19 @@ namespace chiron::desktop {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
-constexpr double kSilence = 1e-4;        // a lower level counts as silence
-constexpr double kFollow_s = 0.006;      // time constant with which levels and pitch approach their targets
+constexpr double kSilence = 1e-4;   // a lower level counts as silence
+constexpr double kFollow_s = 0.006; // time constant with which levels and pitch approach their targets
 constexpr double kClickDecay_s = 0.012;
 constexpr double kTouch_Hz = 220.0;
 constexpr double kClick_Hz = 1500.0;
-constexpr double kWarning_Hz = 988.0;    // far from the tone's octaves
+constexpr double kWarning_Hz = 988.0; // far from the tone's octaves
 constexpr double kBeat_Hz = 5.0;
-constexpr double kFirstForce_N = 0.02;   // a smaller force counts as no contact
-constexpr double kLoudestShare = 3.0;    // pitch stops rising at three times the limit
+constexpr double kFirstForce_N = 0.02; // a smaller force counts as no contact
+constexpr double kLoudestShare = 3.0;  // pitch stops rising at three times the limit
 // Corner frequency of the lowest first-order filter; the others follow by a constant ratio.
 constexpr double kLowestNoise_Hz = 60.0;
 constexpr double kNoiseRatio = 2.83;
-constexpr double kBrightest = 0.4;       // share of the tone that its third harmonic takes at full lean
+constexpr double kBrightest = 0.4; // share of the tone that its third harmonic takes at full lean
 
 /// One step from `level` towards `target`. The remainder of a fading sound becomes exactly zero.
 double followed(double level, double target, double share) noexcept {
@@ -35,7 +35,8 @@ CueSynthesiser::CueSynthesiser(double rate_Hz)
     : m_rate_Hz(std::max(rate_Hz, 8000.0)), m_follow(1.0 - std::exp(-1.0 / (kFollow_s * m_rate_Hz))),
       m_clickDecay(std::exp(-1.0 / (kClickDecay_s * m_rate_Hz))) {
     for (std::size_t i = 0; i < kNoisePoles; ++i)
-        m_noiseShare[i] = 1.0 - std::exp(-kTwoPi * kLowestNoise_Hz * std::pow(kNoiseRatio, static_cast<double>(i)) / m_rate_Hz);
+        m_noiseShare[i] = 1.0 - std::exp(-kTwoPi * kLowestNoise_Hz *
+                                         std::pow(kNoiseRatio, static_cast<double>(i)) / m_rate_Hz);
 }
 
 void CueSynthesiser::set(const SoundCues& cues) noexcept {
@@ -57,7 +58,9 @@ void CueSynthesiser::render(std::span<float> samples) noexcept {
         sample = next();
 }
 
-float CueSynthesiser::next() noexcept { return static_cast<float>(tone() + click() + warning() + masking()); }
+float CueSynthesiser::next() noexcept {
+    return static_cast<float>(tone() + click() + warning() + masking());
+}
 
 double CueSynthesiser::masking() noexcept {
     m_maskingLevel = followed(m_maskingLevel, m_cues.audible ? kMaskingPeak * m_cues.masking : 0.0, m_follow);
@@ -91,13 +94,15 @@ double CueSynthesiser::tone() noexcept {
     m_toneLevel = followed(m_toneLevel, level, m_follow);
     if (sounds)
         m_toneFrequency_Hz += m_follow * (kTouch_Hz * std::exp2(2.0 * share) - m_toneFrequency_Hz);
-    m_brightness = followed(m_brightness, sounds && m_cues.on.lean ? kBrightest * m_cues.lean : 0.0, m_follow);
+    m_brightness =
+        followed(m_brightness, sounds && m_cues.on.lean ? kBrightest * m_cues.lean : 0.0, m_follow);
     if (m_toneLevel == 0.0) {
         m_tonePhase = 0.0;
         return 0.0;
     }
     const double ground = sine(m_tonePhase, m_toneFrequency_Hz);
-    return m_toneLevel * ((1.0 - m_brightness) * ground + m_brightness * std::sin(3.0 * kTwoPi * m_tonePhase));
+    return m_toneLevel *
+           ((1.0 - m_brightness) * ground + m_brightness * std::sin(3.0 * kTwoPi * m_tonePhase));
 }
 
 double CueSynthesiser::click() noexcept {

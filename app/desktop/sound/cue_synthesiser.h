@@ -40,8 +40,8 @@ private:
     double sine(double& phase, double frequency_Hz) const noexcept;
 
     double m_rate_Hz;
-    double m_follow;      ///< filter coefficient per sample
-    double m_clickDecay;  ///< per sample
+    double m_follow;     ///< filter coefficient per sample
+    double m_clickDecay; ///< per sample
     SoundCues m_cues;
     std::uint32_t m_heard = 0; ///< number of contacts that have already clicked
     bool m_first = true;

@@ -26,7 +26,8 @@ public:
 /// The interface between the program and the plugin that links Qt Multimedia. Both must come from the same
 /// build, which this text identifies.
 inline QByteArray soundAbi() {
-    return QByteArrayLiteral("chiron-sound 1 Qt " QT_VERSION_STR " ") + QByteArray::number(qulonglong(sizeof(SoundCues)));
+    return QByteArrayLiteral("chiron-sound 1 Qt " QT_VERSION_STR " ") +
+           QByteArray::number(qulonglong(sizeof(SoundCues)));
 }
 
 inline constexpr const char* kSoundPluginFile = "chiron_sound.so"; ///< in the folder of the program

@@ -10,7 +10,9 @@ namespace {
 constexpr qint64 kStation = 0; // stands for the station, because people are numbered from 1
 
 QString delayKey(const devices::DeviceDescriptor& device) {
-    return QStringLiteral("delay_s_%1_%2").arg(QString::fromStdString(device.driver), QString::fromStdString(device.model)).replace(QLatin1Char('/'), QLatin1Char('_'));
+    return QStringLiteral("delay_s_%1_%2")
+        .arg(QString::fromStdString(device.driver), QString::fromStdString(device.model))
+        .replace(QLatin1Char('/'), QLatin1Char('_'));
 }
 
 } // namespace

@@ -28,7 +28,8 @@ void LatenessChart::setBins(const session::LatenessBins& bins) {
         line.range = i == last ? tr("over %1 µs").arg(number) : tr("up to %1 µs").arg(number);
         line.fraction = total > 0 ? static_cast<double>(bins.counts[i]) / static_cast<double>(total) : 0.0;
         const QString percent = m_locale.toString(line.fraction * 100.0, 'f', 2);
-        line.share = line.late && bins.counts[i] > 0 ? tr("%1 %, late").arg(percent) : tr("%1 %").arg(percent);
+        line.share =
+            line.late && bins.counts[i] > 0 ? tr("%1 %, late").arg(percent) : tr("%1 %").arg(percent);
         aloud << tr("%1: %2").arg(line.range, line.share);
         m_lines.push_back(std::move(line));
     }
@@ -45,7 +46,8 @@ int LatenessChart::widest(QString Line::*text) const {
 }
 
 QSize LatenessChart::sizeHint() const {
-    return {widest(&Line::range) + widest(&Line::share) + m_theme.px(120), static_cast<int>(m_lines.size()) * m_theme.px(24)};
+    return {widest(&Line::range) + widest(&Line::share) + m_theme.px(120),
+            static_cast<int>(m_lines.size()) * m_theme.px(24)};
 }
 
 QSize LatenessChart::minimumSizeHint() const {
@@ -63,13 +65,15 @@ void LatenessChart::paintEvent(QPaintEvent*) {
     for (const Line& line : m_lines) {
         painter.setPen(m_theme.color(Colour::text));
         painter.drawText(QRect(0, y, left - gap, high), Qt::AlignRight | Qt::AlignVCenter, line.range);
-        painter.drawText(QRect(right + gap, y, width() - right - gap, high), Qt::AlignLeft | Qt::AlignVCenter, line.share);
+        painter.drawText(QRect(right + gap, y, width() - right - gap, high), Qt::AlignLeft | Qt::AlignVCenter,
+                         line.share);
         const QRectF track(left, y + high * 0.2, right - left, high * 0.6);
         painter.setPen(Qt::NoPen);
         painter.setBrush(m_theme.color(Colour::grid));
         painter.drawRect(track);
         painter.setBrush(m_theme.color(line.late ? Colour::bad : Colour::seriesA));
-        const double length = line.fraction > 0 ? std::max(track.width() * line.fraction, m_theme.px(2) * 1.0) : 0.0;
+        const double length =
+            line.fraction > 0 ? std::max(track.width() * line.fraction, m_theme.px(2) * 1.0) : 0.0;
         painter.drawRect(QRectF(track.topLeft(), QSizeF(length, track.height())));
         y += high;
     }

@@ -23,13 +23,16 @@ PlatformCard::PlatformCard(const Theme& theme, const QLocale& locale, bool mayRu
     column->setContentsMargins(theme.px(16), theme.px(14), theme.px(16), theme.px(14));
     column->setSpacing(theme.px(8));
     column->addWidget(kit::label(theme, tr("Fingertip platform"), TextStyle::title));
-    column->addWidget(kit::label(theme, tr("Verification of the simulated platform: the published sine and orientations, force steps, and "
-                                           "the maximum force on the finger pad, on eight simulated fingers."),
-                                 TextStyle::body, "muted"));
+    column->addWidget(kit::label(
+        theme,
+        tr("Verification of the simulated platform: the published sine and orientations, force steps, and "
+           "the maximum force on the finger pad, on eight simulated fingers."),
+        TextStyle::body, "muted"));
     m_results->setSpacing(theme.px(8));
     column->addLayout(m_results);
     if (!mayRun) {
-        column->addWidget(kit::label(theme, tr("A researcher or an administrator can run it here."), TextStyle::body, "muted"));
+        column->addWidget(kit::label(theme, tr("A researcher or an administrator can run it here."),
+                                     TextStyle::body, "muted"));
         return;
     }
     auto* row = new ResponsiveRow(theme.px(460), theme.px(8));
@@ -60,21 +63,26 @@ void PlatformCard::setReady(bool ready) {
 
 void PlatformCard::showStopped() {
     clear();
-    m_results->addWidget(kit::label(m_theme, tr("The verification was stopped before it finished."), TextStyle::body, "muted"));
+    m_results->addWidget(kit::label(m_theme, tr("The verification was stopped before it finished."),
+                                    TextStyle::body, "muted"));
 }
 
 void PlatformCard::showError(const core::Error& error) {
     clear();
-    m_results->addWidget(kit::notice(m_theme, "bad", tr("The verification could not be done: %1").arg(QString::fromStdString(error.message))));
+    m_results->addWidget(
+        kit::notice(m_theme, "bad",
+                    tr("The verification could not be done: %1").arg(QString::fromStdString(error.message))));
 }
 
 void PlatformCard::show(PlatformCheck check) {
     clear();
     m_check = std::move(check);
-    auto* verdict = kit::notice(m_theme, m_check->holds() ? "info" : "warning", platformVerdict(*m_check, m_locale));
+    auto* verdict =
+        kit::notice(m_theme, m_check->holds() ? "info" : "warning", platformVerdict(*m_check, m_locale));
     verdict->setObjectName(QStringLiteral("station.verdict"));
     m_results->addWidget(verdict);
-    auto* serial = kit::label(m_theme, tr("Serial number: %1").arg(serialWords(QString::fromStdString(m_check->serialNumber))));
+    auto* serial = kit::label(
+        m_theme, tr("Serial number: %1").arg(serialWords(QString::fromStdString(m_check->serialNumber))));
     serial->setObjectName(QStringLiteral("station.serial"));
     m_results->addWidget(serial);
     for (const QString& fact : platformFacts(*m_check, m_locale))
@@ -97,7 +105,8 @@ void PlatformCard::addTable(const report::CheckTable& table, const char* name) {
     view->setRowCount(static_cast<int>(table.lines.size()) - 1);
     for (int row = 1; row < static_cast<int>(table.lines.size()); ++row)
         for (int column = 0; column < view->columnCount(); ++column)
-            view->setItem(row - 1, column, new QTableWidgetItem(table.lines[static_cast<std::size_t>(row)].value(column)));
+            view->setItem(row - 1, column,
+                          new QTableWidgetItem(table.lines[static_cast<std::size_t>(row)].value(column)));
     view->setRowsSeen(view->rowCount());
     m_results->addWidget(view);
 }
@@ -131,9 +140,11 @@ core::Result<void> PlatformCard::writeRecord(const QString& path, const CheckCir
     record.title = tr("Verification of the simulated fingertip platform");
     record.head = checkHead(of, m_locale);
     record.foot = checkFoot(of, m_locale);
-    record.verdict = (m_check->holds() ? tr("Passed.") : tr("Failed.")) + QLatin1Char(' ') + platformVerdict(*m_check, m_locale);
+    record.verdict = (m_check->holds() ? tr("Passed.") : tr("Failed.")) + QLatin1Char(' ') +
+                     platformVerdict(*m_check, m_locale);
     record.facts = platformFacts(*m_check, m_locale);
-    record.tables = {platformLimits(*m_check, m_locale), platformFigures(*m_check, m_locale), platformFingers(*m_check, m_locale)};
+    record.tables = {platformLimits(*m_check, m_locale), platformFigures(*m_check, m_locale),
+                     platformFingers(*m_check, m_locale)};
     if (!m_check->worse.empty())
         record.tables.push_back(platformDegradation(*m_check, m_locale));
     record.plots = {sine.get(), poses.get(), errors.get()};

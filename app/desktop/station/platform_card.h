@@ -18,7 +18,7 @@ class PlotView;
 struct CheckRecord;
 struct CheckTable;
 struct PlotTheme;
-}
+} // namespace chiron::report
 
 namespace chiron::desktop {
 
@@ -33,7 +33,7 @@ public:
     void show(PlatformCheck check);
     void showStopped();
     void showError(const core::Error& error);
-    void setReady(bool ready); ///< false while the check or a session runs
+    void setReady(bool ready);                    ///< false while the check or a session runs
     QPushButton* button() const { return m_run; } ///< null if the person may not run the check
     /// Writes the newest check; does nothing if there is none yet.
     /// Errors: storage.
@@ -61,6 +61,7 @@ private:
 /// their errors.
 std::unique_ptr<report::PlotView> platformSinePlot(const PlatformCheck& check, const report::PlotTheme& look);
 std::unique_ptr<report::PlotView> platformPosePlot(const PlatformCheck& check, const report::PlotTheme& look);
-std::unique_ptr<report::PlotView> platformErrorPlot(const PlatformCheck& check, const report::PlotTheme& look);
+std::unique_ptr<report::PlotView> platformErrorPlot(const PlatformCheck& check,
+                                                    const report::PlotTheme& look);
 
 } // namespace chiron::desktop

@@ -27,8 +27,9 @@ core::Result<PlatformCheck> runPlatformCheck(const PlatformCheckLength& length, 
     if (token.cancelled())
         return stopped();
     check.friction = mechanisms::identifyFingertipFriction(check.plant);
-    check.stiffnessCap_N_per_m = mechanisms::stiffnessCap_N_per_m(mechanisms::fingertipDamping_Ns_per_m(check.friction, check.plant),
-                                                                  core::kTickSeconds, check.verified.latency_s);
+    check.stiffnessCap_N_per_m =
+        mechanisms::stiffnessCap_N_per_m(mechanisms::fingertipDamping_Ns_per_m(check.friction, check.plant),
+                                         core::kTickSeconds, check.verified.latency_s);
     token.setProgress(3, kSteps);
     if (token.cancelled())
         return stopped();

@@ -28,7 +28,8 @@ std::unique_ptr<report::PlotView> titled(const QString& title, const report::Plo
 
 } // namespace
 
-std::unique_ptr<report::PlotView> platformSinePlot(const PlatformCheck& check, const report::PlotTheme& look) {
+std::unique_ptr<report::PlotView> platformSinePlot(const PlatformCheck& check,
+                                                   const report::PlotTheme& look) {
     const auto& series = check.verified.series;
     auto view = titled(Words::tr("Force over three cycles"), look);
     view->setXAxis({Words::tr("Time (s)"), {}, {}});
@@ -39,7 +40,8 @@ std::unique_ptr<report::PlotView> platformSinePlot(const PlatformCheck& check, c
     return view;
 }
 
-std::unique_ptr<report::PlotView> platformPosePlot(const PlatformCheck& check, const report::PlotTheme& look) {
+std::unique_ptr<report::PlotView> platformPosePlot(const PlatformCheck& check,
+                                                   const report::PlotTheme& look) {
     auto view = titled(Words::tr("Orientations, measured against target"), look);
     view->setXAxis({Words::tr("Target (°)"), -kAxis_deg, kAxis_deg});
     view->setYAxis({Words::tr("Measured (°)"), -kAxis_deg, kAxis_deg});
@@ -48,7 +50,8 @@ std::unique_ptr<report::PlotView> platformPosePlot(const PlatformCheck& check, c
     std::vector<report::PlotPoint> pitch;
     std::vector<report::PlotPoint> roll;
     for (const mechanisms::FingertipPosed& pose : check.verified.poses) {
-        pitch.push_back({core::degFromRad(pose.referencePitch_rad), core::degFromRad(pose.measuredPitch_rad)});
+        pitch.push_back(
+            {core::degFromRad(pose.referencePitch_rad), core::degFromRad(pose.measuredPitch_rad)});
         roll.push_back({core::degFromRad(pose.referenceRoll_rad), core::degFromRad(pose.measuredRoll_rad)});
     }
     view->addMarkers(Words::tr("pitch"), pitch, report::PlotStyle::solidA);
@@ -56,18 +59,20 @@ std::unique_ptr<report::PlotView> platformPosePlot(const PlatformCheck& check, c
     return view;
 }
 
-std::unique_ptr<report::PlotView> platformErrorPlot(const PlatformCheck& check, const report::PlotTheme& look) {
+std::unique_ptr<report::PlotView> platformErrorPlot(const PlatformCheck& check,
+                                                    const report::PlotTheme& look) {
     auto view = titled(Words::tr("Distribution of the orientation errors"), look);
     std::vector<report::PlotPoint> bins;
     for (const mechanisms::FingertipPosed& pose : check.verified.poses) {
-        const double error_deg = core::degFromRad(
-            std::hypot(pose.referencePitch_rad - pose.measuredPitch_rad, pose.referenceRoll_rad - pose.measuredRoll_rad));
+        const double error_deg = core::degFromRad(std::hypot(pose.referencePitch_rad - pose.measuredPitch_rad,
+                                                             pose.referenceRoll_rad - pose.measuredRoll_rad));
         const auto bin = static_cast<std::size_t>(std::min(error_deg / kBin_deg, 200.0));
         while (bins.size() <= bin)
             bins.push_back({(static_cast<double>(bins.size()) + 0.5) * kBin_deg, 0.0});
         bins[bin].y += 1.0;
     }
-    view->setXAxis({Words::tr("Error (°)"), 0.0, std::max<double>(2.5, (static_cast<double>(bins.size()) + 1.0) * kBin_deg)});
+    view->setXAxis({Words::tr("Error (°)"), 0.0,
+                    std::max<double>(2.5, (static_cast<double>(bins.size()) + 1.0) * kBin_deg)});
     view->setYAxis({Words::tr("Poses"), 0.0, {}});
     std::vector<double> x;
     std::vector<double> y;

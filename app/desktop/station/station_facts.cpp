@@ -6,7 +6,8 @@
 
 namespace chiron::desktop {
 
-core::Result<StationFacts> readStationFacts(const database::Database& database, const database::Actor& actor) {
+core::Result<StationFacts> readStationFacts(const database::Database& database,
+                                            const database::Actor& actor) {
     // This many sessions are searched, because scripted ones ran faster than real time and say nothing about
     // the station.
     constexpr int kLookedAt = 20;

@@ -38,10 +38,11 @@ void StationScreen::startVerification() {
             m_token.reset();
             if (check) {
                 m_platformSerial = QString::fromStdString(check->serialNumber);
-                note({"fingertip_platform", "simulated", core::buildId(), check->holds(), check->serialNumber}, &m_platformChecked);
+                note(
+                    {"fingertip_platform", "simulated", core::buildId(), check->holds(), check->serialNumber},
+                    &m_platformChecked);
                 m_platform->show(std::move(*check));
-            }
-            else if (check.error().code == core::ErrorCode::cancelled)
+            } else if (check.error().code == core::ErrorCode::cancelled)
                 m_platform->showStopped();
             else
                 m_platform->showError(check.error());
@@ -53,7 +54,8 @@ void StationScreen::startVerification() {
 }
 
 bool StationScreen::mayCheck() const {
-    return database::scopeOf(database::Action::recordStationCheck, context().actor().kind(), context().actor().roles()) != database::Scope::none;
+    return database::scopeOf(database::Action::recordStationCheck, context().actor().kind(),
+                             context().actor().roles()) != database::Scope::none;
 }
 
 /// Stores a check in the audit trail as soon as its result is known, so that failed checks are kept as well.
@@ -62,7 +64,9 @@ void StationScreen::note(const database::StationCheck& check, CheckedAt* at) {
     context().background().run(
         this,
         [&database = context().site().database(), actor = context().actor(), check](WorkToken&) {
-            auto entry = database.write([&](database::WriteContext& writing) { return database::StationRepository(writing.connection(), actor).recordStationCheck(check); });
+            auto entry = database.write([&](database::WriteContext& writing) {
+                return database::StationRepository(writing.connection(), actor).recordStationCheck(check);
+            });
             return std::pair(std::move(entry), readSiteName(database, actor).value_or(QString()));
         },
         [this, at](const std::pair<core::Result<std::int64_t>, QString>& noted) {
@@ -71,28 +75,43 @@ void StationScreen::note(const database::StationCheck& check, CheckedAt* at) {
             if (entry)
                 at->entry = *entry;
             else
-                context().messages().error(tr("The check could not be written to the audit trail."), entry.error());
+                context().messages().error(tr("The check could not be written to the audit trail."),
+                                           entry.error());
             emit checkNoted();
         });
 }
 
-CheckCircumstances StationScreen::circumstances(const CheckedAt& at, const QString& device, const std::optional<QString>& serial) const {
-    return {QString::fromStdString(context().loginName()), at.when, QSysInfo::machineHostName(), device, serial, QString::fromStdString(core::buildId()), at.entry, at.site};
+CheckCircumstances StationScreen::circumstances(const CheckedAt& at, const QString& device,
+                                                const std::optional<QString>& serial) const {
+    return {QString::fromStdString(context().loginName()),
+            at.when,
+            QSysInfo::machineHostName(),
+            device,
+            serial,
+            QString::fromStdString(core::buildId()),
+            at.entry,
+            at.site};
 }
 
 core::Result<void> StationScreen::writePlatformRecord(const QString& path) const {
-    return m_platform->writeRecord(path, circumstances(m_platformChecked, tr("Simulated fingertip platform"), m_platformSerial));
+    return m_platform->writeRecord(
+        path, circumstances(m_platformChecked, tr("Simulated fingertip platform"), m_platformSerial));
 }
 
 core::Result<void> StationScreen::writeLoopRecord(const QString& path) const {
     if (!m_tested)
         return core::fail(core::ErrorCode::wrongUse, "the self-test was not run yet");
-    return report::writeCheckPdf(path, loopRecord(*m_tested, circumstances(m_loopChecked, tr("None: the loop alone, without a device"), std::nullopt), context().locale()),
-                                 report::lightTheme(context().locale()));
+    return report::writeCheckPdf(
+        path,
+        loopRecord(*m_tested,
+                   circumstances(m_loopChecked, tr("None: the loop alone, without a device"), std::nullopt),
+                   context().locale()),
+        report::lightTheme(context().locale()));
 }
 
 void StationScreen::askRecord() {
-    saveRecord(tr("Fingertip platform.pdf"), [this](const QString& path) { return writePlatformRecord(path); });
+    saveRecord(tr("Fingertip platform.pdf"),
+               [this](const QString& path) { return writePlatformRecord(path); });
 }
 
 void StationScreen::saveRecord(const QString& name, std::function<core::Result<void>(const QString&)> write) {

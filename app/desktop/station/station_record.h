@@ -13,14 +13,14 @@ namespace chiron::desktop {
 
 /// Everything that a laboratory needs to know about a check besides its figures.
 struct CheckCircumstances {
-    QString who;              ///< the person who was logged in
-    QDateTime when;           ///< local time
-    QString station;          ///< name of the computer
+    QString who;     ///< the person who was logged in
+    QDateTime when;  ///< local time
+    QString station; ///< name of the computer
     QString device;
     std::optional<QString> serial; ///< of the device; empty: it reports none; no value: there is no device
     QString build;
-    std::int64_t entry = 0;   ///< in the audit trail; 0: it could not be written there
-    QString site{};           ///< name of the site; may be empty
+    std::int64_t entry = 0; ///< in the audit trail; 0: it could not be written there
+    QString site{};         ///< name of the site; may be empty
 };
 
 /// Returns "none" if there is no device.
@@ -38,6 +38,7 @@ report::CheckTable platformLimits(const PlatformCheck& check, const QLocale& loc
 /// Whether everything that counts is within its limits.
 bool loopHolds(const session::SelfTestResult& result);
 
-report::CheckRecord loopRecord(const session::SelfTestResult& result, const CheckCircumstances& of, const QLocale& locale);
+report::CheckRecord loopRecord(const session::SelfTestResult& result, const CheckCircumstances& of,
+                               const QLocale& locale);
 
 } // namespace chiron::desktop

@@ -33,7 +33,8 @@ void clear(QVBoxLayout& column) {
 } // namespace
 
 StationScreen::StationScreen(AppContext& context, const Place& place)
-    : Screen(context, place), m_panel(new StatePanel(context.theme())), m_strip(new TaskStrip(context.theme())), m_timer(new QTimer(this)) {
+    : Screen(context, place), m_panel(new StatePanel(context.theme())),
+      m_strip(new TaskStrip(context.theme())), m_timer(new QTimer(this)) {
     constexpr int kLook_ms = 100;
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -58,17 +59,22 @@ QString StationScreen::title() const {
 }
 
 QString StationScreen::help() const {
-    return tr("Shows whether this computer is fast and regular enough for haptic force.\n\nForce is computed a thousand times a second. "
-              "The charts show how late those thousand steps began: in the last session that ran in real time, and in a self-test of ten "
-              "seconds without any device.\n\nThe fingertip platform is verified as in its publication: how closely it follows a force and "
+    return tr("Shows whether this computer is fast and regular enough for haptic force.\n\nForce is computed "
+              "a thousand times a second. "
+              "The charts show how late those thousand steps began: in the last session that ran in real "
+              "time, and in a self-test of ten "
+              "seconds without any device.\n\nThe fingertip platform is verified as in its publication: how "
+              "closely it follows a force and "
               "an orientation. Each check is kept in the audit trail, and its record can be saved and filed: "
-              "who, when, on which device and build, and each measured value beside its limit.\n\nWith real-time priority the loop stays on time whatever else the computer "
+              "who, when, on which device and build, and each measured value beside its limit.\n\nWith "
+              "real-time priority the loop stays on time whatever else the computer "
               "does. This screen shows whether the loop has that priority and how to permit it.");
 }
 
 std::vector<ScreenCommand> StationScreen::commands() {
     // Listed even before they can be used, because the palette offers them on other screens.
-    return {{tr("Run the self-test"), {}, [this] { startSelfTest(); }}, {tr("Verify the fingertip platform"), {}, [this] { startVerification(); }}};
+    return {{tr("Run the self-test"), {}, [this] { startSelfTest(); }},
+            {tr("Verify the fingertip platform"), {}, [this] { startVerification(); }}};
 }
 
 void StationScreen::enter() {
@@ -78,12 +84,16 @@ void StationScreen::enter() {
 void StationScreen::load() {
     m_panel->showLoading(tr("Checking the station …"));
     context().background().run(
-        this, [&database = context().site().database(), actor = context().actor()](WorkToken&) { return readStationFacts(database, actor); },
+        this,
+        [&database = context().site().database(), actor = context().actor()](WorkToken&) {
+            return readStationFacts(database, actor);
+        },
         [this](const core::Result<StationFacts>& facts) {
             if (facts)
                 show(*facts);
             else
-                m_panel->showError(tr("The station could not be checked."), facts.error(), [this] { load(); });
+                m_panel->showError(tr("The station could not be checked."), facts.error(),
+                                   [this] { load(); });
         });
 }
 
@@ -108,12 +118,17 @@ QWidget* StationScreen::loopCard(const StationFacts& facts) {
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("Timing of the force loop"), TextStyle::title));
     if (facts.last) {
-        const QString when = SessionWords::ago(SessionWords::timeOf(facts.last->startedUtc), QDateTime::currentDateTimeUtc(), context().locale());
-        box.layout->addWidget(kit::label(theme, tr("Session %1, %2").arg(facts.last->session).arg(when), TextStyle::strong));
+        const QString when = SessionWords::ago(SessionWords::timeOf(facts.last->startedUtc),
+                                               QDateTime::currentDateTimeUtc(), context().locale());
+        box.layout->addWidget(
+            kit::label(theme, tr("Session %1, %2").arg(facts.last->session).arg(when), TextStyle::strong));
         addLoop(*box.layout, facts.last->loop);
     } else {
-        box.layout->addWidget(kit::label(theme, tr("None of the latest sessions ran in real time, so it is not yet known how well this "
-                                                   "station keeps time."), TextStyle::body, "muted"));
+        box.layout->addWidget(kit::label(
+            theme,
+            tr("None of the latest sessions ran in real time, so it is not yet known how well this "
+               "station keeps time."),
+            TextStyle::body, "muted"));
     }
     box.layout->addWidget(kit::rule());
     box.layout->addWidget(kit::label(theme, tr("Self-test without a device"), TextStyle::strong));
@@ -130,31 +145,41 @@ QWidget* StationScreen::loopCard(const StationFacts& facts) {
         m_testRecord->setObjectName(QStringLiteral("station.test_record"));
         m_testRecord->setAccessibleName(tr("Record of the self-test (PDF)"));
         m_testRecord->setEnabled(false);
-        connect(m_testRecord, &QPushButton::clicked, this, [this] { saveRecord(tr("Station check.pdf"), [this](const QString& path) { return writeLoopRecord(path); }); });
+        connect(m_testRecord, &QPushButton::clicked, this, [this] {
+            saveRecord(tr("Station check.pdf"),
+                       [this](const QString& path) { return writeLoopRecord(path); });
+        });
         flow->addWidget(m_testRecord);
         box.layout->addWidget(row);
     } else {
-        box.layout->addWidget(kit::label(theme, tr("A researcher or an administrator can run it here."), TextStyle::body, "muted"));
+        box.layout->addWidget(kit::label(theme, tr("A researcher or an administrator can run it here."),
+                                         TextStyle::body, "muted"));
     }
     return box.frame;
 }
 
 void StationScreen::addLoop(QVBoxLayout& column, const session::LoopReport& loop) const {
     const Theme& theme = context().theme();
-    column.addWidget(kit::notice(theme, StationWords::verdictKind(loop), StationWords::verdict(loop, context().locale())));
+    column.addWidget(
+        kit::notice(theme, StationWords::verdictKind(loop), StationWords::verdict(loop, context().locale())));
     column.addWidget(kit::label(theme, StationWords::punctuality(loop, context().locale())));
     if (loop.lateness) {
         auto* chart = new LatenessChart(theme, context().locale());
         chart->setBins(*loop.lateness);
         column.addWidget(chart);
     } else {
-        column.addWidget(kit::label(theme, tr("This session was recorded before the program stored how delays are distributed."), TextStyle::small, "muted"));
+        column.addWidget(kit::label(
+            theme, tr("This session was recorded before the program stored how delays are distributed."),
+            TextStyle::small, "muted"));
     }
-    column.addWidget(kit::notice(theme, loop.priorityGranted ? "good" : "warning", StationWords::priority(loop.priorityGranted)));
+    column.addWidget(kit::notice(theme, loop.priorityGranted ? "good" : "warning",
+                                 StationWords::priority(loop.priorityGranted)));
     if (!loop.priorityGranted) {
         column.addWidget(kit::label(theme, StationWords::howToGetPriority(), TextStyle::small));
         if (!loop.priorityDetail.empty())
-            column.addWidget(kit::label(theme, tr("The system said: %1").arg(QString::fromStdString(loop.priorityDetail)), TextStyle::small, "muted"));
+            column.addWidget(
+                kit::label(theme, tr("The system said: %1").arg(QString::fromStdString(loop.priorityDetail)),
+                           TextStyle::small, "muted"));
     }
 }
 
@@ -166,7 +191,8 @@ QWidget* StationScreen::devicesCard() const {
         auto* row = new QHBoxLayout;
         row->setSpacing(theme.px(12));
         auto* sign = new QLabel;
-        sign->setPixmap(theme.icon(QStringLiteral("dialog-ok-apply"), Colour::good).pixmap(theme.px(20), theme.px(20)));
+        sign->setPixmap(
+            theme.icon(QStringLiteral("dialog-ok-apply"), Colour::good).pixmap(theme.px(20), theme.px(20)));
         row->addWidget(sign, 0, Qt::AlignTop);
         auto* words = new QVBoxLayout;
         words->setSpacing(theme.px(2));
@@ -176,8 +202,9 @@ QWidget* StationScreen::devicesCard() const {
         row->addWidget(kit::label(theme, StationWords::forceClass(driver->deviceClass)), 1);
         box.layout->addLayout(row);
     }
-    box.layout->addWidget(kit::label(theme, tr("No haptic device is connected: this version does not have a driver for one yet."),
-                                     TextStyle::small, "muted"));
+    box.layout->addWidget(kit::label(
+        theme, tr("No haptic device is connected: this version does not have a driver for one yet."),
+        TextStyle::small, "muted"));
     return box.frame;
 }
 
@@ -190,10 +217,13 @@ QWidget* StationScreen::roomCard(const StationFacts& facts) const {
     auto* notice = kit::notice(theme, room.kind, room.text);
     notice->setObjectName(QStringLiteral("station.room"));
     box.layout->addWidget(notice);
-    box.layout->addWidget(kit::label(theme, tr("A running session keeps its last seconds in memory, so that a crash loses nothing. It "
-                                               "needs %1 of the %2 that are free there.")
-                                                .arg(SessionWords::bytes(facts.room.ringNeeded_bytes, locale),
-                                                     SessionWords::bytes(facts.room.ringFree_bytes, locale)), TextStyle::body, "muted"));
+    box.layout->addWidget(
+        kit::label(theme,
+                   tr("A running session keeps its last seconds in memory, so that a crash loses nothing. It "
+                      "needs %1 of the %2 that are free there.")
+                       .arg(SessionWords::bytes(facts.room.ringNeeded_bytes, locale),
+                            SessionWords::bytes(facts.room.ringFree_bytes, locale)),
+                   TextStyle::body, "muted"));
     return box.frame;
 }
 
@@ -207,10 +237,12 @@ void StationScreen::showButton() {
 void StationScreen::startSelfTest() {
     if (!m_test || !m_test->isEnabled() || context().trialRuns())
         return; // a session's loop must not share the computer with a test of it
-    const int ticks = std::max(1, place().parameters.value(QStringLiteral("self_test_ms"), kSelfTest_ms).toInt());
+    const int ticks =
+        std::max(1, place().parameters.value(QStringLiteral("self_test_ms"), kSelfTest_ms).toInt());
     m_task = std::make_shared<session::SelfTestTask>(static_cast<std::uint64_t>(ticks));
     m_token = context().background().run(
-        this, [task = m_task](WorkToken& working) { return session::selfTestOnOwnThread(*task, working.flag()); },
+        this,
+        [task = m_task](WorkToken& working) { return session::selfTestOnOwnThread(*task, working.flag()); },
         [this](const session::SelfTestResult& result) { showSelfTest(result); });
     m_token->setProgress(0, ticks);
     m_timer->start();
@@ -225,13 +257,15 @@ void StationScreen::showSelfTest(const session::SelfTestResult& result) {
     m_token.reset();
     clear(*m_testBox);
     if (result.cancelled) {
-        m_testBox->addWidget(kit::label(theme, tr("The self-test was stopped before it finished."), TextStyle::body, "muted"));
+        m_testBox->addWidget(
+            kit::label(theme, tr("The self-test was stopped before it finished."), TextStyle::body, "muted"));
     } else {
         m_tested = result;
         note({"loop", {}, core::buildId(), loopHolds(result)}, &m_loopChecked);
         m_testRecord->setEnabled(true);
         addLoop(*m_testBox, result.loop);
-        m_testBox->addWidget(kit::notice(theme, result.granted.memoryLocked ? "good" : "warning", StationWords::memory(result.granted.memoryLocked)));
+        m_testBox->addWidget(kit::notice(theme, result.granted.memoryLocked ? "good" : "warning",
+                                         StationWords::memory(result.granted.memoryLocked)));
     }
     showButton();
     emit selfTestEnded();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "database/repositories/station_repository.h"
 #include "desktop/frame/background.h"
 #include "desktop/frame/screen.h"
-#include "database/repositories/station_repository.h"
 #include "desktop/station/station_facts.h"
 #include "desktop/station/station_record.h"
 #include "session/loop_self_test.h"
@@ -40,7 +40,7 @@ public:
     QString help() const override;
     /// Errors: wrongUse if there is no check yet; storage.
     core::Result<void> writePlatformRecord(const QString& path) const;
-    core::Result<void> writeLoopRecord(const QString& path) const;     ///< the same for the self-test
+    core::Result<void> writeLoopRecord(const QString& path) const; ///< the same for the self-test
 
 signals:
     void selfTestEnded();
@@ -70,7 +70,8 @@ private:
     };
     bool mayCheck() const;
     void note(const database::StationCheck& check, CheckedAt* at);
-    CheckCircumstances circumstances(const CheckedAt& at, const QString& device, const std::optional<QString>& serial) const;
+    CheckCircumstances circumstances(const CheckedAt& at, const QString& device,
+                                     const std::optional<QString>& serial) const;
     void saveRecord(const QString& name, std::function<core::Result<void>(const QString&)> write);
 
     StatePanel* m_panel;

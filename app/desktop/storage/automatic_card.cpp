@@ -17,8 +17,11 @@ AutomaticCard::AutomaticCard(const Theme& theme, QWidget* parent) : QFrame(paren
     column->setContentsMargins(padding, padding, padding, padding);
     column->setSpacing(theme.px(10));
     column->addWidget(kit::label(theme, tr("Automatic backups"), TextStyle::title));
-    column->addWidget(kit::label(theme, tr("Once a day, when nobody has used the program for a few minutes, or when it closes. A session or a study is "
-                                           "never disturbed. Each backup is checked after it is made."), TextStyle::body, "muted"));
+    column->addWidget(kit::label(theme,
+                                 tr("Once a day, when nobody has used the program for a few minutes, or when "
+                                    "it closes. A session or a study is "
+                                    "never disturbed. Each backup is checked after it is made."),
+                                 TextStyle::body, "muted"));
     m_notices = new QVBoxLayout;
     m_notices->setSpacing(theme.px(8));
     column->addLayout(m_notices);
@@ -31,7 +34,8 @@ AutomaticCard::AutomaticCard(const Theme& theme, QWidget* parent) : QFrame(paren
     m_keep = new QSpinBox;
     m_keep->setObjectName(QStringLiteral("storage.keep"));
     m_keep->setAccessibleName(label->text());
-    m_keep->setAccessibleDescription(tr("Older ones are removed. Backups that you made yourself are never removed."));
+    m_keep->setAccessibleDescription(
+        tr("Older ones are removed. Backups that you made yourself are never removed."));
     m_keep->setToolTip(m_keep->accessibleDescription());
     m_keep->setRange(1, database::kMostBackupsKept);
     m_keep->setKeyboardTracking(false); // emits only completed input
@@ -46,7 +50,8 @@ AutomaticCard::AutomaticCard(const Theme& theme, QWidget* parent) : QFrame(paren
     connect(m_keep, &QSpinBox::valueChanged, this, &AutomaticCard::choose);
 }
 
-void AutomaticCard::present(const database::BackupStanding& standing, bool onTheSitesDisk, const QLocale& locale) {
+void AutomaticCard::present(const database::BackupStanding& standing, bool onTheSitesDisk,
+                            const QLocale& locale) {
     m_plan = standing.plan;
     {
         const QSignalBlocker quiet(m_keep);
@@ -63,7 +68,8 @@ void AutomaticCard::present(const database::BackupStanding& standing, bool onThe
         frame->setObjectName(QLatin1String(name));
         m_notices->addWidget(frame);
     };
-    add(StorageWords::automatic(standing, QDateTime::currentDateTimeUtc(), locale), "storage.automatic_notice");
+    add(StorageWords::automatic(standing, QDateTime::currentDateTimeUtc(), locale),
+        "storage.automatic_notice");
     if (onTheSitesDisk)
         add(StorageWords::sameDisk(), "storage.same_disk");
 }

@@ -8,7 +8,9 @@ namespace chiron::desktop {
 
 QString backupPlace(AppContext& context) {
     const QString chosen = context.settings().backupFolder();
-    return chosen.isEmpty() ? QString::fromStdString(session::defaultBackupFolder(context.site().file().toStdString())) : chosen;
+    return chosen.isEmpty()
+               ? QString::fromStdString(session::defaultBackupFolder(context.site().file().toStdString()))
+               : chosen;
 }
 
 void setBackupPlace(AppContext& context, const QString& folder) {

@@ -24,34 +24,42 @@ using By = database::RestoreRefusal::By;
 QString whatHappens(RestoreDialog::Replaces replaces) {
     switch (replaces) {
     case RestoreDialog::Replaces::working:
-        return RestoreDialog::tr("Everything recorded after this backup is removed from view. The current database is kept as a copy; "
-                                 "nothing is deleted. People who were erased stay erased. Everybody is logged out.");
+        return RestoreDialog::tr(
+            "Everything recorded after this backup is removed from view. The current database is kept as a "
+            "copy; "
+            "nothing is deleted. People who were erased stay erased. Everybody is logged out.");
     case RestoreDialog::Replaces::damaged:
-        return RestoreDialog::tr("The site becomes what it was when this backup was made. The damaged file is kept as a copy; nothing is "
-                                 "deleted. People who were erased stay erased. An administrator of the backup has to agree.");
+        return RestoreDialog::tr(
+            "The site becomes what it was when this backup was made. The damaged file is kept as a copy; "
+            "nothing is "
+            "deleted. People who were erased stay erased. An administrator of the backup has to agree.");
     case RestoreDialog::Replaces::missing:
-        return RestoreDialog::tr("The site becomes what it was when this backup was made. People who were erased stay erased. An "
-                                 "administrator of the backup has to agree.");
+        return RestoreDialog::tr(
+            "The site becomes what it was when this backup was made. People who were erased stay erased. An "
+            "administrator of the backup has to agree.");
     }
     return {};
 }
 
 QString accountsOfTheBackup() {
-    return RestoreDialog::tr("A backup keeps the login names and passwords of the day it was made. If yours have been changed since, enter the earlier ones.");
+    return RestoreDialog::tr("A backup keeps the login names and passwords of the day it was made. If yours "
+                             "have been changed since, enter the earlier ones.");
 }
 
 QString accountsOfTheDamagedFile() {
-    return RestoreDialog::tr("The damaged file still has the login names and passwords of its last day. Where they can be read, one of its administrators has to agree, "
+    return RestoreDialog::tr("The damaged file still has the login names and passwords of its last day. "
+                             "Where they can be read, one of its administrators has to agree, "
                              "so that nobody puts an old backup in its place unasked.");
 }
 
 /// Checks the passwords. If the site is open, a wrong password counts like one at the login.
-std::optional<database::RestoreRefusal> refusalOf(database::Database* open, const database::RestoreRequest& request,
+std::optional<database::RestoreRefusal> refusalOf(database::Database* open,
+                                                  const database::RestoreRequest& request,
                                                   const database::DatabaseOptions& options) {
     if (open) {
         const bool same = request.presentName.empty();
-        const auto present = database::AccountService(*open).tryLogin(same ? request.name : request.presentName,
-                                                                      same ? request.password : request.presentPassword);
+        const auto present = database::AccountService(*open).tryLogin(
+            same ? request.name : request.presentName, same ? request.password : request.presentPassword);
         if (!present)
             return database::RestoreRefusal{By::present, present.error()};
     }
@@ -60,16 +68,21 @@ std::optional<database::RestoreRefusal> refusalOf(database::Database* open, cons
 
 } // namespace
 
-RestoreDialog::RestoreDialog(AppContext& context, const session::BackupEntry& backup, Replaces replaces, QWidget* parent,
-                             std::function<void(database::RestoreRequest)> restore)
-    : FormDialog(context, QStringLiteral("restore"), tr("Restore a backup"), parent), m_replaces(replaces), m_folder(backup.folder),
-      m_administrator(replaces == Replaces::working ? QString::fromStdString(context.loginName()) : QString()), m_restore(std::move(restore)),
-      m_wait(new WaitCountdown(this)) {
+RestoreDialog::RestoreDialog(AppContext& context, const session::BackupEntry& backup, Replaces replaces,
+                             QWidget* parent, std::function<void(database::RestoreRequest)> restore)
+    : FormDialog(context, QStringLiteral("restore"), tr("Restore a backup"), parent), m_replaces(replaces),
+      m_folder(backup.folder),
+      m_administrator(replaces == Replaces::working ? QString::fromStdString(context.loginName())
+                                                    : QString()),
+      m_restore(std::move(restore)), m_wait(new WaitCountdown(this)) {
     const bool working = replaces == Replaces::working;
-    const QString when = SessionWords::ago(SessionWords::timeOf(backup.createdUtc), QDateTime::currentDateTimeUtc(), context.locale());
-    column()->addWidget(kit::label(theme(), tr("Go back to the backup made %1?").arg(when), TextStyle::title));
+    const QString when = SessionWords::ago(SessionWords::timeOf(backup.createdUtc),
+                                           QDateTime::currentDateTimeUtc(), context.locale());
+    column()->addWidget(
+        kit::label(theme(), tr("Go back to the backup made %1?").arg(when), TextStyle::title));
     column()->addWidget(kit::label(theme(), whatHappens(replaces)));
-    m_first = addPair(*column(), QStringLiteral("restore."), working ? tr("Administrator") : tr("Your login name when this backup was made"),
+    m_first = addPair(*column(), QStringLiteral("restore."),
+                      working ? tr("Administrator") : tr("Your login name when this backup was made"),
                       working ? tr("Password") : tr("Your password when this backup was made"));
     if (!working)
         column()->addWidget(explanation(QStringLiteral("restore.explanation"), accountsOfTheBackup()));
@@ -77,7 +90,8 @@ RestoreDialog::RestoreDialog(AppContext& context, const session::BackupEntry& ba
     addOther(*column());
     setAccept(acceptText(), "danger");
     setCancel(working ? tr("Keep the current database") : tr("Cancel"));
-    connect(m_wait, &WaitCountdown::changed, this, [this](int seconds) { setAccept(waitWords(seconds), "danger"); });
+    connect(m_wait, &WaitCountdown::changed, this,
+            [this](int seconds) { setAccept(waitWords(seconds), "danger"); });
     connect(m_wait, &WaitCountdown::finished, this, [this] {
         setAccept(acceptText(), "danger");
         check();
@@ -86,7 +100,8 @@ RestoreDialog::RestoreDialog(AppContext& context, const session::BackupEntry& ba
     (m_administrator.isEmpty() ? m_first.name : m_first.password)->setFocus();
 }
 
-RestoreDialog::Pair RestoreDialog::addPair(QVBoxLayout& column, const QString& names, const QString& name, const QString& password) {
+RestoreDialog::Pair RestoreDialog::addPair(QVBoxLayout& column, const QString& names, const QString& name,
+                                           const QString& password) {
     Pair pair;
     pair.name = form::textField(theme(), &column, name, names + QStringLiteral("name"));
     pair.password = form::passwordField(theme(), &column, password, names + QStringLiteral("password"));
@@ -109,8 +124,10 @@ void RestoreDialog::addOther(QVBoxLayout& column) {
     auto* inner = new QVBoxLayout(m_otherBox);
     inner->setContentsMargins(theme().px(26), 0, 0, 0);
     inner->setSpacing(theme().px(12));
-    m_second = addPair(*inner, QStringLiteral("restore.other_"), working ? tr("Your login name when this backup was made") : tr("Administrator in the damaged file"),
-                       working ? tr("Your password when this backup was made") : tr("Password in the damaged file"));
+    m_second = addPair(
+        *inner, QStringLiteral("restore.other_"),
+        working ? tr("Your login name when this backup was made") : tr("Administrator in the damaged file"),
+        working ? tr("Your password when this backup was made") : tr("Password in the damaged file"));
     if (working)
         inner->addWidget(explanation(QStringLiteral("restore.other_explanation"), accountsOfTheBackup()));
     m_otherBox->hide();
@@ -132,12 +149,14 @@ QString RestoreDialog::acceptText() const {
 void RestoreDialog::check() {
     if (!m_other)
         return; // still being built
-    const auto given = [](const Pair& pair) { return !pair.name->text().isEmpty() && !pair.password->text().isEmpty(); };
+    const auto given = [](const Pair& pair) {
+        return !pair.name->text().isEmpty() && !pair.password->text().isEmpty();
+    };
     setAcceptable(!m_wait->isRunning() && given(m_first) && (!m_other->isChecked() || given(m_second)));
 }
 
-void RestoreDialog::ask(AppContext& context, const session::BackupEntry& backup, Replaces replaces, QWidget* parent,
-                        std::function<void(database::RestoreRequest)> restore) {
+void RestoreDialog::ask(AppContext& context, const session::BackupEntry& backup, Replaces replaces,
+                        QWidget* parent, std::function<void(database::RestoreRequest)> restore) {
     (new RestoreDialog(context, backup, replaces, parent, std::move(restore)))->open();
 }
 
@@ -164,7 +183,10 @@ void RestoreDialog::submit() {
     m_second.note->clear();
     database::Database* open = context().site().isOpen() ? &context().site().database() : nullptr;
     context().background().run(
-        this, [open, asked = request(), options = context().site().options()](WorkToken&) { return refusalOf(open, asked, options); },
+        this,
+        [open, asked = request(), options = context().site().options()](WorkToken&) {
+            return refusalOf(open, asked, options);
+        },
         [this](const std::optional<database::RestoreRefusal>& refusal) { answered(refusal); });
 }
 
@@ -187,8 +209,10 @@ void RestoreDialog::refused(const database::RestoreRefusal& refusal) {
     const bool wrong = refusal.refusal.kind == database::Refusal::Kind::wrong;
     if (second && !m_other->isChecked()) { // the first pair is right, but not valid for the other database
         m_other->setChecked(true);
-        say("warning", refusal.by == By::backup ? tr("The backup has a different administrator or password. Enter those of the backup, too.")
-                                                : tr("The damaged file has a different administrator or password. Enter those, too."));
+        say("warning",
+            refusal.by == By::backup
+                ? tr("The backup has a different administrator or password. Enter those of the backup, too.")
+                : tr("The damaged file has a different administrator or password. Enter those, too."));
         m_second.name->setFocus();
         return;
     }

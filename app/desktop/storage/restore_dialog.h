@@ -38,8 +38,8 @@ public:
     database::RestoreRequest request() const;
 
     /// Opens a dialog over `parent`.
-    static void ask(AppContext& context, const session::BackupEntry& backup, Replaces replaces, QWidget* parent,
-                    std::function<void(database::RestoreRequest)> restore);
+    static void ask(AppContext& context, const session::BackupEntry& backup, Replaces replaces,
+                    QWidget* parent, std::function<void(database::RestoreRequest)> restore);
 
 private:
     /// A name and its password.

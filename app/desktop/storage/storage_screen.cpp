@@ -19,7 +19,8 @@ namespace chiron::desktop {
 
 namespace {
 
-QTableWidget* makeTable(const Theme& theme, const QString& name, const QString& label, const QStringList& heads) {
+QTableWidget* makeTable(const Theme& theme, const QString& name, const QString& label,
+                        const QStringList& heads) {
     auto* table = new QTableWidget(0, static_cast<int>(heads.size()));
     table->setObjectName(name);
     table->setAccessibleName(label);
@@ -50,7 +51,8 @@ void clear(QVBoxLayout& column) {
 } // namespace
 
 StorageScreen::StorageScreen(AppContext& context, const Place& place)
-    : Screen(context, place), m_panel(new StatePanel(context.theme())), m_strip(new TaskStrip(context.theme())) {
+    : Screen(context, place), m_panel(new StatePanel(context.theme())),
+      m_strip(new TaskStrip(context.theme())) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -65,15 +67,19 @@ QString StorageScreen::title() const {
 }
 
 QString StorageScreen::help() const {
-    return tr("Shows where all recorded data is kept and whether it is safe.\n\n\"Back up now\" makes a copy while the program is running "
-              "and checks it before it counts. Keep backups on another disk: choose the folder here.\n\n\"Automatic backups\" makes one a day and keeps as many as you say; backups "
+    return tr("Shows where all recorded data is kept and whether it is safe.\n\n\"Back up now\" makes a copy "
+              "while the program is running "
+              "and checks it before it counts. Keep backups on another disk: choose the folder "
+              "here.\n\n\"Automatic backups\" makes one a day and keeps as many as you say; backups "
               "that you made yourself are never removed.\n\n\"Verify\" reads everything again: "
-              "each record, each recording, each score, the audit trail. It changes nothing and can be stopped.\n\n\"Restore\" goes back "
-              "to a backup. It asks an administrator for the password, keeps a copy of the current database, and logs everybody out.");
+              "each record, each recording, each score, the audit trail. It changes nothing and can be "
+              "stopped.\n\n\"Restore\" goes back "
+              "to a backup. It asks an administrator for the password, keeps a copy of the current database, "
+              "and logs everybody out.");
 }
 
-QPushButton* StorageScreen::addButton(QLayout& row, const QString& name, const QString& text, const char* kind, const QString& icon,
-                                      void (StorageScreen::*act)()) {
+QPushButton* StorageScreen::addButton(QLayout& row, const QString& name, const QString& text,
+                                      const char* kind, const QString& icon, void (StorageScreen::*act)()) {
     auto* button = kit::button(context().theme(), text, kind, icon);
     button->setObjectName(QStringLiteral("storage.") + name);
     connect(button, &QPushButton::clicked, this, act);
@@ -124,17 +130,19 @@ void StorageScreen::addBackups(QVBoxLayout& column) {
     m_place = kit::label(theme, {}, TextStyle::body, "muted");
     m_place->setObjectName(QStringLiteral("storage.place"));
     box.layout->addWidget(m_place);
-    m_backups = makeTable(theme, QStringLiteral("storage.backups"), tr("Backups"), {tr("Made"), tr("Age"), tr("Size"), tr("Checked"), tr("Kind"), tr("Folder")});
+    m_backups = makeTable(theme, QStringLiteral("storage.backups"), tr("Backups"),
+                          {tr("Made"), tr("Age"), tr("Size"), tr("Checked"), tr("Kind"), tr("Folder")});
     connect(m_backups, &QTableWidget::itemSelectionChanged, this, &StorageScreen::showButtons);
     box.layout->addWidget(m_backups);
     auto* row = new FlowLayout(theme.px(8));
-    m_backUp = addButton(*row, QStringLiteral("back_up"), tr("Back up now"), "primary", QStringLiteral("backup"), &StorageScreen::backUp);
-    m_verifyBackup = addButton(*row, QStringLiteral("verify_backup"), tr("Check the selected backup"), "", QStringLiteral("checkmark"),
-                               &StorageScreen::verifyBackup);
-    m_restore = addButton(*row, QStringLiteral("restore"), tr("Restore the selected backup …"), "", QStringLiteral("view-history"),
-                          &StorageScreen::askRestore);
-    m_choose = addButton(*row, QStringLiteral("choose"), tr("Choose the folder …"), "quiet", QStringLiteral("document-open-folder"),
-                         &StorageScreen::chooseFolder);
+    m_backUp = addButton(*row, QStringLiteral("back_up"), tr("Back up now"), "primary",
+                         QStringLiteral("backup"), &StorageScreen::backUp);
+    m_verifyBackup = addButton(*row, QStringLiteral("verify_backup"), tr("Check the selected backup"), "",
+                               QStringLiteral("checkmark"), &StorageScreen::verifyBackup);
+    m_restore = addButton(*row, QStringLiteral("restore"), tr("Restore the selected backup …"), "",
+                          QStringLiteral("view-history"), &StorageScreen::askRestore);
+    m_choose = addButton(*row, QStringLiteral("choose"), tr("Choose the folder …"), "quiet",
+                         QStringLiteral("document-open-folder"), &StorageScreen::chooseFolder);
     box.layout->addLayout(row);
     column.addWidget(box.frame);
 }
@@ -149,15 +157,20 @@ void StorageScreen::addVerify(QVBoxLayout& column) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("Verify"), TextStyle::title));
-    box.layout->addWidget(kit::label(theme, tr("Reads every record, recomputes every score from its recording and checks the audit trail. "
-                                               "It changes nothing."), TextStyle::body, "muted"));
+    box.layout->addWidget(kit::label(
+        theme,
+        tr("Reads every record, recomputes every score from its recording and checks the audit trail. "
+           "It changes nothing."),
+        TextStyle::body, "muted"));
     m_reportBox = new QVBoxLayout;
     box.layout->addLayout(m_reportBox);
-    m_findings = makeTable(theme, QStringLiteral("storage.findings"), tr("Problems found"), {tr("What"), tr("Where"), tr("Details")});
+    m_findings = makeTable(theme, QStringLiteral("storage.findings"), tr("Problems found"),
+                           {tr("What"), tr("Where"), tr("Details")});
     m_findings->hide();
     box.layout->addWidget(m_findings);
     auto* row = new FlowLayout(theme.px(8));
-    m_verifySite = addButton(*row, QStringLiteral("verify"), tr("Verify everything"), "", QStringLiteral("checkmark"), &StorageScreen::verifySite);
+    m_verifySite = addButton(*row, QStringLiteral("verify"), tr("Verify everything"), "",
+                             QStringLiteral("checkmark"), &StorageScreen::verifySite);
     box.layout->addLayout(row);
     column.addWidget(box.frame);
 }
@@ -166,10 +179,14 @@ void StorageScreen::addExport(QVBoxLayout& column) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("Export"), TextStyle::title));
-    box.layout->addWidget(kit::label(theme, tr("A backup and every table as text (JSON Lines, without passwords), for analysis elsewhere "
-                                               "or to move all data to another program."), TextStyle::body, "muted"));
+    box.layout->addWidget(kit::label(
+        theme,
+        tr("A backup and every table as text (JSON Lines, without passwords), for analysis elsewhere "
+           "or to move all data to another program."),
+        TextStyle::body, "muted"));
     auto* row = new FlowLayout(theme.px(8));
-    m_export = addButton(*row, QStringLiteral("export"), tr("Export the site …"), "", QStringLiteral("document-save"), &StorageScreen::exportSite);
+    m_export = addButton(*row, QStringLiteral("export"), tr("Export the site …"), "",
+                         QStringLiteral("document-save"), &StorageScreen::exportSite);
     box.layout->addLayout(row);
     column.addWidget(box.frame);
 }
@@ -187,9 +204,14 @@ void StorageScreen::show(StorageFacts facts) {
     backupNotice->setObjectName(QStringLiteral("storage.backup_notice"));
     m_notices->addWidget(roomNotice);
     m_notices->addWidget(backupNotice);
-    m_database->setText(tr("%1 in %2").arg(SessionWords::bytes(m_facts.room.database_bytes, locale), kit::breakablePath(context().site().file())));
-    m_recordings->setText(tr("%1 from %n session(s)", nullptr, m_facts.sessions).arg(SessionWords::bytes(m_facts.recordings_bytes, locale)));
-    m_free->setText(tr("%1 of %2").arg(SessionWords::bytes(m_facts.room.diskFree_bytes, locale), SessionWords::bytes(m_facts.room.disk_bytes, locale)));
+    m_database->setText(tr("%1 in %2")
+                            .arg(SessionWords::bytes(m_facts.room.database_bytes, locale),
+                                 kit::breakablePath(context().site().file())));
+    m_recordings->setText(tr("%1 from %n session(s)", nullptr, m_facts.sessions)
+                              .arg(SessionWords::bytes(m_facts.recordings_bytes, locale)));
+    m_free->setText(tr("%1 of %2")
+                        .arg(SessionWords::bytes(m_facts.room.diskFree_bytes, locale),
+                             SessionWords::bytes(m_facts.room.disk_bytes, locale)));
     m_place->setText(tr("Kept in %1").arg(kit::breakablePath(folder())));
     m_automatic->present(m_facts.standing, m_facts.onTheSitesDisk, locale);
     showBackups();
@@ -206,15 +228,23 @@ void StorageScreen::showBackups() {
         const QDateTime made = SessionWords::timeOf(backup.createdUtc);
         const auto checked = m_checked.find(backup.folder);
         const bool known = checked != m_checked.end();
-        const QString state = !known ? tr("When created") : checked->second ? tr("Just now: intact") : tr("Just now: damaged");
-        auto* sign = new QTableWidgetItem(theme.icon(known && !checked->second ? QStringLiteral("dialog-error") : QStringLiteral("dialog-ok-apply"),
-                                                     known && !checked->second ? Colour::bad : Colour::good), state);
-        m_backups->setItem(row, 0, new QTableWidgetItem(locale.toString(made.toLocalTime(), QLocale::ShortFormat)));
-        m_backups->setItem(row, 1, new QTableWidgetItem(SessionWords::ago(made, QDateTime::currentDateTimeUtc(), locale)));
+        const QString state = !known            ? tr("When created")
+                              : checked->second ? tr("Just now: intact")
+                                                : tr("Just now: damaged");
+        auto* sign =
+            new QTableWidgetItem(theme.icon(known && !checked->second ? QStringLiteral("dialog-error")
+                                                                      : QStringLiteral("dialog-ok-apply"),
+                                            known && !checked->second ? Colour::bad : Colour::good),
+                                 state);
+        m_backups->setItem(row, 0,
+                           new QTableWidgetItem(locale.toString(made.toLocalTime(), QLocale::ShortFormat)));
+        m_backups->setItem(
+            row, 1, new QTableWidgetItem(SessionWords::ago(made, QDateTime::currentDateTimeUtc(), locale)));
         m_backups->setItem(row, 2, new QTableWidgetItem(SessionWords::bytes(backup.bytes, locale)));
         m_backups->setItem(row, 3, sign);
         m_backups->setItem(row, 4, new QTableWidgetItem(backup.automatic ? tr("Automatic") : tr("By hand")));
-        m_backups->setItem(row, 5, new QTableWidgetItem(QFileInfo(QString::fromStdString(backup.folder)).fileName()));
+        m_backups->setItem(row, 5,
+                           new QTableWidgetItem(QFileInfo(QString::fromStdString(backup.folder)).fileName()));
         ++row;
     }
     m_backups->setVisible(row > 0);
@@ -236,8 +266,10 @@ void StorageScreen::showReport(const database::VerifyReport& report) {
         const database::Finding& finding = report.findings[i];
         const int row = static_cast<int>(i);
         const QString where = QString::fromStdString(finding.table + " " + finding.row).trimmed();
-        m_findings->setItem(row, 0, new QTableWidgetItem(context().theme().icon(QStringLiteral("dialog-error"), Colour::bad),
-                                                         StorageWords::findingKind(finding.kind)));
+        m_findings->setItem(
+            row, 0,
+            new QTableWidgetItem(context().theme().icon(QStringLiteral("dialog-error"), Colour::bad),
+                                 StorageWords::findingKind(finding.kind)));
         m_findings->setItem(row, 1, new QTableWidgetItem(where));
         m_findings->setItem(row, 2, new QTableWidgetItem(QString::fromStdString(finding.detail)));
     }

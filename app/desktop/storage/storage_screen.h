@@ -46,7 +46,8 @@ private:
     void addAutomatic(QVBoxLayout& column);
     void addVerify(QVBoxLayout& column);
     void addExport(QVBoxLayout& column);
-    QPushButton* addButton(QLayout& row, const QString& name, const QString& text, const char* kind, const QString& icon, void (StorageScreen::*act)());
+    QPushButton* addButton(QLayout& row, const QString& name, const QString& text, const char* kind,
+                           const QString& icon, void (StorageScreen::*act)());
 
     void load();
     void show(StorageFacts facts);

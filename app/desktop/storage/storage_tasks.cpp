@@ -22,8 +22,9 @@ namespace {
 
 /// A new folder that does not exist yet, named after the current time.
 QString newFolder(const QString& place, const QString& kind) {
-    const QString base = QDir(place).filePath(QStringLiteral("chiron-%1-%2").arg(
-        kind, QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss"))));
+    const QString base = QDir(place).filePath(
+        QStringLiteral("chiron-%1-%2")
+            .arg(kind, QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss"))));
     QString name = base;
     for (int i = 2; QFileInfo::exists(name); ++i)
         name = QStringLiteral("%1-%2").arg(base).arg(i);
@@ -49,7 +50,8 @@ void StorageScreen::enter() {
 }
 
 QString StorageScreen::folder() const {
-    return m_facts.backupFolder.empty() ? backupPlace(context()) : QString::fromStdString(m_facts.backupFolder);
+    return m_facts.backupFolder.empty() ? backupPlace(context())
+                                        : QString::fromStdString(m_facts.backupFolder);
 }
 
 bool StorageScreen::mayLeave() {
@@ -75,20 +77,24 @@ void StorageScreen::load() {
         m_panel->showLoading(tr("Checking the storage …"));
     context().background().run(
         this,
-        [&database = context().site().database(), actor = context().actor(), folder = backupPlace(context()).toStdString()](WorkToken&) {
+        [&database = context().site().database(), actor = context().actor(),
+         folder = backupPlace(context()).toStdString()](WorkToken&) {
             return readStorageFacts(database, actor, folder);
         },
         [this](core::Result<StorageFacts> facts) {
             if (facts)
                 show(std::move(*facts));
             else
-                m_panel->showError(tr("The storage could not be checked."), facts.error(), [this] { load(); });
+                m_panel->showError(tr("The storage could not be checked."), facts.error(),
+                                   [this] { load(); });
         });
 }
 
 const session::BackupEntry* StorageScreen::selected() const {
     const int row = m_backups->currentRow();
-    return row >= 0 && row < static_cast<int>(m_facts.backups.size()) ? &m_facts.backups[static_cast<std::size_t>(row)] : nullptr;
+    return row >= 0 && row < static_cast<int>(m_facts.backups.size())
+               ? &m_facts.backups[static_cast<std::size_t>(row)]
+               : nullptr;
 }
 
 void StorageScreen::endTask() {
@@ -108,8 +114,9 @@ void StorageScreen::exportSite() {
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
     beginInLastFolder(context().settings(), *dialog, QStringLiteral("site_exports"));
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this](const QString& place) { runSnapshot(Task::exportSite, newFolder(place, QStringLiteral("export"))); });
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& place) {
+        runSnapshot(Task::exportSite, newFolder(place, QStringLiteral("export")));
+    });
     dialog->open();
 }
 
@@ -118,7 +125,8 @@ void StorageScreen::chooseFolder() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
-    beginInLastFolder(context().settings(), *dialog, QStringLiteral("backups"), context().settings().backupFolder());
+    beginInLastFolder(context().settings(), *dialog, QStringLiteral("backups"),
+                      context().settings().backupFolder());
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& place) {
         // The folder is also stored for the station, which is the only place to find it when the site cannot
         // be opened.
@@ -134,11 +142,14 @@ void StorageScreen::savePlan(const database::BackupPlan& plan) {
     context().background().run(
         this,
         [&database = context().site().database(), actor = context().actor(), plan](WorkToken&) {
-            return database.write([&](database::WriteContext& writing) { return database::Upkeep::setBackupPlan(writing.connection(), actor, plan); });
+            return database.write([&](database::WriteContext& writing) {
+                return database::Upkeep::setBackupPlan(writing.connection(), actor, plan);
+            });
         },
         [this](const core::Result<void>& saved) {
             if (!saved)
-                context().messages().error(tr("The plan for automatic backups was not saved."), saved.error());
+                context().messages().error(tr("The plan for automatic backups was not saved."),
+                                           saved.error());
             load();
         });
 }
@@ -151,19 +162,24 @@ void StorageScreen::runSnapshot(Task task, const QString& folder) {
     QDir().mkpath(QFileInfo(folder).absolutePath());
     const auto token = app.background().run(
         &app, // so that people who moved to another screen get the result as well
-        [&database = app.site().database(), actor = app.actor(), backup, name = folder.toStdString()](WorkToken& working) {
+        [&database = app.site().database(), actor = app.actor(), backup,
+         name = folder.toStdString()](WorkToken& working) {
             return backup ? database::Upkeep::backup(database, actor, name, &working.flag())
                           : database::Upkeep::exportSite(database, actor, name, &working.flag());
         },
         [&app, screen, backup](const core::Result<database::SnapshotInfo>& info) {
             const QLocale locale = app.locale();
             if (info)
-                app.messages().done((backup ? tr("The backup is made and checked: %1 in %2.") : tr("The site is exported and checked: %1 in %2."))
-                                        .arg(SessionWords::bytes(info->bytes, locale), QString::fromStdString(info->folder)));
+                app.messages().done(
+                    (backup ? tr("The backup is made and checked: %1 in %2.")
+                            : tr("The site is exported and checked: %1 in %2."))
+                        .arg(SessionWords::bytes(info->bytes, locale), QString::fromStdString(info->folder)));
             else if (info.error().code == core::ErrorCode::cancelled)
-                app.messages().information(backup ? tr("The backup was stopped; nothing was saved.") : tr("The export was stopped; nothing was saved."));
+                app.messages().information(backup ? tr("The backup was stopped; nothing was saved.")
+                                                  : tr("The export was stopped; nothing was saved."));
             else
-                app.messages().error(backup ? tr("The backup was not made.") : tr("The site was not exported."), info.error());
+                app.messages().error(
+                    backup ? tr("The backup was not made.") : tr("The site was not exported."), info.error());
             if (screen) {
                 screen->endTask();
                 screen->load();
@@ -186,9 +202,11 @@ void StorageScreen::runVerify(Task task, const std::string& backupFolder) {
     m_task = task;
     const auto token = context().background().run(
         this,
-        [file = context().site().file().toStdString(), options = context().site().options(), backupFolder](WorkToken& working) {
-            return backupFolder.empty() ? session::verifyEverything(file, options, watchFor(working))
-                                        : session::verifyBackup(backupFolder, file, options, watchFor(working));
+        [file = context().site().file().toStdString(), options = context().site().options(),
+         backupFolder](WorkToken& working) {
+            return backupFolder.empty()
+                       ? session::verifyEverything(file, options, watchFor(working))
+                       : session::verifyBackup(backupFolder, file, options, watchFor(working));
         },
         [this, backupFolder](const database::VerifyReport& report) {
             showReport(report);
@@ -218,7 +236,9 @@ void StorageScreen::restore(database::RestoreRequest request) {
     context().site().close();
     context().background().run(
         this,
-        [request = std::move(request), options = context().site().options()](WorkToken&) { return database::Upkeep::restore(request, options); },
+        [request = std::move(request), options = context().site().options()](WorkToken&) {
+            return database::Upkeep::restore(request, options);
+        },
         [this](const core::Result<database::RestoreInfo>& result) { restored(result); });
 }
 
@@ -226,15 +246,21 @@ void StorageScreen::restored(const core::Result<database::RestoreInfo>& result) 
     AppContext& app = context();
     if (!result) {
         const core::Error error = result.error();
-        connect(&app, &AppContext::siteOpened, this, [this, error] {
-            m_restoring = false;
-            context().messages().error(tr("Nothing was restored. The current database is unchanged."), error);
-            load();
-            endTask();
-        }, Qt::SingleShotConnection);
+        connect(
+            &app, &AppContext::siteOpened, this,
+            [this, error] {
+                m_restoring = false;
+                context().messages().error(tr("Nothing was restored. The current database is unchanged."),
+                                           error);
+                load();
+                endTask();
+            },
+            Qt::SingleShotConnection);
         connect(&app, &AppContext::siteFailed, this, [this](const core::Error& why) {
             m_restoring = false;
-            m_panel->showError(tr("The current database could not be opened again."), why, [this] { context().openSite(); }, Tried::opening);
+            m_panel->showError(
+                tr("The current database could not be opened again."), why, [this] { context().openSite(); },
+                Tried::opening);
         });
         app.openSite();
         return;
@@ -244,7 +270,8 @@ void StorageScreen::restored(const core::Result<database::RestoreInfo>& result) 
     emit taskEnded();
     app.logOut(); // destroys this screen
     app.openSite();
-    app.messages().done(tr("The backup was restored. The previous database is kept as %1. Please log in again.").arg(kept));
+    app.messages().done(
+        tr("The backup was restored. The previous database is kept as %1. Please log in again.").arg(kept));
 }
 
 } // namespace chiron::desktop

@@ -30,7 +30,8 @@ public:
     /// A warning if the latest backup is older than a week or there is none.
     static StorageNotice backup(const std::string& latestUtc, const QDateTime& now, const QLocale& locale);
     /// Result and time of the schedule's latest attempt.
-    static StorageNotice automatic(const database::BackupStanding& standing, const QDateTime& now, const QLocale& locale);
+    static StorageNotice automatic(const database::BackupStanding& standing, const QDateTime& now,
+                                   const QLocale& locale);
     static StorageNotice sameDisk(); ///< backups lie on the same disk as the original
     static QString findingKind(const std::string& kind);
     static StorageNotice verified(const database::VerifyReport& report, const QLocale& locale);

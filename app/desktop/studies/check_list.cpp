@@ -38,8 +38,10 @@ Sign signOf(State state) {
 
 } // namespace
 
-CheckList::CheckList(AppContext& app, const psychophysics::StudyDesign& design, FreezeFacts facts, QWidget* parent)
-    : QWidget(parent), m_app(app), m_design(design), m_facts(std::move(facts)), m_rows(new QVBoxLayout(this)) {
+CheckList::CheckList(AppContext& app, const psychophysics::StudyDesign& design, FreezeFacts facts,
+                     QWidget* parent)
+    : QWidget(parent), m_app(app), m_design(design), m_facts(std::move(facts)),
+      m_rows(new QVBoxLayout(this)) {
     m_rows->setContentsMargins(0, 0, 0, 0);
     setObjectName(QStringLiteral("check.list"));
     setAccessibleName(tr("What is looked at before freezing"));
@@ -56,7 +58,8 @@ CheckList::~CheckList() {
 }
 
 bool CheckList::has(State state) const {
-    return std::any_of(m_checks.begin(), m_checks.end(), [state](const FreezeCheck& check) { return check.state == state; });
+    return std::any_of(m_checks.begin(), m_checks.end(),
+                       [state](const FreezeCheck& check) { return check.state == state; });
 }
 
 void CheckList::simulate() {
@@ -70,10 +73,12 @@ void CheckList::simulate() {
                     return core::fail(core::ErrorCode::cancelled, "check");
                 if (condition.stimulus.attribute == psychophysics::Attribute::apex) {
                     plans.emplace_back(); // nothing is compared, so only the duration is known
-                    plans.back().minutes = psychophysics::minutesOf(condition, design.trial, session::trialsAtMost(condition));
+                    plans.back().minutes =
+                        psychophysics::minutesOf(condition, design.trial, session::trialsAtMost(condition));
                     continue;
                 }
-                plans.push_back(psychophysics::planCondition(condition, design.trial, observer, kRuns, design.seed));
+                plans.push_back(
+                    psychophysics::planCondition(condition, design.trial, observer, kRuns, design.seed));
             }
             return plans;
         },
@@ -88,7 +93,8 @@ void CheckList::simulate() {
 
 void CheckList::showChecks() {
     m_checks = freezeChecks(m_design, m_facts, m_app.locale());
-    const QString focused = m_shown && m_shown->isAncestorOf(focusWidget()) ? focusWidget()->objectName() : QString();
+    const QString focused =
+        m_shown && m_shown->isAncestorOf(focusWidget()) ? focusWidget()->objectName() : QString();
     if (m_shown) {
         m_shown->hide();
         m_shown->deleteLater();
@@ -121,7 +127,8 @@ QWidget* CheckList::row(const FreezeCheck& check) {
     auto* said = new QVBoxLayout;
     said->setSpacing(0);
     said->addWidget(kit::label(theme, check.title, TextStyle::strong));
-    auto* words = kit::label(theme, check.words, TextStyle::body, check.state == State::bad ? "bad" : "muted");
+    auto* words =
+        kit::label(theme, check.words, TextStyle::body, check.state == State::bad ? "bad" : "muted");
     words->setObjectName(QStringLiteral("check.%1.words").arg(check.name));
     words->setAccessibleName(tr("%1, %2: %3").arg(check.title, sign.words, check.words));
     said->addWidget(words);

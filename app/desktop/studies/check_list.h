@@ -20,7 +20,8 @@ class WorkToken;
 class CheckList final : public QWidget {
     Q_OBJECT
 public:
-    CheckList(AppContext& app, const psychophysics::StudyDesign& design, FreezeFacts facts, QWidget* parent = nullptr);
+    CheckList(AppContext& app, const psychophysics::StudyDesign& design, FreezeFacts facts,
+              QWidget* parent = nullptr);
     ~CheckList() override;
 
     const std::vector<FreezeCheck>& checks() const { return m_checks; }

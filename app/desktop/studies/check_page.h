@@ -11,7 +11,8 @@ namespace chiron::desktop {
 class CheckPage final : public QWidget {
     Q_OBJECT
 public:
-    CheckPage(const DesignPage& page, const OpenStudy& study, const std::vector<DesignFault>& faults, QWidget* parent = nullptr);
+    CheckPage(const DesignPage& page, const OpenStudy& study, const std::vector<DesignFault>& faults,
+              QWidget* parent = nullptr);
 
 signals:
     void goAsked(const chiron::desktop::FreezeCheck& check);

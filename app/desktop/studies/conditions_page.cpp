@@ -22,7 +22,9 @@ namespace chiron::desktop {
 using namespace psychophysics;
 
 ConditionsPage::ConditionsPage(const DesignPage& page, int shown, QWidget* parent)
-    : QWidget(parent), m_page(page), m_shown(std::clamp(shown, 0, std::max(0, static_cast<int>(page.draft.design().conditions.size()) - 1))) {
+    : QWidget(parent), m_page(page),
+      m_shown(
+          std::clamp(shown, 0, std::max(0, static_cast<int>(page.draft.design().conditions.size()) - 1))) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(page.app.theme().px(16));
@@ -39,7 +41,8 @@ ConditionsPage::ConditionsPage(const DesignPage& page, int shown, QWidget* paren
     if (!page.draft.design().conditions.empty()) {
         column->addWidget(stimulusBox());
         // In a study with one condition, the study's own instructions suffice.
-        if (!condition().instructions.empty() || (!page.readOnly && page.draft.design().conditions.size() > 1))
+        if (!condition().instructions.empty() ||
+            (!page.readOnly && page.draft.design().conditions.size() > 1))
             column->addWidget(instructionsBox());
         if (!apex())
             column->addWidget(tableBox());
@@ -58,10 +61,12 @@ QWidget* ConditionsPage::sealedBox() {
     auto* label = kit::label(theme, codes.join(QStringLiteral(" · ")), TextStyle::heading);
     label->setObjectName(QStringLiteral("conditions.codes"));
     box.layout->addWidget(label);
-    box.layout->addWidget(kit::label(theme, tr("The study is blind: until it is unblinded, its conditions are shown only by these codes "
-                                               "and their differences are hidden. Only the study's author and administrators see the "
-                                               "design."),
-                                     TextStyle::body, "muted"));
+    box.layout->addWidget(kit::label(
+        theme,
+        tr("The study is blind: until it is unblinded, its conditions are shown only by these codes "
+           "and their differences are hidden. Only the study's author and administrators see the "
+           "design."),
+        TextStyle::body, "muted"));
     return box.frame;
 }
 
@@ -87,18 +92,25 @@ QWidget* ConditionsPage::sharedBox() {
     }
     fact(tr("Task"), study_words::task(condition().task));
     fact(tr("Candidates"), locale.toString(static_cast<int>(stimulus.differences.size())));
-    fact(tr("Differences from the reference"), tr("%1 to %2").arg(study_words::percent(study_words::ratioOf(stimulus.differences.front()), locale),
-                                                                   study_words::percent(study_words::ratioOf(stimulus.differences.back()), locale)));
+    fact(tr("Differences from the reference"),
+         tr("%1 to %2")
+             .arg(study_words::percent(study_words::ratioOf(stimulus.differences.front()), locale),
+                  study_words::percent(study_words::ratioOf(stimulus.differences.back()), locale)));
     grid->wide(kit::label(theme, study_words::taskInWords(condition().task), TextStyle::small, "muted"));
     box.layout->addWidget(grid);
     return box.frame;
 }
 
-const Condition& ConditionsPage::condition() const { return m_page.draft.design().conditions[static_cast<std::size_t>(m_shown)]; }
+const Condition& ConditionsPage::condition() const {
+    return m_page.draft.design().conditions[static_cast<std::size_t>(m_shown)];
+}
 
-void ConditionsPage::edit(const QString& words, const QString& key, const std::function<void(Condition&)>& change, bool structure) {
-    m_page.draft.change(words, key.isEmpty() ? key : QStringLiteral("%1.%2").arg(m_shown).arg(key),
-                        [&](StudyDesign& design) { change(design.conditions[static_cast<std::size_t>(m_shown)]); }, structure);
+void ConditionsPage::edit(const QString& words, const QString& key,
+                          const std::function<void(Condition&)>& change, bool structure) {
+    m_page.draft.change(
+        words, key.isEmpty() ? key : QStringLiteral("%1.%2").arg(m_shown).arg(key),
+        [&](StudyDesign& design) { change(design.conditions[static_cast<std::size_t>(m_shown)]); },
+        structure);
 }
 
 QString ConditionsPage::buttonText(const Condition& condition) const {
@@ -128,7 +140,8 @@ QWidget* ConditionsPage::chooser() {
     });
     if (m_page.readOnly)
         return bar;
-    const auto add = [&](const QString& text, const char* icon, const char* name, const std::function<void()>& act) {
+    const auto add = [&](const QString& text, const char* icon, const char* name,
+                         const std::function<void()>& act) {
         auto* button = kit::button(theme, text, "quiet", QLatin1String(icon));
         button->setObjectName(QLatin1String(name));
         connect(button, &QPushButton::clicked, this, act);
@@ -136,7 +149,9 @@ QWidget* ConditionsPage::chooser() {
         return button;
     };
     add(tr("Add a condition"), "list-add", "conditions.copy", [this] { addCondition(); });
-    add(tr("Remove"), "edit-delete", "conditions.remove", [this] { removeCondition(); })->setEnabled(conditions.size() > 1);
+    add(tr("Remove"), "edit-delete", "conditions.remove", [this] {
+        removeCondition();
+    })->setEnabled(conditions.size() > 1);
     return bar;
 }
 
@@ -158,24 +173,33 @@ std::string freeTitle(const StudyDesign& design, const std::string& language, co
 } // namespace
 
 void ConditionsPage::addCondition() {
-    m_page.draft.change(tr("Add a condition"), {}, [this](StudyDesign& design) {
-        Condition copy = design.conditions[static_cast<std::size_t>(m_shown)];
-        const std::string base = copy.id;
-        for (int n = 2; std::any_of(design.conditions.begin(), design.conditions.end(), [&](const Condition& each) { return each.id == copy.id; }); ++n)
-            copy.id = base + "_" + std::to_string(n);
-        for (auto& [language, words] : copy.title)
-            words = freeTitle(design, language, words);
-        copy.instructions.clear(); // instructions rarely fit another condition
-        design.conditions.push_back(std::move(copy));
-    }, true);
+    m_page.draft.change(
+        tr("Add a condition"), {},
+        [this](StudyDesign& design) {
+            Condition copy = design.conditions[static_cast<std::size_t>(m_shown)];
+            const std::string base = copy.id;
+            for (int n = 2; std::any_of(design.conditions.begin(), design.conditions.end(),
+                                        [&](const Condition& each) { return each.id == copy.id; });
+                 ++n)
+                copy.id = base + "_" + std::to_string(n);
+            for (auto& [language, words] : copy.title)
+                words = freeTitle(design, language, words);
+            copy.instructions.clear(); // instructions rarely fit another condition
+            design.conditions.push_back(std::move(copy));
+        },
+        true);
     emit showAsked(static_cast<int>(m_page.draft.design().conditions.size()) - 1);
 }
 
 void ConditionsPage::removeCondition() {
-    m_page.draft.change(tr("Remove a condition"), {}, [this](StudyDesign& design) { design.conditions.erase(design.conditions.begin() + m_shown); }, true);
+    m_page.draft.change(
+        tr("Remove a condition"), {},
+        [this](StudyDesign& design) { design.conditions.erase(design.conditions.begin() + m_shown); }, true);
 }
 
-bool ConditionsPage::apex() const { return condition().stimulus.attribute == Attribute::apex; }
+bool ConditionsPage::apex() const {
+    return condition().stimulus.attribute == Attribute::apex;
+}
 
 QWidget* ConditionsPage::stimulusBox() {
     const Theme& theme = m_page.app.theme();
@@ -185,9 +209,14 @@ QWidget* ConditionsPage::stimulusBox() {
     std::vector<std::pair<QString, QVariant>> attributes;
     for (int i = 0; i < kAttributes; ++i)
         attributes.emplace_back(study_words::attribute(static_cast<Attribute>(i)), i);
-    grid->choice(tr("Attribute"), QStringLiteral("condition.attribute"), attributes, static_cast<int>(condition().stimulus.attribute), [this](const QVariant& now) {
-        edit(tr("Another attribute"), {}, [&](Condition& changed) { takeAttribute(changed, static_cast<Attribute>(now.toInt())); }, true);
-    });
+    grid->choice(
+        tr("Attribute"), QStringLiteral("condition.attribute"), attributes,
+        static_cast<int>(condition().stimulus.attribute), [this](const QVariant& now) {
+            edit(
+                tr("Another attribute"), {},
+                [&](Condition& changed) { takeAttribute(changed, static_cast<Attribute>(now.toInt())); },
+                true);
+        });
     grid->explain(QStringLiteral("condition.attribute"), tr("What the objects differ in, and nothing else."));
     addReference(*grid);
     if (!apex())
@@ -203,9 +232,14 @@ QWidget* ConditionsPage::instructionsBox() {
     const kit::Box box = titledBox(theme, tr("What is different for the participant"));
     auto* grid = new FieldGrid(theme, m_page.app.locale(), m_page.readOnly);
     const QString name = QStringLiteral("condition.instructions");
-    addStudyText(*grid, m_page, tr("What participants read before this condition"), name, 2,
-                 [at = static_cast<std::size_t>(m_shown)](StudyDesign& design) -> StudyText& { return design.conditions[at].instructions; }, true);
-    grid->explain(name, tr("What the settings do not say, such as \"Put on the glove.\" or \"Use your other hand.\" Leave it empty if nothing is different. "
+    addStudyText(
+        *grid, m_page, tr("What participants read before this condition"), name, 2,
+        [at = static_cast<std::size_t>(m_shown)](StudyDesign& design) -> StudyText& {
+            return design.conditions[at].instructions;
+        },
+        true);
+    grid->explain(name, tr("What the settings do not say, such as \"Put on the glove.\" or \"Use your other "
+                           "hand.\" Leave it empty if nothing is different. "
                            "Whoever reads it can tell this condition from the others."));
     box.layout->addWidget(grid);
     if (!m_page.readOnly)
@@ -215,12 +249,18 @@ QWidget* ConditionsPage::instructionsBox() {
 
 void ConditionsPage::addNames(FieldGrid& grid) {
     addStudyText(grid, m_page, tr("Title"), QStringLiteral("condition.title"), 1,
-                 [at = static_cast<std::size_t>(m_shown)](StudyDesign& design) -> StudyText& { return design.conditions[at].title; });
-    grid.explain(QStringLiteral("condition.title"), tr("What the condition is called in tables and figures. Participants never see it."));
-    grid.text(tr("Short name in exports"), QStringLiteral("condition.id"), QString::fromStdString(condition().id), [this](const QString& now) {
-        edit(tr("Id of a condition"), QStringLiteral("id"), [&](Condition& changed) { changed.id = now.trimmed().toStdString(); });
-    });
-    grid.explain(QStringLiteral("condition.id"), tr("Lower-case letters, digits and _ only; each condition has another."));
+                 [at = static_cast<std::size_t>(m_shown)](StudyDesign& design) -> StudyText& {
+                     return design.conditions[at].title;
+                 });
+    grid.explain(QStringLiteral("condition.title"),
+                 tr("What the condition is called in tables and figures. Participants never see it."));
+    grid.text(tr("Short name in exports"), QStringLiteral("condition.id"),
+              QString::fromStdString(condition().id), [this](const QString& now) {
+                  edit(tr("Id of a condition"), QStringLiteral("id"),
+                       [&](Condition& changed) { changed.id = now.trimmed().toStdString(); });
+              });
+    grid.explain(QStringLiteral("condition.id"),
+                 tr("Lower-case letters, digits and _ only; each condition has another."));
 }
 
 namespace {
@@ -237,7 +277,10 @@ void nameByReference(StudyDesign& design, std::size_t at, double before, double 
     };
     const QString was = QString::number(before, 'g', 6), now = QString::number(after, 'g', 6);
     if (!unit.isEmpty()) {
-        const QRegularExpression value(QStringLiteral("(?<![0-9.,])%1(\\s*)%2(?![\\w/])").arg(QRegularExpression::escape(was), QRegularExpression::escape(unit)), QRegularExpression::UseUnicodePropertiesOption);
+        const QRegularExpression value(
+            QStringLiteral("(?<![0-9.,])%1(\\s*)%2(?![\\w/])")
+                .arg(QRegularExpression::escape(was), QRegularExpression::escape(unit)),
+            QRegularExpression::UseUnicodePropertiesOption);
         static const QRegularExpression kCopy(QStringLiteral("\\s\\(\\d+\\)$"));
         for (auto& [language, words] : changed.title) {
             QString title = QString::fromStdString(words);
@@ -245,12 +288,17 @@ void nameByReference(StudyDesign& design, std::size_t at, double before, double 
                 continue;
             title.replace(value, now + QStringLiteral("\\1") + unit);
             const std::string plain = QString(title).remove(kCopy).toStdString();
-            words = isFree([&](const Condition& other) { return other.title.contains(language) && other.title.at(language) == plain; }) ? plain : title.toStdString();
+            words = isFree([&](const Condition& other) {
+                return other.title.contains(language) && other.title.at(language) == plain;
+            })
+                        ? plain
+                        : title.toStdString();
         }
     }
     static const QRegularExpression kNoKey(QStringLiteral("[^a-z0-9]+"));
     const auto key = [](QString number) { return number.replace(kNoKey, QStringLiteral("_")); };
-    const QRegularExpression id(QStringLiteral("^(.*_)%1(_\\d+)?$").arg(QRegularExpression::escape(key(was))));
+    const QRegularExpression id(
+        QStringLiteral("^(.*_)%1(_\\d+)?$").arg(QRegularExpression::escape(key(was))));
     if (const auto match = id.match(QString::fromStdString(changed.id)); match.hasMatch()) {
         const QString plain = match.captured(1) + key(now);
         const bool mine = isFree([&](const Condition& other) { return other.id == plain.toStdString(); });
@@ -268,7 +316,8 @@ void ConditionsPage::showNames(FieldGrid& grid) const {
             field->setText(words);
     };
     const auto title = condition().title.find(m_page.language.toStdString());
-    put("condition.title", title == condition().title.end() ? QString() : QString::fromStdString(title->second));
+    put("condition.title",
+        title == condition().title.end() ? QString() : QString::fromStdString(title->second));
     put("condition.id", QString::fromStdString(condition().id));
 }
 
@@ -276,48 +325,68 @@ void ConditionsPage::addReference(FieldGrid& grid) {
     const Attribute attribute = condition().stimulus.attribute;
     const study_words::Unit unit = study_words::unitOf(attribute);
     const catalogue::ValueRange range = catalogue::valueRange(attribute);
-    grid.number(apex() ? tr("Radius of the sphere") : tr("Reference"), QStringLiteral("condition.reference"), condition().stimulus.reference * unit.factor, {0, 1e9, 4, unit.text, 1},
-                [this, grid = &grid, unit](double now) {
-                    m_page.draft.change(tr("Reference"), QStringLiteral("%1.reference").arg(m_shown), [&](StudyDesign& design) {
-                        const auto at = static_cast<std::size_t>(m_shown);
-                        nameByReference(design, at, design.conditions[at].stimulus.reference * unit.factor, now, unit.text);
-                        design.conditions[at].stimulus.reference = now / unit.factor;
-                    });
-                    showNames(*grid);
+    grid.number(
+        apex() ? tr("Radius of the sphere") : tr("Reference"), QStringLiteral("condition.reference"),
+        condition().stimulus.reference * unit.factor, {0, 1e9, 4, unit.text, 1},
+        [this, grid = &grid, unit](double now) {
+            m_page.draft.change(
+                tr("Reference"), QStringLiteral("%1.reference").arg(m_shown), [&](StudyDesign& design) {
+                    const auto at = static_cast<std::size_t>(m_shown);
+                    nameByReference(design, at, design.conditions[at].stimulus.reference * unit.factor, now,
+                                    unit.text);
+                    design.conditions[at].stimulus.reference = now / unit.factor;
                 });
-    grid.explain(QStringLiteral("condition.reference"), apex() ? tr("How large the sphere is whose highest point is looked for.") : tr("The object that the others are compared with."),
-                 {range.lowest * unit.factor, range.highest * unit.factor, usualReference(attribute) * unit.factor});
+            showNames(*grid);
+        });
+    grid.explain(
+        QStringLiteral("condition.reference"),
+        apex() ? tr("How large the sphere is whose highest point is looked for.")
+               : tr("The object that the others are compared with."),
+        {range.lowest * unit.factor, range.highest * unit.factor, usualReference(attribute) * unit.factor});
 }
 
 void ConditionsPage::addTask(FieldGrid& grid) {
     std::vector<std::pair<QString, QVariant>> tasks;
     for (int i = 0; i < kTasks; ++i)
-        tasks.insert(static_cast<Task>(i) == Task::rank3Ties ? tasks.begin() + 1 : tasks.end(), {study_words::task(static_cast<Task>(i)), i});
-    grid.choice(tr("Task"), QStringLiteral("condition.task"), tasks, static_cast<int>(condition().task), [this](const QVariant& now) {
-        edit(tr("Another task"), {}, [&](Condition& changed) { takeTask(changed, static_cast<Task>(now.toInt())); }, true);
-    });
+        tasks.insert(static_cast<Task>(i) == Task::rank3Ties ? tasks.begin() + 1 : tasks.end(),
+                     {study_words::task(static_cast<Task>(i)), i});
+    grid.choice(tr("Task"), QStringLiteral("condition.task"), tasks, static_cast<int>(condition().task),
+                [this](const QVariant& now) {
+                    edit(
+                        tr("Another task"), {},
+                        [&](Condition& changed) { takeTask(changed, static_cast<Task>(now.toInt())); }, true);
+                });
     grid.explain(QStringLiteral("condition.task"), study_words::taskInWords(condition().task));
     if (correctAnswer(condition().task, 0) < 0)
         return; // no answer is correct, so there is no proportion of correct answers
     constexpr double kPercent = 100.0;
-    grid.number(tr("Threshold at"), QStringLiteral("condition.criterion"), kPercent * condition().criterion, {1, 99, 1, QStringLiteral("%"), 1}, [this](double now) {
-        edit(tr("Criterion"), QStringLiteral("criterion"), [&](Condition& changed) { changed.criterion = now / kPercent; });
-    });
-    grid.explain(QStringLiteral("condition.criterion"), tr("The threshold is the difference at which so many answers are right."), {1, 99, 75});
+    grid.number(tr("Threshold at"), QStringLiteral("condition.criterion"), kPercent * condition().criterion,
+                {1, 99, 1, QStringLiteral("%"), 1}, [this](double now) {
+                    edit(tr("Criterion"), QStringLiteral("criterion"),
+                         [&](Condition& changed) { changed.criterion = now / kPercent; });
+                });
+    grid.explain(QStringLiteral("condition.criterion"),
+                 tr("The threshold is the difference at which so many answers are right."), {1, 99, 75});
 }
 
 QWidget* ConditionsPage::tableBox() {
     const Theme& theme = m_page.app.theme();
     const kit::Box box = titledBox(theme, tr("Table of differences"));
-    box.layout->addWidget(kit::label(theme, tr("The differences from the reference that a procedure may choose from."), TextStyle::body, "muted"));
+    box.layout->addWidget(
+        kit::label(theme, tr("The differences from the reference that a procedure may choose from."),
+                   TextStyle::body, "muted"));
     auto* table = new DifferenceTable(theme, m_page.app.locale(), m_page.readOnly, condition().stimulus,
-                                      catalogue::takesBothSides(condition().task) && condition().scale == ProcedureScale::difference);
+                                      catalogue::takesBothSides(condition().task) &&
+                                          condition().scale == ProcedureScale::difference);
     connect(table, &DifferenceTable::changed, this, [this](const std::vector<double>& differences) {
-        edit(tr("Table of differences"), {}, [&](Condition& changed) {
-            changed.stimulus.differences = differences;
-            for (ProcedureSpec& procedure : changed.procedures) // levels and grids follow the table
-                procedure = usualProcedure(std::string(kindOf(procedure)), changed);
-        }, true);
+        edit(
+            tr("Table of differences"), {},
+            [&](Condition& changed) {
+                changed.stimulus.differences = differences;
+                for (ProcedureSpec& procedure : changed.procedures) // levels and grids follow the table
+                    procedure = usualProcedure(std::string(kindOf(procedure)), changed);
+            },
+            true);
     });
     // The objects' values follow the reference.
     connect(&m_page.draft, &StudyDraft::changed, table, [this, table] {
@@ -332,13 +401,15 @@ QWidget* ConditionsPage::proceduresBox() {
     const Theme& theme = m_page.app.theme();
     const kit::Box box = titledBox(theme, apex() ? tr("Trials") : tr("Procedure"));
     if (condition().procedures.size() > 1)
-        box.layout->addWidget(kit::label(theme, tr("Several procedures are interleaved at random."), TextStyle::body, "muted"));
+        box.layout->addWidget(
+            kit::label(theme, tr("Several procedures are interleaved at random."), TextStyle::body, "muted"));
     if (hasScale())
         box.layout->addWidget(scaleGrid());
     for (std::size_t i = 0; i < condition().procedures.size(); ++i) {
         if (i > 0 || hasScale())
             box.layout->addWidget(kit::rule());
-        box.layout->addWidget(new ProcedureForm(theme, m_page.app.locale(), m_page.readOnly, m_page.draft, {static_cast<std::size_t>(m_shown), i}));
+        box.layout->addWidget(new ProcedureForm(theme, m_page.app.locale(), m_page.readOnly, m_page.draft,
+                                                {static_cast<std::size_t>(m_shown), i}));
     }
     if (!m_page.readOnly && !apex()) {
         auto* more = kit::button(theme, tr("Interleave one more"), "quiet", QStringLiteral("list-add"));
@@ -347,7 +418,11 @@ QWidget* ConditionsPage::proceduresBox() {
         auto* less = kit::button(theme, tr("Remove the last"), "quiet", QStringLiteral("list-remove"));
         less->setObjectName(QStringLiteral("conditions.less_procedures"));
         less->setEnabled(condition().procedures.size() > 1);
-        connect(less, &QPushButton::clicked, this, [this] { edit(tr("Remove a procedure"), {}, [](Condition& changed) { changed.procedures.pop_back(); }, true); });
+        connect(less, &QPushButton::clicked, this, [this] {
+            edit(
+                tr("Remove a procedure"), {}, [](Condition& changed) { changed.procedures.pop_back(); },
+                true);
+        });
         auto* bar = new QWidget;
         auto* row = new FlowLayout(theme.px(8), bar);
         row->addWidget(more);
@@ -359,27 +434,37 @@ QWidget* ConditionsPage::proceduresBox() {
 
 /// Whether the procedure can work on the logarithm of a difference as well as on the difference.
 bool ConditionsPage::hasScale() const {
-    return !apex() && !ranksThree(condition().task) && condition().task != Task::adjustment && condition().task != Task::magnitude;
+    return !apex() && !ranksThree(condition().task) && condition().task != Task::adjustment &&
+           condition().task != Task::magnitude;
 }
 
 QWidget* ConditionsPage::scaleGrid() {
     auto* scale = new FieldGrid(m_page.app.theme(), m_page.app.locale(), m_page.readOnly);
-    scale->choice(tr("The procedure works on"), QStringLiteral("condition.scale"),
-                  {{study_words::scale(ProcedureScale::difference), static_cast<int>(ProcedureScale::difference)},
-                   {study_words::scale(ProcedureScale::logDifference), static_cast<int>(ProcedureScale::logDifference)}},
-                  static_cast<int>(condition().scale), [this](const QVariant& now) {
-                      edit(tr("Scale of the procedure"), {}, [&](Condition& changed) {
-                          changed.scale = static_cast<ProcedureScale>(now.toInt());
-                          for (ProcedureSpec& procedure : changed.procedures)
-                              procedure = usualProcedure(std::string(kindOf(procedure)), changed);
-                      }, true);
-                  });
-    scale->explain(QStringLiteral("condition.scale"), tr("Ratios suit thresholds: from 2 % to 4 % is as far as from 10 % to 20 %. Differences suit tables on both sides of the reference."));
+    scale->choice(
+        tr("The procedure works on"), QStringLiteral("condition.scale"),
+        {{study_words::scale(ProcedureScale::difference), static_cast<int>(ProcedureScale::difference)},
+         {study_words::scale(ProcedureScale::logDifference),
+          static_cast<int>(ProcedureScale::logDifference)}},
+        static_cast<int>(condition().scale), [this](const QVariant& now) {
+            edit(
+                tr("Scale of the procedure"), {},
+                [&](Condition& changed) {
+                    changed.scale = static_cast<ProcedureScale>(now.toInt());
+                    for (ProcedureSpec& procedure : changed.procedures)
+                        procedure = usualProcedure(std::string(kindOf(procedure)), changed);
+                },
+                true);
+        });
+    scale->explain(QStringLiteral("condition.scale"),
+                   tr("Ratios suit thresholds: from 2 % to 4 % is as far as from 10 % to 20 %. Differences "
+                      "suit tables on both sides of the reference."));
     return scale;
 }
 
 void ConditionsPage::addProcedure() {
-    edit(tr("Add a procedure"), {}, [](Condition& changed) { changed.procedures.push_back(changed.procedures.back()); }, true);
+    edit(
+        tr("Add a procedure"), {},
+        [](Condition& changed) { changed.procedures.push_back(changed.procedures.back()); }, true);
 }
 
 } // namespace chiron::desktop

@@ -41,7 +41,8 @@ private:
     void removeCondition();
     void addProcedure();
     const psychophysics::Condition& condition() const;
-    void edit(const QString& words, const QString& key, const std::function<void(psychophysics::Condition&)>& change, bool structure = false);
+    void edit(const QString& words, const QString& key,
+              const std::function<void(psychophysics::Condition&)>& change, bool structure = false);
 
     DesignPage m_page;
     int m_shown;

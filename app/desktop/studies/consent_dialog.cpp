@@ -11,14 +11,18 @@
 
 namespace chiron::desktop {
 
-ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study, const database::Participant& participant, QWidget* parent)
-    : FormDialog(context, QStringLiteral("consent"), tr("Consent of %1").arg(QString::fromStdString(participant.code)), parent), m_texts(study.design.consent), m_told(study.design.instructions), m_participant(participant) {
+ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study,
+                             const database::Participant& participant, QWidget* parent)
+    : FormDialog(context, QStringLiteral("consent"),
+                 tr("Consent of %1").arg(QString::fromStdString(participant.code)), parent),
+      m_texts(study.design.consent), m_told(study.design.instructions), m_participant(participant) {
     m_language = new QComboBox;
     m_language->setObjectName(QStringLiteral("consent.language"));
     m_language->setAccessibleName(tr("Language"));
     for (const auto& [language, words] : m_texts)
         if (!words.empty())
-            m_language->addItem(languageName(QString::fromStdString(language)), QString::fromStdString(language));
+            m_language->addItem(languageName(QString::fromStdString(language)),
+                                QString::fromStdString(language));
     m_language->setCurrentIndex(std::max(0, m_language->findData(context.language())));
     m_language->setVisible(m_language->count() > 1);
     column()->addWidget(m_language, 0, Qt::AlignLeft);
@@ -37,7 +41,9 @@ ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study, const 
     m_agreed->setObjectName(QStringLiteral("consent.agreed"));
     m_agreed->setFont(theme().font(TextStyle::body));
     column()->addWidget(m_agreed);
-    column()->addWidget(kit::label(theme(), tr("The time and the text's SHA-256 are recorded. Participants may withdraw at any time."), TextStyle::small, "muted"));
+    column()->addWidget(kit::label(
+        theme(), tr("The time and the text's SHA-256 are recorded. Participants may withdraw at any time."),
+        TextStyle::small, "muted"));
     setAccept(tr("Record the consent"));
     connect(m_language, &QComboBox::activated, this, &ConsentDialog::showText);
     connect(m_agreed, &QCheckBox::toggled, this, [this](bool agreed) { setAcceptable(agreed); });
@@ -50,7 +56,8 @@ ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study, const 
 void ConsentDialog::showText() {
     m_instructions->setText(study_words::text(m_told, m_language->currentData().toString()));
     const auto found = m_texts.find(m_language->currentData().toString().toStdString());
-    m_text->setText(found == m_texts.end() ? tr("This study has no consent text.") : QString::fromStdString(found->second));
+    m_text->setText(found == m_texts.end() ? tr("This study has no consent text.")
+                                           : QString::fromStdString(found->second));
     m_agreed->setChecked(false); // it belonged to another text
 }
 
@@ -58,14 +65,18 @@ void ConsentDialog::submit() {
     setWorking(true);
     const std::string sha = catalogue::studySha256(m_text->text().toUtf8());
     writeStudies(
-        context(), this, [participant = m_participant.id, sha](database::StudyRepository& studies) { return studies.recordConsent(participant, sha); },
+        context(), this,
+        [participant = m_participant.id, sha](database::StudyRepository& studies) {
+            return studies.recordConsent(participant, sha);
+        },
         [this](const core::Result<void>& done) {
             setWorking(false);
             if (!done) {
                 say("bad", tr("The consent was not recorded.\n%1").arg(inWords(done.error())));
                 return;
             }
-            context().messages().done(tr("The consent of %1 was recorded.").arg(QString::fromStdString(m_participant.code)));
+            context().messages().done(
+                tr("The consent of %1 was recorded.").arg(QString::fromStdString(m_participant.code)));
             emit changed();
             accept();
         });

@@ -16,7 +16,8 @@ namespace chiron::desktop {
 class ConsentDialog final : public FormDialog {
     Q_OBJECT
 public:
-    ConsentDialog(AppContext& context, const OpenStudy& study, const database::Participant& participant, QWidget* parent);
+    ConsentDialog(AppContext& context, const OpenStudy& study, const database::Participant& participant,
+                  QWidget* parent);
 
 protected:
     void submit() override;

@@ -27,9 +27,11 @@ struct ReaderFault {
 };
 
 std::vector<ReaderFault> readerFaults(const core::Error& error) {
-    static const QRegularExpression kLine(QStringLiteral("^.*?:\\d+:\\d+:\\s*\\$\\.?([^:]*): (.*?): (?:expected )?(.*)$"));
+    static const QRegularExpression kLine(
+        QStringLiteral("^.*?:\\d+:\\d+:\\s*\\$\\.?([^:]*): (.*?): (?:expected )?(.*)$"));
     std::vector<ReaderFault> faults;
-    for (const QString& line : QString::fromStdString(error.message).split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+    for (const QString& line :
+         QString::fromStdString(error.message).split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
         const QRegularExpressionMatch match = kLine.match(line);
         if (match.hasMatch())
             faults.push_back({match.captured(1), match.captured(2), match.captured(3)});
@@ -76,10 +78,14 @@ constexpr Spot kSpots[] = {
 /// Fields of a condition, by the end of the path.
 constexpr std::pair<const char*, const char*> kConditionSpots[] = {
     {"instructions", "condition.instructions"},
-    {"title", "condition.title"},          {"id", "condition.id"},
-    {"stimulus.attribute", "condition.attribute"}, {"stimulus.reference", "condition.reference"},
-    {"stimulus.differences", "differences.levels"}, {"task", "condition.task"},
-    {"scale", "condition.scale"},          {"criterion", "condition.criterion"},
+    {"title", "condition.title"},
+    {"id", "condition.id"},
+    {"stimulus.attribute", "condition.attribute"},
+    {"stimulus.reference", "condition.reference"},
+    {"stimulus.differences", "differences.levels"},
+    {"task", "condition.task"},
+    {"scale", "condition.scale"},
+    {"criterion", "condition.criterion"},
 };
 
 const QString kTableField = QStringLiteral("differences.levels");
@@ -111,9 +117,12 @@ void place(DesignFault& fault, const QString& path) {
                 fault.field = QLatin1String(field);
         return;
     }
-    fault.tab = path.startsWith(QStringLiteral("conditions")) ? StudyScreen::conditionsTab : StudyScreen::generalTab;
+    fault.tab =
+        path.startsWith(QStringLiteral("conditions")) ? StudyScreen::conditionsTab : StudyScreen::generalTab;
     for (const Spot& spot : kSpots)
-        if (path == QLatin1String(spot.path) || path.startsWith(QLatin1String(spot.path) + QLatin1Char('.')) || path.startsWith(QLatin1String(spot.path) + QLatin1Char('['))) {
+        if (path == QLatin1String(spot.path) ||
+            path.startsWith(QLatin1String(spot.path) + QLatin1Char('.')) ||
+            path.startsWith(QLatin1String(spot.path) + QLatin1Char('['))) {
             fault.tab = spot.tab;
             fault.field = QLatin1String(spot.field);
             return;
@@ -122,21 +131,27 @@ void place(DesignFault& fault, const QString& path) {
 
 QString rangeWords(psychophysics::Attribute attribute, const QLocale& locale) {
     const catalogue::ValueRange range = catalogue::valueRange(attribute);
-    return FaultWords::tr("%1 to %2").arg(study_words::value(range.lowest, attribute, locale), study_words::value(range.highest, attribute, locale));
+    return FaultWords::tr("%1 to %2")
+        .arg(study_words::value(range.lowest, attribute, locale),
+             study_words::value(range.highest, attribute, locale));
 }
 
 /// The error text for a reference or a table: what can be rendered, in the attribute's unit.
-QString stimulusWords(const Condition& condition, const QString& field, const ReaderFault& fault, const QLocale& locale) {
+QString stimulusWords(const Condition& condition, const QString& field, const ReaderFault& fault,
+                      const QLocale& locale) {
     const psychophysics::StimulusDesign& stimulus = condition.stimulus;
     const QString allowed = rangeWords(stimulus.attribute, locale);
     if (field == QStringLiteral("condition.reference"))
-        return FaultWords::tr("%1 cannot be rendered. Choose a reference of %2.").arg(study_words::value(stimulus.reference, stimulus.attribute, locale), allowed);
+        return FaultWords::tr("%1 cannot be rendered. Choose a reference of %2.")
+            .arg(study_words::value(stimulus.reference, stimulus.attribute, locale), allowed);
     static const QRegularExpression kObject(QStringLiteral("an object of ([-+0-9.e]+)"));
     if (const auto match = kObject.match(fault.found); match.hasMatch())
-        return FaultWords::tr("An object would have %1, but only %2 can be rendered. Choose smaller differences or another reference.")
+        return FaultWords::tr("An object would have %1, but only %2 can be rendered. Choose smaller "
+                              "differences or another reference.")
             .arg(study_words::value(match.captured(1).toDouble(), stimulus.attribute, locale), allowed);
     if (fault.expected.startsWith(QStringLiteral("more than 0")))
-        return FaultWords::tr("This task compares with objects above the reference only: every difference must be above 0 %.");
+        return FaultWords::tr(
+            "This task compares with objects above the reference only: every difference must be above 0 %.");
     if (fault.expected.startsWith(QStringLiteral("more than the one before")))
         return FaultWords::tr("A difference is there twice. Leave one of them out.");
     return {};
@@ -145,7 +160,8 @@ QString stimulusWords(const Condition& condition, const QString& field, const Re
 const QString kTwice = QStringLiteral("not given twice");
 
 QString generalWords(const ReaderFault& fault, const QLocale& locale) {
-    static const QRegularExpression kBetween(QStringLiteral("(-?[0-9.]+(?:e[-+]?\\d+)?) to (-?[0-9.]+(?:e[-+]?\\d+)?)"));
+    static const QRegularExpression kBetween(
+        QStringLiteral("(-?[0-9.]+(?:e[-+]?\\d+)?) to (-?[0-9.]+(?:e[-+]?\\d+)?)"));
     if (fault.found == QStringLiteral("0 characters") || fault.found == QStringLiteral("missing"))
         return FaultWords::tr("This is empty. Write something.");
     if (fault.expected.startsWith(QStringLiteral("lower-case letters")))
@@ -153,10 +169,15 @@ QString generalWords(const ReaderFault& fault, const QLocale& locale) {
     if (fault.expected.contains(kTwice))
         return FaultWords::tr("This is there twice. Choose another.");
     if (fault.expected.contains(QStringLiteral("as the table of differences has")))
-        return FaultWords::tr("A level lies outside the table of differences. Choose one within it, or change the table.");
+        return FaultWords::tr(
+            "A level lies outside the table of differences. Choose one within it, or change the table.");
     if (const auto match = kBetween.match(fault.expected); match.hasMatch())
-        return FaultWords::tr("Choose a value from %1 to %2.").arg(locale.toString(match.captured(1).toDouble(), 'g', 6), locale.toString(match.captured(2).toDouble(), 'g', 6));
-    return fault.expected.isEmpty() ? fault.found : FaultWords::tr("Found: %1. Expected: %2.").arg(fault.found, fault.expected);
+        return FaultWords::tr("Choose a value from %1 to %2.")
+            .arg(locale.toString(match.captured(1).toDouble(), 'g', 6),
+                 locale.toString(match.captured(2).toDouble(), 'g', 6));
+    return fault.expected.isEmpty()
+               ? fault.found
+               : FaultWords::tr("Found: %1. Expected: %2.").arg(fault.found, fault.expected);
 }
 
 /// The error text for the smallest force: what prevents it.
@@ -165,22 +186,31 @@ QString probeWords(const ReaderFault& fault, const QLocale& locale) {
     const auto match = kForce.match(fault.expected);
     const QString most = match.hasMatch() ? locale.toString(match.captured(1).toDouble(), 'g', 3) : QString();
     if (match.hasMatch() && fault.expected.startsWith(QStringLiteral("at most")))
-        return FaultWords::tr("The lightest object weighs only %1 N, so lifting it would not count as touching. Choose a smaller force.").arg(most);
+        return FaultWords::tr("The lightest object weighs only %1 N, so lifting it would not count as "
+                              "touching. Choose a smaller force.")
+            .arg(most);
     if (match.hasMatch() && fault.expected.startsWith(QStringLiteral("less than")))
-        return FaultWords::tr("A trial with more than %1 N does not count, so this force has to be smaller.").arg(most);
+        return FaultWords::tr("A trial with more than %1 N does not count, so this force has to be smaller.")
+            .arg(most);
     return generalWords(fault, locale);
 }
 
-QString wordsOf(const StudyDesign& design, const DesignFault& fault, const ReaderFault& said, const QLocale& locale) {
-    const bool ofCondition = fault.condition >= 0 && static_cast<std::size_t>(fault.condition) < design.conditions.size();
-    if (ofCondition && (fault.field == QStringLiteral("condition.reference") || fault.field == QStringLiteral("differences.levels")))
-        if (const QString words = stimulusWords(design.conditions[static_cast<std::size_t>(fault.condition)], fault.field, said, locale); !words.isEmpty())
+QString wordsOf(const StudyDesign& design, const DesignFault& fault, const ReaderFault& said,
+                const QLocale& locale) {
+    const bool ofCondition =
+        fault.condition >= 0 && static_cast<std::size_t>(fault.condition) < design.conditions.size();
+    if (ofCondition && (fault.field == QStringLiteral("condition.reference") ||
+                        fault.field == QStringLiteral("differences.levels")))
+        if (const QString words = stimulusWords(design.conditions[static_cast<std::size_t>(fault.condition)],
+                                                fault.field, said, locale);
+            !words.isEmpty())
             return words;
     if (fault.field == QStringLiteral("design.planned"))
         return FaultWords::tr("At least one participant is needed.");
     if (fault.field == QStringLiteral("trial.probe_at_least"))
         return probeWords(said, locale);
-    if (fault.field == QStringLiteral("trial.explore_limit") || fault.field == QStringLiteral("fidelity.stiffness_error") || !said.expected.isEmpty())
+    if (fault.field == QStringLiteral("trial.explore_limit") ||
+        fault.field == QStringLiteral("fidelity.stiffness_error") || !said.expected.isEmpty())
         return generalWords(said, locale);
     return said.found;
 }
@@ -198,13 +228,15 @@ void addToBoth(std::vector<DesignFault>& faults, const StudyDesign& design, cons
 bool sameTitle(const Condition& a, const Condition& b) {
     return std::any_of(a.title.begin(), a.title.end(), [&](const auto& each) {
         const auto found = b.title.find(each.first);
-        return found != b.title.end() && QString::fromStdString(found->second).trimmed() == QString::fromStdString(each.second).trimmed();
+        return found != b.title.end() && QString::fromStdString(found->second).trimmed() ==
+                                             QString::fromStdString(each.second).trimmed();
     });
 }
 
 } // namespace
 
-std::vector<DesignFault> designFaults(const StudyDesign& design, const core::Error& error, const QLocale& locale) {
+std::vector<DesignFault> designFaults(const StudyDesign& design, const core::Error& error,
+                                      const QLocale& locale) {
     std::vector<DesignFault> faults;
     for (const ReaderFault& each : readerFaults(error)) {
         DesignFault fault;
@@ -212,23 +244,30 @@ std::vector<DesignFault> designFaults(const StudyDesign& design, const core::Err
         fault.words = wordsOf(design, fault, each, locale);
         const bool ofTable = fault.field == kTableField && each.path.contains(QStringLiteral(".stimulus."));
         if (ofTable) // removes the procedures' errors that follow from the table's error
-            std::erase_if(faults, [&](const DesignFault& other) { return other.condition == fault.condition && other.field == kTableField; });
+            std::erase_if(faults, [&](const DesignFault& other) {
+                return other.condition == fault.condition && other.field == kTableField;
+            });
         if (fault.field == QStringLiteral("condition.id") && each.expected.contains(kTwice))
             addToBoth(faults, design, fault);
         else
             faults.push_back(std::move(fault));
     }
-    std::stable_sort(faults.begin(), faults.end(), [](const DesignFault& a, const DesignFault& b) { return a.tab < b.tab; });
+    std::stable_sort(faults.begin(), faults.end(),
+                     [](const DesignFault& a, const DesignFault& b) { return a.tab < b.tab; });
     return faults;
 }
 
 std::vector<DesignFault> nameFaults(const StudyDesign& design) {
     std::vector<DesignFault> faults;
     for (std::size_t i = 0; i < design.conditions.size(); ++i) {
-        const auto twins = std::count_if(design.conditions.begin(), design.conditions.end(), [&](const Condition& other) { return sameTitle(design.conditions[i], other); });
+        const auto twins =
+            std::count_if(design.conditions.begin(), design.conditions.end(),
+                          [&](const Condition& other) { return sameTitle(design.conditions[i], other); });
         if (twins > 1)
-            faults.push_back({StudyScreen::conditionsTab, static_cast<int>(i), QStringLiteral("condition.title"),
-                              FaultWords::tr("Another condition has the same name. Tables and figures could not tell them apart.")});
+            faults.push_back(
+                {StudyScreen::conditionsTab, static_cast<int>(i), QStringLiteral("condition.title"),
+                 FaultWords::tr(
+                     "Another condition has the same name. Tables and figures could not tell them apart.")});
     }
     return faults;
 }
@@ -236,7 +275,8 @@ std::vector<DesignFault> nameFaults(const StudyDesign& design) {
 QMap<QString, QString> faultsOfPage(const std::vector<DesignFault>& faults, int tab, int condition) {
     QMap<QString, QString> words;
     for (const DesignFault& fault : faults)
-        if (fault.tab == tab && (fault.condition < 0 || fault.condition == condition) && !fault.field.isEmpty() && !words.contains(fault.field))
+        if (fault.tab == tab && (fault.condition < 0 || fault.condition == condition) &&
+            !fault.field.isEmpty() && !words.contains(fault.field))
             words[fault.field] = fault.words;
     return words;
 }

@@ -21,7 +21,8 @@ struct DesignFault {
 
 /// The errors that catalogue::readStudy found, assigned to their fields and described with units, in the
 /// order of the pages.
-std::vector<DesignFault> designFaults(const psychophysics::StudyDesign& design, const core::Error& error, const QLocale& locale);
+std::vector<DesignFault> designFaults(const psychophysics::StudyDesign& design, const core::Error& error,
+                                      const QLocale& locale);
 
 /// Errors in a design that is formally valid: conditions with the same name.
 std::vector<DesignFault> nameFaults(const psychophysics::StudyDesign& design);

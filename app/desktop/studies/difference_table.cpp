@@ -89,7 +89,8 @@ void takeAttribute(Condition& condition, Attribute attribute) {
     }
 }
 
-DifferenceTable::DifferenceTable(const Theme& theme, const QLocale& locale, bool readOnly, const StimulusDesign& stimulus, bool mayBeLess, QWidget* parent)
+DifferenceTable::DifferenceTable(const Theme& theme, const QLocale& locale, bool readOnly,
+                                 const StimulusDesign& stimulus, bool mayBeLess, QWidget* parent)
     : QWidget(parent), m_locale(locale), m_stimulus(stimulus), m_mayBeLess(mayBeLess) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -115,27 +116,36 @@ DifferenceTable::DifferenceTable(const Theme& theme, const QLocale& locale, bool
 void DifferenceTable::addMaker(const Theme&, FieldGrid& grid) {
     // Half-typed numbers must not generate a table.
     const auto onceTyped = [](QAbstractSpinBox* field) { field->setKeyboardTracking(false); };
-    onceTyped(grid.number(tr("Smallest"), QStringLiteral("differences.low"), m_low_percent, {0.01, 1000, 2, QStringLiteral("%"), 0.5}, [this](double to) {
-        m_low_percent = to;
-        generate();
-    }));
-    grid.explain(QStringLiteral("differences.low"), tr("Too small for anybody to feel."), {0.01, 1000, kPercent * kUsualLow});
+    onceTyped(grid.number(tr("Smallest"), QStringLiteral("differences.low"), m_low_percent,
+                          {0.01, 1000, 2, QStringLiteral("%"), 0.5}, [this](double to) {
+                              m_low_percent = to;
+                              generate();
+                          }));
+    grid.explain(QStringLiteral("differences.low"), tr("Too small for anybody to feel."),
+                 {0.01, 1000, kPercent * kUsualLow});
     grid.setShown(QStringLiteral("differences.low"), !m_bothSides);
-    onceTyped(grid.number(tr("Largest"), QStringLiteral("differences.high"), m_high_percent, {0.02, 1000, 2, QStringLiteral("%"), 5}, [this](double to) {
-        m_high_percent = to;
-        generate();
-    }));
-    grid.explain(QStringLiteral("differences.high"), tr("Large enough for everybody to feel."), {0.02, 1000, kPercent * kUsualHigh});
-    onceTyped(grid.whole(tr("Number"), QStringLiteral("differences.count"), m_count, 1, kMostCandidates, [this](int to) {
-        m_count = to;
-        generate();
-    }));
-    grid.explain(QStringLiteral("differences.count"), tr("How many differences there are to choose from, in even steps."), {1, kMostCandidates, kUsualCount});
-    grid.check(tr("On both sides of the reference"), QStringLiteral("differences.both"), m_bothSides, [this](bool to) {
-        m_bothSides = to;
-        generate();
-    });
-    grid.explain(QStringLiteral("differences.both"), tr("Also objects with less of the attribute than the reference."));
+    onceTyped(grid.number(tr("Largest"), QStringLiteral("differences.high"), m_high_percent,
+                          {0.02, 1000, 2, QStringLiteral("%"), 5}, [this](double to) {
+                              m_high_percent = to;
+                              generate();
+                          }));
+    grid.explain(QStringLiteral("differences.high"), tr("Large enough for everybody to feel."),
+                 {0.02, 1000, kPercent * kUsualHigh});
+    onceTyped(grid.whole(tr("Number"), QStringLiteral("differences.count"), m_count, 1, kMostCandidates,
+                         [this](int to) {
+                             m_count = to;
+                             generate();
+                         }));
+    grid.explain(QStringLiteral("differences.count"),
+                 tr("How many differences there are to choose from, in even steps."),
+                 {1, kMostCandidates, kUsualCount});
+    grid.check(tr("On both sides of the reference"), QStringLiteral("differences.both"), m_bothSides,
+               [this](bool to) {
+                   m_bothSides = to;
+                   generate();
+               });
+    grid.explain(QStringLiteral("differences.both"),
+                 tr("Also objects with less of the attribute than the reference."));
     // A table that already has them can be regenerated without them.
     grid.setShown(QStringLiteral("differences.both"), m_mayBeLess || m_bothSides);
 }
@@ -146,11 +156,15 @@ void DifferenceTable::addLevels(const Theme& theme, bool readOnly, FieldGrid& gr
         percents.push_back(kPercent * study_words::ratioOf(difference));
     const QString name = QStringLiteral("differences.levels");
     m_levels = new LevelsTable(theme, m_locale, readOnly, name, percents, [this](double percent) {
-        return study_words::value(m_stimulus.reference * (1.0 + percent / kPercent), m_stimulus.attribute, m_locale);
+        return study_words::value(m_stimulus.reference * (1.0 + percent / kPercent), m_stimulus.attribute,
+                                  m_locale);
     });
     grid.control(tr("Differences"), name, m_levels);
-    grid.explain(name, tr("Change them one by one, or paste them from a table; numbers may have decimal points or commas."));
-    connect(m_levels, &LevelsTable::unread, this, [this, name](const QString& words) { m_grid->setUnread(name, words); });
+    grid.explain(
+        name,
+        tr("Change them one by one, or paste them from a table; numbers may have decimal points or commas."));
+    connect(m_levels, &LevelsTable::unread, this,
+            [this, name](const QString& words) { m_grid->setUnread(name, words); });
     connect(m_levels, &LevelsTable::changed, this, &DifferenceTable::typed);
 }
 
@@ -158,7 +172,9 @@ void DifferenceTable::typed(const std::vector<double>& percents) {
     std::vector<double> differences;
     for (const double percent : percents) {
         if (percent <= -kPercent) {
-            m_grid->setUnread(QStringLiteral("differences.levels"), tr("%1 % less than the reference is less than nothing.").arg(m_locale.toString(-percent, 'g', 6)));
+            m_grid->setUnread(QStringLiteral("differences.levels"),
+                              tr("%1 % less than the reference is less than nothing.")
+                                  .arg(m_locale.toString(-percent, 'g', 6)));
             return;
         }
         differences.push_back(study_words::differenceOf(percent / kPercent));
@@ -169,7 +185,8 @@ void DifferenceTable::typed(const std::vector<double>& percents) {
 
 void DifferenceTable::generate() {
     const double high = std::max(m_high_percent, m_low_percent) / kPercent;
-    emit changed(m_bothSides ? differencesAround(high, m_count) : differencesBetween(m_low_percent / kPercent, high, m_count));
+    emit changed(m_bothSides ? differencesAround(high, m_count)
+                             : differencesBetween(m_low_percent / kPercent, high, m_count));
 }
 
 void DifferenceTable::showObjects(const StimulusDesign& stimulus) {
@@ -185,9 +202,13 @@ QString DifferenceTable::summary() const {
         return tr("No candidates yet.");
     const double low = m_stimulus.differences.front();
     const double high = m_stimulus.differences.back();
-    const auto valueOf = [&](double difference) { return study_words::value(m_stimulus.reference * std::pow(10.0, difference), m_stimulus.attribute, m_locale); };
+    const auto valueOf = [&](double difference) {
+        return study_words::value(m_stimulus.reference * std::pow(10.0, difference), m_stimulus.attribute,
+                                  m_locale);
+    };
     return tr("%1 candidates, from %2 to %3 of the reference: %4 to %5.")
-        .arg(m_locale.toString(static_cast<int>(m_stimulus.differences.size())), study_words::percent(study_words::ratioOf(low), m_locale),
+        .arg(m_locale.toString(static_cast<int>(m_stimulus.differences.size())),
+             study_words::percent(study_words::ratioOf(low), m_locale),
              study_words::percent(study_words::ratioOf(high), m_locale), valueOf(low), valueOf(high));
 }
 

@@ -35,7 +35,8 @@ class DifferenceTable final : public QWidget {
     Q_OBJECT
 public:
     /// `mayBeLess`: the task also uses objects with less of the attribute than the reference.
-    DifferenceTable(const Theme& theme, const QLocale& locale, bool readOnly, const psychophysics::StimulusDesign& stimulus, bool mayBeLess, QWidget* parent = nullptr);
+    DifferenceTable(const Theme& theme, const QLocale& locale, bool readOnly,
+                    const psychophysics::StimulusDesign& stimulus, bool mayBeLess, QWidget* parent = nullptr);
 
     /// Shows the same table for another reference.
     void showObjects(const psychophysics::StimulusDesign& stimulus);

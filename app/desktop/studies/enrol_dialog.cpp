@@ -11,33 +11,45 @@
 namespace chiron::desktop {
 
 EnrolDialog::EnrolDialog(AppContext& context, const OpenStudy& study, QWidget* parent)
-    : FormDialog(context, QStringLiteral("enrol"), tr("Enrol a participant"), parent), m_study(study.summary.id) {
+    : FormDialog(context, QStringLiteral("enrol"), tr("Enrol a participant"), parent),
+      m_study(study.summary.id) {
     const QLocale locale = context.locale();
-    column()->addWidget(kit::label(theme(), tr("%1 of %2 planned participants are enrolled.")
-                                                .arg(locale.toString(static_cast<int>(study.participants.size())), locale.toString(study.design.participantsPlanned)),
+    column()->addWidget(kit::label(theme(),
+                                   tr("%1 of %2 planned participants are enrolled.")
+                                       .arg(locale.toString(static_cast<int>(study.participants.size())),
+                                            locale.toString(study.design.participantsPlanned)),
                                    TextStyle::body, "muted"));
-    m_identity = form::textField(theme(), column(), tr("Identity (name, number in your own list …)"), QStringLiteral("enrol.identity"));
-    column()->addWidget(kit::label(theme(), tr("This is kept only in the key table, which only the study's author and administrators can "
-                                               "open. Data and exports carry the code."),
-                                   TextStyle::small, "muted"));
-    m_account = form::textField(theme(), column(), tr("Login name, if the participant has an account here (optional)"), QStringLiteral("enrol.account"));
-    column()->addWidget(kit::label(theme(), tr("With it, an export or an erasure of this person's data also reaches what they do in this study. It is kept only in "
-                                               "the key table; no list and no export of the study shows it."),
+    m_identity = form::textField(theme(), column(), tr("Identity (name, number in your own list …)"),
+                                 QStringLiteral("enrol.identity"));
+    column()->addWidget(kit::label(
+        theme(),
+        tr("This is kept only in the key table, which only the study's author and administrators can "
+           "open. Data and exports carry the code."),
+        TextStyle::small, "muted"));
+    m_account = form::textField(theme(), column(),
+                                tr("Login name, if the participant has an account here (optional)"),
+                                QStringLiteral("enrol.account"));
+    column()->addWidget(kit::label(theme(),
+                                   tr("With it, an export or an erasure of this person's data also reaches "
+                                      "what they do in this study. It is kept only in "
+                                      "the key table; no list and no export of the study shows it."),
                                    TextStyle::small, "muted"));
     for (const psychophysics::Questionnaire& questionnaire : study.design.questionnaires)
         if (questionnaire.when == psychophysics::Questionnaire::When::enrolment)
             addFields(questionnaire);
     setAccept(tr("Enrol"));
     for (QLineEdit* field : {m_identity, m_account}) // one of them must identify the person
-        connect(field, &QLineEdit::textChanged, this,
-                [this] { setAcceptable(!m_identity->text().trimmed().isEmpty() || !m_account->text().trimmed().isEmpty()); });
+        connect(field, &QLineEdit::textChanged, this, [this] {
+            setAcceptable(!m_identity->text().trimmed().isEmpty() || !m_account->text().trimmed().isEmpty());
+        });
     m_identity->setFocus();
 }
 
 /// The design's questions about a participant. The answers are stored with the participation under the code,
 /// never in the key table.
 void EnrolDialog::addFields(const psychophysics::Questionnaire& questionnaire) {
-    column()->addWidget(kit::label(theme(), study_words::text(questionnaire.title, context().language()), TextStyle::title));
+    column()->addWidget(
+        kit::label(theme(), study_words::text(questionnaire.title, context().language()), TextStyle::title));
     auto* form = new QuestionnaireForm(theme(), context().locale(), questionnaire, context().language());
     form->setObjectName(QStringLiteral("enrol.fields.%1").arg(QString::fromStdString(questionnaire.id)));
     column()->addWidget(form);
@@ -58,14 +70,18 @@ void EnrolDialog::submit() {
     const QString account = m_account->text().trimmed();
     writeStudies(
         context(), this,
-        [study = m_study, identity = m_identity->text().trimmed().toStdString(), account = account.toStdString(), answers](database::StudyRepository& studies) -> core::Result<database::Participant> {
-            auto enrolled = account.empty() ? studies.enrolParticipant(study, identity, 0, {}) : studies.enrolAccount(study, identity, account);
+        [study = m_study, identity = m_identity->text().trimmed().toStdString(),
+         account = account.toStdString(),
+         answers](database::StudyRepository& studies) -> core::Result<database::Participant> {
+            auto enrolled = account.empty() ? studies.enrolParticipant(study, identity, 0, {})
+                                            : studies.enrolAccount(study, identity, account);
             if (!enrolled || answers.empty())
                 return enrolled;
             auto theirs = answers;
             for (database::QuestionnaireAnswer& answer : theirs)
                 answer.participant = enrolled->id;
-            CHIRON_TRY(studies.storeQuestionnaireAnswers(theirs)); // everything is one transaction, so nobody is enrolled
+            CHIRON_TRY(studies.storeQuestionnaireAnswers(
+                theirs)); // everything is one transaction, so nobody is enrolled
             return enrolled;
         },
         [this, account](const core::Result<database::Participant>& participant) {
@@ -73,7 +89,9 @@ void EnrolDialog::submit() {
             if (participant)
                 enrolled(*participant);
             else if (!account.isEmpty() && participant.error().code == core::ErrorCode::notFound)
-                say("bad", tr("Nobody has an account with the login name “%1”. Nobody was enrolled. Correct the name, or leave the field empty.").arg(account));
+                say("bad", tr("Nobody has an account with the login name “%1”. Nobody was enrolled. Correct "
+                              "the name, or leave the field empty.")
+                               .arg(account));
             else
                 say("bad", tr("The participant was not enrolled.\n%1").arg(inWords(participant.error())));
         });
@@ -86,7 +104,9 @@ void EnrolDialog::enrolled(const database::Participant& participant) {
     code->setObjectName(QStringLiteral("enrol.code"));
     code->setTextInteractionFlags(Qt::TextSelectableByMouse);
     box.layout->addWidget(code);
-    box.layout->addWidget(kit::label(theme(), tr("Write it down for the participant, who needs it at every session. Consent comes next."), TextStyle::body, "muted"));
+    box.layout->addWidget(kit::label(
+        theme(), tr("Write it down for the participant, who needs it at every session. Consent comes next."),
+        TextStyle::body, "muted"));
     auto* consent = kit::button(theme(), tr("Record the consent now"), "primary");
     consent->setObjectName(QStringLiteral("enrol.consent"));
     connect(consent, &QPushButton::clicked, this, [this, participant] {

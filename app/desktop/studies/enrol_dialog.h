@@ -32,7 +32,7 @@ private:
 
     database::StudyNumber m_study;
     QLineEdit* m_identity = nullptr;
-    QLineEdit* m_account = nullptr; ///< login name, if the person has one
+    QLineEdit* m_account = nullptr;           ///< login name, if the person has one
     std::vector<QuestionnaireForm*> m_fields; ///< the design's questions about a participant
 };
 

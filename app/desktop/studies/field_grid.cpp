@@ -75,7 +75,9 @@ public:
         if (!specialValueText().isEmpty() && input == specialValueText())
             return QValidator::Acceptable;
         const ReadQuantity found = read(input);
-        return found.fault == ReadQuantity::Fault::none && inRange(found.value) && keeps(found.value) ? QValidator::Acceptable : QValidator::Intermediate;
+        return found.fault == ReadQuantity::Fault::none && inRange(found.value) && keeps(found.value)
+                   ? QValidator::Acceptable
+                   : QValidator::Intermediate;
     }
     double valueFromText(const QString& text) const override {
         return !specialValueText().isEmpty() && text == specialValueText() ? minimum() : read(text).value;
@@ -97,9 +99,12 @@ public:
     QValidator::State validate(QString& input, int&) const override {
         const ReadQuantity found = readQuantity(input, {}, locale());
         const bool whole = found.fault == ReadQuantity::Fault::none && found.value == std::round(found.value);
-        return whole && found.value >= minimum() && found.value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+        return whole && found.value >= minimum() && found.value <= maximum() ? QValidator::Acceptable
+                                                                             : QValidator::Intermediate;
     }
-    int valueFromText(const QString& text) const override { return static_cast<int>(readQuantity(text, {}, locale()).value); }
+    int valueFromText(const QString& text) const override {
+        return static_cast<int>(readQuantity(text, {}, locale()).value);
+    }
 };
 } // namespace
 
@@ -133,9 +138,13 @@ void FieldGrid::add(const QString& label, QWidget* field, const QString& name, b
     put(cell, wide);
 }
 
-void FieldGrid::control(const QString& label, const QString& name, QWidget* field) { add(label, field, name, true); }
+void FieldGrid::control(const QString& label, const QString& name, QWidget* field) {
+    add(label, field, name, true);
+}
 
-QWidget* FieldGrid::field(const QString& name) const { return m_fields.value(name).widget; }
+QWidget* FieldGrid::field(const QString& name) const {
+    return m_fields.value(name).widget;
+}
 
 void FieldGrid::setShown(const QString& name, bool shown) {
     if (QWidget* found = field(name))
@@ -161,7 +170,11 @@ void FieldGrid::explain(const QString& name, const QString& meaning) {
 void FieldGrid::explain(const QString& name, const QString& meaning, const UsualNumber& number) {
     const auto said = [&](double value) { return m_locale.toString(value, 'g', 6); };
     const QString unit = m_fields.value(name).unit;
-    const QString allowed = tr("%1 to %2, usually %3.").arg(said(number.lowest), said(number.highest) + (unit.isEmpty() ? QString() : QLatin1Char(' ') + unit), said(number.usual));
+    const QString allowed =
+        tr("%1 to %2, usually %3.")
+            .arg(said(number.lowest),
+                 said(number.highest) + (unit.isEmpty() ? QString() : QLatin1Char(' ') + unit),
+                 said(number.usual));
     explain(name, meaning + QLatin1Char(' ') + allowed);
 }
 
@@ -189,7 +202,8 @@ void FieldGrid::showFault(const QString& name) {
     delete found.fault;
     found.fault = nullptr;
     form::setKind(found.widget, words.isEmpty() ? "" : "bad");
-    found.widget->setAccessibleDescription(words.isEmpty() ? found.meaning : words + QLatin1Char(' ') + found.meaning);
+    found.widget->setAccessibleDescription(words.isEmpty() ? found.meaning
+                                                           : words + QLatin1Char(' ') + found.meaning);
     if (words.isEmpty())
         return;
     found.fault = new QWidget;
@@ -205,9 +219,13 @@ void FieldGrid::showFault(const QString& name) {
     found.column->insertWidget(found.column->indexOf(found.widget) + 1, found.fault);
 }
 
-void FieldGrid::wide(QWidget* widget) { put(widget, true); }
+void FieldGrid::wide(QWidget* widget) {
+    put(widget, true);
+}
 
-void FieldGrid::cell(QWidget* widget) { put(widget, false); }
+void FieldGrid::cell(QWidget* widget) {
+    put(widget, false);
+}
 
 void FieldGrid::put(QWidget* widget, bool wide, Qt::AlignmentFlag level) {
     m_cells.push_back({widget, wide, level});
@@ -215,7 +233,8 @@ void FieldGrid::put(QWidget* widget, bool wide, Qt::AlignmentFlag level) {
     arrange(std::max(1, width() / m_theme.px(kCell_px)));
 }
 
-QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, double value, const NumberRange& range, std::function<void(double)> taken) {
+QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, double value,
+                                  const NumberRange& range, std::function<void(double)> taken) {
     auto* field = new PlainSpinBox;
     field->setLocale(m_locale);
     field->setDecimals(range.decimals);
@@ -229,10 +248,12 @@ QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, dou
     field->setReadOnly(m_readOnly);
     field->setFocusPolicy(Qt::StrongFocus);
     field->installEventFilter(this);
-    connect(field, &QDoubleSpinBox::valueChanged, this, [taken = std::move(taken)](double now) { taken(now); });
+    connect(field, &QDoubleSpinBox::valueChanged, this,
+            [taken = std::move(taken)](double now) { taken(now); });
     add(label, field, name);
     m_fields[name].unit = range.unit;
-    field->refused = [this, grid = QPointer<FieldGrid>(this), field, name, unit = range.unit](const QString& typed) {
+    field->refused = [this, grid = QPointer<FieldGrid>(this), field, name,
+                      unit = range.unit](const QString& typed) {
         if (!grid)
             return; // the grid is being destroyed together with the focused field
         const ReadQuantity found = readQuantity(typed, unit, m_locale);
@@ -243,15 +264,21 @@ QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, dou
             return;
         case ReadQuantity::Fault::noNumber:
         case ReadQuantity::Fault::otherUnit:
-            refuse(name, unit.isEmpty() ? tr("“%1” was not taken: enter a number without a unit. %2 is still set.").arg(typed, still)
-                                        : tr("“%1” was not taken: enter a value in %2. %3 is still set.").arg(typed, unit, still));
+            refuse(name, unit.isEmpty()
+                             ? tr("“%1” was not taken: enter a number without a unit. %2 is still set.")
+                                   .arg(typed, still)
+                             : tr("“%1” was not taken: enter a value in %2. %3 is still set.")
+                                   .arg(typed, unit, still));
             return;
         case ReadQuantity::Fault::none:
             break;
         }
-        refuse(name, field->inRange(found.value) ? tr("“%1” was not taken: it has more decimals than are kept here. %2 is still set.").arg(typed, still)
-                                                 : tr("“%1” was not taken: choose a value from %2 to %3. %4 is still set.")
-                                                       .arg(typed, said(field->minimum()), said(field->maximum()) + field->suffix(), still));
+        refuse(name, field->inRange(found.value)
+                         ? tr("“%1” was not taken: it has more decimals than are kept here. %2 is still set.")
+                               .arg(typed, still)
+                         : tr("“%1” was not taken: choose a value from %2 to %3. %4 is still set.")
+                               .arg(typed, said(field->minimum()), said(field->maximum()) + field->suffix(),
+                                    still));
     };
     forgetWhenTaken(field, name);
     field->keep();
@@ -282,7 +309,8 @@ QString FieldGrid::firstUnread() const {
     return {};
 }
 
-QSpinBox* FieldGrid::whole(const QString& label, const QString& name, int value, int minimum, int maximum, std::function<void(int)> taken) {
+QSpinBox* FieldGrid::whole(const QString& label, const QString& name, int value, int minimum, int maximum,
+                           std::function<void(int)> taken) {
     auto* field = new WholeSpinBox;
     field->setLocale(m_locale);
     field->setRange(minimum, maximum);
@@ -296,7 +324,8 @@ QSpinBox* FieldGrid::whole(const QString& label, const QString& name, int value,
     field->refused = [this, grid = QPointer<FieldGrid>(this), field, name](const QString& typed) {
         if (grid && !typed.isEmpty())
             refuse(name, tr("“%1” was not taken: enter a whole number from %2 to %3. %4 is still set.")
-                             .arg(typed, m_locale.toString(field->minimum()), m_locale.toString(field->maximum()), field->before()));
+                             .arg(typed, m_locale.toString(field->minimum()),
+                                  m_locale.toString(field->maximum()), field->before()));
     };
     forgetWhenTaken(field, name);
     field->keep();
@@ -304,8 +333,9 @@ QSpinBox* FieldGrid::whole(const QString& label, const QString& name, int value,
     return field;
 }
 
-QComboBox* FieldGrid::choice(const QString& label, const QString& name, const std::vector<std::pair<QString, QVariant>>& choices,
-                             const QVariant& chosen, std::function<void(const QVariant&)> taken) {
+QComboBox* FieldGrid::choice(const QString& label, const QString& name,
+                             const std::vector<std::pair<QString, QVariant>>& choices, const QVariant& chosen,
+                             std::function<void(const QVariant&)> taken) {
     auto* field = new QComboBox;
     field->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     for (const auto& [words, value] : choices)
@@ -314,12 +344,14 @@ QComboBox* FieldGrid::choice(const QString& label, const QString& name, const st
     field->setEnabled(!m_readOnly);
     field->setFocusPolicy(Qt::StrongFocus);
     field->installEventFilter(this);
-    connect(field, &QComboBox::activated, this, [field, taken = std::move(taken)] { taken(field->currentData()); });
+    connect(field, &QComboBox::activated, this,
+            [field, taken = std::move(taken)] { taken(field->currentData()); });
     add(label, field, name);
     return field;
 }
 
-QCheckBox* FieldGrid::check(const QString& label, const QString& name, bool value, std::function<void(bool)> taken) {
+QCheckBox* FieldGrid::check(const QString& label, const QString& name, bool value,
+                            std::function<void(bool)> taken) {
     auto* field = new QCheckBox(label);
     field->setChecked(value);
     field->setEnabled(!m_readOnly);
@@ -328,22 +360,25 @@ QCheckBox* FieldGrid::check(const QString& label, const QString& name, bool valu
     return field;
 }
 
-QLineEdit* FieldGrid::text(const QString& label, const QString& name, const QString& value, std::function<void(const QString&)> taken, bool wholeWidth) {
+QLineEdit* FieldGrid::text(const QString& label, const QString& name, const QString& value,
+                           std::function<void(const QString&)> taken, bool wholeWidth) {
     auto* field = new QLineEdit(value);
     field->setReadOnly(m_readOnly);
-    connect(field, &QLineEdit::textEdited, this, [taken = std::move(taken)](const QString& now) { taken(now); });
+    connect(field, &QLineEdit::textEdited, this,
+            [taken = std::move(taken)](const QString& now) { taken(now); });
     field->setCursorPosition(0);
     add(label, field, name, wholeWidth);
     return field;
 }
 
-QPlainTextEdit* FieldGrid::longText(const QString& label, const QString& name, const QString& value, int lines,
-                                    std::function<void(const QString&)> taken) {
+QPlainTextEdit* FieldGrid::longText(const QString& label, const QString& name, const QString& value,
+                                    int lines, std::function<void(const QString&)> taken) {
     auto* field = new QPlainTextEdit(value);
     field->setReadOnly(m_readOnly);
     field->setTabChangesFocus(true);
     field->setFixedHeight(m_theme.px(kLine_px) * lines + m_theme.px(20));
-    connect(field, &QPlainTextEdit::textChanged, this, [field, taken = std::move(taken)] { taken(field->toPlainText()); });
+    connect(field, &QPlainTextEdit::textChanged, this,
+            [field, taken = std::move(taken)] { taken(field->toPlainText()); });
     add(label, field, name, true);
     return field;
 }

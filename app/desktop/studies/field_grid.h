@@ -52,17 +52,23 @@ class FieldGrid : public QWidget {
 public:
     FieldGrid(const Theme& theme, const QLocale& locale, bool readOnly, QWidget* parent = nullptr);
 
-    QDoubleSpinBox* number(const QString& label, const QString& name, double value, const NumberRange& range, std::function<void(double)> taken);
-    QSpinBox* whole(const QString& label, const QString& name, int value, int minimum, int maximum, std::function<void(int)> taken);
-    QComboBox* choice(const QString& label, const QString& name, const std::vector<std::pair<QString, QVariant>>& choices, const QVariant& chosen,
+    QDoubleSpinBox* number(const QString& label, const QString& name, double value, const NumberRange& range,
+                           std::function<void(double)> taken);
+    QSpinBox* whole(const QString& label, const QString& name, int value, int minimum, int maximum,
+                    std::function<void(int)> taken);
+    QComboBox* choice(const QString& label, const QString& name,
+                      const std::vector<std::pair<QString, QVariant>>& choices, const QVariant& chosen,
                       std::function<void(const QVariant&)> taken);
     QCheckBox* check(const QString& label, const QString& name, bool value, std::function<void(bool)> taken);
-    QLineEdit* text(const QString& label, const QString& name, const QString& value, std::function<void(const QString&)> taken, bool wholeWidth = false);
+    QLineEdit* text(const QString& label, const QString& name, const QString& value,
+                    std::function<void(const QString&)> taken, bool wholeWidth = false);
     /// A field of several lines over the whole width.
-    QPlainTextEdit* longText(const QString& label, const QString& name, const QString& value, int lines, std::function<void(const QString&)> taken);
+    QPlainTextEdit* longText(const QString& label, const QString& name, const QString& value, int lines,
+                             std::function<void(const QString&)> taken);
     /// A list of numbers in one line over the whole width, as number_list.h reads it. Text that is not a
     /// number is an error of the field, and `taken` is not called.
-    QLineEdit* list(const QString& label, const QString& name, const std::vector<double>& values, std::function<void(std::vector<double>)> taken);
+    QLineEdit* list(const QString& label, const QString& name, const std::vector<double>& values,
+                    std::function<void(std::vector<double>)> taken);
     /// Adds any other widget over the whole width, as the next row.
     void wide(QWidget* widget);
     void cell(QWidget* widget); ///< in one column

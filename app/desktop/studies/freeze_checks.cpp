@@ -21,8 +21,8 @@ using State = FreezeCheck::State;
 
 namespace {
 
-constexpr double kLong_min = 60.0;      // concentration decreases after this time
-constexpr double kPrecise_log10 = 0.1;  // a factor of 1.26 between runs
+constexpr double kLong_min = 60.0;     // concentration decreases after this time
+constexpr double kPrecise_log10 = 0.1; // a factor of 1.26 between runs
 constexpr double kPower = 0.8;
 
 struct CheckWords {
@@ -52,96 +52,144 @@ FreezeCheck designCheck(const FreezeFacts& facts) {
     check.tab = first.tab;
     check.condition = first.condition;
     check.field = first.field;
-    return found(check, State::bad, CheckWords::tr("%n entr(y/ies) must be corrected. The first: %1", nullptr, static_cast<int>(facts.faults.size())).arg(first.words));
+    return found(check, State::bad,
+                 CheckWords::tr("%n entr(y/ies) must be corrected. The first: %1", nullptr,
+                                static_cast<int>(facts.faults.size()))
+                     .arg(first.words));
 }
 
 FreezeCheck aimCheck(const StudyDesign& design) {
-    const FreezeCheck check = checkOf("aim", CheckWords::tr("Aim"), StudyScreen::generalTab, "design.objective");
-    const bool written = !design.objective.empty() && std::all_of(design.objective.begin(), design.objective.end(), [](const auto& each) {
-        const QString words = QString::fromStdString(each.second);
-        return !words.trimmed().isEmpty() && !isPlaceholderAim(words);
-    });
-    return written ? found(check, State::good, CheckWords::tr("It is written."))
-                   : found(check, State::bad, CheckWords::tr("Write what is to be found out and what you expect. It cannot be added later."));
+    const FreezeCheck check =
+        checkOf("aim", CheckWords::tr("Aim"), StudyScreen::generalTab, "design.objective");
+    const bool written = !design.objective.empty() &&
+                         std::all_of(design.objective.begin(), design.objective.end(), [](const auto& each) {
+                             const QString words = QString::fromStdString(each.second);
+                             return !words.trimmed().isEmpty() && !isPlaceholderAim(words);
+                         });
+    return written
+               ? found(check, State::good, CheckWords::tr("It is written."))
+               : found(check, State::bad,
+                       CheckWords::tr(
+                           "Write what is to be found out and what you expect. It cannot be added later."));
 }
 
 /// Texts that contradict the settings, which participants would read or reports would contain.
 FreezeCheck textsCheck(const StudyDesign& design, const QLocale& locale) {
     const std::vector<FalseClaim> claims = falseClaims(design, locale);
     if (claims.empty())
-        return found(checkOf("texts", CheckWords::tr("Texts"), StudyScreen::generalTab, "design.objective"), State::good, CheckWords::tr("Nothing in the aim, the instructions or the titles contradicts the settings."));
+        return found(
+            checkOf("texts", CheckWords::tr("Texts"), StudyScreen::generalTab, "design.objective"),
+            State::good,
+            CheckWords::tr("Nothing in the aim, the instructions or the titles contradicts the settings."));
     const FalseClaim& first = claims.front();
-    const int tab = first.condition >= 0 ? StudyScreen::conditionsTab : first.where == FalseClaim::Where::aim ? StudyScreen::generalTab : StudyScreen::trialsTab;
+    const int tab = first.condition >= 0                    ? StudyScreen::conditionsTab
+                    : first.where == FalseClaim::Where::aim ? StudyScreen::generalTab
+                                                            : StudyScreen::trialsTab;
     FreezeCheck check = checkOf("texts", CheckWords::tr("Texts"), tab, qPrintable(fieldOf(first.where)));
     check.condition = first.condition;
     return found(check, State::advice, claimWords(first));
 }
 
 FreezeCheck ethicsCheck(const StudyDesign& design) {
-    const FreezeCheck check = checkOf("ethics", CheckWords::tr("Ethics"), StudyScreen::generalTab, "design.ethics");
-    return design.ethics.empty() ? found(check, State::bad, CheckWords::tr("Name the approval, or say why none is needed."))
-                                 : found(check, State::good, QString::fromStdString(design.ethics));
+    const FreezeCheck check =
+        checkOf("ethics", CheckWords::tr("Ethics"), StudyScreen::generalTab, "design.ethics");
+    return design.ethics.empty()
+               ? found(check, State::bad, CheckWords::tr("Name the approval, or say why none is needed."))
+               : found(check, State::good, QString::fromStdString(design.ethics));
 }
 
 FreezeCheck consentCheck(const StudyDesign& design) {
-    const FreezeCheck check = checkOf("consent", CheckWords::tr("Consent"), StudyScreen::generalTab, "design.consent");
+    const FreezeCheck check =
+        checkOf("consent", CheckWords::tr("Consent"), StudyScreen::generalTab, "design.consent");
     const QString words = study_words::text(design.consent, QStringLiteral("en")).trimmed();
     if (words.isEmpty())
         return found(check, State::bad, CheckWords::tr("Write what participants agree to."));
     constexpr int kShort = 120;
-    return words.size() < kShort ? found(check, State::advice, CheckWords::tr("The text is very short. Check that it says what is recorded, for how long, and that stopping has no disadvantage."))
-                                 : found(check, State::good, CheckWords::tr("There is a text; participants read it before their first trial."));
+    return words.size() < kShort
+               ? found(check, State::advice,
+                       CheckWords::tr("The text is very short. Check that it says what is recorded, for how "
+                                      "long, and that stopping has no disadvantage."))
+               : found(check, State::good,
+                       CheckWords::tr("There is a text; participants read it before their first trial."));
 }
 
 FreezeCheck participantsCheck(const StudyDesign& design, const QLocale& locale) {
-    const FreezeCheck check = checkOf("participants", CheckWords::tr("Participants"), StudyScreen::generalTab, "design.planned");
+    const FreezeCheck check =
+        checkOf("participants", CheckWords::tr("Participants"), StudyScreen::generalTab, "design.planned");
     const int planned = design.participantsPlanned;
     const QString count = locale.toString(planned);
     if (planned < 1)
         return found(check, State::bad, CheckWords::tr("Plan at least one participant."));
     if (planned == 1)
-        return found(check, State::advice, CheckWords::tr("One participant says nothing of others. Plan more, unless this is a case study."));
+        return found(check, State::advice,
+                     CheckWords::tr(
+                         "One participant says nothing of others. Plan more, unless this is a case study."));
     const int by = balancedBy(design);
     if (planned % by != 0)
-        return found(check, State::advice, CheckWords::tr("%1 are planned. With a multiple of %2 every order of conditions comes equally often.").arg(count, locale.toString(by)));
+        return found(
+            check, State::advice,
+            CheckWords::tr(
+                "%1 are planned. With a multiple of %2 every order of conditions comes equally often.")
+                .arg(count, locale.toString(by)));
     return found(check, State::good, CheckWords::tr("%1 are planned.").arg(count));
 }
 
 FreezeCheck practiceCheck(const StudyDesign& design) {
-    const FreezeCheck check = checkOf("practice", CheckWords::tr("Practice"), StudyScreen::trialsTab, "trial.practice_trials");
+    const FreezeCheck check =
+        checkOf("practice", CheckWords::tr("Practice"), StudyScreen::trialsTab, "trial.practice_trials");
     return design.trial.practiceTrials > 0
-               ? found(check, State::good, CheckWords::tr("%n trial(s) before each condition.", nullptr, design.trial.practiceTrials))
-               : found(check, State::advice, CheckWords::tr("There are no practice trials. The first trials that count are then the participant's first ever."));
+               ? found(check, State::good,
+                       CheckWords::tr("%n trial(s) before each condition.", nullptr,
+                                      design.trial.practiceTrials))
+               : found(check, State::advice,
+                       CheckWords::tr("There are no practice trials. The first trials that count are then "
+                                      "the participant's first ever."));
 }
 
 /// Designs of earlier versions count any touch. Returns nothing if objects need not be touched or nothing is
 /// compared.
 std::optional<FreezeCheck> probeCheck(const StudyDesign& design, const QLocale& locale) {
-    const bool compares = std::any_of(design.conditions.begin(), design.conditions.end(), [](const auto& each) { return each.stimulus.attribute != psychophysics::Attribute::apex; });
+    const bool compares =
+        std::any_of(design.conditions.begin(), design.conditions.end(), [](const auto& each) {
+            return each.stimulus.attribute != psychophysics::Attribute::apex;
+        });
     if (!compares || !design.trial.mustTouchAll)
         return std::nullopt;
-    const FreezeCheck check = checkOf("probe", CheckWords::tr("Smallest force"), StudyScreen::trialsTab, "trial.probe_at_least");
+    const FreezeCheck check =
+        checkOf("probe", CheckWords::tr("Smallest force"), StudyScreen::trialsTab, "trial.probe_at_least");
     return design.trial.probeAtLeast_N > 0.0
-               ? found(check, State::good, CheckWords::tr("An object counts as touched from %1 N on.").arg(study_words::plainNumber(design.trial.probeAtLeast_N, locale)))
-               : found(check, State::advice, CheckWords::tr("Any graze counts as touching, so participants can answer without having felt anything. %1 N is usual.")
-                                                 .arg(study_words::plainNumber(psychophysics::kUsualProbe_N, locale)));
+               ? found(check, State::good,
+                       CheckWords::tr("An object counts as touched from %1 N on.")
+                           .arg(study_words::plainNumber(design.trial.probeAtLeast_N, locale)))
+               : found(check, State::advice,
+                       CheckWords::tr("Any graze counts as touching, so participants can answer without "
+                                      "having felt anything. %1 N is usual.")
+                           .arg(study_words::plainNumber(psychophysics::kUsualProbe_N, locale)));
 }
 
 /// Checks the sound that masks the device's own sounds. A missing sound output is reported before freezing,
 /// not at the first participant. Returns nothing if the design requires the sound and nobody has tested the
 /// output yet.
 std::optional<FreezeCheck> maskingCheck(const StudyDesign& design, const FreezeFacts& facts) {
-    const FreezeCheck check = checkOf("masking", CheckWords::tr("Masking sound"), StudyScreen::trialsTab, "trial.masking_sound");
+    const FreezeCheck check =
+        checkOf("masking", CheckWords::tr("Masking sound"), StudyScreen::trialsTab, "trial.masking_sound");
     if (!design.trial.maskingSound)
-        return found(check, State::advice, CheckWords::tr("It is switched off. Participants may hear the device, and what they hear may tell objects apart."));
+        return found(check, State::advice,
+                     CheckWords::tr("It is switched off. Participants may hear the device, and what they "
+                                    "hear may tell objects apart."));
     if (!facts.hasSound)
         return std::nullopt;
-    return *facts.hasSound ? found(check, State::good, CheckWords::tr("It is played during the trials."))
-                           : found(check, State::advice, CheckWords::tr("This machine has no sound output, so participants would hear the device. Connect headphones or loudspeakers, or run the study on another machine."));
+    return *facts.hasSound
+               ? found(check, State::good, CheckWords::tr("It is played during the trials."))
+               : found(check, State::advice,
+                       CheckWords::tr(
+                           "This machine has no sound output, so participants would hear the device. Connect "
+                           "headphones or loudspeakers, or run the study on another machine."));
 }
 
 FreezeCheck durationCheck(const StudyDesign& design, const FreezeFacts& facts, const QLocale& locale) {
-    const FreezeCheck check = checkOf("duration", CheckWords::tr("Duration"), StudyScreen::trialsTab, "trial.break_every");
+    const FreezeCheck check =
+        checkOf("duration", CheckWords::tr("Duration"), StudyScreen::trialsTab, "trial.break_every");
     double minutes = session::participantView(design).minutesAtMost();
     QString words = CheckWords::tr("At most about %1 minutes for each participant.");
     if (facts.plans) {
@@ -156,14 +204,19 @@ FreezeCheck durationCheck(const StudyDesign& design, const FreezeFacts& facts, c
         return found(check, State::waiting, CheckWords::tr("Simulated observers are finding out …"));
     }
     words = words.arg(locale.toString(static_cast<int>(std::ceil(minutes))));
-    return minutes > kLong_min ? found(check, State::advice, words + QLatin1Char(' ') + CheckWords::tr("Attention wanes after an hour: plan fewer trials or several sessions."))
-                               : found(check, State::good, words);
+    return minutes > kLong_min
+               ? found(check, State::advice,
+                       words + QLatin1Char(' ') +
+                           CheckWords::tr(
+                               "Attention wanes after an hour: plan fewer trials or several sessions."))
+               : found(check, State::good, words);
 }
 
 /// The spread between runs of the worst condition and, with two conditions, the difference that can be
 /// detected.
 FreezeCheck precisionCheck(const StudyDesign& design, const FreezeFacts& facts, const QLocale& locale) {
-    const FreezeCheck check = checkOf("precision", CheckWords::tr("Precision"), StudyScreen::previewTab, "preview.start");
+    const FreezeCheck check =
+        checkOf("precision", CheckWords::tr("Precision"), StudyScreen::previewTab, "preview.start");
     if (!facts.plans)
         return found(check, State::waiting, CheckWords::tr("Simulated observers are finding out …"));
     double worst = -1.0;
@@ -171,24 +224,37 @@ FreezeCheck precisionCheck(const StudyDesign& design, const FreezeFacts& facts, 
         if (std::isfinite(plan.sdLog10))
             worst = std::max(worst, plan.sdLog10);
     if (worst < 0.0)
-        return found(check, State::good, CheckWords::tr("This kind of study estimates no threshold, so there is none to simulate. A pilot shows how much answers vary."));
-    QString words = CheckWords::tr("The threshold of one run varies by a factor of %1.").arg(study_words::number(std::pow(10.0, worst), locale));
+        return found(check, State::good,
+                     CheckWords::tr("This kind of study estimates no threshold, so there is none to "
+                                    "simulate. A pilot shows how much answers vary."));
+    QString words = CheckWords::tr("The threshold of one run varies by a factor of %1.")
+                        .arg(study_words::number(std::pow(10.0, worst), locale));
     if (design.conditions.size() > 1) {
         psychophysics::PowerQuestion question;
         question.participants = std::max(2, design.participantsPlanned);
         question.runSdLog10 = worst;
         const double ratio = psychophysics::detectableRatio(question, kPower);
-        words += QLatin1Char(' ') + (std::isfinite(ratio) ? CheckWords::tr("%1 participants find a ratio of %2 between two conditions with 80 % power.").arg(locale.toString(question.participants), study_words::number(ratio, locale))
-                                                          : CheckWords::tr("So few participants find no ratio up to 10 between two conditions."));
+        words += QLatin1Char(' ') +
+                 (std::isfinite(ratio)
+                      ? CheckWords::tr(
+                            "%1 participants find a ratio of %2 between two conditions with 80 % power.")
+                            .arg(locale.toString(question.participants), study_words::number(ratio, locale))
+                      : CheckWords::tr("So few participants find no ratio up to 10 between two conditions."));
     }
-    return worst <= kPrecise_log10 ? found(check, State::good, words)
-                                   : found(check, State::advice, words + QLatin1Char(' ') + CheckWords::tr("More trials make it more precise; Preview shows how many."));
+    return worst <= kPrecise_log10
+               ? found(check, State::good, words)
+               : found(check, State::advice,
+                       words + QLatin1Char(' ') +
+                           CheckWords::tr("More trials make it more precise; Preview shows how many."));
 }
 
 FreezeCheck pilotCheck(const FreezeFacts& facts) {
     const FreezeCheck check = checkOf("pilot", CheckWords::tr("Pilot"), StudyScreen::checkTab, "check.pilot");
-    return facts.pilots > 0 ? found(check, State::good, CheckWords::tr("Tried %n time(s).", nullptr, facts.pilots))
-                            : found(check, State::advice, CheckWords::tr("Nobody has tried this design yet. Try it yourself first: a few minutes show what is unclear."));
+    return facts.pilots > 0
+               ? found(check, State::good, CheckWords::tr("Tried %n time(s).", nullptr, facts.pilots))
+               : found(check, State::advice,
+                       CheckWords::tr("Nobody has tried this design yet. Try it yourself first: a few "
+                                      "minutes show what is unclear."));
 }
 
 } // namespace
@@ -209,14 +275,18 @@ int balancedBy(const StudyDesign& design) {
     return 1;
 }
 
-std::vector<FreezeCheck> freezeChecks(const StudyDesign& design, const FreezeFacts& facts, const QLocale& locale) {
-    std::vector<FreezeCheck> checks{designCheck(facts),     aimCheck(design),     textsCheck(design, locale), ethicsCheck(design),
-                                    consentCheck(design),   participantsCheck(design, locale), practiceCheck(design)};
+std::vector<FreezeCheck> freezeChecks(const StudyDesign& design, const FreezeFacts& facts,
+                                      const QLocale& locale) {
+    std::vector<FreezeCheck> checks{designCheck(facts),         aimCheck(design),
+                                    textsCheck(design, locale), ethicsCheck(design),
+                                    consentCheck(design),       participantsCheck(design, locale),
+                                    practiceCheck(design)};
     if (const auto probe = probeCheck(design, locale))
         checks.push_back(*probe);
     if (const auto sound = maskingCheck(design, facts))
         checks.push_back(*sound);
-    for (const FreezeCheck& check : {durationCheck(design, facts, locale), precisionCheck(design, facts, locale), pilotCheck(facts)})
+    for (const FreezeCheck& check :
+         {durationCheck(design, facts, locale), precisionCheck(design, facts, locale), pilotCheck(facts)})
         checks.push_back(check);
     return checks;
 }

@@ -19,7 +19,7 @@ struct FreezeCheck {
         bad,    ///< prevents freezing
         waiting ///< still being determined
     };
-    QString name;  ///< for example "aim"; object names end with it
+    QString name; ///< for example "aim"; object names end with it
     State state = State::good;
     QString title;
     QString words; ///< the finding, and what to do
@@ -33,11 +33,12 @@ struct FreezeFacts {
     std::vector<DesignFault> faults;
     /// For each condition, from simulated observers; no value: not available yet.
     std::optional<std::vector<psychophysics::ConditionPlan>> plans;
-    int pilots = 0; ///< number of people who tried the design
+    int pilots = 0;                 ///< number of people who tried the design
     std::optional<bool> hasSound{}; ///< whether this station has sound output; no value: not yet tested
 };
 
-std::vector<FreezeCheck> freezeChecks(const psychophysics::StudyDesign& design, const FreezeFacts& facts, const QLocale& locale);
+std::vector<FreezeCheck> freezeChecks(const psychophysics::StudyDesign& design, const FreezeFacts& facts,
+                                      const QLocale& locale);
 
 /// The number of participants must be a multiple of this for every order of conditions to occur equally
 /// often; 1 if that does not matter.

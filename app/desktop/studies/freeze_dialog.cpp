@@ -21,15 +21,20 @@ QString grouped(const std::string& sha256) {
 
 } // namespace
 
-FreezeDialog::FreezeDialog(AppContext& context, const database::StudySummary& study, const psychophysics::StudyDesign& design, const FreezeFacts& facts, QWidget* parent)
-    : FormDialog(context, QStringLiteral("freeze"), tr("Freeze %1").arg(QString::fromStdString(study.title)), parent), m_study(study.id) {
+FreezeDialog::FreezeDialog(AppContext& context, const database::StudySummary& study,
+                           const psychophysics::StudyDesign& design, const FreezeFacts& facts,
+                           QWidget* parent)
+    : FormDialog(context, QStringLiteral("freeze"), tr("Freeze %1").arg(QString::fromStdString(study.title)),
+                 parent),
+      m_study(study.id) {
     m_checks = new CheckList(context, design, facts);
     column()->addWidget(m_checks);
     connect(m_checks, &CheckList::goAsked, this, [this](const FreezeCheck& check) {
         emit goAsked(check);
         reject();
     });
-    m_cannot = kit::notice(theme(), "bad", tr("What is marked in red must be corrected first: after freezing nobody can."));
+    m_cannot = kit::notice(theme(), "bad",
+                           tr("What is marked in red must be corrected first: after freezing nobody can."));
     m_cannot->setObjectName(QStringLiteral("freeze.cannot"));
     column()->addWidget(m_cannot);
     m_seen = new QCheckBox(tr("I have seen what is worth a look and freeze it all the same"));
@@ -41,18 +46,23 @@ FreezeDialog::FreezeDialog(AppContext& context, const database::StudySummary& st
     row->setContentsMargins(theme().px(24), 0, theme().px(24), theme().px(10));
     row->addWidget(m_seen);
     outside->insertLayout(outside->count() - 1, row);
-    column()->addWidget(kit::label(theme(), tr("From now on nobody can change the design. Participants can be enrolled, each condition "
-                                               "gets a sealed code, and every export carries this SHA-256 of the design:")));
-    auto* sha = kit::label(theme(), grouped(catalogue::studySha256(catalogue::studyJson(design))), TextStyle::mono);
+    column()->addWidget(kit::label(
+        theme(), tr("From now on nobody can change the design. Participants can be enrolled, each condition "
+                    "gets a sealed code, and every export carries this SHA-256 of the design:")));
+    auto* sha =
+        kit::label(theme(), grouped(catalogue::studySha256(catalogue::studyJson(design))), TextStyle::mono);
     sha->setObjectName(QStringLiteral("freeze.sha256"));
     sha->setTextInteractionFlags(Qt::TextSelectableByMouse);
     const kit::Box box = kit::box(theme(), "raised");
     box.layout->addWidget(sha);
     column()->addWidget(box.frame);
-    column()->addWidget(kit::label(theme(), tr("%n condition(s)", nullptr, static_cast<int>(design.conditions.size())) + QStringLiteral(", ") +
-                                                tr("%n participant(s) planned", nullptr, design.participantsPlanned),
-                                   TextStyle::body, "muted"));
-    column()->addWidget(kit::notice(theme(), "warning", tr("This cannot be undone. To change the study later, copy it into a new one.")));
+    column()->addWidget(kit::label(
+        theme(),
+        tr("%n condition(s)", nullptr, static_cast<int>(design.conditions.size())) + QStringLiteral(", ") +
+            tr("%n participant(s) planned", nullptr, design.participantsPlanned),
+        TextStyle::body, "muted"));
+    column()->addWidget(kit::notice(
+        theme(), "warning", tr("This cannot be undone. To change the study later, copy it into a new one.")));
     setAccept(tr("Freeze the design"));
     cancelAtEnter();
     connect(m_checks, &CheckList::changed, this, &FreezeDialog::weigh);
@@ -71,7 +81,8 @@ void FreezeDialog::weigh() {
 void FreezeDialog::submit() {
     setWorking(true);
     writeStudies(
-        context(), this, [study = m_study](database::StudyRepository& studies) { return studies.freezeStudy(study); },
+        context(), this,
+        [study = m_study](database::StudyRepository& studies) { return studies.freezeStudy(study); },
         [this](const core::Result<std::string>& sha) {
             setWorking(false);
             if (!sha) {

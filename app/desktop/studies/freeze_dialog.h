@@ -17,7 +17,8 @@ class CheckList;
 class FreezeDialog final : public FormDialog {
     Q_OBJECT
 public:
-    FreezeDialog(AppContext& context, const database::StudySummary& study, const psychophysics::StudyDesign& design, const FreezeFacts& facts, QWidget* parent);
+    FreezeDialog(AppContext& context, const database::StudySummary& study,
+                 const psychophysics::StudyDesign& design, const FreezeFacts& facts, QWidget* parent);
 
 signals:
     void frozen();

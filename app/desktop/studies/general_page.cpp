@@ -14,20 +14,22 @@ namespace chiron::desktop {
 
 using namespace psychophysics;
 
-void addStudyText(FieldGrid& grid, const DesignPage& page, const QString& label, const QString& name, int lines,
-                  const std::function<StudyText&(StudyDesign&)>& text, bool mayBeAbsent) {
+void addStudyText(FieldGrid& grid, const DesignPage& page, const QString& label, const QString& name,
+                  int lines, const std::function<StudyText&(StudyDesign&)>& text, bool mayBeAbsent) {
     StudyDesign now = page.draft.design();
     const StudyText& texts = text(now);
     const auto found = texts.find(page.language.toStdString());
     const QString value = found == texts.end() ? QString() : QString::fromStdString(found->second);
-    const auto taken = [&draft = page.draft, language = page.language.toStdString(), name, text, mayBeAbsent](const QString& words) {
-        draft.change(QCoreApplication::translate("StudyWords", "Text change"), name, [&](StudyDesign& design) {
-            StudyText& changed = text(design);
-            if (words.isEmpty() && (mayBeAbsent || language != "en"))
-                changed.erase(language);
-            else
-                changed[language] = words.toStdString();
-        });
+    const auto taken = [&draft = page.draft, language = page.language.toStdString(), name, text,
+                        mayBeAbsent](const QString& words) {
+        draft.change(QCoreApplication::translate("StudyWords", "Text change"), name,
+                     [&](StudyDesign& design) {
+                         StudyText& changed = text(design);
+                         if (words.isEmpty() && (mayBeAbsent || language != "en"))
+                             changed.erase(language);
+                         else
+                             changed[language] = words.toStdString();
+                     });
     };
     if (lines > 1)
         grid.longText(label, name, value, lines, taken);
@@ -55,18 +57,30 @@ QWidget* GeneralPage::aimBox(const DesignPage& page) {
     const kit::Box box = titledBox(theme, tr("Aim"));
     auto* grid = new FieldGrid(theme, page.app.locale(), page.readOnly);
     StudyDraft& draft = page.draft;
-    addStudyText(*grid, page, tr("Title (required)"), QStringLiteral("design.title"), 1, [](StudyDesign& design) -> StudyText& { return design.title; });
-    grid->explain(QStringLiteral("design.title"), tr("What the study goes by in lists, reports and exports."));
-    grid->whole(tr("Planned participants"), QStringLiteral("design.planned"), draft.design().participantsPlanned, 0, 100000, [&draft](int now) {
-        draft.change(GeneralPage::tr("Number of participants"), QStringLiteral("design.planned"), [now](StudyDesign& design) { design.participantsPlanned = now; });
-    });
+    addStudyText(*grid, page, tr("Title (required)"), QStringLiteral("design.title"), 1,
+                 [](StudyDesign& design) -> StudyText& { return design.title; });
+    grid->explain(QStringLiteral("design.title"),
+                  tr("What the study goes by in lists, reports and exports."));
+    grid->whole(tr("Planned participants"), QStringLiteral("design.planned"),
+                draft.design().participantsPlanned, 0, 100000, [&draft](int now) {
+                    draft.change(GeneralPage::tr("Number of participants"), QStringLiteral("design.planned"),
+                                 [now](StudyDesign& design) { design.participantsPlanned = now; });
+                });
     constexpr UsualNumber kParticipants{1, 100000, 12};
-    grid->explain(QStringLiteral("design.planned"), tr("How many people are to take part; Preview shows what so many can find out."), kParticipants);
+    grid->explain(QStringLiteral("design.planned"),
+                  tr("How many people are to take part; Preview shows what so many can find out."),
+                  kParticipants);
     addAim(*grid, page);
-    grid->text(tr("Source of the design"), QStringLiteral("design.source"), QString::fromStdString(draft.design().source), [&draft](const QString& now) {
-        draft.change(GeneralPage::tr("Source of the design"), QStringLiteral("design.source"), [&](StudyDesign& design) { design.source = now.trimmed().toStdString(); });
-    }, true);
-    grid->explain(QStringLiteral("design.source"), tr("Where the design was published, with its DOI; empty for a design of your own."));
+    grid->text(
+        tr("Source of the design"), QStringLiteral("design.source"),
+        QString::fromStdString(draft.design().source),
+        [&draft](const QString& now) {
+            draft.change(GeneralPage::tr("Source of the design"), QStringLiteral("design.source"),
+                         [&](StudyDesign& design) { design.source = now.trimmed().toStdString(); });
+        },
+        true);
+    grid->explain(QStringLiteral("design.source"),
+                  tr("Where the design was published, with its DOI; empty for a design of your own."));
     box.layout->addWidget(grid);
     if (!page.readOnly)
         box.layout->addWidget(claimsNotice(page, FalseClaim::Where::aim));
@@ -76,10 +90,13 @@ QWidget* GeneralPage::aimBox(const DesignPage& page) {
 /// Does not show the template's words as if somebody had written them.
 void GeneralPage::addAim(FieldGrid& grid, const DesignPage& page) {
     const QString name = QStringLiteral("design.objective");
-    addStudyText(grid, page, tr("Aim (required)"), name, 2, [](StudyDesign& design) -> StudyText& { return design.objective; });
-    grid.explain(name, tr("One or two sentences: what is to be found out, and what is expected. It is frozen with the study."));
+    addStudyText(grid, page, tr("Aim (required)"), name, 2,
+                 [](StudyDesign& design) -> StudyText& { return design.objective; });
+    grid.explain(name, tr("One or two sentences: what is to be found out, and what is expected. It is frozen "
+                          "with the study."));
     auto* field = qobject_cast<QPlainTextEdit*>(grid.field(name));
-    field->setPlaceholderText(tr("For example: whether tubes of 60 N/m and 120 N/m have the same Weber fraction. We expect no difference."));
+    field->setPlaceholderText(tr("For example: whether tubes of 60 N/m and 120 N/m have the same Weber "
+                                 "fraction. We expect no difference."));
     if (isPlaceholderAim(field->toPlainText())) {
         const QSignalBlocker quiet(field);
         field->clear();
@@ -91,16 +108,28 @@ QWidget* GeneralPage::ethicsBox(const DesignPage& page) {
     const kit::Box box = titledBox(theme, tr("Ethics and consent"));
     auto* grid = new FieldGrid(theme, page.app.locale(), page.readOnly);
     StudyDraft& draft = page.draft;
-    grid->text(tr("Ethics approval (required)"), QStringLiteral("design.ethics"), QString::fromStdString(draft.design().ethics), [&draft](const QString& now) {
-        draft.change(GeneralPage::tr("Ethics approval"), QStringLiteral("design.ethics"), [&](StudyDesign& design) { design.ethics = now.trimmed().toStdString(); });
-    }, true);
-    grid->explain(QStringLiteral("design.ethics"), tr("The committee with the number and date of its approval, or why none is needed. It is frozen with the study."));
-    addStudyText(*grid, page, tr("Consent text (required)"), QStringLiteral("design.consent"), 5, [](StudyDesign& design) -> StudyText& { return design.consent; });
-    grid->explain(QStringLiteral("design.consent"), tr("What participants agree to before their first trial. The text that was shown is stored with each consent."));
+    grid->text(
+        tr("Ethics approval (required)"), QStringLiteral("design.ethics"),
+        QString::fromStdString(draft.design().ethics),
+        [&draft](const QString& now) {
+            draft.change(GeneralPage::tr("Ethics approval"), QStringLiteral("design.ethics"),
+                         [&](StudyDesign& design) { design.ethics = now.trimmed().toStdString(); });
+        },
+        true);
+    grid->explain(QStringLiteral("design.ethics"),
+                  tr("The committee with the number and date of its approval, or why none is needed. It is "
+                     "frozen with the study."));
+    addStudyText(*grid, page, tr("Consent text (required)"), QStringLiteral("design.consent"), 5,
+                 [](StudyDesign& design) -> StudyText& { return design.consent; });
+    grid->explain(QStringLiteral("design.consent"),
+                  tr("What participants agree to before their first trial. The text that was shown is stored "
+                     "with each consent."));
     box.layout->addWidget(grid);
     return box.frame;
 }
 
-bool isPlaceholderAim(const QString& aim) { return aim.trimmed() == QLatin1String(kPlaceholderAim); }
+bool isPlaceholderAim(const QString& aim) {
+    return aim.trimmed() == QLatin1String(kPlaceholderAim);
+}
 
 } // namespace chiron::desktop

@@ -10,7 +10,8 @@
 
 namespace chiron::desktop {
 
-KeyTableDialog::KeyTableDialog(AppContext& app, database::StudyNumber study, QWidget* parent) : QDialog(parent), m_app(app), m_study(study) {
+KeyTableDialog::KeyTableDialog(AppContext& app, database::StudyNumber study, QWidget* parent)
+    : QDialog(parent), m_app(app), m_study(study) {
     const Theme& theme = app.theme();
     setObjectName(QStringLiteral("keys"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -22,7 +23,8 @@ KeyTableDialog::KeyTableDialog(AppContext& app, database::StudyNumber study, QWi
     column->setContentsMargins(theme.px(20), theme.px(20), theme.px(20), theme.px(16));
     column->setSpacing(theme.px(12));
     column->addWidget(kit::label(theme, tr("Who is who"), TextStyle::heading));
-    column->addWidget(kit::label(theme, tr("Opening this table is recorded in the audit trail."), TextStyle::small, "muted"));
+    column->addWidget(kit::label(theme, tr("Opening this table is recorded in the audit trail."),
+                                 TextStyle::small, "muted"));
     m_table = new FittedTable(theme, 2);
     m_table->setObjectName(QStringLiteral("keys.table"));
     m_table->setAccessibleName(tr("Who is who"));
@@ -42,7 +44,9 @@ void KeyTableDialog::load() {
     m_app.background().run(
         this,
         [&database = m_app.site().database(), actor = m_app.actor(), study = m_study](WorkToken&) {
-            return database.write([&](database::WriteContext& writing) { return database::StudyReader(writing.connection(), actor).participantKeys(study); });
+            return database.write([&](database::WriteContext& writing) {
+                return database::StudyReader(writing.connection(), actor).participantKeys(study);
+            });
         },
         [this](const core::Result<std::vector<database::ParticipantKey>>& keys) { show(keys); });
 }
@@ -56,7 +60,8 @@ void KeyTableDialog::show(const core::Result<std::vector<database::ParticipantKe
         m_panel->showEmpty(tr("The key table is empty"), tr("Simulated participants have no key."));
         return;
     }
-    const bool linked = std::any_of(keys->begin(), keys->end(), [](const database::ParticipantKey& key) { return !key.account.empty(); });
+    const bool linked = std::any_of(keys->begin(), keys->end(),
+                                    [](const database::ParticipantKey& key) { return !key.account.empty(); });
     if (linked) {
         m_table->setColumnCount(3);
         m_table->setHorizontalHeaderLabels({tr("Code"), tr("Identity"), tr("Login name")});

@@ -13,7 +13,9 @@ constexpr double kPercent = 100.0;
 constexpr double kSmallest_percent = 0.001;
 } // namespace
 
-double LevelUnits::percentOf(double x) const { return kPercent * study_words::ratioOf(m_logarithm ? std::pow(10.0, x) : x); }
+double LevelUnits::percentOf(double x) const {
+    return kPercent * study_words::ratioOf(m_logarithm ? std::pow(10.0, x) : x);
+}
 
 double LevelUnits::xOf(double percent) const {
     if (!m_logarithm)
@@ -21,10 +23,13 @@ double LevelUnits::xOf(double percent) const {
     return std::log10(study_words::differenceOf(std::max(percent, kSmallest_percent) / kPercent));
 }
 
-double LevelUnits::spreadOf(double distance) const { return m_logarithm ? std::pow(10.0, distance) : kPercent * study_words::ratioOf(distance); }
+double LevelUnits::spreadOf(double distance) const {
+    return m_logarithm ? std::pow(10.0, distance) : kPercent * study_words::ratioOf(distance);
+}
 
 double LevelUnits::distanceOf(double spread) const {
-    return m_logarithm ? std::log10(std::max(spread, 1.0)) : study_words::differenceOf(std::max(spread, 0.0) / kPercent);
+    return m_logarithm ? std::log10(std::max(spread, 1.0))
+                       : study_words::differenceOf(std::max(spread, 0.0) / kPercent);
 }
 
 } // namespace chiron::desktop

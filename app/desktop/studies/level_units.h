@@ -10,7 +10,8 @@ namespace chiron::desktop {
 /// or log10 of D.
 class LevelUnits {
 public:
-    explicit LevelUnits(psychophysics::ProcedureScale scale) : m_logarithm(scale == psychophysics::ProcedureScale::logDifference) {}
+    explicit LevelUnits(psychophysics::ProcedureScale scale)
+        : m_logarithm(scale == psychophysics::ProcedureScale::logDifference) {}
 
     double percentOf(double x) const;
     /// On a logarithmic scale, values without a logarithm give the smallest representable x.

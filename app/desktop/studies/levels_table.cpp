@@ -22,9 +22,11 @@ constexpr double kWidth_px = 460;
 constexpr double kNewRow_percent = 10.0;
 } // namespace
 
-LevelsTable::LevelsTable(const Theme& theme, const QLocale& locale, bool readOnly, const QString& name, const std::vector<double>& percents,
-                         std::function<QString(double)> value, QWidget* parent)
-    : QWidget(parent), m_locale(locale), m_readOnly(readOnly), m_value(std::move(value)), m_table(new QTableWidget) {
+LevelsTable::LevelsTable(const Theme& theme, const QLocale& locale, bool readOnly, const QString& name,
+                         const std::vector<double>& percents, std::function<QString(double)> value,
+                         QWidget* parent)
+    : QWidget(parent), m_locale(locale), m_readOnly(readOnly), m_value(std::move(value)),
+      m_table(new QTableWidget) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(6));
@@ -35,7 +37,7 @@ LevelsTable::LevelsTable(const Theme& theme, const QLocale& locale, bool readOnl
     m_table->setAccessibleName(tr("Differences from the reference in per cent"));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->verticalHeader()->setDefaultSectionSize(theme.px(kRow_px));
-    m_table->setTabKeyNavigation(false); // Tab moves to the next control
+    m_table->setTabKeyNavigation(false);    // Tab moves to the next control
     m_table->setCornerButtonEnabled(false); // there is no action for all cells at once
     m_table->setFixedHeight(theme.px(kRow_px) * (kRowsShown + 1) + theme.px(8));
     m_table->setMaximumWidth(theme.px(kWidth_px));
@@ -146,7 +148,9 @@ void LevelsTable::taken() {
 void LevelsTable::paste(const QString& text) {
     const NumberList read = readNumbers(text, m_locale);
     if (!read.unread.isEmpty() || read.values.empty()) {
-        emit unread(read.values.empty() && read.unread.isEmpty() ? tr("There are no numbers to paste. Copy them first.") : unreadWords(read));
+        emit unread(read.values.empty() && read.unread.isEmpty()
+                        ? tr("There are no numbers to paste. Copy them first.")
+                        : unreadWords(read));
         return;
     }
     fill(read.values);
@@ -154,10 +158,13 @@ void LevelsTable::paste(const QString& text) {
     emit changed(read.values);
 }
 
-void LevelsTable::pasteClipboard() { paste(QGuiApplication::clipboard()->text()); }
+void LevelsTable::pasteClipboard() {
+    paste(QGuiApplication::clipboard()->text());
+}
 
 bool LevelsTable::eventFilter(QObject* watched, QEvent* event) {
-    if (!m_readOnly && event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Paste)) {
+    if (!m_readOnly && event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Paste)) {
         pasteClipboard();
         return true;
     }

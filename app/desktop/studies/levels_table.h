@@ -20,8 +20,9 @@ class LevelsTable final : public QWidget {
 public:
     /// `value` formats the value of an object for a difference in per cent ("66 N/m"). `name` is the table's
     /// object name; its buttons are "<name>.paste", ".add", ".remove".
-    LevelsTable(const Theme& theme, const QLocale& locale, bool readOnly, const QString& name, const std::vector<double>& percents,
-                std::function<QString(double)> value, QWidget* parent = nullptr);
+    LevelsTable(const Theme& theme, const QLocale& locale, bool readOnly, const QString& name,
+                const std::vector<double>& percents, std::function<QString(double)> value,
+                QWidget* parent = nullptr);
 
     /// Replaces all rows by the numbers in a text. If it contains anything else, the table reports that and
     /// changes nothing.

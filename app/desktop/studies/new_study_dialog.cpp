@@ -54,7 +54,8 @@ QString freeKey(const QString& wanted, const std::set<QString>& taken) {
 
 /// The text by which a template is found; also in English, the language of its source.
 QString wordsOf(const psychophysics::StudyDesign& design, const QString& title, const QString& objective) {
-    QStringList words{title, objective, QString::fromStdString(design.source), study_words::text(design.title, QStringLiteral("en"))};
+    QStringList words{title, objective, QString::fromStdString(design.source),
+                      study_words::text(design.title, QStringLiteral("en"))};
     for (const psychophysics::Condition& condition : design.conditions) {
         words << study_words::attribute(condition.stimulus.attribute) << study_words::task(condition.task);
         for (const psychophysics::ProcedureSpec& procedure : condition.procedures)
@@ -78,7 +79,8 @@ psychophysics::StudyDesign plainStudy() {
     condition.stimulus.reference = kUsualStiffness_N_per_m;
     for (int i = 0; i < kDifferences; ++i) {
         const double part = static_cast<double>(i) / (kDifferences - 1);
-        condition.stimulus.differences.push_back(study_words::differenceOf(0.01 * kSmallest_percent * std::pow(kLargest_percent / kSmallest_percent, part)));
+        condition.stimulus.differences.push_back(study_words::differenceOf(
+            0.01 * kSmallest_percent * std::pow(kLargest_percent / kSmallest_percent, part)));
     }
     condition.procedures = {usualProcedure("rank3_quest_plus", condition)};
     study.conditions = {condition};
@@ -93,9 +95,11 @@ psychophysics::StudyDesign copyOf(psychophysics::StudyDesign design) {
     return design;
 }
 
-NewStudyDialog::NewStudyDialog(AppContext& context, const QString& title, QWidget* parent) : FormDialog(context, QStringLiteral("new_study"), title, parent) {}
+NewStudyDialog::NewStudyDialog(AppContext& context, const QString& title, QWidget* parent)
+    : FormDialog(context, QStringLiteral("new_study"), title, parent) {}
 
-NewStudyDialog::NewStudyDialog(AppContext& context, QWidget* parent) : NewStudyDialog(context, tr("New study"), parent) {
+NewStudyDialog::NewStudyDialog(AppContext& context, QWidget* parent)
+    : NewStudyDialog(context, tr("New study"), parent) {
     addTemplates();
     addNames();
     renew();
@@ -104,9 +108,12 @@ NewStudyDialog::NewStudyDialog(AppContext& context, QWidget* parent) : NewStudyD
     m_filter->setFocus();
 }
 
-NewStudyDialog::NewStudyDialog(AppContext& context, const psychophysics::StudyDesign& copied, QWidget* parent) : NewStudyDialog(context, tr("Copy to a new study"), parent) {
+NewStudyDialog::NewStudyDialog(AppContext& context, const psychophysics::StudyDesign& copied, QWidget* parent)
+    : NewStudyDialog(context, tr("Copy to a new study"), parent) {
     m_templates = {copyOf(copied)};
-    column()->addWidget(kit::label(theme(), tr("The copy is a draft with the whole design of “%1”, without its participants, data and ethics approval.").arg(study_words::text(copied.title, context.language()))));
+    column()->addWidget(kit::label(theme(), tr("The copy is a draft with the whole design of “%1”, without "
+                                               "its participants, data and ethics approval.")
+                                                .arg(study_words::text(copied.title, context.language()))));
     addNames();
     suggestTitle();
     renew();
@@ -115,7 +122,10 @@ NewStudyDialog::NewStudyDialog(AppContext& context, const psychophysics::StudyDe
 }
 
 void NewStudyDialog::addTemplates() {
-    column()->addWidget(kit::label(theme(), tr("Each template is a complete design. Everything in it can be changed until the study is frozen."), TextStyle::small, "muted"));
+    column()->addWidget(kit::label(
+        theme(),
+        tr("Each template is a complete design. Everything in it can be changed until the study is frozen."),
+        TextStyle::small, "muted"));
     m_filter = form::textField(theme(), column(), tr("Find a template"), QStringLiteral("new_study.filter"));
     m_filter->setPlaceholderText(tr("Attribute, task, procedure or author"));
     m_filter->setClearButtonEnabled(true);
@@ -145,9 +155,12 @@ void NewStudyDialog::addNames() {
     };
     m_title = form::textField(theme(), column(), tr("Title"), QStringLiteral("new_study.title"));
     m_titleFault = fault("new_study.title.fault");
-    m_key = form::textField(theme(), column(), tr("Key (in files and commands)"), QStringLiteral("new_study.key"));
+    m_key = form::textField(theme(), column(), tr("Key (in files and commands)"),
+                            QStringLiteral("new_study.key"));
     m_keyFault = fault("new_study.key.fault");
-    column()->addWidget(kit::label(theme(), tr("Lower-case letters, digits and _ only. It cannot be changed later."), TextStyle::small, "muted"));
+    column()->addWidget(kit::label(theme(),
+                                   tr("Lower-case letters, digits and _ only. It cannot be changed later."),
+                                   TextStyle::small, "muted"));
     setAccept(tr("Create draft"));
     connect(m_title, &QLineEdit::textEdited, this, [this](const QString& typed) {
         m_ownTitle = !typed.isEmpty();
@@ -163,17 +176,18 @@ void NewStudyDialog::addNames() {
 /// Loads the existing keys and titles, so that a conflict is reported while the form is filled in, not on
 /// submission.
 void NewStudyDialog::loadTaken() {
-    readStudies(context(), this, [](database::StudyReader& reader) { return reader.listStudies(true); },
-                [this](const core::Result<std::vector<database::StudySummary>>& studies) {
-                    if (!studies)
-                        return;
-                    for (const database::StudySummary& each : *studies) {
-                        m_keys.insert(QString::fromStdString(each.key));
-                        m_titles.insert(titleForComparison(QString::fromStdString(each.title)));
-                    }
-                    suggestTitle();
-                    renew();
-                });
+    readStudies(
+        context(), this, [](database::StudyReader& reader) { return reader.listStudies(true); },
+        [this](const core::Result<std::vector<database::StudySummary>>& studies) {
+            if (!studies)
+                return;
+            for (const database::StudySummary& each : *studies) {
+                m_keys.insert(QString::fromStdString(each.key));
+                m_titles.insert(titleForComparison(QString::fromStdString(each.title)));
+            }
+            suggestTitle();
+            renew();
+        });
 }
 
 void NewStudyDialog::loadTemplates() {
@@ -181,7 +195,8 @@ void NewStudyDialog::loadTemplates() {
         this, [](WorkToken&) { return catalogue::StudyCatalogue::load(); },
         [this](const core::Result<catalogue::StudyCatalogue>& studies) {
             if (!studies)
-                say("warning", tr("The templates could not be read.\n%1").arg(inWords(studies.error(), Tried::reading)));
+                say("warning",
+                    tr("The templates could not be read.\n%1").arg(inWords(studies.error(), Tried::reading)));
             showTemplates(studies ? studies->studies() : std::vector<psychophysics::StudyDesign>());
         });
 }
@@ -197,8 +212,10 @@ void NewStudyDialog::showTemplates(std::vector<psychophysics::StudyDesign> templ
 /// A template's tile: its aim, the participant's task, and the publication.
 QWidget* NewStudyDialog::tile(std::size_t index, bool plain) {
     const psychophysics::StudyDesign& design = m_templates[index];
-    const QString title = plain ? tr("A simple study") : study_words::text(design.title, context().language());
-    const QString objective = plain ? tr("One condition: three objects are ranked by stiffness.") : study_words::text(design.objective, context().language());
+    const QString title =
+        plain ? tr("A simple study") : study_words::text(design.title, context().language());
+    const QString objective = plain ? tr("One condition: three objects are ranked by stiffness.")
+                                    : study_words::text(design.objective, context().language());
     QStringList meets;
     for (const auto& [name, words] : participantFacts(design, context().locale(), context().language())) {
         if (name == QStringLiteral("trials"))
@@ -231,7 +248,9 @@ QWidget* NewStudyDialog::tile(std::size_t index, bool plain) {
 
 const psychophysics::StudyDesign* NewStudyDialog::chosen() const {
     const int index = m_choice ? m_choice->checkedId() : 0;
-    return index >= 0 && static_cast<std::size_t>(index) < m_templates.size() ? &m_templates[static_cast<std::size_t>(index)] : nullptr;
+    return index >= 0 && static_cast<std::size_t>(index) < m_templates.size()
+               ? &m_templates[static_cast<std::size_t>(index)]
+               : nullptr;
 }
 
 void NewStudyDialog::choose(int) {
@@ -259,13 +278,16 @@ void NewStudyDialog::filter() {
     for (QAbstractButton* tile : m_choice->buttons())
         tile->setVisible(tile->isChecked() || isFound(m_choice->id(tile)));
     const bool none = !m_folded.empty() && !firstFound();
-    m_none->setText(none ? tr("No template matches “%1”. Try fewer or other words.").arg(m_filter->text().simplified()) : QString());
+    m_none->setText(
+        none ? tr("No template matches “%1”. Try fewer or other words.").arg(m_filter->text().simplified())
+             : QString());
     m_none->setVisible(none);
 }
 
 bool NewStudyDialog::eventFilter(QObject* watched, QEvent* event) {
     // Otherwise the tile would move away from under the mouse.
-    if (event->type() == QEvent::FocusIn && static_cast<QFocusEvent*>(event)->reason() != Qt::MouseFocusReason)
+    if (event->type() == QEvent::FocusIn &&
+        static_cast<QFocusEvent*>(event)->reason() != Qt::MouseFocusReason)
         if (auto* tile = qobject_cast<TileButton*>(watched))
             reveal(*tile);
     if (watched != m_filter || event->type() != QEvent::KeyPress)
@@ -307,7 +329,10 @@ void NewStudyDialog::suggestKey() {
 QString NewStudyDialog::titleFault() const {
     if (m_title->text().trimmed().isEmpty())
         return tr("Give the study a title.");
-    return m_titles.contains(titleForComparison(m_title->text())) ? tr("Another study has this title, and the two could not be told apart in lists. Choose another title.") : QString();
+    return m_titles.contains(titleForComparison(m_title->text()))
+               ? tr("Another study has this title, and the two could not be told apart in lists. Choose "
+                    "another title.")
+               : QString();
 }
 
 QString NewStudyDialog::keyFault() const {
@@ -348,12 +373,14 @@ void NewStudyDialog::submit() {
     writeStudies(
         context(), this,
         [design](database::StudyRepository& studies) {
-            return studies.createStudy(design.id, design.title.at("en"), catalogue::studyJson(design).toStdString());
+            return studies.createStudy(design.id, design.title.at("en"),
+                                       catalogue::studyJson(design).toStdString());
         },
         [this](const core::Result<database::StudyNumber>& study) {
             setWorking(false);
             if (!study) {
-                say("bad", tr("The study was not created. Its key may already be in use.\n%1").arg(inWords(study.error())));
+                say("bad", tr("The study was not created. Its key may already be in use.\n%1")
+                               .arg(inWords(study.error())));
                 return;
             }
             emit created(*study);

@@ -58,14 +58,14 @@ private:
 
     QLineEdit* m_filter = nullptr; ///< null for a copy
     QWidget* m_list = nullptr;
-    QLabel* m_none = nullptr; ///< shown if no template matches
+    QLabel* m_none = nullptr;         ///< shown if no template matches
     QButtonGroup* m_choice = nullptr; ///< null for a copy
     QLineEdit* m_title = nullptr;
     QLineEdit* m_key = nullptr;
     QLabel* m_titleFault = nullptr;
     QLabel* m_keyFault = nullptr;
     bool m_ownTitle = false; ///< typed, not suggested
-    bool m_ownKey = false; ///< typed, not derived from the title
+    bool m_ownKey = false;   ///< typed, not derived from the title
     /// Of the existing studies; titles as titleForComparison() returns them.
     std::set<QString> m_keys, m_titles;
     std::vector<psychophysics::StudyDesign> m_templates;

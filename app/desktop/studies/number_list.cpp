@@ -32,7 +32,8 @@ std::optional<double> numberOf(QString word) {
 bool commasSeparate(const QString& text, const QLocale& locale) {
     if (!text.contains(QLatin1Char(',')))
         return false;
-    return text.contains(QLatin1Char('.')) || (text.count(QLatin1Char(',')) == 1 && locale.decimalPoint() != QStringLiteral(","));
+    return text.contains(QLatin1Char('.')) ||
+           (text.count(QLatin1Char(',')) == 1 && locale.decimalPoint() != QStringLiteral(","));
 }
 
 } // namespace
@@ -59,8 +60,10 @@ NumberList readNumbers(const QString& text, const QLocale& locale) {
 QString unreadWords(const NumberList& list) {
     if (list.unread.isEmpty())
         return {};
-    return QCoreApplication::translate("StudyWords", "“%1” is not a number. Separate numbers by semicolons or line ends.")
-        .arg(list.unread.size() > kLongestShown ? list.unread.left(kLongestShown) + QStringLiteral("…") : list.unread);
+    return QCoreApplication::translate("StudyWords",
+                                       "“%1” is not a number. Separate numbers by semicolons or line ends.")
+        .arg(list.unread.size() > kLongestShown ? list.unread.left(kLongestShown) + QStringLiteral("…")
+                                                : list.unread);
 }
 
 QString listText(const std::vector<double>& values, const QLocale& locale) {

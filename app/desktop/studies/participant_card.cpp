@@ -30,7 +30,8 @@ QString conditionLine(const Condition& condition, const QLocale& locale, const Q
     if (stimulus.attribute == psychophysics::Attribute::apex || stimulus.differences.empty())
         return CardWords::tr("%1: %2").arg(title, reference);
     return CardWords::tr("%1: %2, differences of %3 to %4")
-        .arg(title, reference, study_words::percent(study_words::ratioOf(stimulus.differences.front()), locale),
+        .arg(title, reference,
+             study_words::percent(study_words::ratioOf(stimulus.differences.front()), locale),
              study_words::percent(study_words::ratioOf(stimulus.differences.back()), locale));
 }
 
@@ -44,7 +45,8 @@ QString conditionsWords(const StudyDesign& design, const QLocale& locale, const 
 QString askedWords(const ParticipantView& view) {
     QStringList questions;
     for (const PartView& part : view.parts) {
-        const QString question = part.apex() ? CardWords::tr("Mark the highest point.") : study_words::question(part.task, part.attribute);
+        const QString question = part.apex() ? CardWords::tr("Mark the highest point.")
+                                             : study_words::question(part.task, part.attribute);
         if (!questions.contains(question))
             questions << question;
     }
@@ -70,13 +72,16 @@ QString trialsWords(const ParticipantView& view, const QLocale& locale) {
 
 QString minutesWords(const ParticipantView& view, const QLocale& locale) {
     const double minutes = view.minutesAtMost();
-    return minutes > 0.0 ? CardWords::tr("at most about %1 min").arg(locale.toString(static_cast<int>(std::ceil(minutes)))) : CardWords::tr("as long as the answers take");
+    return minutes > 0.0 ? CardWords::tr("at most about %1 min")
+                               .arg(locale.toString(static_cast<int>(std::ceil(minutes))))
+                         : CardWords::tr("as long as the answers take");
 }
 
 QString breakWords(const ParticipantView& view, const QLocale& locale) {
     if (!view.anyBreak())
         return CardWords::tr("none");
-    return CardWords::tr("after every %1 trials, at least %2 s").arg(locale.toString(view.breakEvery), locale.toString(view.breakAtLeast_s, 'g', 6));
+    return CardWords::tr("after every %1 trials, at least %2 s")
+        .arg(locale.toString(view.breakEvery), locale.toString(view.breakAtLeast_s, 'g', 6));
 }
 
 QString timeWords(const ParticipantView& view, const QLocale& locale) {
@@ -85,7 +90,8 @@ QString timeWords(const ParticipantView& view, const QLocale& locale) {
     const QString explore = locale.toString(view.explore_s, 'g', 6);
     if (std::all_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return part.apex(); }))
         return CardWords::tr("%1 s a trial").arg(explore);
-    return view.answer_s > 0.0 ? CardWords::tr("%1 s to explore, then %2 s to answer").arg(explore, locale.toString(view.answer_s, 'g', 6))
+    return view.answer_s > 0.0 ? CardWords::tr("%1 s to explore, then %2 s to answer")
+                                     .arg(explore, locale.toString(view.answer_s, 'g', 6))
                                : CardWords::tr("%1 s to explore, no limit to answer").arg(explore);
 }
 
@@ -98,18 +104,21 @@ QString feedbackWords(const ParticipantView& view) {
 QString questionWords(const ParticipantView& view, const QLocale& locale) {
     if (view.questionsAfterEach > 0)
         return CardWords::tr("%1 before, %2 after each condition, %3 after")
-            .arg(locale.toString(view.questionsBefore), locale.toString(view.questionsAfterEach), locale.toString(view.questionsAfter));
+            .arg(locale.toString(view.questionsBefore), locale.toString(view.questionsAfterEach),
+                 locale.toString(view.questionsAfter));
     if (view.questionsBefore + view.questionsAfter == 0)
         return CardWords::tr("none");
-    return CardWords::tr("%1 before, %2 after").arg(locale.toString(view.questionsBefore), locale.toString(view.questionsAfter));
+    return CardWords::tr("%1 before, %2 after")
+        .arg(locale.toString(view.questionsBefore), locale.toString(view.questionsAfter));
 }
 
 /// The title of a line.
 QString titleOf(const QString& name) {
-    const std::pair<const char*, QString> titles[] = {{"conditions", CardWords::tr("Conditions")}, {"asked", CardWords::tr("Asked")},
-                                                      {"trials", CardWords::tr("Trials")},         {"minutes", CardWords::tr("Duration")},
-                                                      {"breaks", CardWords::tr("Breaks")},         {"time", CardWords::tr("Time")},
-                                                      {"feedback", CardWords::tr("Feedback")},     {"questions", CardWords::tr("Questions")}};
+    const std::pair<const char*, QString> titles[] = {
+        {"conditions", CardWords::tr("Conditions")}, {"asked", CardWords::tr("Asked")},
+        {"trials", CardWords::tr("Trials")},         {"minutes", CardWords::tr("Duration")},
+        {"breaks", CardWords::tr("Breaks")},         {"time", CardWords::tr("Time")},
+        {"feedback", CardWords::tr("Feedback")},     {"questions", CardWords::tr("Questions")}};
     for (const auto& [key, title] : titles)
         if (name == QLatin1String(key))
             return title;
@@ -118,7 +127,8 @@ QString titleOf(const QString& name) {
 
 } // namespace
 
-std::vector<std::pair<QString, QString>> participantFacts(const StudyDesign& design, const QLocale& locale, const QString& language) {
+std::vector<std::pair<QString, QString>> participantFacts(const StudyDesign& design, const QLocale& locale,
+                                                          const QString& language) {
     const ParticipantView view = session::participantView(design);
     if (view.parts.empty())
         return {};
@@ -142,7 +152,8 @@ ParticipantCard::ParticipantCard(const DesignPage& page, QWidget* parent) : QFra
     column->setContentsMargins(padding, padding, padding, padding);
     column->setSpacing(theme.px(2));
     column->addWidget(kit::label(theme, tr("What a participant will meet"), TextStyle::strong));
-    for (const char* name : {"conditions", "asked", "trials", "minutes", "breaks", "time", "feedback", "questions"}) {
+    for (const char* name :
+         {"conditions", "asked", "trials", "minutes", "breaks", "time", "feedback", "questions"}) {
         column->addSpacing(theme.px(4));
         column->addWidget(kit::label(theme, titleOf(QLatin1String(name)), TextStyle::small, "muted"));
         auto* words = kit::label(theme, {}, TextStyle::body);
@@ -158,7 +169,8 @@ ParticipantCard::ParticipantCard(const DesignPage& page, QWidget* parent) : QFra
 void ParticipantCard::renew() {
     const auto facts = participantFacts(m_page.draft.design(), m_page.app.locale(), m_page.app.language());
     for (const auto& [name, label] : m_lines) {
-        const auto found = std::find_if(facts.begin(), facts.end(), [&, key = name](const auto& fact) { return fact.first == key; });
+        const auto found = std::find_if(facts.begin(), facts.end(),
+                                        [&, key = name](const auto& fact) { return fact.first == key; });
         label->setText(found == facts.end() ? QString() : found->second);
     }
 }

@@ -29,6 +29,7 @@ private:
 
 /// The lines of the card as pairs of the object name's end ("trials") and text. For an incomplete design,
 /// only what is already known.
-std::vector<std::pair<QString, QString>> participantFacts(const psychophysics::StudyDesign& design, const QLocale& locale, const QString& language);
+std::vector<std::pair<QString, QString>> participantFacts(const psychophysics::StudyDesign& design,
+                                                          const QLocale& locale, const QString& language);
 
 } // namespace chiron::desktop

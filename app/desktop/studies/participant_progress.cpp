@@ -19,16 +19,19 @@ struct ParticipantProgress {
 using ProgressState = ConditionProgress::State;
 
 const LeftRun* leftOf(const ParticipantRow& row, database::StudyRunNumber run) {
-    const auto found = std::find_if(row.left.begin(), row.left.end(), [run](const LeftRun& each) { return each.run == run; });
+    const auto found = std::find_if(row.left.begin(), row.left.end(),
+                                    [run](const LeftRun& each) { return each.run == run; });
     return found == row.left.end() ? nullptr : &*found;
 }
 
 /// A questionnaire that follows each condition must be answered after every completed one.
-bool isAnswered(const OpenStudy& study, const ParticipantRow& row, const psychophysics::Questionnaire& questions) {
+bool isAnswered(const OpenStudy& study, const ParticipantRow& row,
+                const psychophysics::Questionnaire& questions) {
     if (questions.when != psychophysics::Questionnaire::When::afterCondition)
         return study.answered.contains({row.participant.id, questions.id});
     return std::all_of(row.runs.begin(), row.runs.end(), [&](const database::StudyRun& run) {
-        return run.state != database::StudyRunState::completed || study.answeredAfter.contains({run.id, questions.id});
+        return run.state != database::StudyRunState::completed ||
+               study.answeredAfter.contains({run.id, questions.id});
     });
 }
 
@@ -36,7 +39,8 @@ bool isAnswered(const OpenStudy& study, const ParticipantRow& row, const psychop
 
 std::vector<ConditionProgress> conditionProgress(const OpenStudy& study, const ParticipantRow& row) {
     std::vector<ConditionProgress> all;
-    for (const std::string& label : session::labelsInOrder(study.design, study.sealed, row.participant.order)) {
+    for (const std::string& label :
+         session::labelsInOrder(study.design, study.sealed, row.participant.order)) {
         ConditionProgress progress;
         progress.label = label;
         // The runs are in order of starting, so the last one determines the state.
@@ -48,7 +52,8 @@ std::vector<ConditionProgress> conditionProgress(const OpenStudy& study, const P
                                                                              : ProgressState::ended;
             progress.left = run.state == database::StudyRunState::open ? leftOf(row, run.id) : nullptr;
         }
-        progress.closed = progress.state == ProgressState::notBegun && study.summary.state != database::StudyState::frozen;
+        progress.closed =
+            progress.state == ProgressState::notBegun && study.summary.state != database::StudyState::frozen;
         all.push_back(std::move(progress));
     }
     return all;
@@ -59,8 +64,10 @@ QString interruptedWords(const OpenStudy& study, const LeftRun& left, const QLoc
     if (study.blinding.seals()) // the trial number would reveal how many there were
         return ParticipantProgress::tr("interrupted, %1").arg(when);
     const QString next = locale.toString(left.scored + 1);
-    const QString where = left.atMost > 0 ? ParticipantProgress::tr("interrupted at trial %1 of at most %2").arg(next, locale.toString(std::max(left.atMost, left.scored + 1)))
-                                          : ParticipantProgress::tr("interrupted at trial %1").arg(next);
+    const QString where = left.atMost > 0
+                              ? ParticipantProgress::tr("interrupted at trial %1 of at most %2")
+                                    .arg(next, locale.toString(std::max(left.atMost, left.scored + 1)))
+                              : ParticipantProgress::tr("interrupted at trial %1").arg(next);
     return ParticipantProgress::tr("%1, %2").arg(where, when);
 }
 
@@ -69,11 +76,13 @@ QString progressWords(const OpenStudy& study, const ConditionProgress& progress,
     case ProgressState::done:
         return ParticipantProgress::tr("done");
     case ProgressState::interrupted:
-        return progress.left ? interruptedWords(study, *progress.left, locale) : ParticipantProgress::tr("interrupted");
+        return progress.left ? interruptedWords(study, *progress.left, locale)
+                             : ParticipantProgress::tr("interrupted");
     case ProgressState::ended:
         return ParticipantProgress::tr("broken off when the participant withdrew");
     case ProgressState::notBegun:
-        return progress.closed ? ParticipantProgress::tr("not begun, and the study is closed") : ParticipantProgress::tr("not begun yet");
+        return progress.closed ? ParticipantProgress::tr("not begun, and the study is closed")
+                               : ParticipantProgress::tr("not begun yet");
     }
     return {};
 }
@@ -81,25 +90,37 @@ QString progressWords(const OpenStudy& study, const ConditionProgress& progress,
 QString nextStepFor(const OpenStudy& study, const ParticipantRow& row, const QString& language) {
     using database::ParticipantState;
     if (row.participant.simulated)
-        return ParticipantProgress::tr("This participant is simulated: its runs are made on the command line.");
+        return ParticipantProgress::tr(
+            "This participant is simulated: its runs are made on the command line.");
     if (row.participant.state == ParticipantState::withdrawn)
-        return ParticipantProgress::tr("Nothing is left to do: this participant has withdrawn. If another is to take their place, enrol somebody.");
+        return ParticipantProgress::tr("Nothing is left to do: this participant has withdrawn. If another is "
+                                       "to take their place, enrol somebody.");
     if (study.summary.state == database::StudyState::archived)
-        return ParticipantProgress::tr("Bring the study back from the archive before this participant goes on.");
+        return ParticipantProgress::tr(
+            "Bring the study back from the archive before this participant goes on.");
     if (row.participant.state == ParticipantState::enrolled)
         return ParticipantProgress::tr("Record the consent. Then the first condition can be begun.");
     const std::vector<ConditionProgress> conditions = conditionProgress(study, row);
-    const auto name = [&](const ConditionProgress& each) { return conditionName(study, each.label, language); };
+    const auto name = [&](const ConditionProgress& each) {
+        return conditionName(study, each.label, language);
+    };
     for (const ConditionProgress& each : conditions) // participants do them in this order
         if (each.state == ProgressState::interrupted)
-            return ParticipantProgress::tr("Press Run and resume “%1” at the trial where it stopped. If this participant does not come back, withdraw them: what they did is kept.").arg(name(each));
+            return ParticipantProgress::tr(
+                       "Press Run and resume “%1” at the trial where it stopped. If this participant does "
+                       "not come back, withdraw them: what they did is kept.")
+                .arg(name(each));
     for (const ConditionProgress& each : conditions)
         if (each.state == ProgressState::notBegun)
-            return each.closed ? ParticipantProgress::tr("“%1” can no longer be begun, because the study is closed. The conditions that are done count.").arg(name(each))
+            return each.closed ? ParticipantProgress::tr("“%1” can no longer be begun, because the study is "
+                                                         "closed. The conditions that are done count.")
+                                     .arg(name(each))
                                : ParticipantProgress::tr("Press Run and begin “%1”.").arg(name(each));
     for (const psychophysics::Questionnaire& questions : study.design.questionnaires)
         if (!isAnswered(study, row, questions))
-            return ParticipantProgress::tr("Every condition is done. The questionnaire “%1” is not answered yet.").arg(study_words::text(questions.title, language));
+            return ParticipantProgress::tr(
+                       "Every condition is done. The questionnaire “%1” is not answered yet.")
+                .arg(study_words::text(questions.title, language));
     return ParticipantProgress::tr("Nothing is left to do: this participant has done everything.");
 }
 

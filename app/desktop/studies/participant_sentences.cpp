@@ -30,7 +30,8 @@ constexpr const char* kContext = "ParticipantSentences";
 /// Translates texts into a language that may differ from the program's.
 class LanguageWords {
 public:
-    explicit LanguageWords(const QString& language) : m_locale(QString::fromUtf8(core::languageOf(language.toStdString()).locale.data())) {
+    explicit LanguageWords(const QString& language)
+        : m_locale(QString::fromUtf8(core::languageOf(language.toStdString()).locale.data())) {
         initialiseParticipantCatalogues();
         // Without a catalogue the texts stay English.
         (void)m_translator.load(QStringLiteral(":/i18n/chiron_%1.qm").arg(language));
@@ -50,24 +51,35 @@ private:
 
 const char* sentenceOf(const PartView& part) {
     if (part.apex())
-        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you look for the highest point of an object by touch and mark it.");
+        return QT_TRANSLATE_NOOP(
+            "ParticipantSentences",
+            "In each trial you look for the highest point of an object by touch and mark it.");
     switch (part.task) {
     case Task::rank3:
-        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you explore three objects and put them in order.");
+        return QT_TRANSLATE_NOOP("ParticipantSentences",
+                                 "In each trial you explore three objects and put them in order.");
     case Task::rank3Ties:
-        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you explore three objects and put them in order; you may mark those that feel the same as equal.");
+        return QT_TRANSLATE_NOOP("ParticipantSentences",
+                                 "In each trial you explore three objects and put them in order; you may "
+                                 "mark those that feel the same as equal.");
     case Task::twoAfc:
     case Task::sameDifferent:
-        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you explore two objects and choose one of two answers.");
+        return QT_TRANSLATE_NOOP("ParticipantSentences",
+                                 "In each trial you explore two objects and choose one of two answers.");
     case Task::threeAfc:
     case Task::oddity:
-        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you explore three objects and choose one of three answers.");
+        return QT_TRANSLATE_NOOP("ParticipantSentences",
+                                 "In each trial you explore three objects and choose one of three answers.");
     case Task::yesNo:
-        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you explore one object and choose one of two answers.");
+        return QT_TRANSLATE_NOOP("ParticipantSentences",
+                                 "In each trial you explore one object and choose one of two answers.");
     case Task::adjustment:
-        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you change one object until it feels like the other, and confirm.");
+        return QT_TRANSLATE_NOOP(
+            "ParticipantSentences",
+            "In each trial you change one object until it feels like the other, and confirm.");
     case Task::magnitude:
-        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you explore one object and give it a number.");
+        return QT_TRANSLATE_NOOP("ParticipantSentences",
+                                 "In each trial you explore one object and give it a number.");
     }
     return "";
 }
@@ -75,7 +87,8 @@ const char* sentenceOf(const PartView& part) {
 QStringList whatToDo(const ParticipantView& view, const LanguageWords& words) {
     QStringList said;
     if (view.parts.size() > 1)
-        said << words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "The study has %n part(s)."), static_cast<int>(view.parts.size()));
+        said << words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "The study has %n part(s)."),
+                      static_cast<int>(view.parts.size()));
     QStringList tasks;
     for (const PartView& part : view.parts)
         if (const QString sentence = words(sentenceOf(part)); !tasks.contains(sentence))
@@ -83,10 +96,14 @@ QStringList whatToDo(const ParticipantView& view, const LanguageWords& words) {
     if (tasks.size() > 1)
         said << words(QT_TRANSLATE_NOOP("ParticipantSentences", "What you do differs from part to part:"));
     said << tasks;
-    const bool compares = std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return !part.apex() && part.objects > 1; });
+    const bool compares = std::any_of(view.parts.begin(), view.parts.end(),
+                                      [](const PartView& part) { return !part.apex() && part.objects > 1; });
     if (view.mustTouchAll && compares)
-        said << words(view.probes ? QT_TRANSLATE_NOOP("ParticipantSentences", "Touch every object before you answer; a graze is not enough, and the screen says when more force is needed.")
-                                  : QT_TRANSLATE_NOOP("ParticipantSentences", "Touch every object before you answer."));
+        said << words(
+            view.probes ? QT_TRANSLATE_NOOP("ParticipantSentences",
+                                            "Touch every object before you answer; a graze is not enough, "
+                                            "and the screen says when more force is needed.")
+                        : QT_TRANSLATE_NOOP("ParticipantSentences", "Touch every object before you answer."));
     return said;
 }
 
@@ -95,65 +112,106 @@ QString howMany(const ParticipantView& view, const LanguageWords& words) {
     bool fixed = true;
     for (const PartView& part : view.parts) {
         if (part.trialsAtMost == 0)
-            return words(QT_TRANSLATE_NOOP("ParticipantSentences", "How many trials there are depends on your answers."));
+            return words(QT_TRANSLATE_NOOP("ParticipantSentences",
+                                           "How many trials there are depends on your answers."));
         fixed = fixed && part.trialsFixed && (most == 0 || most == part.trialsAtMost);
         most = std::max(most, part.trialsAtMost);
     }
     if (view.parts.size() > 1)
-        return fixed ? words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "Each part has %n trial(s)."), most)
-                     : words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "Each part has at most %n trial(s)."), most);
+        return fixed
+                   ? words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "Each part has %n trial(s)."), most)
+                   : words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "Each part has at most %n trial(s)."),
+                           most);
     return fixed ? words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "There are %n trial(s)."), most)
                  : words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "There are at most %n trial(s)."), most);
 }
 
 QStringList time(const ParticipantView& view, const LanguageWords& words) {
     if (view.explore_s <= 0.0)
-        return {words(QT_TRANSLATE_NOOP("ParticipantSentences", "You may take as long as you like over each trial."))};
-    const bool compares = std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return !part.apex(); });
+        return {words(
+            QT_TRANSLATE_NOOP("ParticipantSentences", "You may take as long as you like over each trial."))};
+    const bool compares =
+        std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return !part.apex(); });
     if (!compares)
-        return {words(QT_TRANSLATE_NOOP("ParticipantSentences", "You have %1 seconds for each trial.")).arg(words.number(view.explore_s))};
-    return {words(QT_TRANSLATE_NOOP("ParticipantSentences", "You have %1 seconds to explore in each trial.")).arg(words.number(view.explore_s)),
-            view.answer_s > 0.0
-                ? words(QT_TRANSLATE_NOOP("ParticipantSentences", "Then the objects go away, and you have another %1 seconds to answer.")).arg(words.number(view.answer_s))
-                : words(QT_TRANSLATE_NOOP("ParticipantSentences", "Then the objects go away, and you may take as long as you like to answer."))};
+        return {words(QT_TRANSLATE_NOOP("ParticipantSentences", "You have %1 seconds for each trial."))
+                    .arg(words.number(view.explore_s))};
+    return {
+        words(QT_TRANSLATE_NOOP("ParticipantSentences", "You have %1 seconds to explore in each trial."))
+            .arg(words.number(view.explore_s)),
+        view.answer_s > 0.0
+            ? words(QT_TRANSLATE_NOOP("ParticipantSentences",
+                                      "Then the objects go away, and you have another %1 seconds to answer."))
+                  .arg(words.number(view.answer_s))
+            : words(QT_TRANSLATE_NOOP(
+                  "ParticipantSentences",
+                  "Then the objects go away, and you may take as long as you like to answer."))};
 }
 
 QStringList feedback(const ParticipantView& view, const LanguageWords& words) {
-    const bool judged = std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return part.rightOrWrong; });
-    const bool apex = std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return part.apex(); });
+    const bool judged = std::any_of(view.parts.begin(), view.parts.end(),
+                                    [](const PartView& part) { return part.rightOrWrong; });
+    const bool apex =
+        std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return part.apex(); });
     // Practice always gives feedback.
     const bool inPractice = !view.feedback && view.parts.front().practice > 0;
     QStringList said;
     if (judged)
-        said << words(inPractice    ? QT_TRANSLATE_NOOP("ParticipantSentences", "Only in practice you are told whether your answer was right.")
-                      : view.feedback ? QT_TRANSLATE_NOOP("ParticipantSentences", "After each trial you are told whether your answer was right.")
-                                    : QT_TRANSLATE_NOOP("ParticipantSentences", "You are not told whether your answers are right."));
+        said << words(inPractice
+                          ? QT_TRANSLATE_NOOP("ParticipantSentences",
+                                              "Only in practice you are told whether your answer was right.")
+                      : view.feedback
+                          ? QT_TRANSLATE_NOOP("ParticipantSentences",
+                                              "After each trial you are told whether your answer was right.")
+                          : QT_TRANSLATE_NOOP("ParticipantSentences",
+                                              "You are not told whether your answers are right."));
     if (apex)
-        said << words(inPractice    ? QT_TRANSLATE_NOOP("ParticipantSentences", "Only in practice you are told how far your mark is from the highest point.")
-                      : view.feedback ? QT_TRANSLATE_NOOP("ParticipantSentences", "After each trial you are told how far your mark is from the highest point.")
-                                    : QT_TRANSLATE_NOOP("ParticipantSentences", "You are not told how far your marks are from the highest point."));
+        said << words(
+            inPractice ? QT_TRANSLATE_NOOP(
+                             "ParticipantSentences",
+                             "Only in practice you are told how far your mark is from the highest point.")
+            : view.feedback
+                ? QT_TRANSLATE_NOOP(
+                      "ParticipantSentences",
+                      "After each trial you are told how far your mark is from the highest point.")
+                : QT_TRANSLATE_NOOP("ParticipantSentences",
+                                    "You are not told how far your marks are from the highest point."));
     return said;
 }
 
 QString breaks(const ParticipantView& view, const LanguageWords& words) {
     if (!view.anyBreak())
-        return words(QT_TRANSLATE_NOOP("ParticipantSentences", "No breaks are planned; you may pause whenever you want."));
-    const QString every = words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "After every %n trial(s) there is a break"), view.breakEvery);
-    const QString atLeast = view.breakAtLeast_s > 0.0
-                                ? words(QT_TRANSLATE_NOOP("ParticipantSentences", "%1 of at least %2 seconds; you may also pause whenever you want."))
-                                : words(QT_TRANSLATE_NOOP("ParticipantSentences", "%1; you may also pause whenever you want."));
-    return view.breakAtLeast_s > 0.0 ? atLeast.arg(every, words.number(view.breakAtLeast_s)) : atLeast.arg(every);
+        return words(QT_TRANSLATE_NOOP("ParticipantSentences",
+                                       "No breaks are planned; you may pause whenever you want."));
+    const QString every =
+        words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "After every %n trial(s) there is a break"),
+              view.breakEvery);
+    const QString atLeast =
+        view.breakAtLeast_s > 0.0
+            ? words(QT_TRANSLATE_NOOP("ParticipantSentences",
+                                      "%1 of at least %2 seconds; you may also pause whenever you want."))
+            : words(QT_TRANSLATE_NOOP("ParticipantSentences", "%1; you may also pause whenever you want."));
+    return view.breakAtLeast_s > 0.0 ? atLeast.arg(every, words.number(view.breakAtLeast_s))
+                                     : atLeast.arg(every);
 }
 
 QStringList questions(const ParticipantView& view, const LanguageWords& words) {
     QStringList said;
     if (view.questionsBefore > 0)
-        said << words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "Before the trials you answer %n question(s)."), view.questionsBefore);
+        said << words(
+            QT_TRANSLATE_N_NOOP("ParticipantSentences", "Before the trials you answer %n question(s)."),
+            view.questionsBefore);
     if (view.questionsAfterEach > 0)
-        said << (view.parts.size() > 1 ? words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "After each part you answer %n question(s) about it."), view.questionsAfterEach)
-                                       : words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "After the trials you answer %n question(s) about them."), view.questionsAfterEach));
+        said << (view.parts.size() > 1
+                     ? words(QT_TRANSLATE_N_NOOP("ParticipantSentences",
+                                                 "After each part you answer %n question(s) about it."),
+                             view.questionsAfterEach)
+                     : words(QT_TRANSLATE_N_NOOP("ParticipantSentences",
+                                                 "After the trials you answer %n question(s) about them."),
+                             view.questionsAfterEach));
     if (view.questionsAfter > 0)
-        said << words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "After the trials you answer %n question(s)."), view.questionsAfter);
+        said << words(
+            QT_TRANSLATE_N_NOOP("ParticipantSentences", "After the trials you answer %n question(s)."),
+            view.questionsAfter);
     return said;
 }
 
@@ -171,15 +229,24 @@ QStringList participantSentences(const StudyDesign& design, const QString& langu
     QStringList said = whatToDo(view, words);
     said << howMany(view, words);
     if (const int practice = view.parts.front().practice; practice > 0)
-        said << (view.parts.size() > 1 ? words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "Each part begins with %n practice trial(s), which do not count."), practice)
-                                       : words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "It begins with %n practice trial(s), which do not count."), practice));
+        said << (view.parts.size() > 1
+                     ? words(QT_TRANSLATE_N_NOOP(
+                                 "ParticipantSentences",
+                                 "Each part begins with %n practice trial(s), which do not count."),
+                             practice)
+                     : words(QT_TRANSLATE_N_NOOP("ParticipantSentences",
+                                                 "It begins with %n practice trial(s), which do not count."),
+                             practice));
     said << time(view, words) << feedback(view, words) << breaks(view, words);
     if (view.maskingSound)
-        said << words(QT_TRANSLATE_NOOP("ParticipantSentences", "During the trials you hear a steady noise."));
+        said << words(
+            QT_TRANSLATE_NOOP("ParticipantSentences", "During the trials you hear a steady noise."));
     return said + questions(view, words);
 }
 
-const StudyText& ownSentences(const StudyDesign& design) { return design.ownInstructions ? *design.ownInstructions : design.instructions; }
+const StudyText& ownSentences(const StudyDesign& design) {
+    return design.ownInstructions ? *design.ownInstructions : design.instructions;
+}
 
 void renewInstructions(StudyDesign& design) {
     const StudyText own = ownSentences(design);

@@ -21,26 +21,32 @@ constexpr int kMostRows = 12;
 constexpr int kFewestRows = 4;
 } // namespace
 
-ParticipantsPage::ParticipantsPage(AppContext& app, const OpenStudy& study, const QString& selected, QWidget* parent)
+ParticipantsPage::ParticipantsPage(AppContext& app, const OpenStudy& study, const QString& selected,
+                                   QWidget* parent)
     : QWidget(parent), m_app(app), m_study(study) {
     const Theme& theme = app.theme();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(12));
     if (study.editable()) {
-        column->addWidget(kit::notice(theme, "info", tr("Participants can be enrolled once the design is frozen.")));
+        column->addWidget(
+            kit::notice(theme, "info", tr("Participants can be enrolled once the design is frozen.")));
         column->addStretch();
         return;
     }
     column->addWidget(actions());
     if (study.participants.empty()) {
-        column->addWidget(kit::label(theme, tr("Nobody is enrolled yet. Each participant gets a random code; the identity is kept in a "
-                                               "separate key table."), TextStyle::body, "muted"));
+        column->addWidget(kit::label(
+            theme,
+            tr("Nobody is enrolled yet. Each participant gets a random code; the identity is kept in a "
+               "separate key table."),
+            TextStyle::body, "muted"));
     } else {
         m_table = new FittedTable(theme, columns);
         m_table->setObjectName(QStringLiteral("participants.table"));
         m_table->setAccessibleName(tr("Participants"));
-        m_table->setHorizontalHeaderLabels({tr("Code"), tr("State"), tr("Conditions"), tr("Order"), tr("Enrolled"), tr("Consent")});
+        m_table->setHorizontalHeaderLabels(
+            {tr("Code"), tr("State"), tr("Conditions"), tr("Order"), tr("Enrolled"), tr("Consent")});
         fill(selected);
         connect(m_table, &QTableWidget::itemSelectionChanged, this, &ParticipantsPage::showActions);
         connect(m_table, &QTableWidget::itemSelectionChanged, this, &ParticipantsPage::showDetail);
@@ -71,7 +77,8 @@ QWidget* ParticipantsPage::actions() {
     const Theme& theme = m_app.theme();
     auto* bar = new QWidget;
     auto* row = new FlowLayout(theme.px(8), bar);
-    const auto add = [&](const char* name, const QString& text, const char* kind, const char* icon, void (ParticipantsPage::*act)()) {
+    const auto add = [&](const char* name, const QString& text, const char* kind, const char* icon,
+                         void (ParticipantsPage::*act)()) {
         auto* button = kit::button(theme, text, kind, QLatin1String(icon));
         button->setObjectName(QLatin1String(name));
         connect(button, &QPushButton::clicked, this, act);
@@ -81,21 +88,32 @@ QWidget* ParticipantsPage::actions() {
     m_enrol = add("participants.enrol", tr("Enrol …"), "primary", "list-add-user", &ParticipantsPage::enrol);
     m_consent = add("participants.consent", tr("Consent …"), "", "document-edit", &ParticipantsPage::consent);
     m_run = add("participants.run", tr("Run"), "", "media-playback-start", &ParticipantsPage::run);
-    m_withdraw = add("participants.withdraw", tr("Withdraw …"), "", "list-remove-user", &ParticipantsPage::withdraw);
-    m_keys = add("participants.keys", tr("Who is who …"), "quiet", "view-certificate", &ParticipantsPage::showKeys);
-    const bool mayKnow = m_study.summary.author == m_app.actor().personId() || m_app.has(database::Role::admin);
+    m_withdraw =
+        add("participants.withdraw", tr("Withdraw …"), "", "list-remove-user", &ParticipantsPage::withdraw);
+    m_keys = add("participants.keys", tr("Who is who …"), "quiet", "view-certificate",
+                 &ParticipantsPage::showKeys);
+    const bool mayKnow =
+        m_study.summary.author == m_app.actor().personId() || m_app.has(database::Role::admin);
     m_keys->setVisible(mayKnow);
     return bar;
 }
 
 QString ParticipantsPage::progressOf(const ParticipantRow& row) const {
-    const auto done = std::count_if(row.runs.begin(), row.runs.end(), [](const database::StudyRun& run) { return run.state == database::StudyRunState::completed; });
-    const auto open = std::count_if(row.runs.begin(), row.runs.end(), [](const database::StudyRun& run) { return run.state == database::StudyRunState::open; });
+    const auto done = std::count_if(row.runs.begin(), row.runs.end(), [](const database::StudyRun& run) {
+        return run.state == database::StudyRunState::completed;
+    });
+    const auto open = std::count_if(row.runs.begin(), row.runs.end(), [](const database::StudyRun& run) {
+        return run.state == database::StudyRunState::open;
+    });
     const QLocale locale = m_app.locale();
-    const QString text = tr("%1 of %2 done").arg(locale.toString(static_cast<int>(done)), locale.toString(static_cast<int>(m_study.design.conditions.size())));
+    const QString text = tr("%1 of %2 done")
+                             .arg(locale.toString(static_cast<int>(done)),
+                                  locale.toString(static_cast<int>(m_study.design.conditions.size())));
     if (open > 0)
         return tr("%1, one interrupted").arg(text);
-    const bool brokenOff = std::any_of(row.runs.begin(), row.runs.end(), [](const database::StudyRun& run) { return run.state == database::StudyRunState::stopped; });
+    const bool brokenOff = std::any_of(row.runs.begin(), row.runs.end(), [](const database::StudyRun& run) {
+        return run.state == database::StudyRunState::stopped;
+    });
     return brokenOff ? tr("%1, one broken off").arg(text) : text;
 }
 
@@ -105,8 +123,10 @@ void ParticipantsPage::showDetail() {
         return;
     QStringList lines;
     for (const ConditionProgress& each : conditionProgress(m_study, *row))
-        lines << tr("%1. %2: %3.").arg(m_app.locale().toString(lines.size() + 1), conditionName(m_study, each.label, m_app.language()),
-                                       progressWords(m_study, each, m_app.locale()));
+        lines << tr("%1. %2: %3.")
+                     .arg(m_app.locale().toString(lines.size() + 1),
+                          conditionName(m_study, each.label, m_app.language()),
+                          progressWords(m_study, each, m_app.locale()));
     m_detailTitle->setText(QString::fromStdString(row->participant.code));
     m_detail->setText(lines.join(QLatin1Char('\n')));
     m_next->setText(nextStepFor(m_study, *row, m_app.language()));
@@ -127,7 +147,8 @@ void ParticipantsPage::fill(const QString& selected) {
         const QString state = study_words::participantState(shown.participant.state);
         put(stateColumn, shown.participant.simulated ? tr("%1 (simulated)").arg(state) : state);
         put(progressColumn, progressOf(shown));
-        put(orderColumn, locale.toString(shown.participant.order + 1))->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        put(orderColumn, locale.toString(shown.participant.order + 1))
+            ->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         put(enrolledColumn, study_words::moment(shown.participant.enrolledUtc, locale));
         put(consentColumn, study_words::moment(shown.participant.consentUtc, locale));
     }
@@ -142,20 +163,28 @@ void ParticipantsPage::fill(const QString& selected) {
 
 const ParticipantRow* ParticipantsPage::selected() const {
     const int row = m_table ? m_table->currentRow() : -1;
-    return row >= 0 && row < static_cast<int>(m_study.participants.size()) ? &m_study.participants[static_cast<std::size_t>(row)] : nullptr;
+    return row >= 0 && row < static_cast<int>(m_study.participants.size())
+               ? &m_study.participants[static_cast<std::size_t>(row)]
+               : nullptr;
 }
 
 void ParticipantsPage::showActions() {
     using database::ParticipantState;
     const ParticipantRow* row = selected();
-    const QString notAPerson = !row                        ? tr("Choose a participant in the list first.")
+    const QString notAPerson = !row                         ? tr("Choose a participant in the list first.")
                                : row->participant.simulated ? tr("This participant is simulated.")
                                                             : QString();
     const auto state = row ? row->participant.state : ParticipantState::enrolled;
-    const QString gone = notAPerson.isEmpty() && state == ParticipantState::withdrawn ? tr("This participant has withdrawn.") : notAPerson;
-    const QString done = gone.isEmpty() && state == ParticipantState::completed ? tr("This participant has done every run.") : gone;
+    const QString gone = notAPerson.isEmpty() && state == ParticipantState::withdrawn
+                             ? tr("This participant has withdrawn.")
+                             : notAPerson;
+    const QString done = gone.isEmpty() && state == ParticipantState::completed
+                             ? tr("This participant has done every run.")
+                             : gone;
     const bool consented = done.isEmpty() && state == ParticipantState::consented;
-    kit::allowUnless(*m_enrol, m_study.summary.state == database::StudyState::frozen ? QString() : tr("Participants can be enrolled only while the study is frozen."));
+    kit::allowUnless(*m_enrol, m_study.summary.state == database::StudyState::frozen
+                                   ? QString()
+                                   : tr("Participants can be enrolled only while the study is frozen."));
     kit::allowUnless(*m_consent, consented ? tr("The consent is recorded already.") : done);
     kit::allowUnless(*m_run, done.isEmpty() && !consented ? tr("Record the consent first.") : done);
     kit::allowUnless(*m_withdraw, gone);
@@ -187,12 +216,16 @@ void ParticipantsPage::withdraw() {
     }
 }
 
-void ParticipantsPage::showKeys() { (new KeyTableDialog(m_app, m_study.summary.id, this))->open(); }
+void ParticipantsPage::showKeys() {
+    (new KeyTableDialog(m_app, m_study.summary.id, this))->open();
+}
 
 void ParticipantsPage::run() {
     if (const ParticipantRow* row = selected())
-        m_app.navigator().go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study.summary.id)},
-                                                           {QStringLiteral("participant"), QString::fromStdString(row->participant.code)}});
+        m_app.navigator().go(
+            QStringLiteral("study_run"),
+            {{QStringLiteral("study"), qlonglong(m_study.summary.id)},
+             {QStringLiteral("participant"), QString::fromStdString(row->participant.code)}});
 }
 
 } // namespace chiron::desktop

@@ -20,7 +20,8 @@ class ParticipantsPage final : public QWidget {
     Q_OBJECT
 public:
     /// `selected`: the code that was selected before the list was reloaded; empty: select the first.
-    ParticipantsPage(AppContext& app, const OpenStudy& study, const QString& selected = {}, QWidget* parent = nullptr);
+    ParticipantsPage(AppContext& app, const OpenStudy& study, const QString& selected = {},
+                     QWidget* parent = nullptr);
 
 signals:
     void selectedChanged(const QString& code);

@@ -15,7 +15,8 @@ namespace chiron::desktop {
 class PilotDialog final : public FormDialog {
     Q_OBJECT
 public:
-    PilotDialog(AppContext& context, const psychophysics::StudyDesign& draft, qlonglong study, QWidget* parent);
+    PilotDialog(AppContext& context, const psychophysics::StudyDesign& draft, qlonglong study,
+                QWidget* parent);
 
 protected:
     void submit() override;

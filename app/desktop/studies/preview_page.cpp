@@ -11,10 +11,10 @@
 #include "session/study/presentation_order.h"
 #include "session_report/study_warning_words.h"
 
-#include <QProgressBar>
-#include <algorithm>
-#include <QTimer>
 #include <QDoubleSpinBox>
+#include <QProgressBar>
+#include <QTimer>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -25,10 +25,14 @@ constexpr int kPoll_ms = 100;
 constexpr int kSteps = 1000;
 constexpr double kPercent = 100.0;
 
-bool isApex(const psychophysics::Condition& condition) { return condition.stimulus.attribute == psychophysics::Attribute::apex; }
+bool isApex(const psychophysics::Condition& condition) {
+    return condition.stimulus.attribute == psychophysics::Attribute::apex;
+}
 
 /// SD of a mark along one axis, from the published mean error, in per cent of the radius.
-double publishedMarkSpread_percent() { return psychophysics::kP2MeanPercent / std::sqrt(2.0 / std::acos(-1.0)); }
+double publishedMarkSpread_percent() {
+    return psychophysics::kP2MeanPercent / std::sqrt(2.0 / std::acos(-1.0));
+}
 } // namespace
 
 PreviewPage::PreviewPage(const DesignPage& page, QWidget* parent) : QWidget(parent), m_page(page) {
@@ -36,8 +40,10 @@ PreviewPage::PreviewPage(const DesignPage& page, QWidget* parent) : QWidget(pare
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(page.app.theme().px(16));
     if (page.masked) {
-        column->addWidget(kit::notice(page.app.theme(), "info", tr("While the study is blinded, its conditions and the preview are sealed. "
-                                                                   "Only the study's author can run a preview.")));
+        column->addWidget(
+            kit::notice(page.app.theme(), "info",
+                        tr("While the study is blinded, its conditions and the preview are sealed. "
+                           "Only the study's author can run a preview.")));
         column->addStretch();
         return;
     }
@@ -60,22 +66,30 @@ PreviewPage::~PreviewPage() {
         m_work->cancel();
 }
 
-bool PreviewPage::working() const { return m_start && !m_start->isEnabled(); }
+bool PreviewPage::working() const {
+    return m_start && !m_start->isEnabled();
+}
 
 QWidget* PreviewPage::observerBox() {
     const Theme& theme = m_page.app.theme();
     const kit::Box box = kit::box(theme);
     const auto& conditions = m_page.draft.design().conditions;
-    const auto compared = std::count_if(conditions.begin(), conditions.end(), [](const psychophysics::Condition& each) { return !isApex(each); });
+    const auto compared = std::count_if(conditions.begin(), conditions.end(),
+                                        [](const psychophysics::Condition& each) { return !isApex(each); });
     if (compared > 0) {
-        box.layout->addWidget(kit::label(theme, tr("Simulated observers run through the study without haptic rendering. Their true values are "
-                                                   "known, so bias and precision can be estimated before the first participant."),
-                                         TextStyle::body, "muted"));
+        box.layout->addWidget(kit::label(
+            theme,
+            tr("Simulated observers run through the study without haptic rendering. Their true values are "
+               "known, so bias and precision can be estimated before the first participant."),
+            TextStyle::body, "muted"));
         box.layout->addWidget(observerGrid());
     } else { // a Weber fraction does not predict how well an apex is found
-        box.layout->addWidget(kit::label(theme, tr("How well an apex is found is planned with the published spread of marks, %1 of the radius along each axis.")
-                                                    .arg(study_words::percent(publishedMarkSpread_percent() / kPercent, m_page.app.locale())),
-                                         TextStyle::body, "muted"));
+        box.layout->addWidget(kit::label(
+            theme,
+            tr("How well an apex is found is planned with the published spread of marks, %1 of the radius "
+               "along each axis.")
+                .arg(study_words::percent(publishedMarkSpread_percent() / kPercent, m_page.app.locale())),
+            TextStyle::body, "muted"));
     }
     if (compared > 1)
         box.layout->addWidget(powerGrid());
@@ -106,19 +120,29 @@ QWidget* PreviewPage::observerBox() {
 
 QWidget* PreviewPage::observerGrid() {
     auto* grid = new FieldGrid(m_page.app.theme(), m_page.app.locale(), false);
-    grid->number(tr("Their Weber fraction"), QStringLiteral("preview.weber"), kPercent * m_observer.weber, {0.1, 200, 1, QStringLiteral("%"), 1},
+    grid->number(tr("Their Weber fraction"), QStringLiteral("preview.weber"), kPercent * m_observer.weber,
+                 {0.1, 200, 1, QStringLiteral("%"), 1},
                  [this](double now) { m_observer.weber = now / kPercent; });
-    grid->explain(QStringLiteral("preview.weber"), tr("How small a difference they feel, as a share of the reference."), {0.1, 200, 10});
-    grid->number(tr("Lapse rate"), QStringLiteral("preview.lapse"), kPercent * m_observer.lapse, {0, 50, 1, QStringLiteral("%"), 1},
+    grid->explain(QStringLiteral("preview.weber"),
+                  tr("How small a difference they feel, as a share of the reference."), {0.1, 200, 10});
+    grid->number(tr("Lapse rate"), QStringLiteral("preview.lapse"), kPercent * m_observer.lapse,
+                 {0, 50, 1, QStringLiteral("%"), 1},
                  [this](double now) { m_observer.lapse = now / kPercent; });
-    grid->explain(QStringLiteral("preview.lapse"), tr("Share of their answers that are careless."), {0, 50, 2});
+    grid->explain(QStringLiteral("preview.lapse"), tr("Share of their answers that are careless."),
+                  {0, 50, 2});
     const auto& conditions = m_page.draft.design().conditions;
-    if (std::any_of(conditions.begin(), conditions.end(), [](const psychophysics::Condition& c) { return c.task == psychophysics::Task::rank3Ties; })) {
-        grid->number(tr("Equality threshold (σ)"), QStringLiteral("preview.ties"), m_observer.ties, {0, 10, 2, {}, 0.1}, [this](double now) { m_observer.ties = now; });
-        grid->explain(QStringLiteral("preview.ties"), tr("Differences below it they call equal, in standard deviations of what they feel."));
+    if (std::any_of(conditions.begin(), conditions.end(), [](const psychophysics::Condition& c) {
+            return c.task == psychophysics::Task::rank3Ties;
+        })) {
+        grid->number(tr("Equality threshold (σ)"), QStringLiteral("preview.ties"), m_observer.ties,
+                     {0, 10, 2, {}, 0.1}, [this](double now) { m_observer.ties = now; });
+        grid->explain(QStringLiteral("preview.ties"),
+                      tr("Differences below it they call equal, in standard deviations of what they feel."));
     }
-    grid->whole(tr("Runs per condition"), QStringLiteral("preview.runs"), m_runs, 5, 2000, [this](int now) { m_runs = now; });
-    grid->explain(QStringLiteral("preview.runs"), tr("More runs take longer, and their figures are surer."), {5, 2000, 40});
+    grid->whole(tr("Runs per condition"), QStringLiteral("preview.runs"), m_runs, 5, 2000,
+                [this](int now) { m_runs = now; });
+    grid->explain(QStringLiteral("preview.runs"), tr("More runs take longer, and their figures are surer."),
+                  {5, 2000, 40});
     return grid;
 }
 
@@ -128,40 +152,53 @@ QWidget* PreviewPage::powerGrid() {
     auto* column = new QVBoxLayout(part);
     column->setContentsMargins(0, 0, 0, 0);
     const Theme& theme = m_page.app.theme();
-    column->addWidget(kit::label(theme, tr("For comparing two conditions, the variation between people is assumed, not simulated. Changes "
-                                           "take effect at once."), TextStyle::body, "muted"));
+    column->addWidget(kit::label(
+        theme,
+        tr("For comparing two conditions, the variation between people is assumed, not simulated. Changes "
+           "take effect at once."),
+        TextStyle::body, "muted"));
     auto* grid = new FieldGrid(theme, m_page.app.locale(), false);
-    grid->check(tr("Each participant does both conditions"), QStringLiteral("preview.paired"), m_power.paired, [this](bool now) {
-        m_power.paired = now;
-        showPower();
-    });
-    grid->whole(tr("Participants (of two groups: in each)"), QStringLiteral("preview.participants"), m_power.participants, 2, 1000, [this](int now) {
-        m_power.participants = now;
-        showPower();
-    });
-    m_effectSd = grid->number(tr("Paired: SD of the difference from person to person (log10)"), QStringLiteral("preview.effect_sd"), m_power.effectSdLog10, {0, 3, 3, {}, 0.01},
+    grid->check(tr("Each participant does both conditions"), QStringLiteral("preview.paired"), m_power.paired,
+                [this](bool now) {
+                    m_power.paired = now;
+                    showPower();
+                });
+    grid->whole(tr("Participants (of two groups: in each)"), QStringLiteral("preview.participants"),
+                m_power.participants, 2, 1000, [this](int now) {
+                    m_power.participants = now;
+                    showPower();
+                });
+    m_effectSd = grid->number(tr("Paired: SD of the difference from person to person (log10)"),
+                              QStringLiteral("preview.effect_sd"), m_power.effectSdLog10, {0, 3, 3, {}, 0.01},
                               [this](double now) {
                                   m_power.effectSdLog10 = now;
                                   showPower();
                               });
-    m_personSd = grid->number(tr("Two groups: SD between people (log10)"), QStringLiteral("preview.person_sd"), m_power.personSdLog10, {0, 3, 3, {}, 0.01}, [this](double now) {
-        m_power.personSdLog10 = now;
-        showPower();
-    });
-    grid->number(tr("Significance level, two-sided"), QStringLiteral("preview.alpha"), kPercent * m_power.alpha, {0.01, 50, 2, QStringLiteral("%"), 1}, [this](double now) {
-        m_power.alpha = now / kPercent;
-        showPower();
-    });
-    grid->number(tr("Desired power"), QStringLiteral("preview.power"), kPercent * m_wantedPower, {10, 99.9, 1, QStringLiteral("%"), 5}, [this](double now) {
-        m_wantedPower = now / kPercent;
-        showPower();
-    });
+    m_personSd =
+        grid->number(tr("Two groups: SD between people (log10)"), QStringLiteral("preview.person_sd"),
+                     m_power.personSdLog10, {0, 3, 3, {}, 0.01}, [this](double now) {
+                         m_power.personSdLog10 = now;
+                         showPower();
+                     });
+    grid->number(tr("Significance level, two-sided"), QStringLiteral("preview.alpha"),
+                 kPercent * m_power.alpha, {0.01, 50, 2, QStringLiteral("%"), 1}, [this](double now) {
+                     m_power.alpha = now / kPercent;
+                     showPower();
+                 });
+    grid->number(tr("Desired power"), QStringLiteral("preview.power"), kPercent * m_wantedPower,
+                 {10, 99.9, 1, QStringLiteral("%"), 5}, [this](double now) {
+                     m_wantedPower = now / kPercent;
+                     showPower();
+                 });
     grid->explain(QStringLiteral("preview.paired"), tr("Else each person does one of them."));
     grid->explain(QStringLiteral("preview.participants"), tr("How many people are compared."));
-    grid->explain(QStringLiteral("preview.effect_sd"), tr("How much the difference varies between people: 0.05 is a factor of 1.12."));
+    grid->explain(QStringLiteral("preview.effect_sd"),
+                  tr("How much the difference varies between people: 0.05 is a factor of 1.12."));
     grid->explain(QStringLiteral("preview.person_sd"), tr("How much people vary: 0.15 is a factor of 1.41."));
-    grid->explain(QStringLiteral("preview.alpha"), tr("How often a difference may be found where there is none."));
-    grid->explain(QStringLiteral("preview.power"), tr("How often a difference that is there is to be found."));
+    grid->explain(QStringLiteral("preview.alpha"),
+                  tr("How often a difference may be found where there is none."));
+    grid->explain(QStringLiteral("preview.power"),
+                  tr("How often a difference that is there is to be found."));
     column->addWidget(grid);
     showPower();
     return part;
@@ -175,10 +212,14 @@ void PreviewPage::showPower() {
         psychophysics::PowerQuestion question = m_power;
         question.runSdLog10 = labels.runSdLog10;
         const double ratio = psychophysics::detectableRatio(question, m_wantedPower);
-        labels.value->setText(std::isfinite(ratio) ? QStringLiteral("× %1").arg(study_words::number(ratio, locale)) : tr("none up to × 10"));
-        labels.name->setText((m_power.paired ? tr("smallest ratio detectable with %1 power by %2 participants who do both conditions")
-                                             : tr("smallest ratio detectable with %1 power by two groups of %2 participants"))
-                                 .arg(study_words::percent(m_wantedPower, locale), locale.toString(m_power.participants)));
+        labels.value->setText(std::isfinite(ratio)
+                                  ? QStringLiteral("× %1").arg(study_words::number(ratio, locale))
+                                  : tr("none up to × 10"));
+        labels.name->setText(
+            (m_power.paired
+                 ? tr("smallest ratio detectable with %1 power by %2 participants who do both conditions")
+                 : tr("smallest ratio detectable with %1 power by two groups of %2 participants"))
+                .arg(study_words::percent(m_wantedPower, locale), locale.toString(m_power.participants)));
     }
 }
 
@@ -194,12 +235,14 @@ void PreviewPage::start() {
     m_progress->setValue(0);
     m_work = m_page.app.background().run(
         this,
-        [design = m_page.draft.design(), observer = m_observer, runs = m_runs](WorkToken& token) -> core::Result<std::vector<PreviewResult>> {
+        [design = m_page.draft.design(), observer = m_observer,
+         runs = m_runs](WorkToken& token) -> core::Result<std::vector<PreviewResult>> {
             std::vector<PreviewResult> results;
             const auto count = static_cast<double>(design.conditions.size());
             for (std::size_t i = 0; i < design.conditions.size(); ++i) {
                 auto result = previewCondition(design, i, observer, runs, [&](double part) {
-                    token.setProgress(static_cast<int>(kSteps * (static_cast<double>(i) + part) / count), kSteps);
+                    token.setProgress(static_cast<int>(kSteps * (static_cast<double>(i) + part) / count),
+                                      kSteps);
                     return !token.cancelled();
                 });
                 CHIRON_TRY(result);
@@ -263,21 +306,33 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) {
     }
     const auto factor = [](double log10) { return std::pow(10.0, log10) - 1.0; };
     const psychophysics::ConditionPlan& plan = result.plan;
-    const auto withError = [](const QString& value, const QString& error) { return QStringLiteral("%1 ± %2").arg(value, error); };
-    fact(tr("expected bias of the Weber fraction"), withError(study_words::percent(factor(plan.biasLog10), locale), study_words::percent(factor(plan.biasError), locale)));
+    const auto withError = [](const QString& value, const QString& error) {
+        return QStringLiteral("%1 ± %2").arg(value, error);
+    };
+    fact(tr("expected bias of the Weber fraction"),
+         withError(study_words::percent(factor(plan.biasLog10), locale),
+                   study_words::percent(factor(plan.biasError), locale)));
     fact(tr("precision: SD of one run, as a factor"),
-         QStringLiteral("× %1").arg(withError(study_words::number(std::pow(10.0, plan.sdLog10), locale),
-                                             study_words::number(std::pow(10.0, plan.sdLog10 + plan.sdError) - std::pow(10.0, plan.sdLog10), locale, 2))));
-    fact(tr("trials"), withError(study_words::number(plan.meanTrials, locale), study_words::number(plan.trialsError, locale, 2)));
-    fact(tr("minutes, breaks included"), withError(study_words::number(plan.minutes, locale, 2), study_words::number(plan.minutesError, locale, 2)));
-    fact(tr("95 % intervals that contain the true value"), withError(study_words::percent(plan.coverage, locale), study_words::percent(plan.coverageError, locale)));
+         QStringLiteral("× %1").arg(withError(
+             study_words::number(std::pow(10.0, plan.sdLog10), locale),
+             study_words::number(std::pow(10.0, plan.sdLog10 + plan.sdError) - std::pow(10.0, plan.sdLog10),
+                                 locale, 2))));
+    fact(tr("trials"), withError(study_words::number(plan.meanTrials, locale),
+                                 study_words::number(plan.trialsError, locale, 2)));
+    fact(tr("minutes, breaks included"), withError(study_words::number(plan.minutes, locale, 2),
+                                                   study_words::number(plan.minutesError, locale, 2)));
+    fact(tr("95 % intervals that contain the true value"),
+         withError(study_words::percent(plan.coverage, locale),
+                   study_words::percent(plan.coverageError, locale)));
     if (m_effectSd) { // there are conditions to compare
         const auto [value, name] = fact({}, {});
         value->setObjectName(QStringLiteral("preview.detectable"));
         m_powers.push_back({plan.sdLog10, value, name});
     }
     box.layout->addWidget(grid);
-    box.layout->addWidget(kit::label(theme, tr("±: one standard error of so few simulated runs; more runs make it smaller."), TextStyle::small, "muted"));
+    box.layout->addWidget(
+        kit::label(theme, tr("±: one standard error of so few simulated runs; more runs make it smaller."),
+                   TextStyle::small, "muted"));
     for (const psychophysics::Warning& warning : plan.warnings)
         box.layout->addWidget(kit::notice(theme, "warning", session_report::warningWords(warning)));
     if (!result.curve.empty())
@@ -285,18 +340,25 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) {
     return box.frame;
 }
 
-void PreviewPage::addApexFacts(const psychophysics::Condition& condition, const std::function<void(const QString&, const QString&)>& fact) const {
+void PreviewPage::addApexFacts(const psychophysics::Condition& condition,
+                               const std::function<void(const QString&, const QString&)>& fact) const {
     const QLocale locale = m_page.app.locale();
     const psychophysics::StudyDesign& design = m_page.draft.design();
     const int trials = session::trialsAtMost(condition);
     const double spread_m = publishedMarkSpread_percent() / kPercent * condition.stimulus.reference;
-    const auto millimetres = [&](double metres) { return study_words::value(metres, psychophysics::Attribute::apex, locale); };
+    const auto millimetres = [&](double metres) {
+        return study_words::value(metres, psychophysics::Attribute::apex, locale);
+    };
     fact(tr("spread of one mark along an axis, as published"), millimetres(spread_m));
-    fact(tr("standard error of one participant's bias"), millimetres(spread_m / std::sqrt(std::max(1.0, static_cast<double>(trials)))));
-    fact(tr("standard error of the bias of %n participant(s), if they do not differ", nullptr, design.participantsPlanned),
-         millimetres(spread_m / std::sqrt(std::max(1.0, static_cast<double>(trials) * design.participantsPlanned))));
+    fact(tr("standard error of one participant's bias"),
+         millimetres(spread_m / std::sqrt(std::max(1.0, static_cast<double>(trials)))));
+    fact(tr("standard error of the bias of %n participant(s), if they do not differ", nullptr,
+            design.participantsPlanned),
+         millimetres(spread_m /
+                     std::sqrt(std::max(1.0, static_cast<double>(trials) * design.participantsPlanned))));
     fact(tr("trials"), locale.toString(trials));
-    fact(tr("minutes, breaks included"), study_words::number(psychophysics::minutesOf(condition, design.trial, trials), locale, 2));
+    fact(tr("minutes, breaks included"),
+         study_words::number(psychophysics::minutesOf(condition, design.trial, trials), locale, 2));
 }
 
 QWidget* PreviewPage::plotOf(const PreviewResult& result) const {
@@ -314,7 +376,8 @@ QWidget* PreviewPage::plotOf(const PreviewResult& result) const {
         low.push_back(kPercent * point.low);
         high.push_back(kPercent * point.high);
     }
-    plot->addLine(tr("median of %n run(s)", nullptr, result.plan.runs), trial, middle, report::PlotStyle::solidA);
+    plot->addLine(tr("median of %n run(s)", nullptr, result.plan.runs), trial, middle,
+                  report::PlotStyle::solidA);
     plot->addLine(tr("middle 80 %"), trial, low, report::PlotStyle::dashedB);
     plot->addLine({}, trial, high, report::PlotStyle::dashedB);
     plot->addReference(tr("true value"), kPercent * m_observer.weber);

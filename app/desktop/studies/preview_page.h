@@ -35,7 +35,8 @@ private:
     QWidget* observerGrid();
     /// Adds how well an apex is found with this number of trials and participants, from the published spread
     /// of marks.
-    void addApexFacts(const psychophysics::Condition& condition, const std::function<void(const QString&, const QString&)>& fact) const;
+    void addApexFacts(const psychophysics::Condition& condition,
+                      const std::function<void(const QString&, const QString&)>& fact) const;
     void start();
     void finished(core::Result<std::vector<PreviewResult>> results);
     void setWorking(bool working);

@@ -17,7 +17,8 @@ constexpr std::array kShares{0.25, 0.5, 0.75, 1.0, 1.5}; // shares of the design
 
 /// The condition with runs that end after this number of trials, replacing other stopping rules.
 Condition withTrials(Condition condition, int trials) {
-    const int each = std::max(1, trials / static_cast<int>(std::max<std::size_t>(1, condition.procedures.size())));
+    const int each =
+        std::max(1, trials / static_cast<int>(std::max<std::size_t>(1, condition.procedures.size())));
     for (ProcedureSpec& procedure : condition.procedures)
         kindFor(procedure).endAfter(procedure, each);
     return condition;
@@ -30,7 +31,8 @@ bool endsByTrials(const Condition& condition) {
 
 } // namespace
 
-core::Result<PreviewResult> previewCondition(const StudyDesign& design, std::size_t index, const ObserverSpec& observer, int runs,
+core::Result<PreviewResult> previewCondition(const StudyDesign& design, std::size_t index,
+                                             const ObserverSpec& observer, int runs,
                                              const std::function<bool(double)>& progress) {
     const Condition& condition = design.conditions[index];
     constexpr double kParts = 2.0 + kShares.size();
@@ -46,7 +48,8 @@ core::Result<PreviewResult> previewCondition(const StudyDesign& design, std::siz
         if (!progress((2.0 + static_cast<double>(i)) / kParts))
             return core::fail(core::ErrorCode::cancelled, "preview");
         const int count = static_cast<int>(std::lround(trials * kShares[i]));
-        const ConditionPlan plan = planCondition(withTrials(condition, count), design.trial, observer, runs, design.seed);
+        const ConditionPlan plan =
+            planCondition(withTrials(condition, count), design.trial, observer, runs, design.seed);
         if (!std::isfinite(plan.biasLog10) || !std::isfinite(plan.sdLog10))
             continue;
         result.curve.push_back({plan.meanTrials, plan.weber50, plan.weber10, plan.weber90});

@@ -30,7 +30,8 @@ struct PreviewResult {
 /// `progress` receives the progress (0..1) and returns whether to continue.
 /// Thread: worker; blocks.
 /// Errors: cancelled.
-core::Result<PreviewResult> previewCondition(const psychophysics::StudyDesign& design, std::size_t condition, const psychophysics::ObserverSpec& observer,
-                                             int runs, const std::function<bool(double)>& progress);
+core::Result<PreviewResult> previewCondition(const psychophysics::StudyDesign& design, std::size_t condition,
+                                             const psychophysics::ObserverSpec& observer, int runs,
+                                             const std::function<bool(double)>& progress);
 
 } // namespace chiron::desktop

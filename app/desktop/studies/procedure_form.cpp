@@ -62,7 +62,8 @@ struct ProcedureForm::ControlOf {
     void operator()(double value) const { form.numberField(row, value); }
     void operator()(int value) const { form.wholeField(row, value); }
     void operator()(bool value) const {
-        form.check(procedureText(row.title), form.nameOf(row.key), value, [&of = form, &on = row](bool now) { of.put(on, now); });
+        form.check(procedureText(row.title), form.nameOf(row.key), value,
+                   [&of = form, &on = row](bool now) { of.put(on, now); });
         form.explainRow(row);
     }
     void operator()(const std::string& value) const { form.wordField(row, value); }
@@ -74,8 +75,10 @@ struct ProcedureForm::ControlOf {
     template <class Other> void operator()(const Other&) const {} // rows of other types are never asked
 };
 
-ProcedureForm::ProcedureForm(const Theme& theme, const QLocale& locale, bool readOnly, StudyDraft& draft, ProcedurePlace place, QWidget* parent)
-    : FieldGrid(theme, locale, readOnly, parent), m_draft(draft), m_place(place), m_units(draft.design().conditions[place.condition].scale) {
+ProcedureForm::ProcedureForm(const Theme& theme, const QLocale& locale, bool readOnly, StudyDraft& draft,
+                             ProcedurePlace place, QWidget* parent)
+    : FieldGrid(theme, locale, readOnly, parent), m_draft(draft), m_place(place),
+      m_units(draft.design().conditions[place.condition].scale) {
     if (condition().stimulus.attribute == Attribute::apex) { // the number of marks is its only option
         apexField();
         return;
@@ -91,51 +94,69 @@ void ProcedureForm::kindField() {
     std::vector<std::pair<QString, QVariant>> kinds;
     for (const std::string& each : kindsFor(condition().task))
         kinds.emplace_back(study_words::procedure(each), QString::fromStdString(each));
-    if (std::none_of(kinds.begin(), kinds.end(), [&](const auto& each) { return each.second.toString().toStdString() == kind; }))
+    if (std::none_of(kinds.begin(), kinds.end(),
+                     [&](const auto& each) { return each.second.toString().toStdString() == kind; }))
         kinds.emplace_back(study_words::procedure(kind), QString::fromStdString(kind));
-    choice(tr("Procedure"), nameOf("kind"), kinds, QString::fromStdString(kind), [this](const QVariant& chosen) {
-        m_draft.change(tr("Another procedure"), {}, [&](StudyDesign& design) {
-            Condition& changed = design.conditions[m_place.condition];
-            changed.procedures[m_place.procedure] = usualProcedure(chosen.toString().toStdString(), changed);
-        }, true);
-    });
-    wide(kit::label(gridTheme(), study_words::procedureInWords(kind), TextStyle::small, kindFor(procedure()).words().legacy ? "warning" : "muted"));
+    choice(tr("Procedure"), nameOf("kind"), kinds, QString::fromStdString(kind),
+           [this](const QVariant& chosen) {
+               m_draft.change(
+                   tr("Another procedure"), {},
+                   [&](StudyDesign& design) {
+                       Condition& changed = design.conditions[m_place.condition];
+                       changed.procedures[m_place.procedure] =
+                           usualProcedure(chosen.toString().toStdString(), changed);
+                   },
+                   true);
+           });
+    wide(kit::label(gridTheme(), study_words::procedureInWords(kind), TextStyle::small,
+                    kindFor(procedure()).words().legacy ? "warning" : "muted"));
 }
 
 /// The number of trials of the apex search, which is the only number of its constant stimuli.
 void ProcedureForm::apexField() {
     for (const Parameter& row : kindFor(procedure()).rows())
         if (row.key == "repeats" && kindFor(procedure()).trialsAreFixed()) {
-            whole(tr("Trials"), nameOf(row.key), std::get<int>(row.get(procedure())), 0, kMostWhole, [this, &row](int now) { put(row, now); });
+            whole(tr("Trials"), nameOf(row.key), std::get<int>(row.get(procedure())), 0, kMostWhole,
+                  [this, &row](int now) { put(row, now); });
             explain(nameOf(row.key), tr("How often a participant looks for the apex."), {1, 10000, 10});
         }
 }
 
 QString ProcedureForm::nameOf(std::string_view key) const {
-    return QStringLiteral("procedure.%1.%2").arg(m_place.procedure).arg(QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size())));
+    return QStringLiteral("procedure.%1.%2")
+        .arg(m_place.procedure)
+        .arg(QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size())));
 }
 
-const Condition& ProcedureForm::condition() const { return m_draft.design().conditions[m_place.condition]; }
+const Condition& ProcedureForm::condition() const {
+    return m_draft.design().conditions[m_place.condition];
+}
 
-const ProcedureSpec& ProcedureForm::procedure() const { return condition().procedures[m_place.procedure]; }
+const ProcedureSpec& ProcedureForm::procedure() const {
+    return condition().procedures[m_place.procedure];
+}
 
 void ProcedureForm::put(const Parameter& row, const ParameterValue& value) {
     put(row, nameOf(row.key), [&row, &value](ProcedureSpec& spec) { row.set(spec, value); });
 }
 
-void ProcedureForm::put(const Parameter& row, const QString& key, const std::function<void(ProcedureSpec&)>& change) {
+void ProcedureForm::put(const Parameter& row, const QString& key,
+                        const std::function<void(ProcedureSpec&)>& change) {
     const QString name = row.change.empty() ? tr("Change of the procedure") : procedureText(row.change);
     const QString where = row.follow ? QString() : QStringLiteral("%1.%2").arg(m_place.condition).arg(key);
     const ProcedureKind* kind = &kindFor(procedure());
-    m_draft.change(name, where, [&](StudyDesign& design) {
-        Condition& changed = design.conditions[m_place.condition];
-        ProcedureSpec& spec = changed.procedures[m_place.procedure];
-        if (&kindFor(spec) != kind)
-            return;
-        change(spec);
-        if (row.follow)
-            row.follow(spec, changed);
-    }, row.follow != nullptr);
+    m_draft.change(
+        name, where,
+        [&](StudyDesign& design) {
+            Condition& changed = design.conditions[m_place.condition];
+            ProcedureSpec& spec = changed.procedures[m_place.procedure];
+            if (&kindFor(spec) != kind)
+                return;
+            change(spec);
+            if (row.follow)
+                row.follow(spec, changed);
+        },
+        row.follow != nullptr);
 }
 
 LevelUnits ProcedureForm::unitsOf(const Parameter& row) const {
@@ -146,15 +167,23 @@ ProcedureForm::Shown ProcedureForm::shownAs(const Parameter& row) const {
     const LevelUnits units = unitsOf(row);
     switch (row.quantity) {
     case Quantity::share:
-        return {[](double share) { return kPercent * share; }, [](double percent) { return percent / kPercent; }};
+        return {[](double share) { return kPercent * share; },
+                [](double percent) { return percent / kPercent; }};
     case Quantity::level:
-        return {[units](double x) { return units.percentOf(x); }, [units](double percent) { return units.xOf(percent); }};
+        return {[units](double x) { return units.percentOf(x); },
+                [units](double percent) { return units.xOf(percent); }};
     case Quantity::spread:
     case Quantity::factor:
-        return {[units](double x) { return units.spreadOf(x); }, [units](double spread) { return units.distanceOf(spread); }};
+        return {[units](double x) { return units.spreadOf(x); },
+                [units](double spread) { return units.distanceOf(spread); }};
     case Quantity::noise:
-        return {[](double log10Sigma) { return kPercent * study_words::ratioOf(kJndOfSigma * std::pow(10.0, log10Sigma)); },
-                [](double jnd) { return std::log10(study_words::differenceOf(std::max(jnd, 0.01) / kPercent) / kJndOfSigma); }};
+        return {[](double log10Sigma) {
+                    return kPercent * study_words::ratioOf(kJndOfSigma * std::pow(10.0, log10Sigma));
+                },
+                [](double jnd) {
+                    return std::log10(study_words::differenceOf(std::max(jnd, 0.01) / kPercent) /
+                                      kJndOfSigma);
+                }};
     case Quantity::plain:
         break;
     }
@@ -173,7 +202,8 @@ NumberRange ProcedureForm::rangeOf(const Parameter& row) const {
         break;
     case Quantity::spread:
     case Quantity::factor:
-        range = factors ? NumberRange{1.0, 1000.0, 2, QStringLiteral("×"), 0.05} : NumberRange{0.0, 1000.0, 2, QStringLiteral("%"), 0.5};
+        range = factors ? NumberRange{1.0, 1000.0, 2, QStringLiteral("×"), 0.05}
+                        : NumberRange{0.0, 1000.0, 2, QStringLiteral("%"), 0.5};
         break;
     case Quantity::noise:
         range = {0.01, 10000, 2, QStringLiteral("%"), 1};
@@ -195,13 +225,16 @@ void ProcedureForm::explainRow(const Parameter& row) {
         explain(nameOf(row.key), meaning);
         return;
     }
-    const double usual = row.sensible->usual ? *row.sensible->usual : shownAs(row).to(numberIn(row.get(kindFor(procedure()).usual(condition()))));
+    const double usual = row.sensible->usual
+                             ? *row.sensible->usual
+                             : shownAs(row).to(numberIn(row.get(kindFor(procedure()).usual(condition()))));
     explain(nameOf(row.key), meaning, {row.sensible->lowest, row.sensible->highest, usual});
 }
 
 void ProcedureForm::numberField(const Parameter& row, double value) {
     const Shown shown = shownAs(row);
-    number(procedureText(row.title), nameOf(row.key), shown.to(value), rangeOf(row), [this, &row, from = shown.from](double now) { put(row, from(now)); });
+    number(procedureText(row.title), nameOf(row.key), shown.to(value), rangeOf(row),
+           [this, &row, from = shown.from](double now) { put(row, from(now)); });
     explainRow(row);
 }
 
@@ -240,7 +273,8 @@ void ProcedureForm::wordField(const Parameter& row, const std::string& now) {
     std::vector<std::pair<QString, QVariant>> words;
     for (const std::string& word : offered)
         words.emplace_back(session_report::wordTitle(row, word), QString::fromStdString(word));
-    choice(procedureText(row.title), nameOf(row.key), words, QString::fromStdString(now), [this, &row](const QVariant& chosen) { put(row, chosen.toString().toStdString()); });
+    choice(procedureText(row.title), nameOf(row.key), words, QString::fromStdString(now),
+           [this, &row](const QVariant& chosen) { put(row, chosen.toString().toStdString()); });
     explainRow(row);
 }
 
@@ -274,12 +308,16 @@ void ProcedureForm::levelsField(const Parameter& row, const std::vector<double>&
     for (const double x : levels)
         percents.push_back(m_units.percentOf(x));
     const StimulusDesign stimulus = condition().stimulus;
-    auto* table = new LevelsTable(gridTheme(), gridLocale(), isReadOnly(), nameOf(row.key), percents, [stimulus, locale = gridLocale()](double percent) {
-        return study_words::value(stimulus.reference * (1.0 + percent / kPercent), stimulus.attribute, locale);
-    });
+    auto* table =
+        new LevelsTable(gridTheme(), gridLocale(), isReadOnly(), nameOf(row.key), percents,
+                        [stimulus, locale = gridLocale()](double percent) {
+                            return study_words::value(stimulus.reference * (1.0 + percent / kPercent),
+                                                      stimulus.attribute, locale);
+                        });
     control(procedureText(row.title), nameOf(row.key), table);
     explain(nameOf(row.key), procedureText(row.meaning));
-    connect(table, &LevelsTable::unread, this, [this, name = nameOf(row.key)](const QString& words) { setUnread(name, words); });
+    connect(table, &LevelsTable::unread, this,
+            [this, name = nameOf(row.key)](const QString& words) { setUnread(name, words); });
     connect(table, &LevelsTable::changed, this, [this, &row](const std::vector<double>& now) {
         std::vector<double> places;
         for (const double percent : now)
@@ -290,20 +328,25 @@ void ProcedureForm::levelsField(const Parameter& row, const std::vector<double>&
 
 void ProcedureForm::stepsField(const Parameter& row, const std::vector<double>& steps) {
     const bool asStored = row.asStored && row.asStored(procedure());
-    const Shown shown = asStored ? Shown{[](double x) { return x; }, [](double x) { return x; }} : shownAs(row);
+    const Shown shown =
+        asStored ? Shown{[](double x) { return x; }, [](double x) { return x; }} : shownAs(row);
     std::vector<double> shownSteps;
     for (const double step : steps)
         shownSteps.push_back(shown.to(step));
-    list(procedureText(row.title), nameOf(row.key), shownSteps, [this, &row, from = shown.from](std::vector<double> now) {
-        for (double& step : now)
-            step = from(step);
-        put(row, now);
-    });
-    const QString unit = asStored ? tr("Logarithmic steps of an imported design.") : unitsOf(row).spreadIsFactor() ? tr("Factors of the difference, usually 1.26.") : tr("In per cent of the reference.");
+    list(procedureText(row.title), nameOf(row.key), shownSteps,
+         [this, &row, from = shown.from](std::vector<double> now) {
+             for (double& step : now)
+                 step = from(step);
+             put(row, now);
+         });
+    const QString unit = asStored                        ? tr("Logarithmic steps of an imported design.")
+                         : unitsOf(row).spreadIsFactor() ? tr("Factors of the difference, usually 1.26.")
+                                                         : tr("In per cent of the reference.");
     explain(nameOf(row.key), procedureText(row.meaning) + QLatin1Char(' ') + unit);
 }
 
-void ProcedureForm::parameterField(const Parameter& row, const std::vector<ParameterGrid>& grids, std::size_t index) {
+void ProcedureForm::parameterField(const Parameter& row, const std::vector<ParameterGrid>& grids,
+                                   std::size_t index) {
     const ParameterGrid& grid = grids[index];
     const QString key = nameOf("grid") + QString::number(index);
     const auto taken = [this, &row, key, index](const std::vector<double>& now) {
@@ -317,24 +360,32 @@ void ProcedureForm::parameterField(const Parameter& row, const std::vector<Param
     const LevelUnits units = m_units;
     if (grid.name == "threshold" || grid.name == "mean")
         gridFields(tr("Threshold"), key, grid.values, {-99.0, 10000, 2, QStringLiteral("%"), 1},
-                   {[units](double x) { return units.percentOf(x); }, [units](double percent) { return units.xOf(percent); }},
+                   {[units](double x) { return units.percentOf(x); },
+                    [units](double percent) { return units.xOf(percent); }},
                    tr("Thresholds between these are considered possible."), taken);
     else if (grid.name == "sd")
-        gridFields(tr("Spread"), key, grid.values, {0.0, 10000, 2, units.spreadIsFactor() ? QStringLiteral("×") : QStringLiteral("%"), 1},
-                   {[units](double x) { return units.spreadOf(x); }, [units](double percent) { return units.distanceOf(percent); }},
+        gridFields(tr("Spread"), key, grid.values,
+                   {0.0, 10000, 2, units.spreadIsFactor() ? QStringLiteral("×") : QStringLiteral("%"), 1},
+                   {[units](double x) { return units.spreadOf(x); },
+                    [units](double percent) { return units.distanceOf(percent); }},
                    tr("Spreads of the answers between these are considered possible."), taken);
     else if (grid.name == "lapse_rate" || grid.name == "lower_asymptote")
-        sharesField(study_words::parameter(grid.name), key, grid.values,
-                    grid.name == "lapse_rate" ? tr("Shares of wrong answers although the difference is felt that are considered possible.")
-                                              : tr("Share of answers that are right by guessing: 50 % of two alternatives."), taken);
+        sharesField(
+            study_words::parameter(grid.name), key, grid.values,
+            grid.name == "lapse_rate"
+                ? tr("Shares of wrong answers although the difference is felt that are considered possible.")
+                : tr("Share of answers that are right by guessing: 50 % of two alternatives."),
+            taken);
     else {
         list(study_words::parameter(grid.name), key, grid.values, taken);
-        explain(key, grid.name == "slope" ? tr("Slopes that are considered possible: how steeply right answers grow with the difference. Usually 1.5 to 7.")
+        explain(key, grid.name == "slope" ? tr("Slopes that are considered possible: how steeply right "
+                                               "answers grow with the difference. Usually 1.5 to 7.")
                                           : procedureText(row.meaning));
     }
 }
 
-void ProcedureForm::sharesField(const QString& label, const QString& key, const std::vector<double>& shares, const QString& meaning,
+void ProcedureForm::sharesField(const QString& label, const QString& key, const std::vector<double>& shares,
+                                const QString& meaning,
                                 const std::function<void(std::vector<double>)>& taken) {
     std::vector<double> percents;
     for (const double share : shares)
@@ -347,29 +398,39 @@ void ProcedureForm::sharesField(const QString& label, const QString& key, const 
     explain(key, meaning);
 }
 
-void ProcedureForm::gridFields(const QString& what, const QString& key, const std::vector<double>& values, const NumberRange& range, const Shown& shown,
-                               const QString& meaning, const std::function<void(std::vector<double>)>& taken) {
+void ProcedureForm::gridFields(const QString& what, const QString& key, const std::vector<double>& values,
+                               const NumberRange& range, const Shown& shown, const QString& meaning,
+                               const std::function<void(std::vector<double>)>& taken) {
     struct Ends {
         double low, high;
         int count;
     };
-    auto ends = std::make_shared<Ends>(Ends{values.empty() ? 0.0 : values.front(), values.empty() ? 0.0 : values.back(), static_cast<int>(values.size())});
+    auto ends =
+        std::make_shared<Ends>(Ends{values.empty() ? 0.0 : values.front(),
+                                    values.empty() ? 0.0 : values.back(), static_cast<int>(values.size())});
     const auto put = [ends, taken] { taken(evenly(ends->low, ends->high, ends->count)); };
-    number(tr("%1: from").arg(what), key + QStringLiteral(".low"), shown.to(ends->low), range, [=, from = shown.from](double now) {
-        ends->low = from(now);
-        put();
-    });
+    number(tr("%1: from").arg(what), key + QStringLiteral(".low"), shown.to(ends->low), range,
+           [=, from = shown.from](double now) {
+               ends->low = from(now);
+               put();
+           });
     explain(key + QStringLiteral(".low"), meaning);
-    number(tr("%1: to").arg(what), key + QStringLiteral(".high"), shown.to(ends->high), range, [=, from = shown.from](double now) {
-        ends->high = from(now);
-        put();
-    });
-    explain(key + QStringLiteral(".high"), isEven(values) ? tr("The largest that is considered possible.") : tr("The largest. An imported design spaced these values unevenly; a change makes them even."));
+    number(tr("%1: to").arg(what), key + QStringLiteral(".high"), shown.to(ends->high), range,
+           [=, from = shown.from](double now) {
+               ends->high = from(now);
+               put();
+           });
+    explain(
+        key + QStringLiteral(".high"),
+        isEven(values)
+            ? tr("The largest that is considered possible.")
+            : tr("The largest. An imported design spaced these values unevenly; a change makes them even."));
     whole(tr("%1: steps").arg(what), key + QStringLiteral(".count"), ends->count, 1, 400, [=](int now) {
         ends->count = now;
         put();
     });
-    explain(key + QStringLiteral(".count"), tr("More steps are finer, and take longer to compute."), {1, 400, 41});
+    explain(key + QStringLiteral(".count"), tr("More steps are finer, and take longer to compute."),
+            {1, 400, 41});
 }
 
 } // namespace chiron::desktop

@@ -22,7 +22,8 @@ struct ProcedurePlace {
 class ProcedureForm final : public FieldGrid {
     Q_OBJECT
 public:
-    ProcedureForm(const Theme& theme, const QLocale& locale, bool readOnly, StudyDraft& draft, ProcedurePlace place, QWidget* parent = nullptr);
+    ProcedureForm(const Theme& theme, const QLocale& locale, bool readOnly, StudyDraft& draft,
+                  ProcedurePlace place, QWidget* parent = nullptr);
 
 private:
     struct ControlOf; ///< creates the control for a row, by the type of its value
@@ -40,15 +41,18 @@ private:
     void levelsField(const psychophysics::Parameter& row, const std::vector<double>& levels);
     /// Distances on x, shown as factors of the difference or as differences.
     void stepsField(const psychophysics::Parameter& row, const std::vector<double>& steps);
-    void parameterField(const psychophysics::Parameter& row, const std::vector<psychophysics::ParameterGrid>& grids, std::size_t index);
-    void sharesField(const QString& label, const QString& key, const std::vector<double>& shares, const QString& meaning,
-                     const std::function<void(std::vector<double>)>& taken);
+    void parameterField(const psychophysics::Parameter& row,
+                        const std::vector<psychophysics::ParameterGrid>& grids, std::size_t index);
+    void sharesField(const QString& label, const QString& key, const std::vector<double>& shares,
+                     const QString& meaning, const std::function<void(std::vector<double>)>& taken);
     /// Start, end and number of points of an evenly spaced grid.
-    void gridFields(const QString& what, const QString& key, const std::vector<double>& values, const NumberRange& range, const Shown& shown,
-                    const QString& meaning, const std::function<void(std::vector<double>)>& taken);
+    void gridFields(const QString& what, const QString& key, const std::vector<double>& values,
+                    const NumberRange& range, const Shown& shown, const QString& meaning,
+                    const std::function<void(std::vector<double>)>& taken);
 
     void put(const psychophysics::Parameter& row, const psychophysics::ParameterValue& value);
-    void put(const psychophysics::Parameter& row, const QString& key, const std::function<void(psychophysics::ProcedureSpec&)>& change);
+    void put(const psychophysics::Parameter& row, const QString& key,
+             const std::function<void(psychophysics::ProcedureSpec&)>& change);
     void explainRow(const psychophysics::Parameter& row);
     const psychophysics::Condition& condition() const;
     const psychophysics::ProcedureSpec& procedure() const;

@@ -24,7 +24,8 @@ private:
     QWidget* addButtons(bool first);
     void chooseInstrument();
     void addInstrument(const catalogue::Instrument& instrument);
-    QPushButton* action(const QString& text, const char* icon, const QString& name, const std::function<void(psychophysics::StudyDesign&)>& edit);
+    QPushButton* action(const QString& text, const char* icon, const QString& name,
+                        const std::function<void(psychophysics::StudyDesign&)>& edit);
 
     DesignPage m_page;
 };

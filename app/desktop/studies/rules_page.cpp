@@ -29,22 +29,32 @@ template <class Part> struct PartFields {
     template <class T> void put(const char* key, T Part::*member, T now) const {
         draft.change(step, name(key), [&](StudyDesign& design) { design.*part.*member = now; });
     }
-    void number(const QString& label, const char* key, double Part::*member, const NumberRange& range, const QString& meaning, double usual) const {
-        grid.number(label, name(key), draft.design().*part.*member, range, [self = *this, key, member](double now) { self.put(key, member, now); });
+    void number(const QString& label, const char* key, double Part::*member, const NumberRange& range,
+                const QString& meaning, double usual) const {
+        grid.number(label, name(key), draft.design().*part.*member, range,
+                    [self = *this, key, member](double now) { self.put(key, member, now); });
         grid.explain(name(key), meaning, {range.minimum, range.maximum, usual});
     }
     /// A share, edited in per cent.
-    void percent(const QString& label, const char* key, double Part::*member, double highest, const QString& meaning, double usual) const {
+    void percent(const QString& label, const char* key, double Part::*member, double highest,
+                 const QString& meaning, double usual) const {
         constexpr double kPercent = 100.0;
-        grid.number(label, name(key), kPercent * (draft.design().*part.*member), {0, highest, 2, QStringLiteral("%"), 1}, [self = *this, key, member](double now) { self.put(key, member, now / kPercent); });
+        grid.number(label, name(key), kPercent * (draft.design().*part.*member),
+                    {0, highest, 2, QStringLiteral("%"), 1},
+                    [self = *this, key, member](double now) { self.put(key, member, now / kPercent); });
         grid.explain(name(key), meaning, {0, highest, usual});
     }
-    void whole(const QString& label, const char* key, int Part::*member, int minimum, int maximum, const QString& meaning, int usual) const {
-        grid.whole(label, name(key), draft.design().*part.*member, minimum, maximum, [self = *this, key, member](int now) { self.put(key, member, now); });
-        grid.explain(name(key), meaning, {static_cast<double>(minimum), static_cast<double>(maximum), static_cast<double>(usual)});
+    void whole(const QString& label, const char* key, int Part::*member, int minimum, int maximum,
+               const QString& meaning, int usual) const {
+        grid.whole(label, name(key), draft.design().*part.*member, minimum, maximum,
+                   [self = *this, key, member](int now) { self.put(key, member, now); });
+        grid.explain(
+            name(key), meaning,
+            {static_cast<double>(minimum), static_cast<double>(maximum), static_cast<double>(usual)});
     }
     void check(const QString& label, const char* key, bool Part::*member, const QString& meaning) const {
-        grid.check(label, name(key), draft.design().*part.*member, [self = *this, key, member](bool now) { self.put(key, member, now); });
+        grid.check(label, name(key), draft.design().*part.*member,
+                   [self = *this, key, member](bool now) { self.put(key, member, now); });
         grid.explain(name(key), meaning);
     }
 };
@@ -66,31 +76,50 @@ QWidget* RulesPage::rulesBox(const DesignPage& page) {
     const Theme& theme = page.app.theme();
     const kit::Box box = titledBox(theme, tr("Trials and breaks"));
     auto* grid = new FieldGrid(theme, page.app.locale(), page.readOnly);
-    const PartFields<TrialRules> fields{*grid, page.draft, QStringLiteral("trial"), &StudyDesign::trial, tr("Rules of a trial")};
+    const PartFields<TrialRules> fields{*grid, page.draft, QStringLiteral("trial"), &StudyDesign::trial,
+                                        tr("Rules of a trial")};
     const QString s = QStringLiteral("s");
     const std::vector<Condition>& conditions = page.draft.design().conditions;
     const auto any = [&](auto is) { return std::any_of(conditions.begin(), conditions.end(), is); };
     const bool apex = any([](const Condition& each) { return each.stimulus.attribute == Attribute::apex; });
-    const bool compares = any([](const Condition& each) { return each.stimulus.attribute != Attribute::apex; });
+    const bool compares =
+        any([](const Condition& each) { return each.stimulus.attribute != Attribute::apex; });
     const bool judged = apex || any([](const Condition& each) { return correctAnswer(each.task, 0) >= 0; });
-    fields.number(tr("Time to explore"), "explore_limit", &TrialRules::exploreLimit_s, {0, 3600, 1, s, 1, tr("no limit")},
-                  apex && !compares ? tr("A trial without a mark ends after this time; 0: never.") : tr("The objects go away after this time; 0: never."), 30);
+    fields.number(tr("Time to explore"), "explore_limit", &TrialRules::exploreLimit_s,
+                  {0, 3600, 1, s, 1, tr("no limit")},
+                  apex && !compares ? tr("A trial without a mark ends after this time; 0: never.")
+                                    : tr("The objects go away after this time; 0: never."),
+                  30);
     if (compares)
-        fields.number(tr("Time to answer"), "answer_limit", &TrialRules::answerLimit_s, {0, 3600, 1, s, 1, tr("no limit")},
-                      tr("Once the objects are gone; without an answer the trial comes again. 0: no limit."), 20);
-    fields.number(tr("Between trials"), "between_trials", &TrialRules::betweenTrials_s, {0, 60, 1, s, 0.5}, tr("Time until the next objects come."), 1);
-    fields.whole(tr("Practice trials"), "practice_trials", &TrialRules::practiceTrials, 0, 200, tr("At the largest difference, with feedback, before each condition; never scored."), 4);
-    fields.whole(tr("Break after so many trials"), "break_every", &TrialRules::breakEvery, 0, 10000, tr("Participants rest before they go on; 0: never."), 40);
-    fields.number(tr("Shortest break"), "break_at_least", &TrialRules::breakAtLeast_s, {0, 3600, 0, s, 10}, tr("Participants go on after this time at the earliest."), 30);
+        fields.number(tr("Time to answer"), "answer_limit", &TrialRules::answerLimit_s,
+                      {0, 3600, 1, s, 1, tr("no limit")},
+                      tr("Once the objects are gone; without an answer the trial comes again. 0: no limit."),
+                      20);
+    fields.number(tr("Between trials"), "between_trials", &TrialRules::betweenTrials_s, {0, 60, 1, s, 0.5},
+                  tr("Time until the next objects come."), 1);
+    fields.whole(tr("Practice trials"), "practice_trials", &TrialRules::practiceTrials, 0, 200,
+                 tr("At the largest difference, with feedback, before each condition; never scored."), 4);
+    fields.whole(tr("Break after so many trials"), "break_every", &TrialRules::breakEvery, 0, 10000,
+                 tr("Participants rest before they go on; 0: never."), 40);
+    fields.number(tr("Shortest break"), "break_at_least", &TrialRules::breakAtLeast_s, {0, 3600, 0, s, 10},
+                  tr("Participants go on after this time at the earliest."), 30);
     if (judged)
-        fields.check(tr("Feedback"), "feedback", &TrialRules::feedback, tr("Participants are told after each trial how well they did. It changes what is measured."));
-    fields.check(tr("Masking sound"), "masking_sound", &TrialRules::maskingSound, tr("A steady noise hides the sounds of the device."));
-    fields.check(tr("Show the objects"), "visible_objects", &TrialRules::visibleObjects, tr("Objects are drawn, all alike, so that only touch tells them apart."));
+        fields.check(
+            tr("Feedback"), "feedback", &TrialRules::feedback,
+            tr("Participants are told after each trial how well they did. It changes what is measured."));
+    fields.check(tr("Masking sound"), "masking_sound", &TrialRules::maskingSound,
+                 tr("A steady noise hides the sounds of the device."));
+    fields.check(tr("Show the objects"), "visible_objects", &TrialRules::visibleObjects,
+                 tr("Objects are drawn, all alike, so that only touch tells them apart."));
     if (compares)
-        fields.check(tr("Every object must be touched"), "must_touch_all", &TrialRules::mustTouchAll, tr("An answer is taken only once each object was touched."));
+        fields.check(tr("Every object must be touched"), "must_touch_all", &TrialRules::mustTouchAll,
+                     tr("An answer is taken only once each object was touched."));
     if (compares)
-        fields.number(tr("Smallest force on an object"), "probe_at_least", &TrialRules::probeAtLeast_N, {0, 100, 2, QStringLiteral("N"), 0.1, tr("any touch")},
-                      tr("An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after a graze. 0: any touch counts."), kUsualProbe_N);
+        fields.number(tr("Smallest force on an object"), "probe_at_least", &TrialRules::probeAtLeast_N,
+                      {0, 100, 2, QStringLiteral("N"), 0.1, tr("any touch")},
+                      tr("An object counts as touched only once it was pressed, pulled or lifted with this "
+                         "force, so that nobody answers after a graze. 0: any touch counts."),
+                      kUsualProbe_N);
     const auto showWhatApplies = [grid, &draft = page.draft] {
         // Its clock starts when the exploration time ends.
         grid->setShown(QStringLiteral("trial.answer_limit"), draft.design().trial.exploreLimit_s > 0.0);
@@ -114,12 +143,15 @@ QWidget* RulesPage::instructionsBox(const DesignPage& page) {
             design.ownInstructions = design.instructions;
         return *design.ownInstructions;
     });
-    grid->explain(name, tr("What to do, and how to hold the instrument. Leave out time, trials, feedback and breaks: those sentences are made from the settings and always fit them."));
+    grid->explain(name, tr("What to do, and how to hold the instrument. Leave out time, trials, feedback and "
+                           "breaks: those sentences are made from the settings and always fit them."));
     box.layout->addWidget(grid);
     if (!page.readOnly)
         box.layout->addWidget(claimsNotice(page, FalseClaim::Where::instructions));
     if (!page.readOnly && !page.draft.design().ownInstructions)
-        box.layout->addWidget(kit::notice(theme, "info", tr("These instructions were written before sentences were made from the settings. Remove what those say now.")));
+        box.layout->addWidget(kit::notice(theme, "info",
+                                          tr("These instructions were written before sentences were made "
+                                             "from the settings. Remove what those say now.")));
     box.layout->addWidget(kit::label(theme, tr("What participants read"), TextStyle::label));
     const kit::Box shown = kit::box(theme, "raised");
     auto* words = kit::label(theme, {}, TextStyle::body);
@@ -143,7 +175,8 @@ QWidget* RulesPage::orderBox(const DesignPage& page) {
     const kit::Box box = titledBox(theme, tr("Order and blinding"));
     auto* grid = new FieldGrid(theme, page.app.locale(), page.readOnly);
     StudyDraft& draft = page.draft;
-    const auto blinding = [&](const QString& label, const char* name, bool StudyDesign::*member, const QString& meaning) {
+    const auto blinding = [&](const QString& label, const char* name, bool StudyDesign::*member,
+                              const QString& meaning) {
         grid->check(label, QLatin1String(name), draft.design().*member, [&draft, member](bool now) {
             draft.change(RulesPage::tr("Blinding"), {}, [&](StudyDesign& design) { design.*member = now; });
         });
@@ -151,24 +184,36 @@ QWidget* RulesPage::orderBox(const DesignPage& page) {
     };
     if (draft.design().conditions.size() > 1) {
         std::vector<std::pair<QString, QVariant>> orders;
-        for (const OrderDesign order : {OrderDesign::williams, OrderDesign::latinSquare, OrderDesign::random, OrderDesign::fixed})
+        for (const OrderDesign order :
+             {OrderDesign::williams, OrderDesign::latinSquare, OrderDesign::random, OrderDesign::fixed})
             orders.emplace_back(study_words::order(order), static_cast<int>(order));
-        grid->choice(tr("Order of conditions"), QStringLiteral("design.order"), orders, static_cast<int>(draft.design().order), [&draft](const QVariant& now) {
-            draft.change(RulesPage::tr("Order of conditions"), {}, [&](StudyDesign& design) { design.order = static_cast<OrderDesign>(now.toInt()); });
-        });
-        grid->explain(QStringLiteral("design.order"), tr("How conditions follow each other from participant to participant. A Williams design also balances what comes after what."));
+        grid->choice(tr("Order of conditions"), QStringLiteral("design.order"), orders,
+                     static_cast<int>(draft.design().order), [&draft](const QVariant& now) {
+                         draft.change(RulesPage::tr("Order of conditions"), {}, [&](StudyDesign& design) {
+                             design.order = static_cast<OrderDesign>(now.toInt());
+                         });
+                     });
+        grid->explain(QStringLiteral("design.order"),
+                      tr("How conditions follow each other from participant to participant. A Williams "
+                         "design also balances what comes after what."));
     }
-    blinding(tr("Blind participants"), "design.blind_participant", &StudyDesign::blindParticipant, tr("Participants see no values and no names of conditions."));
+    blinding(tr("Blind participants"), "design.blind_participant", &StudyDesign::blindParticipant,
+             tr("Participants see no values and no names of conditions."));
     if (draft.design().conditions.size() > 1)
-        blinding(tr("Blind experimenters"), "design.blind_experimenter", &StudyDesign::blindExperimenter, tr("Until the study is unblinded, conditions go by sealed codes."));
-    grid->text(tr("Seed"), QStringLiteral("design.seed"), QString::number(draft.design().seed), [grid, &draft](const QString& now) {
-        bool good = false;
-        const qulonglong seed = now.trimmed().toULongLong(&good);
-        grid->setUnread(QStringLiteral("design.seed"), good ? QString() : RulesPage::tr("“%1” is not a whole number.").arg(now));
-        if (good)
-            draft.change(RulesPage::tr("Seed"), QStringLiteral("design.seed"), [seed](StudyDesign& design) { design.seed = seed; });
-    });
-    grid->explain(QStringLiteral("design.seed"), tr("A whole number from which orders and chance are drawn: the same number gives the same study again."));
+        blinding(tr("Blind experimenters"), "design.blind_experimenter", &StudyDesign::blindExperimenter,
+                 tr("Until the study is unblinded, conditions go by sealed codes."));
+    grid->text(tr("Seed"), QStringLiteral("design.seed"), QString::number(draft.design().seed),
+               [grid, &draft](const QString& now) {
+                   bool good = false;
+                   const qulonglong seed = now.trimmed().toULongLong(&good);
+                   grid->setUnread(QStringLiteral("design.seed"),
+                                   good ? QString() : RulesPage::tr("“%1” is not a whole number.").arg(now));
+                   if (good)
+                       draft.change(RulesPage::tr("Seed"), QStringLiteral("design.seed"),
+                                    [seed](StudyDesign& design) { design.seed = seed; });
+               });
+    grid->explain(QStringLiteral("design.seed"), tr("A whole number from which orders and chance are drawn: "
+                                                    "the same number gives the same study again."));
     box.layout->addWidget(grid);
     return box.frame;
 }
@@ -176,16 +221,28 @@ QWidget* RulesPage::orderBox(const DesignPage& page) {
 QWidget* RulesPage::fidelityBox(const DesignPage& page) {
     const Theme& theme = page.app.theme();
     const kit::Box box = titledBox(theme, tr("Fidelity of a trial"));
-    box.layout->addWidget(kit::label(theme, tr("A trial outside these limits is not scored and is presented again."), TextStyle::body, "muted"));
+    box.layout->addWidget(kit::label(theme,
+                                     tr("A trial outside these limits is not scored and is presented again."),
+                                     TextStyle::body, "muted"));
     auto* grid = new FieldGrid(theme, page.app.locale(), page.readOnly);
-    const PartFields<FidelityLimits> fields{*grid, page.draft, QStringLiteral("fidelity"), &StudyDesign::fidelity, tr("Limits of fidelity")};
-    fields.number(tr("Force error"), "force_error", &FidelityLimits::forceErrorRms_N, {0.001, 100, 3, QStringLiteral("N"), 0.01}, tr("Measured against commanded force, root mean square."), 0.15);
-    fields.percent(tr("Error of the felt value"), "stiffness_error", &FidelityLimits::stiffnessError, 1000, tr("How far what was rendered may be from what was asked for."), 15);
-    fields.percent(tr("Late ticks"), "late_ticks", &FidelityLimits::lateTicks, 100, tr("Share of the force's updates that may come too late."), 1);
-    fields.percent(tr("Force at its limit"), "saturated", &FidelityLimits::saturated, 100, tr("Share of the contact during which the device may give all it has."), 5);
-    fields.number(tr("Largest force"), "peak_force", &FidelityLimits::peakForce_N, {0.01, 100, 2, QStringLiteral("N"), 0.1}, tr("How hard a participant may press."), 4);
-    fields.number(tr("Mean speed"), "mean_speed", &FidelityLimits::meanSpeed_m_per_s, {0.001, 10, 3, QStringLiteral("m/s"), 0.01}, tr("How fast a participant may move, on average."), 0.2);
-    fields.whole(tr("Repeats of one trial"), "repeats_at_most", &FidelityLimits::repeatsAtMost, 1, 100, tr("After so many the run pauses and asks the experimenter."), 5);
+    const PartFields<FidelityLimits> fields{*grid, page.draft, QStringLiteral("fidelity"),
+                                            &StudyDesign::fidelity, tr("Limits of fidelity")};
+    fields.number(tr("Force error"), "force_error", &FidelityLimits::forceErrorRms_N,
+                  {0.001, 100, 3, QStringLiteral("N"), 0.01},
+                  tr("Measured against commanded force, root mean square."), 0.15);
+    fields.percent(tr("Error of the felt value"), "stiffness_error", &FidelityLimits::stiffnessError, 1000,
+                   tr("How far what was rendered may be from what was asked for."), 15);
+    fields.percent(tr("Late ticks"), "late_ticks", &FidelityLimits::lateTicks, 100,
+                   tr("Share of the force's updates that may come too late."), 1);
+    fields.percent(tr("Force at its limit"), "saturated", &FidelityLimits::saturated, 100,
+                   tr("Share of the contact during which the device may give all it has."), 5);
+    fields.number(tr("Largest force"), "peak_force", &FidelityLimits::peakForce_N,
+                  {0.01, 100, 2, QStringLiteral("N"), 0.1}, tr("How hard a participant may press."), 4);
+    fields.number(tr("Mean speed"), "mean_speed", &FidelityLimits::meanSpeed_m_per_s,
+                  {0.001, 10, 3, QStringLiteral("m/s"), 0.01},
+                  tr("How fast a participant may move, on average."), 0.2);
+    fields.whole(tr("Repeats of one trial"), "repeats_at_most", &FidelityLimits::repeatsAtMost, 1, 100,
+                 tr("After so many the run pauses and asks the experimenter."), 5);
     box.layout->addWidget(grid);
     return box.frame;
 }

@@ -2,8 +2,8 @@
 // Actions on the list of studies.
 #include "catalogue/study_reader.h"
 
-#include "desktop/frame/file_folder.h"
 #include "catalogue/whole_file.h"
+#include "desktop/frame/file_folder.h"
 #include "desktop/studies/new_study_dialog.h"
 #include "desktop/studies/studies_screen.h"
 #include "desktop/studies/study_store.h"
@@ -23,8 +23,9 @@ constexpr qint64 kLargestStudy_bytes = 1 << 20;
 
 void StudiesScreen::askNew() {
     auto* dialog = new NewStudyDialog(context(), this);
-    connect(dialog, &NewStudyDialog::created, this,
-            [this](qlonglong study) { context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), study}}); });
+    connect(dialog, &NewStudyDialog::created, this, [this](qlonglong study) {
+        context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), study}});
+    });
     dialog->open();
 }
 
@@ -40,12 +41,14 @@ void StudiesScreen::askCopy() {
                 return;
             }
             if (open->masked) { // its conditions would be codes
-                context().messages().information(tr("The study is blind. Only its author and administrators can copy it before it is unblinded."));
+                context().messages().information(tr("The study is blind. Only its author and administrators "
+                                                    "can copy it before it is unblinded."));
                 return;
             }
             auto* dialog = new NewStudyDialog(context(), open->design, this);
-            connect(dialog, &NewStudyDialog::created, this,
-                    [this](qlonglong copy) { context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), copy}}); });
+            connect(dialog, &NewStudyDialog::created, this, [this](qlonglong copy) {
+                context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), copy}});
+            });
             dialog->open();
         });
 }
@@ -70,12 +73,14 @@ void StudiesScreen::importFile(const QString& file) {
         context().messages().error(tr("The study was not imported."), design.error());
         return;
     }
-    create(design->id, study_words::text(design->title, QStringLiteral("en")).toStdString(), catalogue::studyJson(*design).toStdString());
+    create(design->id, study_words::text(design->title, QStringLiteral("en")).toStdString(),
+           catalogue::studyJson(*design).toStdString());
 }
 
 void StudiesScreen::create(const std::string& key, const std::string& title, const std::string& json) {
     writeStudies(
-        context(), this, [=](database::StudyRepository& studies) { return studies.createStudy(key, title, json); },
+        context(), this,
+        [=](database::StudyRepository& studies) { return studies.createStudy(key, title, json); },
         [this, title](const core::Result<database::StudyNumber>& study) {
             if (!study) {
                 context().messages().error(tr("The study was not created."), study.error());
@@ -90,7 +95,10 @@ void StudiesScreen::archive(const database::StudySummary& study, bool archived, 
     AppContext& app = context();
     const QPointer<StudiesScreen> screen(this);
     writeStudies(
-        app, &app, [id = study.id, archived](database::StudyRepository& studies) { return studies.setStudyArchived(id, archived); },
+        app, &app,
+        [id = study.id, archived](database::StudyRepository& studies) {
+            return studies.setStudyArchived(id, archived);
+        },
         [&app, screen, study, archived, canUndo](const core::Result<void>& done) {
             const QString title = QString::fromStdString(study.title);
             if (!done) {
@@ -102,9 +110,11 @@ void StudiesScreen::archive(const database::StudySummary& study, bool archived, 
                     screen->archive(study, !archived, false);
             };
             app.messages().tell({MessageKind::done,
-                                 archived ? StudiesScreen::tr("%1 is archived: nothing was deleted.").arg(title)
-                                          : StudiesScreen::tr("%1 is back in the list.").arg(title),
-                                 canUndo ? StudiesScreen::tr("Undo") : QString(), canUndo ? std::function<void()>(undo) : nullptr});
+                                 archived
+                                     ? StudiesScreen::tr("%1 is archived: nothing was deleted.").arg(title)
+                                     : StudiesScreen::tr("%1 is back in the list.").arg(title),
+                                 canUndo ? StudiesScreen::tr("Undo") : QString(),
+                                 canUndo ? std::function<void()>(undo) : nullptr});
             if (screen)
                 screen->load();
         });
@@ -114,10 +124,13 @@ void StudiesScreen::close() {
     const database::StudySummary* study = selected();
     if (!study)
         return;
-    auto* box = new QMessageBox(QMessageBox::Question, title(), tr("Close %1?").arg(QString::fromStdString(study->title)), QMessageBox::NoButton, window());
+    auto* box = new QMessageBox(QMessageBox::Question, title(),
+                                tr("Close %1?").arg(QString::fromStdString(study->title)),
+                                QMessageBox::NoButton, window());
     box->setObjectName(QStringLiteral("studies.ask_close"));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setInformativeText(tr("No more participants can be enrolled and no more runs begun; open runs can still be finished. This cannot be undone."));
+    box->setInformativeText(tr("No more participants can be enrolled and no more runs begun; open runs can "
+                               "still be finished. This cannot be undone."));
     QPushButton* keep = box->addButton(tr("Keep it open"), QMessageBox::RejectRole);
     QPushButton* end = box->addButton(tr("Close the study"), QMessageBox::DestructiveRole);
     end->setObjectName(QStringLiteral("studies.ask_close.close"));

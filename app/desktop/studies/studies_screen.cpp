@@ -16,7 +16,16 @@ namespace chiron::desktop {
 
 namespace {
 
-enum Column { titleColumn, keyColumn, stateColumn, progressColumn, trialsColumn, shaColumn, sinceColumn, columns };
+enum Column {
+    titleColumn,
+    keyColumn,
+    stateColumn,
+    progressColumn,
+    trialsColumn,
+    shaColumn,
+    sinceColumn,
+    columns
+};
 
 const char* iconOf(database::StudyState state) {
     switch (state) {
@@ -49,13 +58,19 @@ StudiesScreen::StudiesScreen(AppContext& context, const Place& place)
     showActions();
 }
 
-QString StudiesScreen::title() const { return tr("Studies"); }
+QString StudiesScreen::title() const {
+    return tr("Studies");
+}
 
 QString StudiesScreen::help() const {
-    return tr("All studies of this site. A draft is designed and tried out with simulated observers. Once it is frozen, its design can "
-              "never be changed again: every export states its SHA-256, and participants are enrolled under random codes.\n\n\"New study\" "
-              "starts from a template or from scratch; \"Import\" reads a study from a JSON file. Press Return or double-click to open a "
-              "study. \"Run\" takes a participant through it, \"Data\" shows the results.\n\n\"Close\" ends enrolment for good. "
+    return tr("All studies of this site. A draft is designed and tried out with simulated observers. Once it "
+              "is frozen, its design can "
+              "never be changed again: every export states its SHA-256, and participants are enrolled under "
+              "random codes.\n\n\"New study\" "
+              "starts from a template or from scratch; \"Import\" reads a study from a JSON file. Press "
+              "Return or double-click to open a "
+              "study. \"Run\" takes a participant through it, \"Data\" shows the results.\n\n\"Close\" ends "
+              "enrolment for good. "
               "\"Archive\" takes a study out of the list and can be undone.");
 }
 
@@ -87,7 +102,8 @@ QWidget* StudiesScreen::tablePart() {
     m_table = new FittedTable(context().theme(), columns);
     m_table->setObjectName(QStringLiteral("studies.table"));
     m_table->setAccessibleName(title());
-    m_table->setHorizontalHeaderLabels({tr("Study"), tr("Key"), tr("State"), tr("Participants"), tr("Trials"), tr("SHA-256"), tr("Since")});
+    m_table->setHorizontalHeaderLabels(
+        {tr("Study"), tr("Key"), tr("State"), tr("Participants"), tr("Trials"), tr("SHA-256"), tr("Since")});
     m_table->setMinimumHeight(context().theme().px(220));
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &StudiesScreen::showActions);
     connect(m_table, &QTableWidget::activated, this, [this] { open(QStringLiteral("study")); });
@@ -122,14 +138,21 @@ QWidget* StudiesScreen::actionRow() {
     return bar;
 }
 
-void StudiesScreen::enter() { load(); }
+void StudiesScreen::enter() {
+    load();
+}
 
 void StudiesScreen::load() {
     context().navigator().note({{QStringLiteral("archived"), m_archived->isChecked()}});
     m_panel->showLoading(tr("Reading the studies …"),
-                         readStudies(context(), this,
-                                     [archived = m_archived->isChecked()](database::StudyReader& reader) { return reader.listStudies(archived); },
-                                     [this](core::Result<std::vector<database::StudySummary>> studies) { loaded(std::move(studies)); }));
+                         readStudies(
+                             context(), this,
+                             [archived = m_archived->isChecked()](database::StudyReader& reader) {
+                                 return reader.listStudies(archived);
+                             },
+                             [this](core::Result<std::vector<database::StudySummary>> studies) {
+                                 loaded(std::move(studies));
+                             }));
 }
 
 void StudiesScreen::loaded(core::Result<std::vector<database::StudySummary>> studies) {
@@ -143,9 +166,11 @@ void StudiesScreen::loaded(core::Result<std::vector<database::StudySummary>> stu
     m_count->setText(tr("%n stud(y/ies)", nullptr, static_cast<int>(m_studies.size())));
     if (m_studies.empty()) {
         m_count->clear();
-        m_panel->showEmpty(tr("No studies yet"), tr("Start from a template and change it: a ranking of three, a staircase or constant "
-                                                    "stimuli."),
-                           tr("New study …"), [this] { askNew(); });
+        m_panel->showEmpty(
+            tr("No studies yet"),
+            tr("Start from a template and change it: a ranking of three, a staircase or constant "
+               "stimuli."),
+            tr("New study …"), [this] { askNew(); });
         showActions();
         return;
     }
@@ -168,11 +193,16 @@ void StudiesScreen::fill() {
         put(titleColumn, QString::fromStdString(study.title));
         // The key is shown because titles may be alike.
         put(keyColumn, QString::fromStdString(study.key))->setFont(theme.font(TextStyle::mono));
-        put(stateColumn, study_words::state(study.state))->setIcon(theme.icon(QLatin1String(iconOf(study.state))));
-        put(progressColumn, study.participants == 0 ? tr("none") : tr("%1 of %2 done").arg(locale.toString(study.completed), locale.toString(study.participants)));
+        put(stateColumn, study_words::state(study.state))
+            ->setIcon(theme.icon(QLatin1String(iconOf(study.state))));
+        put(progressColumn, study.participants == 0 ? tr("none")
+                                                    : tr("%1 of %2 done")
+                                                          .arg(locale.toString(study.completed),
+                                                               locale.toString(study.participants)));
         put(trialsColumn, locale.toString(study.trials))->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         put(shaColumn, study_words::shortSha(study.sha256))->setFont(theme.font(TextStyle::mono));
-        put(sinceColumn, study_words::moment(study.frozenUtc.empty() ? study.createdUtc : study.frozenUtc, locale));
+        put(sinceColumn,
+            study_words::moment(study.frozenUtc.empty() ? study.createdUtc : study.frozenUtc, locale));
         if (study.id == m_wanted)
             chosen = row;
     }
@@ -182,7 +212,8 @@ void StudiesScreen::fill() {
 
 const database::StudySummary* StudiesScreen::selected() const {
     const int row = m_table->currentRow();
-    return row >= 0 && row < static_cast<int>(m_studies.size()) ? &m_studies[static_cast<std::size_t>(row)] : nullptr;
+    return row >= 0 && row < static_cast<int>(m_studies.size()) ? &m_studies[static_cast<std::size_t>(row)]
+                                                                : nullptr;
 }
 
 void StudiesScreen::showActions() {
@@ -192,13 +223,17 @@ void StudiesScreen::showActions() {
     using database::StudyState;
     const bool archived = study && study->state == StudyState::archived;
     const QString none = study ? QString() : tr("Choose a study in the list first.");
-    const QString draft = study && study->state == StudyState::draft ? tr("The design is still a draft: freeze it first.") : none;
+    const QString draft = study && study->state == StudyState::draft
+                              ? tr("The design is still a draft: freeze it first.")
+                              : none;
     kit::allowUnless(*m_open, none);
     kit::allowUnless(*m_copy, none);
     kit::allowUnless(*m_run, archived ? tr("The study is archived: bring it back first.") : draft);
     kit::allowUnless(*m_data, draft);
     const bool over = draft.isEmpty() && study->state != StudyState::frozen;
-    kit::allowUnless(*m_close, over ? (archived ? tr("The study is archived: bring it back first.") : tr("The study is closed already.")) : draft);
+    kit::allowUnless(*m_close, over ? (archived ? tr("The study is archived: bring it back first.")
+                                                : tr("The study is closed already."))
+                                    : draft);
     kit::allowUnless(*m_archive, none);
     m_archive->setText(archived ? tr("Bring back") : tr("Archive"));
 }
@@ -211,7 +246,8 @@ void StudiesScreen::open(const QString& screen) {
 std::vector<ScreenCommand> StudiesScreen::commands() {
     return {{tr("New study …"), QKeySequence(QKeySequence::New), [this] { askNew(); }},
             {tr("Import …"), QKeySequence(QKeySequence::Open), [this] { askFile(); }},
-            {tr("Open the study"), QKeySequence(Qt::Key_Return), [this] { open(QStringLiteral("study")); }, false}};
+            {tr("Open the study"), QKeySequence(Qt::Key_Return), [this] { open(QStringLiteral("study")); },
+             false}};
 }
 
 } // namespace chiron::desktop

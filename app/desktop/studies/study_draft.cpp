@@ -15,8 +15,10 @@ constexpr int kMostSteps = 200;
 
 class StudyDraft::Step final : public QUndoCommand {
 public:
-    Step(StudyDraft& draft, const QString& words, QString key, psychophysics::StudyDesign before, psychophysics::StudyDesign after, bool structure)
-        : QUndoCommand(words), m_draft(draft), m_key(std::move(key)), m_before(std::move(before)), m_after(std::move(after)), m_structure(structure) {}
+    Step(StudyDraft& draft, const QString& words, QString key, psychophysics::StudyDesign before,
+         psychophysics::StudyDesign after, bool structure)
+        : QUndoCommand(words), m_draft(draft), m_key(std::move(key)), m_before(std::move(before)),
+          m_after(std::move(after)), m_structure(structure) {}
     int id() const override { return m_key.isEmpty() ? -1 : kStep; }
     bool mergeWith(const QUndoCommand* other) override {
         const auto& next = static_cast<const Step&>(*other);
@@ -45,7 +47,8 @@ void StudyDraft::load(psychophysics::StudyDesign design) {
     put(design, true);
 }
 
-void StudyDraft::change(const QString& words, const QString& key, const std::function<void(psychophysics::StudyDesign&)>& edit, bool structure) {
+void StudyDraft::change(const QString& words, const QString& key,
+                        const std::function<void(psychophysics::StudyDesign&)>& edit, bool structure) {
     psychophysics::StudyDesign after = m_design;
     edit(after);
     renewInstructions(after); // keeps the participants' text consistent with the settings

@@ -23,7 +23,8 @@ public:
     void load(psychophysics::StudyDesign design);
     /// `words` names the step ("Change of the title"). Consecutive changes with the same `key` form one step.
     /// `structure`: parts were added, removed or moved.
-    void change(const QString& words, const QString& key, const std::function<void(psychophysics::StudyDesign&)>& edit, bool structure = false);
+    void change(const QString& words, const QString& key,
+                const std::function<void(psychophysics::StudyDesign&)>& edit, bool structure = false);
 
     QUndoStack& history() noexcept { return m_history; }
 

@@ -16,7 +16,9 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(StudyWords)
 };
 
-QString dash() { return QStringLiteral("–"); }
+QString dash() {
+    return QStringLiteral("–");
+}
 
 } // namespace
 
@@ -67,7 +69,9 @@ QString percent(double ratio, const QLocale& locale) {
 }
 
 QString interval(double low, double high, const QLocale& locale) {
-    return std::isfinite(low) && std::isfinite(high) ? QStringLiteral("%1 … %2").arg(number(low, locale), number(high, locale)) : QString();
+    return std::isfinite(low) && std::isfinite(high)
+               ? QStringLiteral("%1 … %2").arg(number(low, locale), number(high, locale))
+               : QString();
 }
 
 QString intervalPercent(double low, double high, const QLocale& locale) {
@@ -76,9 +80,13 @@ QString intervalPercent(double low, double high, const QLocale& locale) {
     return QStringLiteral("%1 … %2 %").arg(number(100.0 * low, locale), number(100.0 * high, locale));
 }
 
-double ratioOf(double difference) { return std::pow(10.0, difference) - 1.0; }
+double ratioOf(double difference) {
+    return std::pow(10.0, difference) - 1.0;
+}
 
-double differenceOf(double ratio) { return std::log10(1.0 + ratio); }
+double differenceOf(double ratio) {
+    return std::log10(1.0 + ratio);
+}
 
 std::string shownLanguage(const psychophysics::StudyText& text, const QString& language) {
     for (const std::string& wanted : {language.toStdString(), std::string("en")})

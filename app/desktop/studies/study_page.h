@@ -25,8 +25,10 @@ struct DesignPage {
 
 /// Adds a field for a text in the page's language. `text` locates it in a design. Clearing the field of an
 /// optional text (`mayBeAbsent`) removes the text; for any other it is an error.
-void addStudyText(FieldGrid& grid, const DesignPage& page, const QString& label, const QString& name, int lines,
-                  const std::function<psychophysics::StudyText&(psychophysics::StudyDesign&)>& text, bool mayBeAbsent = false);
+void addStudyText(FieldGrid& grid, const DesignPage& page, const QString& label, const QString& name,
+                  int lines,
+                  const std::function<psychophysics::StudyText&(psychophysics::StudyDesign&)>& text,
+                  bool mayBeAbsent = false);
 /// A card with a title.
 kit::Box titledBox(const Theme& theme, const QString& title);
 

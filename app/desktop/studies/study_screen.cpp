@@ -5,9 +5,9 @@
 #include "desktop/frame/languages.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/studies/check_page.h"
+#include "desktop/studies/conditions_page.h"
 #include "desktop/studies/consent_dialog.h"
 #include "desktop/studies/enrol_dialog.h"
-#include "desktop/studies/conditions_page.h"
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/general_page.h"
 #include "desktop/studies/participant_card.h"
@@ -34,11 +34,12 @@ namespace chiron::desktop {
 namespace {
 constexpr int kCheck_ms = 300;
 constexpr double kBeside_px = 800; // total width of page and card
-}
+} // namespace
 
 StudyScreen::StudyScreen(AppContext& context, const Place& place)
     : Screen(context, place), m_study(place.parameters.value(QStringLiteral("study")).toLongLong()),
-      m_tab(place.parameters.value(QStringLiteral("tab"), -1).toInt()), m_condition(place.parameters.value(QStringLiteral("condition")).toInt()),
+      m_tab(place.parameters.value(QStringLiteral("tab"), -1).toInt()),
+      m_condition(place.parameters.value(QStringLiteral("condition")).toInt()),
       m_participant(place.parameters.value(QStringLiteral("participant")).toString()),
       m_language(QStringLiteral("en")) {
     auto* column = new QVBoxLayout(this);
@@ -61,20 +62,30 @@ QString StudyScreen::title() const {
 }
 
 QString StudyScreen::help() const {
-    return tr("One study. While it is a draft, you can change everything. Go through the pages with Next and Back, or jump to one by its "
-              "name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said under its field. Beside the pages "
-              "stands what a participant will meet.\n\nConditions defines what is compared, with which task and procedure. Preview runs the "
-              "study with simulated observers and shows the expected precision, number of trials and time. Check and freeze says what is "
-              "missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled "
+    return tr("One study. While it is a draft, you can change everything. Go through the pages with Next and "
+              "Back, or jump to one by its "
+              "name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said "
+              "under its field. Beside the pages "
+              "stands what a participant will meet.\n\nConditions defines what is compared, with which task "
+              "and procedure. Preview runs the "
+              "study with simulated observers and shows the expected precision, number of trials and time. "
+              "Check and freeze says what is "
+              "missing, lets somebody try the design as a pilot, and freezes it permanently under its "
+              "SHA-256; participants can be enrolled "
               "from then on, under random codes, with their consent.");
 }
 
-void StudyScreen::enter() { load(); }
+void StudyScreen::enter() {
+    load();
+}
 
 void StudyScreen::load() {
-    m_panel->showLoading(tr("Reading the study …"),
-                         readStudies(context(), this, [study = m_study](database::StudyReader& reader) { return openStudy(reader, study); },
-                                     [this](core::Result<OpenStudy> study) { loaded(std::move(study)); }));
+    m_panel->showLoading(
+        tr("Reading the study …"),
+        readStudies(
+            context(), this,
+            [study = m_study](database::StudyReader& reader) { return openStudy(reader, study); },
+            [this](core::Result<OpenStudy> study) { loaded(std::move(study)); }));
 }
 
 void StudyScreen::loaded(core::Result<OpenStudy> study) {
@@ -96,7 +107,8 @@ void StudyScreen::loaded(core::Result<OpenStudy> study) {
 }
 
 bool StudyScreen::readOnly() const {
-    const bool own = m_open.summary.author == context().actor().personId() || context().has(database::Role::admin);
+    const bool own =
+        m_open.summary.author == context().actor().personId() || context().has(database::Role::admin);
     return !m_open.editable() || !own;
 }
 
@@ -117,7 +129,8 @@ void StudyScreen::build() {
     m_bar->setExpanding(false);
     m_bar->setUsesScrollButtons(true);
     const QLocale locale = context().locale();
-    for (const QString& name : {tr("Aim"), tr("Conditions"), tr("Trials"), tr("Questions"), tr("Preview"), m_open.editable() ? tr("Check and freeze") : tr("Participants")})
+    for (const QString& name : {tr("Aim"), tr("Conditions"), tr("Trials"), tr("Questions"), tr("Preview"),
+                                m_open.editable() ? tr("Check and freeze") : tr("Participants")})
         m_bar->addTab(m_open.editable() ? tr("%1. %2").arg(locale.toString(m_bar->count() + 1), name) : name);
     m_bar->setCurrentIndex(m_tab);
     connect(m_bar, &QTabBar::currentChanged, this, &StudyScreen::showTab);
@@ -170,7 +183,8 @@ QWidget* StudyScreen::toolRow() {
     const Theme& theme = context().theme();
     auto* bar = new QWidget;
     auto* row = new FlowLayout(theme.px(8), bar);
-    const auto add = [&](const char* name, const QString& text, const char* kind, const char* icon, auto act) {
+    const auto add = [&](const char* name, const QString& text, const char* kind, const char* icon,
+                         auto act) {
         auto* button = kit::button(theme, text, kind, QLatin1String(icon));
         button->setObjectName(QLatin1String(name));
         connect(button, &QPushButton::clicked, this, act);
@@ -184,8 +198,14 @@ QWidget* StudyScreen::toolRow() {
         m_redo = add("study.redo", tr("Redo"), "", "edit-redo", [this] { m_draft.history().redo(); });
         add("study.import", tr("Import …"), "quiet", "document-import", [this] { askImport(); });
     } else if (!m_open.editable()) {
-        add("study.run", tr("Run"), "primary", "media-playback-start", [this] { context().navigator().go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}}); });
-        add("study.data", tr("Data"), "", "office-chart-line", [this] { context().navigator().go(QStringLiteral("study_data"), {{QStringLiteral("study"), qlonglong(m_study)}}); });
+        add("study.run", tr("Run"), "primary", "media-playback-start", [this] {
+            context().navigator().go(QStringLiteral("study_run"),
+                                     {{QStringLiteral("study"), qlonglong(m_study)}});
+        });
+        add("study.data", tr("Data"), "", "office-chart-line", [this] {
+            context().navigator().go(QStringLiteral("study_data"),
+                                     {{QStringLiteral("study"), qlonglong(m_study)}});
+        });
     }
     if (!m_open.masked) // otherwise a file would contain a design that nobody froze
         add("study.copy", tr("Copy to new study …"), "quiet", "edit-copy", [this] { askCopy(); });
@@ -268,10 +288,13 @@ void StudyScreen::goToField(int tab, int condition, const QString& field) {
     if (!found)
         return;
     found->setFocus(Qt::OtherFocusReason);
-    QMetaObject::invokeMethod(found, [this, found] { // once the page has its size
-        if (auto* scroll = qobject_cast<QScrollArea*>(m_view))
-            scroll->ensureWidgetVisible(found, 0, context().theme().px(kCheck_ms / 3));
-    }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        found,
+        [this, found] { // once the page has its size
+            if (auto* scroll = qobject_cast<QScrollArea*>(m_view))
+                scroll->ensureWidgetVisible(found, 0, context().theme().px(kCheck_ms / 3));
+        },
+        Qt::QueuedConnection);
 }
 
 /// Shows the errors under each field of the page, on the names of the pages, and above all of them.
@@ -284,8 +307,10 @@ void StudyScreen::showFaults() {
             grid->showFaults(words);
     }
     for (int tab = 0; tab < m_bar->count(); ++tab) {
-        const bool wrong = std::any_of(m_wrong.begin(), m_wrong.end(), [tab](const DesignFault& fault) { return fault.tab == tab; });
-        m_bar->setTabIcon(tab, wrong ? context().theme().icon(QStringLiteral("dialog-error"), Colour::bad) : QIcon());
+        const bool wrong = std::any_of(m_wrong.begin(), m_wrong.end(),
+                                       [tab](const DesignFault& fault) { return fault.tab == tab; });
+        m_bar->setTabIcon(tab, wrong ? context().theme().icon(QStringLiteral("dialog-error"), Colour::bad)
+                                     : QIcon());
         m_bar->setTabToolTip(tab, wrong ? tr("Something here must be corrected.") : QString());
     }
     m_toFault->setVisible(!m_wrong.empty());
@@ -304,8 +329,10 @@ void StudyScreen::showTab(int tab) {
 }
 
 void StudyScreen::note() {
-    context().navigator().note({{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), m_tab}, {QStringLiteral("condition"), m_condition},
-                              {QStringLiteral("participant"), m_participant}});
+    context().navigator().note({{QStringLiteral("study"), qlonglong(m_study)},
+                                {QStringLiteral("tab"), m_tab},
+                                {QStringLiteral("condition"), m_condition},
+                                {QStringLiteral("participant"), m_participant}});
 }
 
 void StudyScreen::showPage() {
@@ -313,7 +340,8 @@ void StudyScreen::showPage() {
         return;
     sayPreviewEnds();
     QWidget* before = m_page;
-    const QString focused = before && before->isAncestorOf(focusWidget()) ? focusWidget()->objectName() : QString();
+    const QString focused =
+        before && before->isAncestorOf(focusWidget()) ? focusWidget()->objectName() : QString();
     m_page = makePage();
     if (before) {
         m_holder->removeWidget(before);
@@ -333,10 +361,13 @@ void StudyScreen::showPage() {
 
 void StudyScreen::sayPreviewEnds() {
     if (const auto* preview = qobject_cast<PreviewPage*>(m_page); preview && preview->working())
-        context().messages().information(tr("The preview was stopped, because its page was left. Nothing of it is kept: press Preview there to calculate it again."));
+        context().messages().information(tr("The preview was stopped, because its page was left. Nothing of "
+                                            "it is kept: press Preview there to calculate it again."));
 }
 
-DesignPage StudyScreen::designPage() { return {context(), m_draft, readOnly(), m_language, m_open.blinding, m_open.masked}; }
+DesignPage StudyScreen::designPage() {
+    return {context(), m_draft, readOnly(), m_language, m_open.blinding, m_open.masked};
+}
 
 QWidget* StudyScreen::makePage() {
     const DesignPage page = designPage();
@@ -366,8 +397,9 @@ QWidget* StudyScreen::makePage() {
             note();
         });
         connect(participants, &ParticipantsPage::changed, this, [this] { reloadTo(participantsTab); });
-        connect(participants, &ParticipantsPage::enrolOpened, this,
-                [this](EnrolDialog* dialog) { connect(dialog, &EnrolDialog::consentAsked, this, &StudyScreen::askConsent); });
+        connect(participants, &ParticipantsPage::enrolOpened, this, [this](EnrolDialog* dialog) {
+            connect(dialog, &EnrolDialog::consentAsked, this, &StudyScreen::askConsent);
+        });
         return participants;
     }
     default:
@@ -383,14 +415,18 @@ void StudyScreen::askConsent(const database::Participant& participant) {
 
 QWidget* StudyScreen::makeCheckPage(const DesignPage& page) {
     auto* check = new CheckPage(page, m_open, m_wrong);
-    connect(check, &CheckPage::goAsked, this, [this](const FreezeCheck& line) { goToField(line.tab, line.condition, line.field); }, Qt::QueuedConnection);
+    connect(
+        check, &CheckPage::goAsked, this,
+        [this](const FreezeCheck& line) { goToField(line.tab, line.condition, line.field); },
+        Qt::QueuedConnection);
     connect(check, &CheckPage::pilotAsked, this, &StudyScreen::askPilot);
     connect(check, &CheckPage::freezeAsked, this, &StudyScreen::askFreeze);
     return check;
 }
 
 std::vector<ScreenCommand> StudyScreen::commands() {
-    std::vector<ScreenCommand> list{{tr("Save as JSON …"), QKeySequence(QKeySequence::Save), [this] { askExport(); }}};
+    std::vector<ScreenCommand> list{
+        {tr("Save as JSON …"), QKeySequence(QKeySequence::Save), [this] { askExport(); }}};
     if (m_undo) {
         list.push_back({tr("Undo"), QKeySequence(QKeySequence::Undo), [this] { m_draft.history().undo(); }});
         list.push_back({tr("Redo"), QKeySequence(QKeySequence::Redo), [this] { m_draft.history().redo(); }});

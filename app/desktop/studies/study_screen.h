@@ -31,7 +31,16 @@ class StudyScreen final : public Screen {
     Q_OBJECT
 public:
     /// `checkTab` is the last page of a draft; a frozen study has the participants there.
-    enum Tab { generalTab, conditionsTab, trialsTab, questionnairesTab, previewTab, participantsTab, tabs, checkTab = participantsTab };
+    enum Tab {
+        generalTab,
+        conditionsTab,
+        trialsTab,
+        questionnairesTab,
+        previewTab,
+        participantsTab,
+        tabs,
+        checkTab = participantsTab
+    };
 
     StudyScreen(AppContext& context, const Place& place);
 
@@ -97,10 +106,10 @@ private:
     OpenStudy m_open;
     StudyDraft m_draft;
     std::vector<DesignFault> m_wrong; ///< of the newest design that was checked
-    bool m_good = true;      ///< the newest design is valid
-    bool m_saved = true;     ///< the newest design is stored
+    bool m_good = true;               ///< the newest design is valid
+    bool m_saved = true;              ///< the newest design is stored
     bool m_saving = false;
-    int m_version = 0;       ///< of the design; counts changes
+    int m_version = 0; ///< of the design; counts changes
     QTimer m_check{this};
     StatePanel* m_panel = nullptr;
     QWidget* m_view = nullptr; ///< head, tabs and page; null until the study is loaded

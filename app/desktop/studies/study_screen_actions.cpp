@@ -2,9 +2,9 @@
 // Checking, storing, freezing, importing and exporting a design.
 #include "catalogue/study_reader.h"
 
-#include "desktop/frame/file_folder.h"
 #include "catalogue/whole_file.h"
 #include "desktop/accounts/notice_area.h"
+#include "desktop/frame/file_folder.h"
 #include "desktop/studies/freeze_dialog.h"
 #include "desktop/studies/new_study_dialog.h"
 #include "desktop/studies/pilot_dialog.h"
@@ -32,8 +32,13 @@ void StudyScreen::changed() {
 
 void StudyScreen::check() {
     context().background().run(
-        this, [design = m_draft.design(), key = m_open.summary.key](WorkToken&) { return catalogue::readStudy(catalogue::studyJson(design), key); },
-        [this, version = m_version](const core::Result<psychophysics::StudyDesign>& read) { checked(version, read); });
+        this,
+        [design = m_draft.design(), key = m_open.summary.key](WorkToken&) {
+            return catalogue::readStudy(catalogue::studyJson(design), key);
+        },
+        [this, version = m_version](const core::Result<psychophysics::StudyDesign>& read) {
+            checked(version, read);
+        });
 }
 
 void StudyScreen::checked(int version, const core::Result<psychophysics::StudyDesign>& read) {
@@ -49,9 +54,13 @@ void StudyScreen::checked(int version, const core::Result<psychophysics::StudyDe
 
 void StudyScreen::take(const core::Result<psychophysics::StudyDesign>& read) {
     m_good = read.has_value();
-    m_wrong = m_good ? nameFaults(m_draft.design()) : designFaults(m_draft.design(), read.error(), context().locale());
+    m_wrong = m_good ? nameFaults(m_draft.design())
+                     : designFaults(m_draft.design(), read.error(), context().locale());
     if (m_faults)
-        m_faults->say("bad", m_good ? QString() : tr("Not saved yet: %n entr(y/ies) must be corrected first. %1", nullptr, static_cast<int>(m_wrong.size())).arg(m_wrong.empty() ? QString() : m_wrong.front().words));
+        m_faults->say("bad", m_good ? QString()
+                                    : tr("Not saved yet: %n entr(y/ies) must be corrected first. %1", nullptr,
+                                         static_cast<int>(m_wrong.size()))
+                                          .arg(m_wrong.empty() ? QString() : m_wrong.front().words));
     showFaults();
 }
 
@@ -67,7 +76,8 @@ void StudyScreen::save() {
     m_saving = true;
     writeStudies(
         context(), this,
-        [study = m_study, json = catalogue::studyJson(m_draft.design()).toStdString()](database::StudyRepository& studies) { return studies.saveDraft(study, json); },
+        [study = m_study, json = catalogue::studyJson(m_draft.design()).toStdString()](
+            database::StudyRepository& studies) { return studies.saveDraft(study, json); },
         [this, version = m_version](const core::Result<void>& done) {
             m_saving = false;
             if (!done)
@@ -97,7 +107,9 @@ void StudyScreen::showState() {
     if (m_undo) {
         m_undo->setEnabled(m_draft.history().canUndo());
         m_redo->setEnabled(m_draft.history().canRedo());
-        kit::allowUnless(*m_freeze, !m_good ? tr("The design must be free of errors before it can be frozen.") : !m_saved ? tr("The last changes are still being saved.") : QString());
+        kit::allowUnless(*m_freeze, !m_good ? tr("The design must be free of errors before it can be frozen.")
+                                    : !m_saved ? tr("The last changes are still being saved.")
+                                               : QString());
     }
 }
 
@@ -115,15 +127,18 @@ bool StudyScreen::mayLeaveDesign() {
     if (read) { // a write is in progress and completes although this screen is destroyed
         writeStudies(
             context(), &context(),
-            [study = m_study, json = catalogue::studyJson(*read).toStdString()](database::StudyRepository& studies) { return studies.saveDraft(study, json); },
+            [study = m_study, json = catalogue::studyJson(*read).toStdString()](
+                database::StudyRepository& studies) { return studies.saveDraft(study, json); },
             [&app = context()](const core::Result<void>& done) {
                 if (!done)
                     app.messages().error(StudyScreen::tr("The draft could not be saved."), done.error());
             });
         return true;
     }
-    QMessageBox box(QMessageBox::Question, title(), tr("Leave without the last changes?"), QMessageBox::NoButton, window());
-    box.setInformativeText(tr("The design still has errors, so the last changes were not saved. The last version without errors is saved."));
+    QMessageBox box(QMessageBox::Question, title(), tr("Leave without the last changes?"),
+                    QMessageBox::NoButton, window());
+    box.setInformativeText(tr("The design still has errors, so the last changes were not saved. The last "
+                              "version without errors is saved."));
     QPushButton* stay = box.addButton(tr("Stay"), QMessageBox::RejectRole);
     QPushButton* leave = box.addButton(tr("Leave"), QMessageBox::DestructiveRole);
     box.setDefaultButton(stay);
@@ -134,9 +149,13 @@ bool StudyScreen::mayLeaveDesign() {
 void StudyScreen::askFreeze() {
     if (!stored())
         return;
-    auto* dialog = new FreezeDialog(context(), m_open.summary, m_draft.design(), {m_wrong, std::nullopt, pilotsTried(m_open)}, this);
+    auto* dialog = new FreezeDialog(context(), m_open.summary, m_draft.design(),
+                                    {m_wrong, std::nullopt, pilotsTried(m_open)}, this);
     connect(dialog, &FreezeDialog::frozen, this, [this] { reloadTo(participantsTab); });
-    connect(dialog, &FreezeDialog::goAsked, this, [this](const FreezeCheck& line) { goToField(line.tab, line.condition, line.field); }, Qt::QueuedConnection);
+    connect(
+        dialog, &FreezeDialog::goAsked, this,
+        [this](const FreezeCheck& line) { goToField(line.tab, line.condition, line.field); },
+        Qt::QueuedConnection);
     dialog->open();
 }
 
@@ -146,7 +165,8 @@ bool StudyScreen::stored() {
     if (!m_good)
         goToFirstFault();
     else if (!m_saved)
-        context().messages().information(tr("The last changes are still being saved. Try again in a moment."));
+        context().messages().information(
+            tr("The last changes are still being saved. Try again in a moment."));
     return m_good && m_saved;
 }
 
@@ -159,8 +179,9 @@ void StudyScreen::askPilot() {
 
 void StudyScreen::askCopy() {
     auto* dialog = new NewStudyDialog(context(), m_draft.design(), this);
-    connect(dialog, &NewStudyDialog::created, this,
-            [this](qlonglong copy) { context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), copy}}); });
+    connect(dialog, &NewStudyDialog::created, this, [this](qlonglong copy) {
+        context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), copy}});
+    });
     dialog->open();
 }
 
@@ -171,7 +192,8 @@ void StudyScreen::reloadTo(int tab) {
 }
 
 void StudyScreen::askImport() {
-    auto* dialog = new QFileDialog(this, tr("Import a design from a file"), QString(), tr("Studies (*.json)"));
+    auto* dialog =
+        new QFileDialog(this, tr("Import a design from a file"), QString(), tr("Studies (*.json)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     beginInLastFolder(context().settings(), *dialog, QStringLiteral("studies"));
@@ -181,17 +203,23 @@ void StudyScreen::askImport() {
 
 void StudyScreen::importFile(const QString& file) {
     constexpr qint64 kLargestStudy_bytes = 1 << 20;
-    const auto design = catalogue::readWholeFile(file, kLargestStudy_bytes)
-                            .and_then([&](const QByteArray& text) { return catalogue::readStudy(text, file.toStdString()); });
+    const auto design =
+        catalogue::readWholeFile(file, kLargestStudy_bytes).and_then([&](const QByteArray& text) {
+            return catalogue::readStudy(text, file.toStdString());
+        });
     if (!design) {
-        m_faults->say("bad", tr("The file was not imported:\n%1").arg(QString::fromStdString(design.error().message)));
+        m_faults->say(
+            "bad", tr("The file was not imported:\n%1").arg(QString::fromStdString(design.error().message)));
         return;
     }
-    m_draft.change(tr("Import of a file"), {}, [&](psychophysics::StudyDesign& now) {
-        const std::string key = now.id; // the study keeps its key
-        now = *design;
-        now.id = key;
-    }, true);
+    m_draft.change(
+        tr("Import of a file"), {},
+        [&](psychophysics::StudyDesign& now) {
+            const std::string key = now.id; // the study keeps its key
+            now = *design;
+            now.id = key;
+        },
+        true);
 }
 
 void StudyScreen::askExport() {
@@ -209,7 +237,9 @@ void StudyScreen::exportFile(const QString& name) {
     const QByteArray json = catalogue::studyJson(m_draft.design());
     QSaveFile file(name);
     if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit()) {
-        context().messages().error(tr("The design was not saved."), {core::ErrorCode::storage, (name + QStringLiteral(": ") + file.errorString()).toStdString()});
+        context().messages().error(
+            tr("The design was not saved."),
+            {core::ErrorCode::storage, (name + QStringLiteral(": ") + file.errorString()).toStdString()});
         return;
     }
     context().messages().done(tr("The design was saved in %1.").arg(name));

@@ -12,17 +12,22 @@ namespace chiron::desktop {
 
 namespace {
 
-bool counts(const database::StudyTrial& trial) { return !trial.practice && !trial.undone && trial.spoiled.empty() && (trial.answer >= 0 || trial.value); }
+bool counts(const database::StudyTrial& trial) {
+    return !trial.practice && !trial.undone && trial.spoiled.empty() && (trial.answer >= 0 || trial.value);
+}
 
-core::Result<std::vector<LeftRun>> leftRuns(database::StudyReader& reader, const OpenStudy& study, const std::vector<database::StudyRun>& runs) {
+core::Result<std::vector<LeftRun>> leftRuns(database::StudyReader& reader, const OpenStudy& study,
+                                            const std::vector<database::StudyRun>& runs) {
     std::vector<LeftRun> all;
     for (const database::StudyRun& run : runs) {
         if (run.state != database::StudyRunState::open)
             continue;
         const auto trials = reader.studyTrials(run.id);
         CHIRON_TRY(trials);
-        const psychophysics::Condition* condition = session::analysedBy(study.design, study.blinding, run.condition);
-        all.push_back({run.id, static_cast<int>(std::count_if(trials->begin(), trials->end(), counts)), condition ? session::trialsAtMost(*condition) : 0,
+        const psychophysics::Condition* condition =
+            session::analysedBy(study.design, study.blinding, run.condition);
+        all.push_back({run.id, static_cast<int>(std::count_if(trials->begin(), trials->end(), counts)),
+                       condition ? session::trialsAtMost(*condition) : 0,
                        trials->empty() ? run.startedUtc : trials->back().utc});
     }
     return all;
@@ -65,7 +70,8 @@ core::Result<std::vector<PilotRow>> pilotRows(database::StudyReader& reader, con
 } // namespace
 
 int pilotsTried(const OpenStudy& study) {
-    return static_cast<int>(std::count_if(study.pilots.begin(), study.pilots.end(), [](const PilotRow& pilot) { return pilot.scored > 0; }));
+    return static_cast<int>(std::count_if(study.pilots.begin(), study.pilots.end(),
+                                          [](const PilotRow& pilot) { return pilot.scored > 0; }));
 }
 
 core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::StudyNumber study) {
@@ -73,7 +79,8 @@ core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::Study
     CHIRON_TRY(record);
     auto design = catalogue::readStudy(QByteArray::fromStdString(record->designJson), record->summary.key);
     CHIRON_TRY(design);
-    OpenStudy open{std::move(record->summary), std::move(*design), {}, {}, {}, {}, record->blinding, record->masked, {}};
+    OpenStudy open{std::move(record->summary), std::move(*design), {}, {}, {}, {},
+                   record->blinding,           record->masked,     {}};
     auto sealed = reader.conditionCodes(study);
     CHIRON_TRY(sealed);
     open.sealed = std::move(*sealed);

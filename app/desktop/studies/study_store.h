@@ -23,7 +23,8 @@ std::shared_ptr<WorkToken> readStudies(AppContext& context, QObject* owner, Job 
     using Answer = std::invoke_result_t<Job, database::StudyReader&>;
     return context.background().run(
         owner,
-        [&database = context.site().database(), actor = context.actor(), job = std::move(job)](WorkToken&) -> Answer {
+        [&database = context.site().database(), actor = context.actor(),
+         job = std::move(job)](WorkToken&) -> Answer {
             auto connection = database.openReader();
             CHIRON_TRY(connection);
             database::StudyReader reader(**connection, actor);
@@ -34,8 +35,7 @@ std::shared_ptr<WorkToken> readStudies(AppContext& context, QObject* owner, Job 
 
 /// Writes on a worker in one transaction. `job(StudyRepository&)` returns a Result, which `done` receives on
 /// the GUI thread.
-template <class Job, class Done>
-void writeStudies(AppContext& context, QObject* owner, Job job, Done done) {
+template <class Job, class Done> void writeStudies(AppContext& context, QObject* owner, Job job, Done done) {
     context.background().run(
         owner,
         [&database = context.site().database(), actor = context.actor(), job = std::move(job)](WorkToken&) {
@@ -65,8 +65,8 @@ struct ParticipantRow {
 /// A pilot: a person's trial run of a draft.
 struct PilotRow {
     database::StudySummary summary;
-    int scored = 0;  ///< number of scored trials
-    int spoiled = 0; ///< number of spoiled trials
+    int scored = 0;               ///< number of scored trials
+    int spoiled = 0;              ///< number of spoiled trials
     double secondsPerTrial = 0.0; ///< mean over the scored trials, without practice
 };
 
@@ -81,7 +81,7 @@ struct OpenStudy {
     /// For questionnaires asked after each condition: after which run which one was answered.
     std::set<std::pair<database::StudyRunNumber, std::string>> answeredAfter{};
     database::Blinding blinding{};
-    bool masked = false; ///< StudyRecord::masked
+    bool masked = false;          ///< StudyRecord::masked
     std::vector<PilotRow> pilots; ///< of its draft, in order of time
 
     bool editable() const { return summary.state == database::StudyState::draft; }

@@ -19,7 +19,9 @@ constexpr qsizetype kLongestCopied = 200; // the repository accepts 500 bytes, a
 
 } // namespace
 
-QString titleForComparison(const QString& title) { return forSearch(title.simplified()); }
+QString titleForComparison(const QString& title) {
+    return forSearch(title.simplified());
+}
 
 QString freeTitle(const QString& title, const std::set<QString>& taken) {
     QString free = title;
@@ -32,9 +34,11 @@ QString copyTitle(const QString& original, const std::set<QString>& taken) {
     const QString word = StudyTitles::tr("copy");
     QString title = original.simplified().left(kLongestCopied);
     // Otherwise it would become "(copy) (copy)".
-    title.remove(QRegularExpression(QStringLiteral("\\s*\\(%1( \\d+)?\\)$").arg(QRegularExpression::escape(word))));
+    title.remove(
+        QRegularExpression(QStringLiteral("\\s*\\(%1( \\d+)?\\)$").arg(QRegularExpression::escape(word))));
     for (int n = 1;; ++n)
-        if (const QString copy = n == 1 ? QStringLiteral("%1 (%2)").arg(title, word) : QStringLiteral("%1 (%2 %3)").arg(title, word, QString::number(n));
+        if (const QString copy = n == 1 ? QStringLiteral("%1 (%2)").arg(title, word)
+                                        : QStringLiteral("%1 (%2 %3)").arg(title, word, QString::number(n));
             !taken.contains(titleForComparison(copy)))
             return copy;
 }

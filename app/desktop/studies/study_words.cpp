@@ -23,7 +23,8 @@ QString oneOf(const std::map<std::string_view, QString>& words, std::string_view
     const auto found = words.find(token);
     if (found != words.end())
         return found->second;
-    return QString::fromUtf8(token.data(), static_cast<qsizetype>(token.size())).replace(QLatin1Char('_'), QLatin1Char(' '));
+    return QString::fromUtf8(token.data(), static_cast<qsizetype>(token.size()))
+        .replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
 QString procedureKind(std::string_view kind) {
@@ -83,7 +84,8 @@ QString taskInWords(Task task) {
     case Task::rank3:
         return Words::tr("Three objects that differ in equal steps are put in order.");
     case Task::rank3Ties:
-        return Words::tr("Three objects that differ in equal steps are put in order; those that feel the same may be marked as equal.");
+        return Words::tr("Three objects that differ in equal steps are put in order; those that feel the "
+                         "same may be marked as equal.");
     case Task::twoAfc:
         return Words::tr("Which of two objects has more of the attribute?");
     case Task::threeAfc:
@@ -133,7 +135,9 @@ QString question(Task task, Attribute attribute) {
     case Task::rank3:
         return Words::tr("Put the three in order: each one %1 than the one before.").arg(word);
     case Task::rank3Ties:
-        return Words::tr("Put the three in order: each one %1 than the one before. You may mark those that feel the same as equal.").arg(word);
+        return Words::tr("Put the three in order: each one %1 than the one before. You may mark those that "
+                         "feel the same as equal.")
+            .arg(word);
     case Task::twoAfc:
         return Words::tr("Which one is %1?").arg(word);
     case Task::threeAfc:
@@ -163,14 +167,18 @@ QString procedure(std::string_view id) {
     return names.join(QStringLiteral(", "));
 }
 
-QString procedureInWords(std::string_view kind) { return session_report::procedureMeaning(kind); }
+QString procedureInWords(std::string_view kind) {
+    return session_report::procedureMeaning(kind);
+}
 
 QString scale(psychophysics::ProcedureScale scale) {
-    return scale == psychophysics::ProcedureScale::difference ? Words::tr("Differences") : Words::tr("Ratios of differences");
+    return scale == psychophysics::ProcedureScale::difference ? Words::tr("Differences")
+                                                              : Words::tr("Ratios of differences");
 }
 
 QString studyName(const database::StudySummary& study) {
-    return QStringLiteral("%1 · %2").arg(QString::fromStdString(study.title), QString::fromStdString(study.key));
+    return QStringLiteral("%1 · %2").arg(QString::fromStdString(study.title),
+                                         QString::fromStdString(study.key));
 }
 
 QString order(psychophysics::OrderDesign order) {
@@ -228,18 +236,19 @@ QString runState(database::StudyRunState state) {
 }
 
 QString spoiled(std::string_view token) {
-    const std::map<std::string_view, QString> words{{"force_error", Words::tr("Force not as commanded")},
-                                                    {"stiffness_error", Words::tr("Felt value off")},
-                                                    {"late_ticks", Words::tr("Late ticks")},
-                                                    {"saturation", Words::tr("Device at its limit")},
-                                                    {"speed", Words::tr("Moved too fast")},
-                                                    {"peak_force", Words::tr("Pressed too hard")},
-                                                    {"time", Words::tr("Time was up")},
-                                                    {"untouched", Words::tr("Not all touched")},
-                                                    {"taken_back", Words::tr("Taken back")},
-                                                    {"experimenter", Words::tr("Discarded by the experimenter")},
-                                                    {"stopped", Words::tr("Stopped")},
-                                                    {"withheld", Words::tr("Sealed reason")}};
+    const std::map<std::string_view, QString> words{
+        {"force_error", Words::tr("Force not as commanded")},
+        {"stiffness_error", Words::tr("Felt value off")},
+        {"late_ticks", Words::tr("Late ticks")},
+        {"saturation", Words::tr("Device at its limit")},
+        {"speed", Words::tr("Moved too fast")},
+        {"peak_force", Words::tr("Pressed too hard")},
+        {"time", Words::tr("Time was up")},
+        {"untouched", Words::tr("Not all touched")},
+        {"taken_back", Words::tr("Taken back")},
+        {"experimenter", Words::tr("Discarded by the experimenter")},
+        {"stopped", Words::tr("Stopped")},
+        {"withheld", Words::tr("Sealed reason")}};
     return oneOf(words, token);
 }
 

@@ -41,12 +41,17 @@ struct Expected {
 };
 
 QRegularExpression pattern(const QString& words) {
-    return QRegularExpression(words, QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+    return QRegularExpression(words, QRegularExpression::CaseInsensitiveOption |
+                                         QRegularExpression::UseUnicodePropertiesOption);
 }
 
-double numberIn(const QString& digits) { return QString(digits).replace(QLatin1Char(','), QLatin1Char('.')).toDouble(); }
+double numberIn(const QString& digits) {
+    return QString(digits).replace(QLatin1Char(','), QLatin1Char('.')).toDouble();
+}
 
-bool same(double a, double b) { return std::abs(a - b) <= kSameShare * std::max(std::abs(a), std::abs(b)); }
+bool same(double a, double b) {
+    return std::abs(a - b) <= kSameShare * std::max(std::abs(a), std::abs(b));
+}
 
 /// The size of a unit in SI, and the attributes that it measures.
 struct TitleUnit {
@@ -55,39 +60,48 @@ struct TitleUnit {
 };
 
 const std::map<QString, TitleUnit>& titleUnits() {
-    static const std::map<QString, TitleUnit> units{{QStringLiteral("N/m"), {1.0, {Attribute::stiffness}}},
-                                                    {QStringLiteral("N·s/m"), {1.0, {Attribute::viscosity}}},
-                                                    {QStringLiteral("kg"), {1.0, {Attribute::mass}}},
-                                                    {QStringLiteral("g"), {1e-3, {Attribute::mass}}},
-                                                    {QStringLiteral("s"), {1.0, {Attribute::deformation}}},
-                                                    {QStringLiteral("ms"), {1e-3, {Attribute::deformation}}},
-                                                    {QStringLiteral("cm"), {1e-2, {Attribute::apex, Attribute::roughness}}},
-                                                    {QStringLiteral("mm"), {1e-3, {Attribute::apex, Attribute::roughness}}},
-                                                    {QStringLiteral("µm"), {1e-6, {Attribute::roughness}}}};
+    static const std::map<QString, TitleUnit> units{
+        {QStringLiteral("N/m"), {1.0, {Attribute::stiffness}}},
+        {QStringLiteral("N·s/m"), {1.0, {Attribute::viscosity}}},
+        {QStringLiteral("kg"), {1.0, {Attribute::mass}}},
+        {QStringLiteral("g"), {1e-3, {Attribute::mass}}},
+        {QStringLiteral("s"), {1.0, {Attribute::deformation}}},
+        {QStringLiteral("ms"), {1e-3, {Attribute::deformation}}},
+        {QStringLiteral("cm"), {1e-2, {Attribute::apex, Attribute::roughness}}},
+        {QStringLiteral("mm"), {1e-3, {Attribute::apex, Attribute::roughness}}},
+        {QStringLiteral("µm"), {1e-6, {Attribute::roughness}}}};
     return units;
 }
 
-void checkTitle(std::vector<FalseClaim>& claims, const psychophysics::Condition& condition, int at, const QLocale& locale) {
-    static const QRegularExpression withUnit = pattern(QStringLiteral("(\\d+(?:[.,]\\d+)?)\\s*(N·s/m|N/m|kg|g|ms|s|cm|mm|µm)(?![\\w/·])"));
-    static const QRegularExpression plain = pattern(QStringLiteral("(?<![\\w.,])(\\d+[.,]\\d+)(?![\\w.,]|\\s*(?:N|kg|g|m|s|c|µ|%))"));
+void checkTitle(std::vector<FalseClaim>& claims, const psychophysics::Condition& condition, int at,
+                const QLocale& locale) {
+    static const QRegularExpression withUnit =
+        pattern(QStringLiteral("(\\d+(?:[.,]\\d+)?)\\s*(N·s/m|N/m|kg|g|ms|s|cm|mm|µm)(?![\\w/·])"));
+    static const QRegularExpression plain =
+        pattern(QStringLiteral("(?<![\\w.,])(\\d+[.,]\\d+)(?![\\w.,]|\\s*(?:N|kg|g|m|s|c|µ|%))"));
     const psychophysics::StimulusDesign& stimulus = condition.stimulus;
-    const QString setting = TextClaims::tr("the reference is %1").arg(study_words::value(stimulus.reference, stimulus.attribute, locale));
+    const QString setting = TextClaims::tr("the reference is %1")
+                                .arg(study_words::value(stimulus.reference, stimulus.attribute, locale));
     for (const auto& [language, words] : condition.title) {
         // Both characters mean micro.
         const QString title = QString::fromStdString(words).replace(QChar(0x03BC), QChar(0x00B5));
-        const auto tell = [&](const QString& said) { claims.push_back({Where::title, at, QString::fromStdString(language), said, setting}); };
+        const auto tell = [&](const QString& said) {
+            claims.push_back({Where::title, at, QString::fromStdString(language), said, setting});
+        };
         for (auto each = withUnit.globalMatch(title); each.hasNext();) {
             const QRegularExpressionMatch match = each.next();
             const auto unit = titleUnits().find(match.captured(2));
             if (unit == titleUnits().end())
                 continue;
             const std::vector<Attribute>& of = unit->second.of;
-            if (std::find(of.begin(), of.end(), stimulus.attribute) == of.end() || !same(numberIn(match.captured(1)) * unit->second.factor, stimulus.reference))
+            if (std::find(of.begin(), of.end(), stimulus.attribute) == of.end() ||
+                !same(numberIn(match.captured(1)) * unit->second.factor, stimulus.reference))
                 tell(match.captured(0));
         }
         if (stimulus.attribute == Attribute::friction) // the only attribute without a unit
             for (auto each = plain.globalMatch(title); each.hasNext();)
-                if (const QRegularExpressionMatch match = each.next(); !same(numberIn(match.captured(1)), stimulus.reference))
+                if (const QRegularExpressionMatch match = each.next();
+                    !same(numberIn(match.captured(1)), stimulus.reference))
                     tell(match.captured(1));
     }
 }
@@ -95,20 +109,30 @@ void checkTitle(std::vector<FalseClaim>& claims, const psychophysics::Condition&
 /// Statements that are true only with a certain setting.
 std::vector<Expected> expectations() {
     return {{"three out of four|drei von vier|τρεις από τέσσερις",
-             [](const StudyDesign& d) { return std::any_of(d.conditions.begin(), d.conditions.end(), [](const auto& each) { return same(each.criterion, 0.75); }); },
+             [](const StudyDesign& d) {
+                 return std::any_of(d.conditions.begin(), d.conditions.end(),
+                                    [](const auto& each) { return same(each.criterion, 0.75); });
+             },
              TextClaims::tr("the criterion is not 75 %")},
-            {"cannot see|can't see|unseen|invisible|nicht sehen|unsichtbar\\w*|δεν βλέπετε|αόρατ\\w*", [](const StudyDesign& d) { return !d.trial.visibleObjects; },
+            {"cannot see|can't see|unseen|invisible|nicht sehen|unsichtbar\\w*|δεν βλέπετε|αόρατ\\w*",
+             [](const StudyDesign& d) { return !d.trial.visibleObjects; },
              TextClaims::tr("the objects are shown")},
-            {"look alike|sehen gleich aus|φαίνονται ίδι\\w*", [](const StudyDesign& d) { return d.trial.visibleObjects; }, TextClaims::tr("the objects are not shown")},
-            {"as long as you like|no hurry|no time limit|so lange Sie möchten|solange Sie möchten|ohne Zeitdruck|όση ώρα θέλετε|χωρίς χρονικό όριο",
-             [](const StudyDesign& d) { return d.trial.exploreLimit_s <= 0.0; }, TextClaims::tr("the time to explore is limited")}};
+            {"look alike|sehen gleich aus|φαίνονται ίδι\\w*",
+             [](const StudyDesign& d) { return d.trial.visibleObjects; },
+             TextClaims::tr("the objects are not shown")},
+            {"as long as you like|no hurry|no time limit|so lange Sie möchten|solange Sie möchten|ohne "
+             "Zeitdruck|όση ώρα θέλετε|χωρίς χρονικό όριο",
+             [](const StudyDesign& d) { return d.trial.exploreLimit_s <= 0.0; },
+             TextClaims::tr("the time to explore is limited")}};
 }
 
 int numberOfWord(const QString& word) {
-    static const std::map<QString, int> numbers{{QStringLiteral("one"), 1},   {QStringLiteral("two"), 2},    {QStringLiteral("three"), 3}, {QStringLiteral("four"), 4},
-                                                {QStringLiteral("zwei"), 2},  {QStringLiteral("zweier"), 2}, {QStringLiteral("drei"), 3},  {QStringLiteral("dreier"), 3},
-                                                {QStringLiteral("vier"), 4},  {QStringLiteral("δύο"), 2},    {QStringLiteral("τρία"), 3},  {QStringLiteral("τρεις"), 3},
-                                                {QStringLiteral("τριών"), 3}, {QStringLiteral("τέσσερα"), 4}, {QStringLiteral("τέσσερις"), 4}};
+    static const std::map<QString, int> numbers{
+        {QStringLiteral("one"), 1},   {QStringLiteral("two"), 2},     {QStringLiteral("three"), 3},
+        {QStringLiteral("four"), 4},  {QStringLiteral("zwei"), 2},    {QStringLiteral("zweier"), 2},
+        {QStringLiteral("drei"), 3},  {QStringLiteral("dreier"), 3},  {QStringLiteral("vier"), 4},
+        {QStringLiteral("δύο"), 2},   {QStringLiteral("τρία"), 3},    {QStringLiteral("τρεις"), 3},
+        {QStringLiteral("τριών"), 3}, {QStringLiteral("τέσσερα"), 4}, {QStringLiteral("τέσσερις"), 4}};
     const auto found = numbers.find(word.toLower());
     return found == numbers.end() ? word.toInt() : found->second;
 }
@@ -123,27 +147,39 @@ Counts countsOf(const StudyDesign& design) {
     const session::ParticipantView view = session::participantView(design);
     for (const session::PartView& part : view.parts) {
         counts.objects.push_back(part.objects);
-        counts.trials.insert(counts.trials.end(), {static_cast<double>(part.trialsAtMost), static_cast<double>(part.practice)});
+        counts.trials.insert(counts.trials.end(),
+                             {static_cast<double>(part.trialsAtMost), static_cast<double>(part.practice)});
     }
     counts.trials.push_back(design.trial.breakEvery);
-    counts.seconds = {design.trial.exploreLimit_s, design.trial.answerLimit_s, design.trial.breakAtLeast_s, design.trial.betweenTrials_s};
+    counts.seconds = {design.trial.exploreLimit_s, design.trial.answerLimit_s, design.trial.breakAtLeast_s,
+                      design.trial.betweenTrials_s};
     return counts;
 }
 
-void checkSentences(std::vector<FalseClaim>& claims, const StudyDesign& design, const StudyText& texts, Where where, int condition = -1) {
-    static const QString kNumber = QStringLiteral("(?<!\\w)(\\d+|one|two|three|four|zweier|zwei|dreier|drei|vier|δύο|τρία|τρεις|τριών|τέσσερα|τέσσερις)\\s+");
-    static const QRegularExpression objects = pattern(kNumber + QStringLiteral("(?:objects|tubes|surfaces|spheres|Objekten?|Schläuchen?|Oberflächen|Kugeln|αντικείμενα|αντικειμένων|σωλήνες|σωλήνων|επιφάνειες|επιφανειών)(?!\\w)"));
-    static const QRegularExpression trials = pattern(kNumber + QStringLiteral("(?:trials|Durchgängen?|δοκιμές|δοκιμών)(?!\\w)"));
-    static const QRegularExpression seconds = pattern(kNumber + QStringLiteral("(?:seconds|Sekunden|δευτερόλεπτα|δευτερολέπτων)(?!\\w)"));
+void checkSentences(std::vector<FalseClaim>& claims, const StudyDesign& design, const StudyText& texts,
+                    Where where, int condition = -1) {
+    static const QString kNumber = QStringLiteral("(?<!\\w)(\\d+|one|two|three|four|zweier|zwei|dreier|drei|"
+                                                  "vier|δύο|τρία|τρεις|τριών|τέσσερα|τέσσερις)\\s+");
+    static const QRegularExpression objects = pattern(
+        kNumber + QStringLiteral("(?:objects|tubes|surfaces|spheres|Objekten?|Schläuchen?|Oberflächen|Kugeln|"
+                                 "αντικείμενα|αντικειμένων|σωλήνες|σωλήνων|επιφάνειες|επιφανειών)(?!\\w)"));
+    static const QRegularExpression trials =
+        pattern(kNumber + QStringLiteral("(?:trials|Durchgängen?|δοκιμές|δοκιμών)(?!\\w)"));
+    static const QRegularExpression seconds =
+        pattern(kNumber + QStringLiteral("(?:seconds|Sekunden|δευτερόλεπτα|δευτερολέπτων)(?!\\w)"));
     const Counts counts = countsOf(design);
     for (const auto& [language, words] : texts) {
         const QString text = QString::fromStdString(words);
-        const auto tell = [&](const QString& said, const QString& setting) { claims.push_back({where, condition, QString::fromStdString(language), said, setting}); };
-        const auto count = [&](const QRegularExpression& says, const std::vector<double>& set, const QString& setting) {
+        const auto tell = [&](const QString& said, const QString& setting) {
+            claims.push_back({where, condition, QString::fromStdString(language), said, setting});
+        };
+        const auto count = [&](const QRegularExpression& says, const std::vector<double>& set,
+                               const QString& setting) {
             for (auto each = says.globalMatch(text); each.hasNext();) {
                 const QRegularExpressionMatch match = each.next();
                 const double number = numberOfWord(match.captured(1));
-                if (std::none_of(set.begin(), set.end(), [number](double value) { return same(value, number); }))
+                if (std::none_of(set.begin(), set.end(),
+                                 [number](double value) { return same(value, number); }))
                     tell(match.captured(0), setting);
             }
         };
@@ -151,7 +187,8 @@ void checkSentences(std::vector<FalseClaim>& claims, const StudyDesign& design, 
         count(trials, counts.trials, TextClaims::tr("another number of trials is set"));
         count(seconds, counts.seconds, TextClaims::tr("another time is set"));
         for (const Expected& each : expectations())
-            if (const QRegularExpressionMatch match = pattern(QString::fromUtf8(each.words)).match(text); match.hasMatch() && !each.holds(design))
+            if (const QRegularExpressionMatch match = pattern(QString::fromUtf8(each.words)).match(text);
+                match.hasMatch() && !each.holds(design))
                 tell(match.captured(0), each.setting);
     }
 }
@@ -173,15 +210,20 @@ std::vector<FalseClaim> falseClaims(const StudyDesign& design, const QLocale& lo
 }
 
 QString claimWords(const FalseClaim& claim) {
-    return TextClaims::tr("The text says “%1” (%2), but %3. Change one of them.").arg(claim.said, languageName(claim.language), claim.setting);
+    return TextClaims::tr("The text says “%1” (%2), but %3. Change one of them.")
+        .arg(claim.said, languageName(claim.language), claim.setting);
 }
 
 QString fieldOf(Where where) {
     switch (where) {
-    case Where::aim: return QStringLiteral("design.objective");
-    case Where::instructions: return QStringLiteral("design.instructions");
-    case Where::title: return QStringLiteral("condition.title");
-    case Where::part: return QStringLiteral("condition.instructions");
+    case Where::aim:
+        return QStringLiteral("design.objective");
+    case Where::instructions:
+        return QStringLiteral("design.instructions");
+    case Where::title:
+        return QStringLiteral("condition.title");
+    case Where::part:
+        return QStringLiteral("condition.instructions");
     }
     return {};
 }

@@ -18,10 +18,10 @@ struct DesignPage;
 struct FalseClaim {
     enum class Where { aim, instructions, title, part };
     Where where = Where::aim;
-    int condition = -1;   ///< of a title, or of the text before a part
-    QString language;     ///< of the text: "en"
-    QString said;         ///< the words in the text: "60 N/m"
-    QString setting;      ///< the actual setting as a phrase: "the reference is 120 N/m"
+    int condition = -1; ///< of a title, or of the text before a part
+    QString language;   ///< of the text: "en"
+    QString said;       ///< the words in the text: "60 N/m"
+    QString setting;    ///< the actual setting as a phrase: "the reference is 120 N/m"
 };
 
 /// Finds such statements in each language of a text. In titles it checks numbers with units. In the aim, the

@@ -9,14 +9,21 @@
 namespace chiron::desktop {
 
 WithdrawDialog::WithdrawDialog(AppContext& context, const database::Participant& participant, QWidget* parent)
-    : FormDialog(context, QStringLiteral("withdraw"), tr("Withdraw %1").arg(QString::fromStdString(participant.code)), parent), m_participant(participant) {
-    column()->addWidget(kit::label(theme(), tr("The participant leaves the study; open runs are stopped. What was recorded stays under the "
-                                               "code, and the place in the order is free again.")));
+    : FormDialog(context, QStringLiteral("withdraw"),
+                 tr("Withdraw %1").arg(QString::fromStdString(participant.code)), parent),
+      m_participant(participant) {
+    column()->addWidget(kit::label(
+        theme(),
+        tr("The participant leaves the study; open runs are stopped. What was recorded stays under the "
+           "code, and the place in the order is free again.")));
     m_erase = new QCheckBox(tr("The participant wants the recordings erased"));
     m_erase->setObjectName(QStringLiteral("withdraw.erase"));
     m_erase->setFont(theme().font(TextStyle::body));
     column()->addWidget(m_erase);
-    column()->addWidget(kit::label(theme(), tr("The request is recorded, and administrators are told of it. One of them then erases the recordings (People, Erase a participant)."), TextStyle::small, "muted"));
+    column()->addWidget(kit::label(theme(),
+                                   tr("The request is recorded, and administrators are told of it. One of "
+                                      "them then erases the recordings (People, Erase a participant)."),
+                                   TextStyle::small, "muted"));
     column()->addWidget(kit::notice(theme(), "warning", tr("This cannot be undone.")));
     setAccept(tr("Withdraw"), "danger");
     setAcceptable(true);
@@ -26,14 +33,18 @@ WithdrawDialog::WithdrawDialog(AppContext& context, const database::Participant&
 void WithdrawDialog::submit() {
     setWorking(true);
     writeStudies(
-        context(), this, [id = m_participant.id, erase = m_erase->isChecked()](database::StudyRepository& studies) { return studies.withdrawParticipant(id, erase); },
+        context(), this,
+        [id = m_participant.id, erase = m_erase->isChecked()](database::StudyRepository& studies) {
+            return studies.withdrawParticipant(id, erase);
+        },
         [this](const core::Result<void>& done) {
             setWorking(false);
             if (!done) {
                 say("bad", tr("The participant was not withdrawn.\n%1").arg(inWords(done.error())));
                 return;
             }
-            context().messages().done(tr("%1 no longer takes part.").arg(QString::fromStdString(m_participant.code)));
+            context().messages().done(
+                tr("%1 no longer takes part.").arg(QString::fromStdString(m_participant.code)));
             emit changed();
             accept();
         });

@@ -20,7 +20,17 @@ namespace chiron::desktop {
 using psychophysics::ApexSummary;
 
 namespace {
-enum ApexColumn { codeColumn, biasXColumn, biasYColumn, sdXColumn, sdYColumn, errorColumn, trialsColumn, stateColumn, apexColumns };
+enum ApexColumn {
+    codeColumn,
+    biasXColumn,
+    biasYColumn,
+    sdXColumn,
+    sdYColumn,
+    errorColumn,
+    trialsColumn,
+    stateColumn,
+    apexColumns
+};
 constexpr int kMostApexRows = 14;
 constexpr int kFewestApexRows = 3;
 constexpr double kOne = 100.0; ///< converts a share into per cent
@@ -39,8 +49,10 @@ ApexPage::ApexPage(AppContext& app, const StudyFacts& facts, std::size_t conditi
     column->addWidget(chooser());
     const ApexFacts& apex = *facts.apexes[condition];
     if (apex.names.empty()) {
-        column->addWidget(kit::notice(app.theme(), "info", tr("Nobody has done this condition yet. Each participant's marks will appear "
-                                                              "here after the first run.")));
+        column->addWidget(
+            kit::notice(app.theme(), "info",
+                        tr("Nobody has done this condition yet. Each participant's marks will appear "
+                           "here after the first run.")));
         return;
     }
     column->addWidget(summaryBox(apex.summary, tr("Group"), 0));
@@ -53,7 +65,8 @@ ApexPage::ApexPage(AppContext& app, const StudyFacts& facts, const RunFacts& run
     : QWidget(parent), m_app(app), m_facts(facts), m_condition(run.condition) {
     auto* column = columnOf(this, app.theme());
     QComboBox* choice = runChoice(app, facts, &run);
-    connect(choice, &QComboBox::activated, this, [this, choice] { emit runChosen(choice->currentData().toLongLong()); });
+    connect(choice, &QComboBox::activated, this,
+            [this, choice] { emit runChosen(choice->currentData().toLongLong()); });
     column->addWidget(choice, 0, Qt::AlignLeft);
     const QString code = QString::fromStdString(facts.study.participants[run.participant].participant.code);
     column->addWidget(summaryBox(*run.apex, code, run.spoiled));
@@ -70,7 +83,8 @@ QWidget* ApexPage::chooser() {
         button->setObjectName(QStringLiteral("data.condition.%1").arg(i));
         button->setCheckable(true);
         button->setChecked(i == m_condition);
-        connect(button, &QPushButton::clicked, this, [this, i] { emit conditionChosen(static_cast<uint>(i)); });
+        connect(button, &QPushButton::clicked, this,
+                [this, i] { emit conditionChosen(static_cast<uint>(i)); });
         row->addWidget(button);
     }
     return bar;
@@ -81,7 +95,9 @@ QWidget* ApexPage::chooser() {
 QString ApexPage::error(double mm, double percent) const {
     const QLocale locale = m_app.locale();
     const QString share = study_words::percent(percent / kOne, locale);
-    return m_facts.study.blind() || !std::isfinite(mm) ? share : tr("%1 mm (%2)").arg(study_words::number(mm, locale), share);
+    return m_facts.study.blind() || !std::isfinite(mm)
+               ? share
+               : tr("%1 mm (%2)").arg(study_words::number(mm, locale), share);
 }
 
 /// For a narrow column: in mm only; while blind as a share of the radius.
@@ -112,14 +128,19 @@ QWidget* ApexPage::summaryBox(const ApexSummary& summary, const QString& title, 
     for (std::size_t i = 0; i < summary.axes.size(); ++i) {
         const psychophysics::ApexAxis& axis = summary.axes[i];
         const QString sd = tr("SD %1").arg(error(axis.sd_mm, axis.sdPercent));
-        fact(tr("Bias in %1").arg(axes[static_cast<qsizetype>(i)]), error(axis.bias_mm, axis.biasPercent), sd);
+        fact(tr("Bias in %1").arg(axes[static_cast<qsizetype>(i)]), error(axis.bias_mm, axis.biasPercent),
+             sd);
     }
     fact(tr("Mean absolute error"), error(summary.meanAbsolute_mm, summary.meanAbsolutePercent),
-         tr("SD %1; published: %2").arg(study_words::percent(summary.sdAbsolutePercent / kOne, locale), study_words::percent(psychophysics::kP2MeanPercent / kOne, locale)));
+         tr("SD %1; published: %2")
+             .arg(study_words::percent(summary.sdAbsolutePercent / kOne, locale),
+                  study_words::percent(psychophysics::kP2MeanPercent / kOne, locale)));
     box.layout->addWidget(grid);
-    box.layout->addWidget(kit::label(theme, tr("Per cent of the sphere's radius. %n mark(s)", nullptr, summary.trials) +
-                                                (repeated > 0 ? tr(", %n trial(s) repeated", nullptr, repeated) : QString()),
-                                     TextStyle::small, "muted"));
+    box.layout->addWidget(
+        kit::label(theme,
+                   tr("Per cent of the sphere's radius. %n mark(s)", nullptr, summary.trials) +
+                       (repeated > 0 ? tr(", %n trial(s) repeated", nullptr, repeated) : QString()),
+                   TextStyle::small, "muted"));
     return box.frame;
 }
 
@@ -149,7 +170,8 @@ QWidget* ApexPage::tableBox() {
     auto* table = new FittedTable(m_app.theme(), apexColumns);
     table->setObjectName(QStringLiteral("data.runs"));
     table->setAccessibleName(tr("Runs"));
-    table->setHorizontalHeaderLabels({tr("Code"), tr("Bias in x"), tr("Bias in y"), tr("SD in x"), tr("SD in y"), tr("Mean error"), tr("Trials"), tr("Run")});
+    table->setHorizontalHeaderLabels({tr("Code"), tr("Bias in x"), tr("Bias in y"), tr("SD in x"),
+                                      tr("SD in y"), tr("Mean error"), tr("Trials"), tr("Run")});
     std::vector<const RunFacts*> shown;
     for (const RunFacts& run : m_facts.runs)
         if (run.condition == m_condition && run.apex)
@@ -169,11 +191,15 @@ QWidget* ApexPage::tableBox() {
         put(sdXColumn, spread(x));
         put(sdYColumn, spread(y));
         put(errorColumn, error(run.apex->meanAbsolute_mm, run.apex->meanAbsolutePercent));
-        put(trialsColumn, run.spoiled > 0 ? tr("%1 (%2 repeated)").arg(locale.toString(run.scored), locale.toString(run.spoiled)) : locale.toString(run.scored));
+        put(trialsColumn,
+            run.spoiled > 0
+                ? tr("%1 (%2 repeated)").arg(locale.toString(run.scored), locale.toString(run.spoiled))
+                : locale.toString(run.scored));
         put(stateColumn, study_words::runState(run.run.state));
     }
     table->setRowsSeen(std::clamp(table->rowCount(), kFewestApexRows, kMostApexRows));
-    connect(table, &QTableWidget::activated, this, [this](const QModelIndex& index) { emit runOpened(index.data(Qt::UserRole).toLongLong()); });
+    connect(table, &QTableWidget::activated, this,
+            [this](const QModelIndex& index) { emit runOpened(index.data(Qt::UserRole).toLongLong()); });
     return table;
 }
 

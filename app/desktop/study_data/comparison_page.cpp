@@ -14,7 +14,8 @@ namespace {
 constexpr int kMostCompared = 14; ///< visible rows
 }
 
-ComparisonPage::ComparisonPage(AppContext& app, const StudyFacts& facts, QWidget* parent) : QWidget(parent), m_app(app), m_facts(facts) {
+ComparisonPage::ComparisonPage(AppContext& app, const StudyFacts& facts, QWidget* parent)
+    : QWidget(parent), m_app(app), m_facts(facts) {
     const Theme& theme = app.theme();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -27,21 +28,29 @@ ComparisonPage::ComparisonPage(AppContext& app, const StudyFacts& facts, QWidget
 
 void ComparisonPage::fill(QVBoxLayout& layout) {
     const Theme& theme = m_app.theme();
-    const auto say = [&](const QString& words) { layout.addWidget(kit::label(theme, words, TextStyle::body, "muted")); };
+    const auto say = [&](const QString& words) {
+        layout.addWidget(kit::label(theme, words, TextStyle::body, "muted"));
+    };
     if (conditionLabels(m_facts.study).size() < 2)
         return say(tr("This study has only one condition, so there is nothing to compare it with."));
     if (m_facts.study.blind())
         return say(session_report::comparisonSealed());
     if (!m_facts.comparisons.empty()) {
         layout.addWidget(table());
-        layout.addWidget(kit::label(theme, session_report::comparisonNote(session::testsThresholds(m_facts.comparisons)), TextStyle::small, "muted"));
+        layout.addWidget(
+            kit::label(theme, session_report::comparisonNote(session::testsThresholds(m_facts.comparisons)),
+                       TextStyle::small, "muted"));
     }
-    if (std::any_of(m_facts.apexes.begin(), m_facts.apexes.end(), [](const auto& each) { return each.has_value(); }))
-        return say(tr("Weber fractions are compared. The search for an apex has none: its groups tell errors in millimetres."));
+    if (std::any_of(m_facts.apexes.begin(), m_facts.apexes.end(),
+                    [](const auto& each) { return each.has_value(); }))
+        return say(tr("Weber fractions are compared. The search for an apex has none: its groups tell errors "
+                      "in millimetres."));
     auto* rule = kit::label(theme, session_report::groupRule(), TextStyle::small, "muted");
     rule->setObjectName(QStringLiteral("data.rule"));
     layout.addWidget(rule);
-    for (const QString& words : session_report::comparisonSentences(m_facts.rolls, m_facts.comparisons, [this](std::size_t at) { return name(at); }, m_app.locale())) {
+    for (const QString& words : session_report::comparisonSentences(
+             m_facts.rolls, m_facts.comparisons, [this](std::size_t at) { return name(at); },
+             m_app.locale())) {
         auto* notice = kit::notice(theme, "info", words);
         notice->setObjectName(QStringLiteral("data.comparison_missing"));
         layout.addWidget(notice);
@@ -62,7 +71,8 @@ QWidget* ComparisonPage::table() {
     table->setRowCount(static_cast<int>(m_facts.comparisons.size()));
     for (int row = 0; row < table->rowCount(); ++row) {
         const session::ComparedConditions& each = m_facts.comparisons[static_cast<std::size_t>(row)];
-        const std::vector<QString> cells = session_report::comparisonRow(each, name(each.first), name(each.second), thresholds, m_app.locale());
+        const std::vector<QString> cells = session_report::comparisonRow(
+            each, name(each.first), name(each.second), thresholds, m_app.locale());
         for (int column = 0; column < static_cast<int>(cells.size()); ++column)
             table->setItem(row, column, new QTableWidgetItem(cells[static_cast<std::size_t>(column)]));
     }

@@ -20,7 +20,18 @@
 namespace chiron::desktop {
 
 namespace {
-enum Column { codeColumn, weberColumn, intervalColumn, jndColumn, groupColumn, warningColumn, trialsColumn, priorColumn, stateColumn, columns };
+enum Column {
+    codeColumn,
+    weberColumn,
+    intervalColumn,
+    jndColumn,
+    groupColumn,
+    warningColumn,
+    trialsColumn,
+    priorColumn,
+    stateColumn,
+    columns
+};
 constexpr int kMostRows = 14;
 constexpr int kFewestRows = 3;
 constexpr double kUnknownFactor = 50.0; // ratio of the ends above which an interval is uninformative
@@ -38,8 +49,10 @@ GroupPage::GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condi
         return;
     }
     if (runs().empty()) {
-        column->addWidget(kit::notice(theme, "info", tr("Nobody has run this condition yet. Each participant's result appears here after "
-                                                        "their first run.")));
+        column->addWidget(
+            kit::notice(theme, "info",
+                        tr("Nobody has run this condition yet. Each participant's result appears here after "
+                           "their first run.")));
         if (!facts.rolls[condition].people.empty())
             addGroupWords(*column);
         return;
@@ -68,11 +81,13 @@ QWidget* GroupPage::chooser() {
         button->setObjectName(QStringLiteral("data.condition.%1").arg(i));
         button->setCheckable(true);
         button->setChecked(i == m_condition);
-        connect(button, &QPushButton::clicked, this, [this, i] { emit conditionChosen(static_cast<uint>(i)); });
+        connect(button, &QPushButton::clicked, this,
+                [this, i] { emit conditionChosen(static_cast<uint>(i)); });
         row->addWidget(button);
     }
     if (labels.size() > 1) {
-        auto* compare = kit::button(m_app.theme(), tr("Compare the conditions"), "quiet", QStringLiteral("office-chart-line"));
+        auto* compare = kit::button(m_app.theme(), tr("Compare the conditions"), "quiet",
+                                    QStringLiteral("office-chart-line"));
         compare->setObjectName(QStringLiteral("data.compare"));
         connect(compare, &QPushButton::clicked, this, &GroupPage::comparisonAsked);
         row->addWidget(compare);
@@ -83,7 +98,8 @@ QWidget* GroupPage::chooser() {
 QStringList GroupPage::weberWords(const psychophysics::GroupEstimate& group) const {
     const QLocale locale = m_app.locale();
     const QString interval = study_words::intervalPercent(group.weber95.low, group.weber95.high, locale);
-    const QString next = study_words::intervalPercent(group.prediction95.low, group.prediction95.high, locale);
+    const QString next =
+        study_words::intervalPercent(group.prediction95.low, group.prediction95.high, locale);
     QStringList words{tr("Weber fraction (random effects)")};
     if (!interval.isEmpty())
         words << tr("95 %: %1").arg(interval);
@@ -105,12 +121,16 @@ QWidget* GroupPage::groupBox() {
     const auto& designed = m_facts.designed[m_condition];
     QStringList words;
     if (std::isfinite(group.exponent)) { // magnitude estimates have no Weber fraction
-        box.layout->addWidget(kit::label(theme, study_words::number(group.exponent, locale), TextStyle::display, "accent"));
+        box.layout->addWidget(
+            kit::label(theme, study_words::number(group.exponent, locale), TextStyle::display, "accent"));
         words << tr("Exponent of the power law");
-        if (const QString interval = study_words::interval(group.exponent95.low, group.exponent95.high, locale); !interval.isEmpty())
+        if (const QString interval =
+                study_words::interval(group.exponent95.low, group.exponent95.high, locale);
+            !interval.isEmpty())
             words << tr("95 %: %1").arg(interval);
     } else if (std::isfinite(group.weber)) {
-        box.layout->addWidget(kit::label(theme, study_words::percent(group.weber, locale), TextStyle::display, "accent"));
+        box.layout->addWidget(
+            kit::label(theme, study_words::percent(group.weber, locale), TextStyle::display, "accent"));
         words << weberWords(group);
         if (!m_facts.study.blind() && designed && std::isfinite(group.jnd))
             words << tr("JND %1").arg(study_words::value(group.jnd, designed->stimulus.attribute, locale));
@@ -137,11 +157,14 @@ void GroupPage::addAgreement(QVBoxLayout& layout) const {
             }
     const QLocale locale = m_app.locale();
     if (of > 0)
-        layout.addWidget(kit::label(m_app.theme(), (m_facts.rankings[m_condition].tied > 0 ? tr("Rankings entirely correct: %1 of %2 (%3; chance level 16.7 "
-                                                                                                "% or less)")
-                                                                                          : tr("Rankings entirely correct: %1 of %2 (%3; chance level 16.7 "
-                                                                                               "%)"))
-                                                       .arg(locale.toString(right), locale.toString(of), study_words::percent(static_cast<double>(right) / of, locale)),
+        layout.addWidget(kit::label(m_app.theme(),
+                                    (m_facts.rankings[m_condition].tied > 0
+                                         ? tr("Rankings entirely correct: %1 of %2 (%3; chance level 16.7 "
+                                              "% or less)")
+                                         : tr("Rankings entirely correct: %1 of %2 (%3; chance level 16.7 "
+                                              "%)"))
+                                        .arg(locale.toString(right), locale.toString(of),
+                                             study_words::percent(static_cast<double>(right) / of, locale)),
                                     TextStyle::body, "muted"));
 }
 
@@ -158,7 +181,9 @@ QWidget* GroupPage::plotBox() {
     session_report::MarkedEstimates estimates;
     for (const RunFacts* run : runs()) {
         const double at = static_cast<double>(names.size());
-        names.push_back(session_report::markedValue(QString::fromStdString(m_facts.study.participants[run->participant].participant.code), run->estimate));
+        names.push_back(session_report::markedValue(
+            QString::fromStdString(m_facts.study.participants[run->participant].participant.code),
+            run->estimate));
         estimates.add(at, run->estimate, run->presence);
     }
     estimates.draw(*plot);
@@ -175,11 +200,14 @@ QWidget* GroupPage::tableBox() {
     auto* table = new FittedTable(theme, columns);
     table->setObjectName(QStringLiteral("data.runs"));
     table->setAccessibleName(tr("Runs"));
-    table->setHorizontalHeaderLabels({tr("Code"), tr("Weber fraction"), tr("95 % interval"), tr("JND"), tr("In the group"), tr("Warnings"), tr("Trials"), tr("Prior influence"), tr("Run")});
+    table->setHorizontalHeaderLabels({tr("Code"), tr("Weber fraction"), tr("95 % interval"), tr("JND"),
+                                      tr("In the group"), tr("Warnings"), tr("Trials"), tr("Prior influence"),
+                                      tr("Run")});
     table->horizontalHeaderItem(priorColumn)->setToolTip(session_report::influenceMeaning());
     const std::vector<const RunFacts*> shown = runs();
     const bool sealed = m_facts.study.blind() || !m_facts.designed[m_condition];
-    const psychophysics::Attribute attribute = sealed ? psychophysics::Attribute::stiffness : m_facts.designed[m_condition]->stimulus.attribute;
+    const psychophysics::Attribute attribute =
+        sealed ? psychophysics::Attribute::stiffness : m_facts.designed[m_condition]->stimulus.attribute;
     table->setRowCount(static_cast<int>(shown.size()));
     for (int row = 0; row < table->rowCount(); ++row) {
         const RunFacts& run = *shown[static_cast<std::size_t>(row)];
@@ -189,12 +217,21 @@ QWidget* GroupPage::tableBox() {
             table->setItem(row, column, item);
         };
         put(codeColumn, QString::fromStdString(m_facts.study.participants[run.participant].participant.code));
-        put(weberColumn, session_report::markedValue(study_words::percent(run.estimate.weber, locale), run.estimate));
-        put(intervalColumn, study_words::intervalPercent(run.estimate.weber95.low, run.estimate.weber95.high, locale));
-        put(jndColumn, sealed ? tr("sealed") : session_report::markedValue(study_words::value(run.estimate.jnd, attribute, locale), run.estimate));
+        put(weberColumn,
+            session_report::markedValue(study_words::percent(run.estimate.weber, locale), run.estimate));
+        put(intervalColumn,
+            study_words::intervalPercent(run.estimate.weber95.low, run.estimate.weber95.high, locale));
+        put(jndColumn, sealed ? tr("sealed")
+                              : session_report::markedValue(
+                                    study_words::value(run.estimate.jnd, attribute, locale), run.estimate));
         put(groupColumn, session_report::presenceWords(run.presence));
-        put(trialsColumn, run.spoiled > 0 ? tr("%1 (%2 repeated)").arg(locale.toString(run.scored), locale.toString(run.spoiled)) : locale.toString(run.scored));
-        put(priorColumn, std::isfinite(run.estimate.priorInfluence) ? study_words::percent(run.estimate.priorInfluence, locale) : QString());
+        put(trialsColumn,
+            run.spoiled > 0
+                ? tr("%1 (%2 repeated)").arg(locale.toString(run.scored), locale.toString(run.spoiled))
+                : locale.toString(run.scored));
+        put(priorColumn, std::isfinite(run.estimate.priorInfluence)
+                             ? study_words::percent(run.estimate.priorInfluence, locale)
+                             : QString());
         put(stateColumn, study_words::runState(run.run.state));
         QStringList warnings;
         for (const psychophysics::Warning& warning : run.estimate.warnings)
@@ -202,12 +239,14 @@ QWidget* GroupPage::tableBox() {
         put(warningColumn, warnings.join(QStringLiteral("; ")));
     }
     table->setRowsSeen(std::clamp(table->rowCount(), kFewestRows, kMostRows));
-    connect(table, &QTableWidget::activated, this, [this](const QModelIndex& index) { emit runOpened(index.data(Qt::UserRole).toLongLong()); });
+    connect(table, &QTableWidget::activated, this,
+            [this](const QModelIndex& index) { emit runOpened(index.data(Qt::UserRole).toLongLong()); });
     auto* part = new QWidget;
     auto* column = new QVBoxLayout(part);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(table);
-    const bool marked = std::any_of(shown.begin(), shown.end(), [](const RunFacts* run) { return !run->estimate.warnings.empty(); });
+    const bool marked = std::any_of(shown.begin(), shown.end(),
+                                    [](const RunFacts* run) { return !run->estimate.warnings.empty(); });
     if (marked)
         column->addWidget(kit::label(theme, session_report::markMeaning(), TextStyle::small, "muted"));
     return part;
@@ -219,7 +258,8 @@ void GroupPage::addGroupWords(QVBoxLayout& layout) const {
     const QStringList said = session_report::groupSentences(m_facts.rolls[m_condition], m_app.locale());
     for (qsizetype i = 0; i < said.size(); ++i) {
         auto* words = i == 0 ? kit::label(theme, said[i]) : kit::notice(theme, "info", said[i]);
-        words->setObjectName(i == 0 ? QStringLiteral("data.group_statement") : QStringLiteral("data.group_missing"));
+        words->setObjectName(i == 0 ? QStringLiteral("data.group_statement")
+                                    : QStringLiteral("data.group_missing"));
         layout.addWidget(words);
     }
     auto* rule = kit::label(theme, session_report::groupRule(), TextStyle::small, "muted");

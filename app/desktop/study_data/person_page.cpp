@@ -37,15 +37,19 @@ QComboBox* runChoice(AppContext& app, const StudyFacts& facts, const RunFacts* c
     choice->setFont(app.theme().font(TextStyle::body));
     choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     for (const RunFacts& run : facts.runs)
-        choice->addItem(QStringLiteral("%1 · %2").arg(QString::fromStdString(facts.study.participants[run.participant].participant.code),
-                                                      conditionName(facts.study, session::labelOf(run.run), app.language())),
-                        qlonglong(run.run.id));
+        choice->addItem(
+            QStringLiteral("%1 · %2").arg(
+                QString::fromStdString(facts.study.participants[run.participant].participant.code),
+                conditionName(facts.study, session::labelOf(run.run), app.language())),
+            qlonglong(run.run.id));
     if (chosen)
         choice->setCurrentIndex(choice->findData(qlonglong(chosen->run.id)));
     return choice;
 }
 
-PersonPage::PersonPage(AppContext& app, const StudyFacts& facts, database::StudyRunNumber run, QWidget* parent) : QWidget(parent), m_app(app), m_facts(facts) {
+PersonPage::PersonPage(AppContext& app, const StudyFacts& facts, database::StudyRunNumber run,
+                       QWidget* parent)
+    : QWidget(parent), m_app(app), m_facts(facts) {
     const Theme& theme = app.theme();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -56,7 +60,8 @@ PersonPage::PersonPage(AppContext& app, const StudyFacts& facts, database::Study
         return;
     }
     QComboBox* choice = runChoice(app, facts, shown);
-    connect(choice, &QComboBox::activated, this, [this, choice] { emit runChosen(choice->currentData().toLongLong()); });
+    connect(choice, &QComboBox::activated, this,
+            [this, choice] { emit runChosen(choice->currentData().toLongLong()); });
     column->addWidget(choice, 0, Qt::AlignLeft);
     if (facts.sealed) {
         column->addWidget(new QualityBox(app, facts));
@@ -82,56 +87,77 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
         column->setSpacing(0);
         column->addWidget(kit::label(theme, name, TextStyle::small, "muted"));
         column->addWidget(kit::label(theme, value, TextStyle::title));
-        column->addWidget(kit::label(theme, interval.isEmpty() ? tr("no interval") : tr("95 %: %1").arg(interval), TextStyle::small, "muted"));
+        column->addWidget(kit::label(theme,
+                                     interval.isEmpty() ? tr("no interval") : tr("95 %: %1").arg(interval),
+                                     TextStyle::small, "muted"));
         grid->cell(part);
     };
     const auto marked = [&](const QString& value) { return session_report::markedValue(value, estimate); };
-    fact(tr("Weber fraction"), marked(study_words::percent(estimate.weber, locale)), study_words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale));
+    fact(tr("Weber fraction"), marked(study_words::percent(estimate.weber, locale)),
+         study_words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale));
     if (!m_facts.study.blind() && condition) {
         const psychophysics::StimulusDesign& stimulus = condition->stimulus;
         const double perWeber = stimulus.reference * study_words::unitOf(stimulus.attribute).factor;
-        fact(tr("JND at the reference"), marked(study_words::value(estimate.jnd, stimulus.attribute, locale)),
-             study_words::interval(estimate.weber95.low * perWeber, estimate.weber95.high * perWeber, locale));
+        fact(
+            tr("JND at the reference"), marked(study_words::value(estimate.jnd, stimulus.attribute, locale)),
+            study_words::interval(estimate.weber95.low * perWeber, estimate.weber95.high * perWeber, locale));
         if (std::isfinite(estimate.pse)) {
             const double factor = study_words::unitOf(stimulus.attribute).factor;
-            fact(tr("Point of subjective equality"), study_words::value(estimate.pse, stimulus.attribute, locale),
+            fact(tr("Point of subjective equality"),
+                 study_words::value(estimate.pse, stimulus.attribute, locale),
                  study_words::interval(estimate.pse95.low * factor, estimate.pse95.high * factor, locale));
         }
     }
-    fact(tr("Internal noise, log10"), study_words::number(estimate.sigma_log10, locale), study_words::interval(estimate.sigma95.low, estimate.sigma95.high, locale));
+    fact(tr("Internal noise, log10"), study_words::number(estimate.sigma_log10, locale),
+         study_words::interval(estimate.sigma95.low, estimate.sigma95.high, locale));
     if (std::isfinite(estimate.tie))
-        fact(tr("Equality threshold (σ)"), study_words::number(estimate.tie, locale), study_words::interval(estimate.tie95.low, estimate.tie95.high, locale));
+        fact(tr("Equality threshold (σ)"), study_words::number(estimate.tie, locale),
+             study_words::interval(estimate.tie95.low, estimate.tie95.high, locale));
     if (std::isfinite(estimate.exponent))
-        fact(tr("Exponent of the power law"), study_words::number(estimate.exponent, locale), study_words::interval(estimate.exponent95.low, estimate.exponent95.high, locale));
+        fact(tr("Exponent of the power law"), study_words::number(estimate.exponent, locale),
+             study_words::interval(estimate.exponent95.low, estimate.exponent95.high, locale));
     box.layout->addWidget(grid);
-    auto* use = kit::label(theme, tr("In the group value: %1.").arg(session_report::presenceWords(run.presence)));
+    auto* use =
+        kit::label(theme, tr("In the group value: %1.").arg(session_report::presenceWords(run.presence)));
     use->setObjectName(QStringLiteral("data.run_use"));
     box.layout->addWidget(use);
     const QString method = session_report::methodWords(estimate.method);
-    box.layout->addWidget(kit::label(theme, tr("%1. %2. %3 scored trials, %4 repeated. %5")
-                                                .arg(condition ? study_words::task(condition->task) : QStringLiteral("–"),
-                                                     run.run.procedures.empty() ? QStringLiteral("–") : study_words::procedure(run.run.procedures), locale.toString(run.scored),
-                                                     locale.toString(run.spoiled), method.isEmpty() ? method : method + QLatin1Char('.')),
-                                     TextStyle::small, "muted"));
-    const auto unmasked = std::count_if(run.trials.begin(), run.trials.end(), [](const database::StudyTrial& trial) {
-        return session::circumstancesOf(trial.fidelityJson).masking == session::TrialCircumstances::kMaskingSilent;
-    });
+    box.layout->addWidget(
+        kit::label(theme,
+                   tr("%1. %2. %3 scored trials, %4 repeated. %5")
+                       .arg(condition ? study_words::task(condition->task) : QStringLiteral("–"),
+                            run.run.procedures.empty() ? QStringLiteral("–")
+                                                       : study_words::procedure(run.run.procedures),
+                            locale.toString(run.scored), locale.toString(run.spoiled),
+                            method.isEmpty() ? method : method + QLatin1Char('.')),
+                   TextStyle::small, "muted"));
+    const auto unmasked =
+        std::count_if(run.trials.begin(), run.trials.end(), [](const database::StudyTrial& trial) {
+            return session::circumstancesOf(trial.fidelityJson).masking ==
+                   session::TrialCircumstances::kMaskingSilent;
+        });
     if (unmasked > 0) {
-        auto* said = kit::notice(theme, "warning", tr("The masking sound was not heard in %1 of %2 trials: the machine had no sound output.")
-                                                       .arg(locale.toString(qlonglong(unmasked)), locale.toString(qlonglong(run.trials.size()))));
+        auto* said = kit::notice(
+            theme, "warning",
+            tr("The masking sound was not heard in %1 of %2 trials: the machine had no sound output.")
+                .arg(locale.toString(qlonglong(unmasked)), locale.toString(qlonglong(run.trials.size()))));
         said->setObjectName(QStringLiteral("data.not_masked"));
         box.layout->addWidget(said);
     }
-    if (const QString influence = session_report::influenceWords(estimate.priorInfluence, locale); !influence.isEmpty())
+    if (const QString influence = session_report::influenceWords(estimate.priorInfluence, locale);
+        !influence.isEmpty())
         box.layout->addWidget(kit::label(theme, influence, TextStyle::small, "muted"));
     const session::ReplayedChoices& again = run.replayed;
     if (again.trials > 0)
-        box.layout->addWidget(kit::label(theme, again.same + again.ties == again.trials && again.sameProcedures
-                                                    ? tr("Replayed from its log, the procedure makes the same %n choice(s).", nullptr, again.trials)
-                                                    : tr("Replayed from its log, the procedure makes different choices: only %1 of %2 "
-                                                         "match.")
-                                                          .arg(locale.toString(again.same + again.ties), locale.toString(again.trials)),
-                                         TextStyle::small, again.same + again.ties == again.trials ? "muted" : "warning"));
+        box.layout->addWidget(kit::label(
+            theme,
+            again.same + again.ties == again.trials && again.sameProcedures
+                ? tr("Replayed from its log, the procedure makes the same %n choice(s).", nullptr,
+                     again.trials)
+                : tr("Replayed from its log, the procedure makes different choices: only %1 of %2 "
+                     "match.")
+                      .arg(locale.toString(again.same + again.ties), locale.toString(again.trials)),
+            TextStyle::small, again.same + again.ties == again.trials ? "muted" : "warning"));
     if (!estimate.warnings.empty())
         box.layout->addWidget(kit::label(theme, session_report::markMeaning(), TextStyle::small, "muted"));
     for (const psychophysics::Warning& warning : estimate.warnings)

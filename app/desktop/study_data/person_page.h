@@ -12,7 +12,8 @@ namespace chiron::desktop {
 class PersonPage final : public QWidget {
     Q_OBJECT
 public:
-    PersonPage(AppContext& app, const StudyFacts& facts, database::StudyRunNumber run, QWidget* parent = nullptr);
+    PersonPage(AppContext& app, const StudyFacts& facts, database::StudyRunNumber run,
+               QWidget* parent = nullptr);
 
 signals:
     void runChosen(qlonglong run);

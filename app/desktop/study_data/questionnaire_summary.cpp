@@ -27,7 +27,8 @@ double quantileOf(const std::vector<double>& sorted, double q) {
 
 } // namespace
 
-QuestionnaireSummary::QuestionnaireSummary(AppContext& app, const StudyFacts& facts, QWidget* parent) : QWidget(parent), m_app(app), m_facts(facts) {
+QuestionnaireSummary::QuestionnaireSummary(AppContext& app, const StudyFacts& facts, QWidget* parent)
+    : QWidget(parent), m_app(app), m_facts(facts) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(app.theme().px(14));
@@ -40,18 +41,28 @@ QuestionnaireSummary::QuestionnaireSummary(AppContext& app, const StudyFacts& fa
 QWidget* QuestionnaireSummary::questionnaireBox(const psychophysics::Questionnaire& questionnaire) const {
     const Theme& theme = m_app.theme();
     const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, study_words::text(questionnaire.title, m_app.language()), TextStyle::title));
+    box.layout->addWidget(
+        kit::label(theme, study_words::text(questionnaire.title, m_app.language()), TextStyle::title));
     int people = 0;
     for (const auto& [participant, id] : m_facts.study.answered)
         people += id == questionnaire.id ? 1 : 0;
-    box.layout->addWidget(kit::label(theme, people == 0 ? tr("Nobody has answered it yet.") : tr("Answered by %n participant(s)", nullptr, people), TextStyle::body, "muted"));
+    box.layout->addWidget(kit::label(theme,
+                                     people == 0 ? tr("Nobody has answered it yet.")
+                                                 : tr("Answered by %n participant(s)", nullptr, people),
+                                     TextStyle::body, "muted"));
     const auto parts = session::answeredParts(m_facts.study.design, questionnaire, m_facts.answers);
     if (people > 0 && parts.empty())
-        box.layout->addWidget(kit::notice(theme, "info", tr("Answers about single conditions are shown once the study is unblinded.")));
+        box.layout->addWidget(kit::notice(
+            theme, "info", tr("Answers about single conditions are shown once the study is unblinded.")));
     for (const session::AnsweredPart& part : parts) {
         if (!part.label.empty()) {
-            auto* about = kit::label(theme, tr("About the condition %1").arg(conditionName(m_facts.study, part.label, m_app.language())), TextStyle::title);
-            about->setObjectName(QStringLiteral("summary.%1.%2").arg(QString::fromStdString(questionnaire.id), QString::fromStdString(part.label)));
+            auto* about = kit::label(
+                theme,
+                tr("About the condition %1").arg(conditionName(m_facts.study, part.label, m_app.language())),
+                TextStyle::title);
+            about->setObjectName(
+                QStringLiteral("summary.%1.%2")
+                    .arg(QString::fromStdString(questionnaire.id), QString::fromStdString(part.label)));
             box.layout->addWidget(about);
         }
         for (const QString& line : scoreLines(questionnaire, part.answers))
@@ -66,15 +77,19 @@ QWidget* QuestionnaireSummary::questionnaireBox(const psychophysics::Questionnai
 }
 
 /// The instrument's scores from the answers: first the total, then its parts.
-QStringList QuestionnaireSummary::scoreLines(const psychophysics::Questionnaire& questionnaire, const std::vector<database::QuestionnaireAnswer>& answers) const {
+QStringList
+QuestionnaireSummary::scoreLines(const psychophysics::Questionnaire& questionnaire,
+                                 const std::vector<database::QuestionnaireAnswer>& answers) const {
     std::map<database::ParticipantNumber, psychophysics::QuestionnaireReply> replies;
     for (const database::QuestionnaireAnswer& answer : answers)
         if (answer.number)
             replies[answer.participant].numbers[answer.item] = *answer.number;
     std::vector<std::pair<std::string, std::vector<double>>> values;
     for (const auto& [participant, reply] : replies)
-        for (const psychophysics::InstrumentScore& score : psychophysics::instrumentScores(questionnaire, reply)) {
-            auto at = std::find_if(values.begin(), values.end(), [&](const auto& each) { return each.first == score.id; });
+        for (const psychophysics::InstrumentScore& score :
+             psychophysics::instrumentScores(questionnaire, reply)) {
+            auto at = std::find_if(values.begin(), values.end(),
+                                   [&](const auto& each) { return each.first == score.id; });
             if (at == values.end())
                 at = values.insert(values.end(), {score.id, {}});
             if (std::isfinite(score.value))
@@ -86,14 +101,17 @@ QStringList QuestionnaireSummary::scoreLines(const psychophysics::Questionnaire&
             continue;
         std::sort(numbers.begin(), numbers.end());
         const auto shown = [&](double value) { return m_app.locale().toString(value, 'f', 1); };
-        lines << tr("%1: median %2, from %3 to %4, of %n participant(s)", nullptr, static_cast<int>(numbers.size()))
-                     .arg(scoreName(id, questionnaire), shown(quantileOf(numbers, 0.5)), shown(numbers.front()), shown(numbers.back()));
+        lines << tr("%1: median %2, from %3 to %4, of %n participant(s)", nullptr,
+                    static_cast<int>(numbers.size()))
+                     .arg(scoreName(id, questionnaire), shown(quantileOf(numbers, 0.5)),
+                          shown(numbers.front()), shown(numbers.back()));
     }
     return lines;
 }
 
 /// Name of a score, or of the scale that it belongs to.
-QString QuestionnaireSummary::scoreName(const std::string& id, const psychophysics::Questionnaire& questionnaire) const {
+QString QuestionnaireSummary::scoreName(const std::string& id,
+                                        const psychophysics::Questionnaire& questionnaire) const {
     if (id == "sus")
         return tr("Usability score (0 to 100)");
     if (id == "workload")
@@ -106,7 +124,8 @@ QString QuestionnaireSummary::scoreName(const std::string& id, const psychophysi
     return QString::fromStdString(id);
 }
 
-QWidget* QuestionnaireSummary::itemPart(const QuestionnaireItem& item, const std::vector<database::QuestionnaireAnswer>& answers) const {
+QWidget* QuestionnaireSummary::itemPart(const QuestionnaireItem& item,
+                                        const std::vector<database::QuestionnaireAnswer>& answers) const {
     const Theme& theme = m_app.theme();
     const QLocale locale = m_app.locale();
     auto* part = new QWidget;
@@ -128,9 +147,11 @@ QWidget* QuestionnaireSummary::itemPart(const QuestionnaireItem& item, const std
     if (numbers.empty() && texts.isEmpty())
         column->addWidget(kit::label(theme, tr("No answers"), TextStyle::body, "muted"));
     if (!numbers.empty() && item.kind != QuestionnaireItem::Kind::choice)
-        column->addWidget(kit::label(theme, tr("Median %1, interquartile range %2 to %3")
-                                                .arg(study_words::plainNumber(quantileOf(numbers, 0.5), locale), study_words::plainNumber(quantileOf(numbers, 0.25), locale),
-                                                     study_words::plainNumber(quantileOf(numbers, 0.75), locale))));
+        column->addWidget(
+            kit::label(theme, tr("Median %1, interquartile range %2 to %3")
+                                  .arg(study_words::plainNumber(quantileOf(numbers, 0.5), locale),
+                                       study_words::plainNumber(quantileOf(numbers, 0.25), locale),
+                                       study_words::plainNumber(quantileOf(numbers, 0.75), locale))));
     if (!numbers.empty() && item.kind != QuestionnaireItem::Kind::number)
         column->addWidget(barsOf(item, numbers));
     for (const QString& text : texts)
@@ -138,7 +159,8 @@ QWidget* QuestionnaireSummary::itemPart(const QuestionnaireItem& item, const std
     return part;
 }
 
-QWidget* QuestionnaireSummary::barsOf(const QuestionnaireItem& item, const std::vector<double>& numbers) const {
+QWidget* QuestionnaireSummary::barsOf(const QuestionnaireItem& item,
+                                      const std::vector<double>& numbers) const {
     const Theme& theme = m_app.theme();
     const bool likert = item.kind == QuestionnaireItem::Kind::likert;
     const int first = likert ? 1 : 0;
@@ -146,8 +168,12 @@ QWidget* QuestionnaireSummary::barsOf(const QuestionnaireItem& item, const std::
     std::vector<QString> names;
     std::vector<report::PlotPoint> tops;
     for (int i = 0; i < count; ++i) {
-        names.push_back(likert ? m_app.locale().toString(i + 1) : study_words::text(item.choices[static_cast<std::size_t>(i)], m_app.language()));
-        tops.push_back({static_cast<double>(i), static_cast<double>(std::count(numbers.begin(), numbers.end(), static_cast<double>(first + i)))});
+        names.push_back(likert
+                            ? m_app.locale().toString(i + 1)
+                            : study_words::text(item.choices[static_cast<std::size_t>(i)], m_app.language()));
+        tops.push_back(
+            {static_cast<double>(i), static_cast<double>(std::count(numbers.begin(), numbers.end(),
+                                                                    static_cast<double>(first + i)))});
     }
     auto* plot = new report::PlotView(plotThemeOf(theme, m_app.locale()));
     plot->setMinimumHeight(theme.px(180));
@@ -155,7 +181,11 @@ QWidget* QuestionnaireSummary::barsOf(const QuestionnaireItem& item, const std::
     plot->setTitle({});
     plot->setYWholeNumbers();
     plot->setYAxis({tr("Answers"), 0.0, {}});
-    plot->setXAxis({likert ? tr("%1 … %2").arg(study_words::text(item.low, m_app.language()), study_words::text(item.high, m_app.language())) : QString(), {}, {}});
+    plot->setXAxis({likert ? tr("%1 … %2").arg(study_words::text(item.low, m_app.language()),
+                                               study_words::text(item.high, m_app.language()))
+                           : QString(),
+                    {},
+                    {}});
     plot->addBars(tr("answers"), tops, report::PlotStyle::solidA, 0, 1);
     plot->setXCategories(names);
     return plot;

@@ -19,8 +19,10 @@ private:
     QWidget* questionnaireBox(const psychophysics::Questionnaire& questionnaire) const;
     QString scoreName(const std::string& id, const psychophysics::Questionnaire& questionnaire) const;
     /// `answers`: all answers to this questionnaire, of one condition if it is asked after each.
-    QStringList scoreLines(const psychophysics::Questionnaire& questionnaire, const std::vector<database::QuestionnaireAnswer>& answers) const;
-    QWidget* itemPart(const psychophysics::QuestionnaireItem& item, const std::vector<database::QuestionnaireAnswer>& answers) const;
+    QStringList scoreLines(const psychophysics::Questionnaire& questionnaire,
+                           const std::vector<database::QuestionnaireAnswer>& answers) const;
+    QWidget* itemPart(const psychophysics::QuestionnaireItem& item,
+                      const std::vector<database::QuestionnaireAnswer>& answers) const;
     QWidget* barsOf(const psychophysics::QuestionnaireItem& item, const std::vector<double>& numbers) const;
 
     AppContext& m_app;

@@ -22,11 +22,13 @@ public:
     enum class Of { person, group };
 
     /// Keeps nothing of `summary`.
-    RankingBox(AppContext& app, const psychophysics::RankingSummary& summary, Of of, QWidget* parent = nullptr);
+    RankingBox(AppContext& app, const psychophysics::RankingSummary& summary, Of of,
+               QWidget* parent = nullptr);
 
 private:
     void addMeasures(QVBoxLayout& column, const psychophysics::RankingSummary& summary, Of of);
-    void addMeasure(FieldGrid& grid, const QString& name, const QString& value, const QString& detail, const QString& meaning);
+    void addMeasure(FieldGrid& grid, const QString& name, const QString& value, const QString& detail,
+                    const QString& meaning);
     void addWorths(QVBoxLayout& column, const psychophysics::RankingSummary& summary);
     QWidget* worthPlot(const QString& title, const QString& axis, const psychophysics::WorthEstimate& worth);
     QWidget* worthTable(const psychophysics::RankingSummary& summary);

@@ -8,7 +8,9 @@ namespace chiron::desktop {
 
 namespace {
 
-tl::unexpected<core::Error> storageError(const QString& words) { return core::fail(core::ErrorCode::storage, words.toStdString()); }
+tl::unexpected<core::Error> storageError(const QString& words) {
+    return core::fail(core::ErrorCode::storage, words.toStdString());
+}
 
 } // namespace
 
@@ -19,7 +21,8 @@ QString freeFolder(const QString& folder) {
     return free;
 }
 
-core::Result<void> inPlaceOf(const QString& folder, bool replaces, const std::function<core::Result<void>()>& write) {
+core::Result<void> inPlaceOf(const QString& folder, bool replaces,
+                             const std::function<core::Result<void>()>& write) {
     if (!replaces)
         return write();
     const QString before = freeFolder(folder + QStringLiteral("-before"));
@@ -28,11 +31,13 @@ core::Result<void> inPlaceOf(const QString& folder, bool replaces, const std::fu
     auto done = write();
     if (!done) {
         if (!QDir().rename(before, folder))
-            return storageError(QStringLiteral("%1; the earlier export is now %2").arg(QString::fromStdString(done.error().message), before));
+            return storageError(QStringLiteral("%1; the earlier export is now %2")
+                                    .arg(QString::fromStdString(done.error().message), before));
         return done;
     }
     if (!QDir(before).removeRecursively())
-        return storageError(before + QStringLiteral(": the earlier export cannot be removed; the new one is whole"));
+        return storageError(before +
+                            QStringLiteral(": the earlier export cannot be removed; the new one is whole"));
     return {};
 }
 

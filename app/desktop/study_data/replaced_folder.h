@@ -14,6 +14,7 @@ QString freeFolder(const QString& folder);
 /// Writes a folder by `write`. With `replaces` it replaces an existing folder: the old one is removed only
 /// once the new one is complete, and put back if writing failed.
 /// Errors: those of `write`; storage if the earlier folder cannot be moved away, moved back or removed.
-core::Result<void> inPlaceOf(const QString& folder, bool replaces, const std::function<core::Result<void>()>& write);
+core::Result<void> inPlaceOf(const QString& folder, bool replaces,
+                             const std::function<core::Result<void>()>& write);
 
 } // namespace chiron::desktop

@@ -37,10 +37,12 @@ QWidget* StudyDataScreen::toolRow() {
         row->addWidget(button);
         return button;
     };
-    add("data.csv", tr("CSV …"), "document-export-table", [this] { askFolder(&StudyDataScreen::exportCsvTo); });
+    add("data.csv", tr("CSV …"), "document-export-table",
+        [this] { askFolder(&StudyDataScreen::exportCsvTo); });
     add("data.bids", tr("BIDS …"), "document-export", [this] { askFolder(&StudyDataScreen::exportBidsTo); });
     add("data.pdf", tr("PDF …"), "document-print", [this] { askPdf(); });
-    const bool own = m_facts.study.summary.author == context().actor().personId() || context().has(database::Role::admin);
+    const bool own =
+        m_facts.study.summary.author == context().actor().personId() || context().has(database::Role::admin);
     if (m_facts.study.blind() && own)
         add("data.unblind", tr("Unblind …"), "object-unlocked", [this] { askUnblind(); });
     return bar;
@@ -56,7 +58,9 @@ void StudyDataScreen::askUnblind() {
     std::vector<database::Participant> people;
     for (const ParticipantRow& row : m_facts.study.participants)
         people.push_back(row.participant);
-    auto* dialog = new UnblindDialog(context(), m_study, session::peopleToCome(m_facts.study.design, m_facts.study.summary, people), window());
+    auto* dialog = new UnblindDialog(
+        context(), m_study, session::peopleToCome(m_facts.study.design, m_facts.study.summary, people),
+        window());
     connect(dialog, &UnblindDialog::changed, this, &StudyDataScreen::load);
     dialog->open();
 }
@@ -64,9 +68,11 @@ void StudyDataScreen::askUnblind() {
 /// Returns whether an export can start now; otherwise says why not.
 bool StudyDataScreen::mayExport() {
     if (m_panel->state() != StatePanel::State::content)
-        context().messages().information(tr("The study is not on the screen yet, so nothing was exported. Try again once it is there."));
+        context().messages().information(
+            tr("The study is not on the screen yet, so nothing was exported. Try again once it is there."));
     else if (m_exporting)
-        context().messages().information(tr("The export before is still being written. Try again once it says where it is."));
+        context().messages().information(
+            tr("The export before is still being written. Try again once it says where it is."));
     else
         return true;
     return false;
@@ -74,7 +80,8 @@ bool StudyDataScreen::mayExport() {
 
 /// Says that nothing was exported when the dialog is closed.
 void StudyDataScreen::tellIfCancelled(QFileDialog* dialog) {
-    connect(dialog, &QDialog::rejected, this, [this] { context().messages().information(tr("Nothing was exported: no place was chosen.")); });
+    connect(dialog, &QDialog::rejected, this,
+            [this] { context().messages().information(tr("Nothing was exported: no place was chosen.")); });
 }
 
 void StudyDataScreen::askFolder(void (StudyDataScreen::*then)(const QString&)) {
@@ -91,8 +98,9 @@ void StudyDataScreen::askFolder(void (StudyDataScreen::*then)(const QString&)) {
     dialog->open();
 }
 
-void StudyDataScreen::exportTo(const ExportWords& words,
-                               const std::function<core::Result<void>(database::Connection&, database::StudyReader&)>& write) {
+void StudyDataScreen::exportTo(
+    const ExportWords& words,
+    const std::function<core::Result<void>(database::Connection&, database::StudyReader&)>& write) {
     const QPointer<QProgressDialog> progress = new QProgressDialog(words.writing, QString(), 0, 0, this);
     progress->setWindowModality(Qt::WindowModal);
     progress->setMinimumDuration(500); // shorter work needs no window
@@ -100,13 +108,15 @@ void StudyDataScreen::exportTo(const ExportWords& words,
     m_exporting = true;
     context().background().run(
         &context(), // so that people who moved to another screen get the result as well
-        [&database = context().site().database(), actor = context().actor(), write](WorkToken&) -> core::Result<void> {
+        [&database = context().site().database(), actor = context().actor(),
+         write](WorkToken&) -> core::Result<void> {
             auto connection = database.openReader();
             CHIRON_TRY(connection);
             database::StudyReader reader(**connection, actor);
             return write(**connection, reader);
         },
-        [&app = context(), screen = QPointer<StudyDataScreen>(this), progress, words](const core::Result<void>& done) {
+        [&app = context(), screen = QPointer<StudyDataScreen>(this), progress,
+         words](const core::Result<void>& done) {
             if (progress)
                 progress->deleteLater();
             if (screen)
@@ -120,18 +130,25 @@ void StudyDataScreen::exportTo(const ExportWords& words,
 
 /// Mentions that there are no scored trials, because an empty export looks like a failed one.
 QString StudyDataScreen::written(const QString& where) const {
-    return m_facts.study.summary.trials > 0 ? where : where + QLatin1Char(' ') + tr("There are no scored trials yet.");
+    return m_facts.study.summary.trials > 0
+               ? where
+               : where + QLatin1Char(' ') + tr("There are no scored trials yet.");
 }
 
-void StudyDataScreen::chooseFolder(const QString& folder, const std::function<void(const QString&, bool)>& then) {
+void StudyDataScreen::chooseFolder(const QString& folder,
+                                   const std::function<void(const QString&, bool)>& then) {
     if (!QFileInfo::exists(folder))
         return then(folder, false);
     const bool ours = QFileInfo::exists(QDir(folder).filePath(QStringLiteral("dataset_description.json")));
-    auto* box = new QMessageBox(QMessageBox::Question, title(), tr("%1 is there already.").arg(QDir::toNativeSeparators(folder)), QMessageBox::NoButton, window());
+    auto* box = new QMessageBox(QMessageBox::Question, title(),
+                                tr("%1 is there already.").arg(QDir::toNativeSeparators(folder)),
+                                QMessageBox::NoButton, window());
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setObjectName(QStringLiteral("data.there"));
-    box->setInformativeText(ours ? tr("It is an earlier export. You can replace it with the data as they are now, or keep it and write the new export beside it.")
-                                 : tr("It is no export of a study, so it is not replaced. You can write the export beside it."));
+    box->setInformativeText(
+        ours ? tr("It is an earlier export. You can replace it with the data as they are now, or keep it and "
+                  "write the new export beside it.")
+             : tr("It is no export of a study, so it is not replaced. You can write the export beside it."));
     QPushButton* cancel = box->addButton(tr("Cancel"), QMessageBox::RejectRole);
     cancel->setObjectName(QStringLiteral("data.there.cancel"));
     QPushButton* replace = ours ? box->addButton(tr("Replace"), QMessageBox::DestructiveRole) : nullptr;
@@ -141,33 +158,49 @@ void StudyDataScreen::chooseFolder(const QString& folder, const std::function<vo
     beside->setObjectName(QStringLiteral("data.there.beside"));
     box->setDefaultButton(beside);
     box->setEscapeButton(cancel);
-    connect(box, &QMessageBox::buttonClicked, this, [this, folder, then, replace, beside](const QAbstractButton* pressed) {
-        if (pressed == beside)
-            then(freeFolder(folder), false);
-        else if (replace && pressed == replace)
-            then(folder, true);
-        else
-            context().messages().information(tr("Nothing was exported. %1 is as it was.").arg(QDir::toNativeSeparators(folder)));
-    });
+    connect(box, &QMessageBox::buttonClicked, this,
+            [this, folder, then, replace, beside](const QAbstractButton* pressed) {
+                if (pressed == beside)
+                    then(freeFolder(folder), false);
+                else if (replace && pressed == replace)
+                    then(folder, true);
+                else
+                    context().messages().information(
+                        tr("Nothing was exported. %1 is as it was.").arg(QDir::toNativeSeparators(folder)));
+            });
     box->open();
 }
 
 void StudyDataScreen::exportCsvTo(const QString& parent) {
-    chooseFolder(QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-csv")), [this](const QString& folder, bool replaces) {
-        const ExportWords words{tr("Writing the tables …"), written(tr("The tables were written to %1.").arg(folder)), tr("The tables could not be written.")};
-        exportTo(words, [study = m_study, folder, replaces](database::Connection&, database::StudyReader& reader) {
-            return inPlaceOf(folder, replaces, [&] { return session::exportStudyCsv(reader, study, folder.toStdString()); });
+    chooseFolder(
+        QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-csv")),
+        [this](const QString& folder, bool replaces) {
+            const ExportWords words{tr("Writing the tables …"),
+                                    written(tr("The tables were written to %1.").arg(folder)),
+                                    tr("The tables could not be written.")};
+            exportTo(words, [study = m_study, folder, replaces](database::Connection&,
+                                                                database::StudyReader& reader) {
+                return inPlaceOf(folder, replaces, [&] {
+                    return session::exportStudyCsv(reader, study, folder.toStdString());
+                });
+            });
         });
-    });
 }
 
 void StudyDataScreen::exportBidsTo(const QString& parent) {
-    chooseFolder(QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-bids")), [this](const QString& folder, bool replaces) {
-        const ExportWords words{tr("Writing the BIDS dataset …"), written(tr("The BIDS dataset was written to %1.").arg(folder)), tr("The BIDS dataset could not be written.")};
-        exportTo(words, [study = m_study, folder, replaces, actor = context().actor()](database::Connection& connection, database::StudyReader& reader) {
-            return inPlaceOf(folder, replaces, [&] { return session::exportStudyBids(reader, connection, actor, study, folder.toStdString()); });
+    chooseFolder(
+        QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-bids")),
+        [this](const QString& folder, bool replaces) {
+            const ExportWords words{tr("Writing the BIDS dataset …"),
+                                    written(tr("The BIDS dataset was written to %1.").arg(folder)),
+                                    tr("The BIDS dataset could not be written.")};
+            exportTo(words, [study = m_study, folder, replaces, actor = context().actor()](
+                                database::Connection& connection, database::StudyReader& reader) {
+                return inPlaceOf(folder, replaces, [&] {
+                    return session::exportStudyBids(reader, connection, actor, study, folder.toStdString());
+                });
+            });
         });
-    });
 }
 
 void StudyDataScreen::askPdf() {
@@ -191,8 +224,9 @@ void StudyDataScreen::exportPdfTo(const QString& file) {
     if (connection) {
         database::StudyReader reader(**connection, context().actor());
         const auto site = database::SiteRepository(**connection, context().actor()).siteName();
-        done = session_report::writeStudyReport(file, reader, m_study, report::lightTheme(context().locale()), context().language().toStdString(),
-                                                {.withShown = m_withShown}, QString::fromStdString(site.value_or("")));
+        done = session_report::writeStudyReport(
+            file, reader, m_study, report::lightTheme(context().locale()), context().language().toStdString(),
+            {.withShown = m_withShown}, QString::fromStdString(site.value_or("")));
     } else {
         done = tl::unexpected(connection.error());
     }

@@ -29,7 +29,9 @@ StudyDataScreen::StudyDataScreen(AppContext& context, const Place& place)
       m_tab(std::clamp(place.parameters.value(QStringLiteral("tab")).toInt(), 0, tabs - 1)),
       m_condition(static_cast<std::size_t>(place.parameters.value(QStringLiteral("condition")).toUInt())),
       m_run(place.parameters.value(QStringLiteral("run")).toLongLong()),
-      m_withShown(context.settings().ofPerson(context.actor().personId(), QString::fromLatin1(kWithShown), false).toBool()) {
+      m_withShown(context.settings()
+                      .ofPerson(context.actor().personId(), QString::fromLatin1(kWithShown), false)
+                      .toBool()) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     m_panel = new StatePanel(context.theme());
@@ -41,48 +43,64 @@ StudyDataScreen::~StudyDataScreen() {
         m_work->cancel();
 }
 
-QString StudyDataScreen::title() const { return tr("Data"); }
-
-QString StudyDataScreen::help() const {
-    return tr("The results of a study.\n\nGroup shows each participant's Weber fraction with its interval for every condition, and any "
-              "warnings. Person shows the curve of a run with its data. Trials lists every presentation with its fidelity and says why one "
-              "did not count. Questions summarises the questionnaires. Comparison sets the conditions beside each other, and says who or what is "
-              "missing where they cannot be compared.\n\nYou can export tables (CSV), a BIDS dataset or a PDF; each "
-              "contains the design's SHA-256. While the experimenter is blind, conditions are shown by sealed codes, and of their runs you "
-              "see only how well each participant's trials went. Unblinding asks for a reason, is recorded and cannot be undone.");
+QString StudyDataScreen::title() const {
+    return tr("Data");
 }
 
-void StudyDataScreen::enter() { loadList(); }
+QString StudyDataScreen::help() const {
+    return tr("The results of a study.\n\nGroup shows each participant's Weber fraction with its interval "
+              "for every condition, and any "
+              "warnings. Person shows the curve of a run with its data. Trials lists every presentation with "
+              "its fidelity and says why one "
+              "did not count. Questions summarises the questionnaires. Comparison sets the conditions beside "
+              "each other, and says who or what is "
+              "missing where they cannot be compared.\n\nYou can export tables (CSV), a BIDS dataset or a "
+              "PDF; each "
+              "contains the design's SHA-256. While the experimenter is blind, conditions are shown by "
+              "sealed codes, and of their runs you "
+              "see only how well each participant's trials went. Unblinding asks for a reason, is recorded "
+              "and cannot be undone.");
+}
+
+void StudyDataScreen::enter() {
+    loadList();
+}
 
 void StudyDataScreen::loadList() {
-    m_panel->showLoading(tr("Reading the studies …"),
-                         readStudies(context(), this, [](database::StudyReader& reader) { return reader.listStudies(true); },
-                                     [this](core::Result<std::vector<database::StudySummary>> list) {
-                                         if (!list) {
-                                             m_panel->showError(tr("The studies could not be read"), list.error(), [this] { loadList(); });
-                                             return;
-                                         }
-                                         m_list.clear();
-                                         for (database::StudySummary& each : *list)
-                                             if (!each.sha256.empty())
-                                                 m_list.push_back(std::move(each));
-                                         if (m_list.empty()) {
-                                             m_panel->showEmpty(tr("No data yet"), tr("Data appear here once participants have taken part in a "
-                                                                                      "frozen study."), tr("Open the studies"),
-                                                                [this] { context().navigator().go(QStringLiteral("studies")); });
-                                             return;
-                                         }
-                                         if (m_study == 0)
-                                             m_study = m_list.back().id;
-                                         load();
-                                     }));
+    m_panel->showLoading(
+        tr("Reading the studies …"),
+        readStudies(
+            context(), this, [](database::StudyReader& reader) { return reader.listStudies(true); },
+            [this](core::Result<std::vector<database::StudySummary>> list) {
+                if (!list) {
+                    m_panel->showError(tr("The studies could not be read"), list.error(),
+                                       [this] { loadList(); });
+                    return;
+                }
+                m_list.clear();
+                for (database::StudySummary& each : *list)
+                    if (!each.sha256.empty())
+                        m_list.push_back(std::move(each));
+                if (m_list.empty()) {
+                    m_panel->showEmpty(tr("No data yet"),
+                                       tr("Data appear here once participants have taken part in a "
+                                          "frozen study."),
+                                       tr("Open the studies"),
+                                       [this] { context().navigator().go(QStringLiteral("studies")); });
+                    return;
+                }
+                if (m_study == 0)
+                    m_study = m_list.back().id;
+                load();
+            }));
 }
 
 void StudyDataScreen::load() {
     database::Database& database = context().site().database();
     m_work = context().background().run(
         this,
-        [&database, actor = context().actor(), study = m_study, withShown = m_withShown](WorkToken&) -> core::Result<StudyFacts> {
+        [&database, actor = context().actor(), study = m_study,
+         withShown = m_withShown](WorkToken&) -> core::Result<StudyFacts> {
             auto connection = database.openReader();
             CHIRON_TRY(connection);
             database::StudyReader reader(**connection, actor);
@@ -158,8 +176,10 @@ QWidget* StudyDataScreen::headRow() {
     column->addWidget(kit::label(theme, title(), TextStyle::heading));
     column->addWidget(choice);
     const database::StudySummary& study = m_facts.study.summary;
-    QStringList words{study_words::state(study.state), tr("SHA-256 %1").arg(study_words::shortSha(study.sha256)),
-                      tr("%n participant(s)", nullptr, study.participants), tr("%n scored trial(s)", nullptr, study.trials)};
+    QStringList words{study_words::state(study.state),
+                      tr("SHA-256 %1").arg(study_words::shortSha(study.sha256)),
+                      tr("%n participant(s)", nullptr, study.participants),
+                      tr("%n scored trial(s)", nullptr, study.trials)};
     if (m_facts.study.design.blindExperimenter)
         words << (study.unblinded ? tr("unblinded") : tr("blind: conditions shown by sealed codes"));
     auto* facts = kit::label(theme, words.join(QStringLiteral(" · ")), TextStyle::body, "muted");
@@ -176,12 +196,15 @@ QWidget* StudyDataScreen::shownChoice() {
     auto* shown = new QCheckBox(tr("Groups include runs with force shown, not felt"));
     shown->setObjectName(QStringLiteral("data.with_shown"));
     shown->setFont(context().theme().font(TextStyle::body));
-    shown->setToolTip(m_facts.anyShown ? tr("It applies to every page here and to the PDF, and is remembered.")
-                                       : tr("No run of this study was shown and not felt, so it changes nothing here. It is remembered."));
+    shown->setToolTip(m_facts.anyShown
+                          ? tr("It applies to every page here and to the PDF, and is remembered.")
+                          : tr("No run of this study was shown and not felt, so it changes nothing here. It "
+                               "is remembered."));
     shown->setChecked(m_withShown);
     connect(shown, &QCheckBox::clicked, this, [this](bool checked) {
         m_withShown = checked;
-        context().settings().setOfPerson(context().actor().personId(), QString::fromLatin1(kWithShown), checked);
+        context().settings().setOfPerson(context().actor().personId(), QString::fromLatin1(kWithShown),
+                                         checked);
         load();
     });
     return shown;

@@ -57,7 +57,8 @@ private:
     QWidget* toolRow();
     void askUnblind();
     /// If `folder` exists, asks whether to replace it or to keep it beside the new one.
-    void chooseFolder(const QString& folder, const std::function<void(const QString& folder, bool replaces)>& then);
+    void chooseFolder(const QString& folder,
+                      const std::function<void(const QString& folder, bool replaces)>& then);
     void askFolder(void (StudyDataScreen::*then)(const QString&));
     void askPdf();
     bool mayExport();
@@ -67,7 +68,9 @@ private:
     struct ExportWords {
         QString writing, written, failed;
     };
-    void exportTo(const ExportWords& words, const std::function<core::Result<void>(database::Connection&, database::StudyReader&)>& write);
+    void
+    exportTo(const ExportWords& words,
+             const std::function<core::Result<void>(database::Connection&, database::StudyReader&)>& write);
 
     StatePanel* m_panel = nullptr;
     database::StudyNumber m_study;
@@ -76,7 +79,7 @@ private:
     database::StudyRunNumber m_run;
     std::vector<database::StudySummary> m_list;
     StudyFacts m_facts;
-    bool m_withShown; ///< stored for the logged-in person
+    bool m_withShown;         ///< stored for the logged-in person
     bool m_exporting = false; ///< an export is in progress
     std::shared_ptr<WorkToken> m_work;
     QTabBar* m_bar = nullptr;

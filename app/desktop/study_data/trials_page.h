@@ -14,7 +14,8 @@ namespace chiron::desktop {
 class TrialsPageOfRun final : public QWidget {
     Q_OBJECT
 public:
-    TrialsPageOfRun(AppContext& app, const StudyFacts& facts, database::StudyRunNumber run, QWidget* parent = nullptr);
+    TrialsPageOfRun(AppContext& app, const StudyFacts& facts, database::StudyRunNumber run,
+                    QWidget* parent = nullptr);
 
 signals:
     void runChosen(qlonglong run);

@@ -13,11 +13,16 @@ constexpr int kLongestReason = 500;
 } // namespace
 
 UnblindDialog::UnblindDialog(AppContext& context, database::StudyNumber study, int toCome, QWidget* parent)
-    : FormDialog(context, QStringLiteral("data.ask_unblind"), tr("Unblind this study?"), parent), m_study(study) {
-    column()->addWidget(kit::label(theme(), tr("Everybody will then see the names of the conditions. It is recorded who unblinded the "
-                                               "study, when and why. This cannot be undone.")));
+    : FormDialog(context, QStringLiteral("data.ask_unblind"), tr("Unblind this study?"), parent),
+      m_study(study) {
+    column()->addWidget(kit::label(
+        theme(), tr("Everybody will then see the names of the conditions. It is recorded who unblinded the "
+                    "study, when and why. This cannot be undone.")));
     if (toCome > 0) {
-        auto* coming = kit::notice(theme(), "warning", tr("%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.", nullptr, toCome));
+        auto* coming = kit::notice(
+            theme(), "warning",
+            tr("%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.",
+               nullptr, toCome));
         coming->setObjectName(QStringLiteral("data.ask_unblind.to_come"));
         column()->addWidget(coming);
     }
@@ -30,17 +35,21 @@ UnblindDialog::UnblindDialog(AppContext& context, database::StudyNumber study, i
     m_reason->setMaxLength(kLongestReason);
     label->setBuddy(m_reason);
     column()->addWidget(m_reason);
-    column()->addWidget(kit::label(theme(), tr("Do not name anyone: the reason is stored permanently."), TextStyle::small, "muted"));
+    column()->addWidget(kit::label(theme(), tr("Do not name anyone: the reason is stored permanently."),
+                                   TextStyle::small, "muted"));
     setAccept(tr("Unblind"), "danger");
     setAcceptable(false);
-    connect(m_reason, &QLineEdit::textChanged, this, [this](const QString& text) { setAcceptable(!text.trimmed().isEmpty()); });
+    connect(m_reason, &QLineEdit::textChanged, this,
+            [this](const QString& text) { setAcceptable(!text.trimmed().isEmpty()); });
     m_reason->setFocus();
 }
 
 void UnblindDialog::submit() {
     setWorking(true);
     writeStudies(
-        context(), this, [study = m_study, why = m_reason->text().trimmed().toStdString()](database::StudyRepository& studies) { return studies.unblindStudy(study, why); },
+        context(), this,
+        [study = m_study, why = m_reason->text().trimmed().toStdString()](
+            database::StudyRepository& studies) { return studies.unblindStudy(study, why); },
         [this](const core::Result<void>& done) {
             setWorking(false);
             if (!done) {

@@ -47,14 +47,18 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
         buildRanking();
         break;
     case Task::sameDifferent:
-        m_choices = {add(tr("Same (1)"), QStringLiteral("answer.0")), add(tr("Different (2)"), QStringLiteral("answer.1"))};
+        m_choices = {add(tr("Same (1)"), QStringLiteral("answer.0")),
+                     add(tr("Different (2)"), QStringLiteral("answer.1"))};
         break;
     case Task::yesNo:
-        m_choices = {add(tr("No (N)"), QStringLiteral("answer.0")), add(tr("Yes (Y)"), QStringLiteral("answer.1"))};
+        m_choices = {add(tr("No (N)"), QStringLiteral("answer.0")),
+                     add(tr("Yes (Y)"), QStringLiteral("answer.1"))};
         break;
     case Task::adjustment:
-        connect(add(tr("Less (−)"), QStringLiteral("answer.less")), &QPushButton::clicked, this, [this] { key(Qt::Key_Minus); });
-        connect(add(tr("More (+)"), QStringLiteral("answer.more")), &QPushButton::clicked, this, [this] { key(Qt::Key_Plus); });
+        connect(add(tr("Less (−)"), QStringLiteral("answer.less")), &QPushButton::clicked, this,
+                [this] { key(Qt::Key_Minus); });
+        connect(add(tr("More (+)"), QStringLiteral("answer.more")), &QPushButton::clicked, this,
+                [this] { key(Qt::Key_Plus); });
         m_confirm = add(tr("They are the same (Enter)"), QStringLiteral("answer.confirm"), "primary");
         break;
     case Task::magnitude:
@@ -102,7 +106,9 @@ void AnswerPanel::showEvent(QShowEvent* event) {
     m_row->setMaximumWidth(width);
 }
 
-QString AnswerPanel::question() const { return study_words::question(m_task, m_attribute); }
+QString AnswerPanel::question() const {
+    return study_words::question(m_task, m_attribute);
+}
 
 QPushButton* AnswerPanel::add(const QString& text, const QString& name, const char* kind) {
     auto* button = kit::button(m_theme, text, kind);
@@ -116,7 +122,9 @@ QPushButton* AnswerPanel::add(const QString& text, const QString& name, const ch
 /// The number is the object's name, its key and its label in the scene. The accessible description gives its
 /// position for people who do not see the scene.
 QPushButton* AnswerPanel::addPlace(int place, int places) {
-    const QString where = place == 0 ? tr("the left one") : place + 1 == places ? tr("the right one") : tr("the middle one");
+    const QString where = place == 0            ? tr("the left one")
+                          : place + 1 == places ? tr("the right one")
+                                                : tr("the middle one");
     const QString number = QString::number(place + 1);
     auto* button = add(number, QStringLiteral("answer.%1").arg(place));
     button->setAccessibleName(tr("%1, %2").arg(number, where));
@@ -172,7 +180,8 @@ void AnswerPanel::clear() {
 }
 
 std::vector<int> AnswerPanel::keys() {
-    return {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_Y, Qt::Key_N, Qt::Key_Plus, Qt::Key_Minus, Qt::Key_Equal, Qt::Key_Backspace};
+    return {Qt::Key_1,    Qt::Key_2,     Qt::Key_3,     Qt::Key_Y,        Qt::Key_N,
+            Qt::Key_Plus, Qt::Key_Minus, Qt::Key_Equal, Qt::Key_Backspace};
 }
 
 bool AnswerPanel::key(int key) {
@@ -217,7 +226,9 @@ void AnswerPanel::rank(int place) {
     if (m_order.empty())
         emit begun();
     m_ranks[static_cast<std::size_t>(place)] =
-        m_order.empty() ? std::int8_t{0} : static_cast<std::int8_t>(m_ranks[static_cast<std::size_t>(m_order.back())] + (m_nextEqual ? 0 : 1));
+        m_order.empty() ? std::int8_t{0}
+                        : static_cast<std::int8_t>(m_ranks[static_cast<std::size_t>(m_order.back())] +
+                                                   (m_nextEqual ? 0 : 1));
     m_order.push_back(place);
     setNextEqual(false);
     if (m_task == Task::rank3 && m_order.size() == 2) // the last rank follows
@@ -248,7 +259,8 @@ void AnswerPanel::setNextEqual(bool equal) {
 
 void AnswerPanel::showRanking() {
     for (std::size_t i = 0; i < m_choices.size(); ++i)
-        m_choices[i]->setEnabled(m_open && std::find(m_order.begin(), m_order.end(), static_cast<int>(i)) == m_order.end());
+        m_choices[i]->setEnabled(m_open && std::find(m_order.begin(), m_order.end(), static_cast<int>(i)) ==
+                                               m_order.end());
     m_confirm->setEnabled(m_open && m_order.size() == 3);
     m_back->setEnabled(m_open && !m_order.empty());
     if (m_equal)
@@ -266,8 +278,11 @@ QStringList AnswerPanel::marks() const {
             marks << QString();
             continue;
         }
-        const auto alike = std::count_if(m_order.begin(), m_order.end(), [&](int other) { return rankAt(other) == rankAt(place); });
-        marks << (m_task == Task::rank3 ? tr(kMarks[rankAt(place)]) : QString::number(rankAt(place) + 1) + (alike > 1 ? QStringLiteral(" =") : QString()));
+        const auto alike = std::count_if(m_order.begin(), m_order.end(),
+                                         [&](int other) { return rankAt(other) == rankAt(place); });
+        marks << (m_task == Task::rank3
+                      ? tr(kMarks[rankAt(place)])
+                      : QString::number(rankAt(place) + 1) + (alike > 1 ? QStringLiteral(" =") : QString()));
     }
     return marks;
 }

@@ -22,7 +22,8 @@ namespace chiron::desktop {
 class AnswerPanel final : public QWidget {
     Q_OBJECT
 public:
-    AnswerPanel(const Theme& theme, psychophysics::Task task, psychophysics::Attribute attribute, QWidget* parent = nullptr);
+    AnswerPanel(const Theme& theme, psychophysics::Task task, psychophysics::Attribute attribute,
+                QWidget* parent = nullptr);
 
     /// Whether an answer is accepted now; if not, `why` says what is missing (may be empty).
     void setOpen(bool open, const QString& why = {});
@@ -70,7 +71,7 @@ private:
     QPushButton* m_back = nullptr;
     QPushButton* m_equal = nullptr; ///< with ties: the next object feels the same as the last
     QLineEdit* m_number = nullptr;
-    std::vector<int> m_order; ///< ranking: places from least to most, so far
+    std::vector<int> m_order;         ///< ranking: places from least to most, so far
     psychophysics::Ranking m_ranks{}; ///< ranks of those places
     bool m_nextEqual = false;
 };

@@ -10,7 +10,8 @@
 
 namespace chiron::desktop {
 
-ApexStage::ApexStage(const Theme& theme, const catalogue::ExerciseLevel& level, const Look& look, QWidget* parent)
+ApexStage::ApexStage(const Theme& theme, const catalogue::ExerciseLevel& level, const Look& look,
+                     QWidget* parent)
     : QWidget(parent), m_cues(session::cuesOf(level, look.felt)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -26,7 +26,8 @@ public:
         bool felt = true; ///< the device renders force
         bool leftHanded = false;
     };
-    ApexStage(const Theme& theme, const catalogue::ExerciseLevel& level, const Look& look, QWidget* parent = nullptr);
+    ApexStage(const Theme& theme, const catalogue::ExerciseLevel& level, const Look& look,
+              QWidget* parent = nullptr);
     ~ApexStage() override;
 
     QWidget& area() { return *m_scene->widget(); }

@@ -19,13 +19,20 @@ core::Result<database::StudyNumber> askedStudy(database::StudyReader& reader, co
 
 void openAsked(AppContext& context, const AskedSitting& asked) {
     readStudies(
-        context, &context, [study = asked.study](database::StudyReader& reader) { return askedStudy(reader, study); },
+        context, &context,
+        [study = asked.study](database::StudyReader& reader) { return askedStudy(reader, study); },
         [&context, asked](const core::Result<database::StudyNumber>& study) {
             if (!study) {
-                context.messages().error(QCoreApplication::translate("AskedSitting", "The study %1 could not be opened.").arg(asked.study), study.error(), Tried::reading);
+                context.messages().error(
+                    QCoreApplication::translate("AskedSitting", "The study %1 could not be opened.")
+                        .arg(asked.study),
+                    study.error(), Tried::reading);
                 return;
             }
-            context.navigator().go(QStringLiteral("study_trials"), {{QStringLiteral("study"), qlonglong(*study)}, {QStringLiteral("participant"), asked.person}, {QStringLiteral("condition"), QString()}});
+            context.navigator().go(QStringLiteral("study_trials"),
+                                   {{QStringLiteral("study"), qlonglong(*study)},
+                                    {QStringLiteral("participant"), asked.person},
+                                    {QStringLiteral("condition"), QString()}});
         });
 }
 

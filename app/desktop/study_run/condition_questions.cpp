@@ -19,7 +19,8 @@ namespace chiron::desktop {
 
 using When = psychophysics::Questionnaire::When;
 
-ConditionQuestions::ConditionQuestions(AppContext& context, const psychophysics::StudyDesign& design, const About& about, QWidget* parent)
+ConditionQuestions::ConditionQuestions(AppContext& context, const psychophysics::StudyDesign& design,
+                                       const About& about, QWidget* parent)
     : QWidget(parent), m_context(context), m_about(about) {
     std::copy_if(design.questionnaires.begin(), design.questionnaires.end(), std::back_inserter(m_left),
                  [](const psychophysics::Questionnaire& each) { return each.when == When::afterCondition; });
@@ -29,7 +30,9 @@ ConditionQuestions::ConditionQuestions(AppContext& context, const psychophysics:
 }
 
 bool ConditionQuestions::areIn(const psychophysics::StudyDesign& design) {
-    return std::any_of(design.questionnaires.begin(), design.questionnaires.end(), [](const psychophysics::Questionnaire& each) { return each.when == When::afterCondition; });
+    return std::any_of(
+        design.questionnaires.begin(), design.questionnaires.end(),
+        [](const psychophysics::Questionnaire& each) { return each.when == When::afterCondition; });
 }
 
 void ConditionQuestions::showNext() {
@@ -46,8 +49,11 @@ void ConditionQuestions::showNext() {
     const Theme& theme = m_context.theme();
     const psychophysics::Questionnaire& asked = m_left.front();
     auto* page = new ScrollPage(theme, 820);
-    page->column()->addWidget(kit::label(theme, study_words::text(asked.title, m_context.language()), TextStyle::heading));
-    page->column()->addWidget(kit::label(theme, tr("Please answer about the part that you have just finished, and about nothing else."), TextStyle::body, "muted"));
+    page->column()->addWidget(
+        kit::label(theme, study_words::text(asked.title, m_context.language()), TextStyle::heading));
+    page->column()->addWidget(kit::label(
+        theme, tr("Please answer about the part that you have just finished, and about nothing else."),
+        TextStyle::body, "muted"));
     m_form = new QuestionnaireForm(theme, m_context.locale(), asked, m_context.language());
     page->column()->addWidget(m_form);
     m_notice = new NoticeArea(theme);
@@ -67,20 +73,24 @@ void ConditionQuestions::submit() {
     m_submit->setEnabled(false);
     m_context.background().run(
         this,
-        [&database = m_context.site().database(), actor = m_context.actor(), about = m_about, answers = m_form->answers(0, m_about.run)](WorkToken&) {
+        [&database = m_context.site().database(), actor = m_context.actor(), about = m_about,
+         answers = m_form->answers(0, m_about.run)](WorkToken&) {
             return database.write([&](database::WriteContext& writing) -> core::Result<void> {
-                const auto who = database::StudyReader(writing.connection(), actor).participantByCode(about.study, about.participant.toStdString());
+                const auto who = database::StudyReader(writing.connection(), actor)
+                                     .participantByCode(about.study, about.participant.toStdString());
                 CHIRON_TRY(who);
                 auto theirs = answers;
                 for (database::QuestionnaireAnswer& answer : theirs)
                     answer.participant = who->id;
-                return database::StudyRepository(writing.connection(), actor).storeQuestionnaireAnswers(theirs);
+                return database::StudyRepository(writing.connection(), actor)
+                    .storeQuestionnaireAnswers(theirs);
             });
         },
         [this](const core::Result<void>& done) {
             m_submit->setEnabled(true);
             if (!done) {
-                m_notice->say("bad", tr("The answers were not stored. They are still on this page.\n%1").arg(inWords(done.error())));
+                m_notice->say("bad", tr("The answers were not stored. They are still on this page.\n%1")
+                                         .arg(inWords(done.error())));
                 return;
             }
             m_left.erase(m_left.begin());

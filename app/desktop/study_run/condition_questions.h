@@ -28,7 +28,8 @@ public:
         QString participant; ///< code
         database::StudyRunNumber run = 0;
     };
-    ConditionQuestions(AppContext& context, const psychophysics::StudyDesign& design, const About& about, QWidget* parent = nullptr);
+    ConditionQuestions(AppContext& context, const psychophysics::StudyDesign& design, const About& about,
+                       QWidget* parent = nullptr);
 
     /// Whether the design contains questionnaires to ask after each condition.
     static bool areIn(const psychophysics::StudyDesign& design);

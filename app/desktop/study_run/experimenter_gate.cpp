@@ -12,12 +12,18 @@
 
 namespace chiron::desktop {
 
-ExperimenterGate::ExperimenterGate(AppContext& context, QWidget* parent) : FormDialog(context, QStringLiteral("gate"), tr("For the experimenter"), parent) {
-    column()->addWidget(kit::label(theme(), tr("The session is paused. Enter your password to see the experimenter's view."), TextStyle::body));
-    m_password = form::passwordField(theme(), column(), tr("Password of %1").arg(QString::fromStdString(context.loginName())), QStringLiteral("gate.password"));
+ExperimenterGate::ExperimenterGate(AppContext& context, QWidget* parent)
+    : FormDialog(context, QStringLiteral("gate"), tr("For the experimenter"), parent) {
+    column()->addWidget(
+        kit::label(theme(), tr("The session is paused. Enter your password to see the experimenter's view."),
+                   TextStyle::body));
+    m_password = form::passwordField(theme(), column(),
+                                     tr("Password of %1").arg(QString::fromStdString(context.loginName())),
+                                     QStringLiteral("gate.password"));
     m_note = new FieldNote(theme(), *column(), *m_password);
     setAccept(tr("Continue"));
-    connect(m_password, &QLineEdit::textChanged, this, [this] { setAcceptable(!m_password->text().isEmpty()); });
+    connect(m_password, &QLineEdit::textChanged, this,
+            [this] { setAcceptable(!m_password->text().isEmpty()); });
     m_password->setFocus();
 }
 
@@ -26,7 +32,9 @@ void ExperimenterGate::submit() {
     database::Database* database = &context().site().database();
     context().background().run(
         this,
-        [database, actor = context().actor(), password = m_password->text().toStdString()](WorkToken&) { return database::AccountService(*database).tryConfirm(actor, password); },
+        [database, actor = context().actor(), password = m_password->text().toStdString()](WorkToken&) {
+            return database::AccountService(*database).tryConfirm(actor, password);
+        },
         [this](const tl::expected<database::Actor, database::Refusal>& actor) {
             setWorking(false);
             m_password->clear();

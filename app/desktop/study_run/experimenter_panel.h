@@ -26,7 +26,8 @@ class ExperimenterPanel final : public QScrollArea {
 public:
     ExperimenterPanel(const Theme& theme, const QLocale& locale, QWidget* parent = nullptr);
 
-    void show(const session::LiveStudyView& view, const session::LiveStudyNumbers& numbers, const psychophysics::Condition& condition);
+    void show(const session::LiveStudyView& view, const session::LiveStudyNumbers& numbers,
+              const psychophysics::Condition& condition);
 
 signals:
     void spoilAsked();
@@ -60,7 +61,7 @@ private:
     QPushButton* m_spoil = nullptr;
     QPushButton* m_pause = nullptr;
     QPushButton* m_stop = nullptr;
-    int m_seen = -1; ///< number of presentations already shown
+    int m_seen = -1;                          ///< number of presentations already shown
     std::vector<std::vector<Point>> m_points; ///< [procedure]
 };
 

@@ -15,7 +15,8 @@ QScreen* ParticipantWindow::otherScreen(const QWidget& window) {
     return nullptr;
 }
 
-ParticipantWindow::ParticipantWindow(const Theme& theme, QScreen& screen, QWidget* parent) : QWidget(parent, Qt::Window | Qt::FramelessWindowHint), m_screen(&screen) {
+ParticipantWindow::ParticipantWindow(const Theme& theme, QScreen& screen, QWidget* parent)
+    : QWidget(parent, Qt::Window | Qt::FramelessWindowHint), m_screen(&screen) {
     setObjectName(QStringLiteral("participant_window"));
     setProperty("kind", QStringLiteral("page"));
     setAttribute(Qt::WA_StyledBackground);
@@ -48,6 +49,8 @@ QWidget* ParticipantWindow::giveBack() {
 }
 
 /// The experimenter ends the session from the other window.
-void ParticipantWindow::closeEvent(QCloseEvent* event) { event->ignore(); }
+void ParticipantWindow::closeEvent(QCloseEvent* event) {
+    event->ignore();
+}
 
 } // namespace chiron::desktop

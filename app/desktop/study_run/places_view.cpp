@@ -12,17 +12,18 @@ namespace {
 
 // A camera in front of and above the places, with enough perspective to distinguish near from far, but not so
 // much that one place looks larger.
-constexpr double kHalfWidth_m = 0.085;  // half of the visible width of W at y = 0
-constexpr double kTilt = 0.55;          // scale of y when it is drawn as height
-constexpr double kHorizon_m = 0.9;      // distance of the vanishing point
-constexpr double kFloor = 0.62;         // height of y = 0, z = 0 as a share of the view
+constexpr double kHalfWidth_m = 0.085; // half of the visible width of W at y = 0
+constexpr double kTilt = 0.55;         // scale of y when it is drawn as height
+constexpr double kHorizon_m = 0.9;     // distance of the vanishing point
+constexpr double kFloor = 0.62;        // height of y = 0, z = 0 as a share of the view
 constexpr double kPadHeight_m = 0.006;
 constexpr double kShaft_m = 0.09;
 constexpr double kFootRadius_m = 0.0102; // of the foot below a tube or an object
 
 } // namespace
 
-PlacesView::PlacesView(const Theme& theme, const PlacesSetup& setup, QWidget* parent) : QWidget(parent), m_theme(theme), m_setup(setup) {
+PlacesView::PlacesView(const Theme& theme, const PlacesSetup& setup, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_setup(setup) {
     setMinimumSize(theme.px(160), theme.px(60)); // at 200 % the answers need the space more
     setAccessibleName(tr("Objects to explore"));
     setFocusPolicy(Qt::StrongFocus);
@@ -97,7 +98,8 @@ void PlacesView::paintHook(QPainter& painter, double x_m, bool held) const {
     const double footRadius = kFootRadius_m * scale;
     const QPointF foot = project(x_m, 0, 0);
     const QPointF rest = project(x_m, 0, m_setup.gripHeight_m);
-    const QPointF end = held ? project(m_tool.p_WProxy_m[0], m_tool.p_WProxy_m[1], m_tool.p_WProxy_m[2]) : rest;
+    const QPointF end =
+        held ? project(m_tool.p_WProxy_m[0], m_tool.p_WProxy_m[1], m_tool.p_WProxy_m[2]) : rest;
     const QColor body = m_theme.color(Colour::accentSoft);
     painter.setPen(QPen(m_theme.color(Colour::accent), m_theme.px(1)));
     painter.setBrush(body.darker(112));
@@ -120,7 +122,8 @@ QFont PlacesView::nameFont(double width_px) const {
     for (const QString& name : m_setup.names)
         widest = std::max(widest, QFontMetricsF(font).horizontalAdvance(name + QStringLiteral(" ✓ ")));
     if (widest > width_px)
-        font.setPixelSize(std::max(m_theme.px(8), static_cast<int>(QFontInfo(font).pixelSize() * width_px / widest)));
+        font.setPixelSize(
+            std::max(m_theme.px(8), static_cast<int>(QFontInfo(font).pixelSize() * width_px / widest)));
     return font;
 }
 
@@ -133,13 +136,16 @@ void PlacesView::paintName(QPainter& painter, int place) const {
     painter.setPen(m_theme.color(m_now.place == place ? Colour::accent : Colour::text));
     const int line = painter.fontMetrics().height();
     const QString name = place < m_setup.names.size() ? m_setup.names.at(place) : QString();
-    painter.drawText(QRectF(at.x() - 0.5 * w, at.y(), w, line), Qt::AlignCenter, touched ? name + QStringLiteral(" ✓") : name);
+    painter.drawText(QRectF(at.x() - 0.5 * w, at.y(), w, line), Qt::AlignCenter,
+                     touched ? name + QStringLiteral(" ✓") : name);
     const QString mark = place < m_marks.size() ? m_marks.at(place) : QString();
     if (mark.isEmpty())
         return;
     painter.setFont(m_theme.font(TextStyle::label));
-    const QRectF chip(at.x() - 0.5 * painter.fontMetrics().horizontalAdvance(mark) - m_theme.px(10), at.y() + line + m_theme.px(2),
-                      painter.fontMetrics().horizontalAdvance(mark) + m_theme.px(20), painter.fontMetrics().height() + m_theme.px(6));
+    const QRectF chip(at.x() - 0.5 * painter.fontMetrics().horizontalAdvance(mark) - m_theme.px(10),
+                      at.y() + line + m_theme.px(2),
+                      painter.fontMetrics().horizontalAdvance(mark) + m_theme.px(20),
+                      painter.fontMetrics().height() + m_theme.px(6));
     painter.setPen(QPen(m_theme.color(Colour::accent), m_theme.px(1)));
     painter.setBrush(m_theme.color(Colour::accentSoft));
     painter.drawRoundedRect(chip, m_theme.px(8), m_theme.px(8));
@@ -191,7 +197,8 @@ void PlacesView::paintForce(QPainter& painter) const {
     const double share = std::clamp(m_now.force_N / m_now.limit_N, 0.0, 1.0);
     painter.setPen(Qt::NoPen);
     painter.setBrush(m_theme.color(Colour::accent));
-    painter.drawRoundedRect(QRectF(bar.left() + m_theme.px(2), bar.bottom() - share * bar.height(), bar.width() - m_theme.px(4), share * bar.height()),
+    painter.drawRoundedRect(QRectF(bar.left() + m_theme.px(2), bar.bottom() - share * bar.height(),
+                                   bar.width() - m_theme.px(4), share * bar.height()),
                             m_theme.px(3), m_theme.px(3));
 }
 

@@ -17,11 +17,11 @@ struct PlacesSetup {
     int places = 3;
     double spacing_m = 0.04;
     double padRadius_m = 0.009;
-    double gripHeight_m = 0.03;   ///< simulation::gripZone
+    double gripHeight_m = 0.03; ///< simulation::gripZone
     double gripRadius_m = 0.006;
-    bool hooked = false;  ///< the tool takes hold of it (a tube, an object) instead of pressing it (a pad)
-    bool visible = true;  ///< the objects are drawn; otherwise only their positions
-    QStringList names;    ///< labels below the positions: "1" ...
+    bool hooked = false; ///< the tool takes hold of it (a tube, an object) instead of pressing it (a pad)
+    bool visible = true; ///< the objects are drawn; otherwise only their positions
+    QStringList names;   ///< labels below the positions: "1" ...
 };
 
 /// The participant's view: positions that all look alike, the tool, and which objects were touched. Nothing
@@ -33,10 +33,10 @@ public:
     PlacesView(const Theme& theme, const PlacesSetup& setup, QWidget* parent = nullptr);
 
     struct Now {
-        bool objects = false;       ///< the objects are present
-        std::uint32_t touched = 0;  ///< one bit per place
-        int place = -1;             ///< the place being touched; -1: none
-        bool feltNothing = false;   ///< the device renders no force, so force is shown as a bar
+        bool objects = false;      ///< the objects are present
+        std::uint32_t touched = 0; ///< one bit per place
+        int place = -1;            ///< the place being touched; -1: none
+        bool feltNothing = false;  ///< the device renders no force, so force is shown as a bar
         double force_N = 0.0;
         double limit_N = 4.0;
     };

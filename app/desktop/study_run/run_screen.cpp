@@ -26,34 +26,44 @@ RunScreen::RunScreen(AppContext& context, const Place& place)
     column->addWidget(m_panel);
 }
 
-QString RunScreen::title() const { return tr("Run"); }
-
-QString RunScreen::help() const {
-    return tr("Takes a participant through a study.\n\nChoose the study and the participant's code. The conditions appear in the "
-              "participant's own order; if the experimenter is blinded, they appear under sealed codes. The questionnaires before and "
-              "after the runs are answered here, too, and those about a condition once it is done.\n\nAn interrupted run resumes at the trial where it stopped.");
+QString RunScreen::title() const {
+    return tr("Run");
 }
 
-void RunScreen::enter() { load(); }
+QString RunScreen::help() const {
+    return tr("Takes a participant through a study.\n\nChoose the study and the participant's code. The "
+              "conditions appear in the "
+              "participant's own order; if the experimenter is blinded, they appear under sealed codes. The "
+              "questionnaires before and "
+              "after the runs are answered here, too, and those about a condition once it is done.\n\nAn "
+              "interrupted run resumes at the trial where it stopped.");
+}
+
+void RunScreen::enter() {
+    load();
+}
 
 void RunScreen::load() {
     m_heard.reset(); // headphones may have been connected
-    m_panel->showLoading(tr("Reading the studies …"),
-                         readStudies(context(), this,
-                                     [](database::StudyReader& reader) -> core::Result<std::vector<OpenStudy>> {
-                                         auto list = reader.listStudies();
-                                         CHIRON_TRY(list);
-                                         std::vector<OpenStudy> studies;
-                                         for (const database::StudySummary& summary : *list) {
-                                             if (summary.state != database::StudyState::frozen && summary.state != database::StudyState::closed)
-                                                 continue;
-                                             auto open = openStudy(reader, summary.id);
-                                             CHIRON_TRY(open);
-                                             studies.push_back(std::move(*open));
-                                         }
-                                         return studies;
-                                     },
-                                     [this](core::Result<std::vector<OpenStudy>> studies) { loaded(std::move(studies)); }));
+    m_panel->showLoading(
+        tr("Reading the studies …"),
+        readStudies(
+            context(), this,
+            [](database::StudyReader& reader) -> core::Result<std::vector<OpenStudy>> {
+                auto list = reader.listStudies();
+                CHIRON_TRY(list);
+                std::vector<OpenStudy> studies;
+                for (const database::StudySummary& summary : *list) {
+                    if (summary.state != database::StudyState::frozen &&
+                        summary.state != database::StudyState::closed)
+                        continue;
+                    auto open = openStudy(reader, summary.id);
+                    CHIRON_TRY(open);
+                    studies.push_back(std::move(*open));
+                }
+                return studies;
+            },
+            [this](core::Result<std::vector<OpenStudy>> studies) { loaded(std::move(studies)); }));
 }
 
 void RunScreen::loaded(core::Result<std::vector<OpenStudy>> studies) {
@@ -63,8 +73,10 @@ void RunScreen::loaded(core::Result<std::vector<OpenStudy>> studies) {
     }
     m_studies = std::move(*studies);
     if (m_studies.empty()) {
-        m_panel->showEmpty(tr("No study can be run yet"), tr("A study can be run as soon as its design is frozen and participants are "
-                                                             "enrolled."), tr("Open the studies"),
+        m_panel->showEmpty(tr("No study can be run yet"),
+                           tr("A study can be run as soon as its design is frozen and participants are "
+                              "enrolled."),
+                           tr("Open the studies"),
                            [this] { context().navigator().go(QStringLiteral("studies")); });
         return;
     }
@@ -75,7 +87,8 @@ void RunScreen::loaded(core::Result<std::vector<OpenStudy>> studies) {
 }
 
 const OpenStudy* RunScreen::study() const {
-    const auto found = std::find_if(m_studies.begin(), m_studies.end(), [this](const OpenStudy& each) { return each.summary.id == m_study; });
+    const auto found = std::find_if(m_studies.begin(), m_studies.end(),
+                                    [this](const OpenStudy& each) { return each.summary.id == m_study; });
     return found == m_studies.end() ? nullptr : &*found;
 }
 
@@ -126,7 +139,8 @@ QWidget* RunScreen::choiceBox() {
     for (const ParticipantRow& row : study()->participants) {
         const QString code = QString::fromStdString(row.participant.code);
         if (!row.participant.simulated)
-            m_participantChoice->addItem(tr("%1 · %2").arg(code, study_words::participantState(row.participant.state)), code);
+            m_participantChoice->addItem(
+                tr("%1 · %2").arg(code, study_words::participantState(row.participant.state)), code);
     }
     if (m_participant.isEmpty())
         m_participant = firstChoice();
@@ -147,7 +161,8 @@ QWidget* RunScreen::choiceBox() {
 }
 
 void RunScreen::showParticipant() {
-    context().navigator().note({{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_participant}});
+    context().navigator().note(
+        {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_participant}});
     delete m_shown;
     m_shown = new QWidget;
     auto* column = new QVBoxLayout(m_shown);
@@ -164,14 +179,18 @@ void RunScreen::showParticipant() {
 /// Shown here to the experimenter, because it does not belong on the participant's page.
 QWidget* RunScreen::soundNotice() {
     const ParticipantRow* row = participant();
-    if (!study()->design.trial.maskingSound || !row || row->participant.state != database::ParticipantState::consented)
+    if (!study()->design.trial.maskingSound || !row ||
+        row->participant.state != database::ParticipantState::consented)
         return nullptr;
     if (!m_heard)
         m_heard = loadSound().output != nullptr;
     if (*m_heard)
         return nullptr;
-    auto* notice = kit::notice(context().theme(), "warning", tr("This study plays a masking sound, and this machine has no sound output: participants would hear the device. Connect "
-                                                                "headphones or loudspeakers and open this page again. You can also go on: each trial is then recorded as not masked."));
+    auto* notice = kit::notice(context().theme(), "warning",
+                               tr("This study plays a masking sound, and this machine has no sound output: "
+                                  "participants would hear the device. Connect "
+                                  "headphones or loudspeakers and open this page again. You can also go on: "
+                                  "each trial is then recorded as not masked."));
     notice->setObjectName(QStringLiteral("run.no_sound"));
     return notice;
 }
@@ -188,8 +207,10 @@ QWidget* RunScreen::participantBox() {
     }
     box.layout->addWidget(kit::label(theme, m_participant, TextStyle::heading));
     if (row->participant.state == database::ParticipantState::enrolled) {
-        box.layout->addWidget(kit::notice(theme, "warning", tr("Consent is missing. Nothing can be begun before it is recorded.")));
-        auto* consent = kit::button(theme, tr("Record the consent …"), "primary", QStringLiteral("document-edit"));
+        box.layout->addWidget(kit::notice(
+            theme, "warning", tr("Consent is missing. Nothing can be begun before it is recorded.")));
+        auto* consent =
+            kit::button(theme, tr("Record the consent …"), "primary", QStringLiteral("document-edit"));
         consent->setObjectName(QStringLiteral("run.consent"));
         connect(consent, &QPushButton::clicked, this, [this, who = row->participant] { askConsent(who); });
         box.layout->addWidget(consent, 0, Qt::AlignLeft);
@@ -215,9 +236,11 @@ QWidget* RunScreen::participantBox() {
         box.layout->addWidget(conditionRow(*row, position, progress, offer));
         offered = offered || offer;
         next = next && done;
-        const auto run = std::find_if(row->runs.begin(), row->runs.end(), [&](const database::StudyRun& each) {
-            return session::labelOf(each) == progress.label && each.state == database::StudyRunState::completed;
-        });
+        const auto run =
+            std::find_if(row->runs.begin(), row->runs.end(), [&](const database::StudyRun& each) {
+                return session::labelOf(each) == progress.label &&
+                       each.state == database::StudyRunState::completed;
+            });
         // These are asked only after the condition is completed.
         for (const psychophysics::Questionnaire& each : open.design.questionnaires)
             if (each.when == When::afterCondition && run != row->runs.end())
@@ -238,7 +261,9 @@ QWidget* RunScreen::participantBox() {
 void RunScreen::addEnrol(QVBoxLayout& layout, bool first) {
     if (study()->summary.state != database::StudyState::frozen)
         return; // a closed study accepts no participants
-    auto* button = kit::button(context().theme(), participant() ? tr("Enrol the next participant …") : tr("Enrol somebody …"), first ? "primary" : "", QStringLiteral("list-add-user"));
+    auto* button = kit::button(context().theme(),
+                               participant() ? tr("Enrol the next participant …") : tr("Enrol somebody …"),
+                               first ? "primary" : "", QStringLiteral("list-add-user"));
     button->setObjectName(QStringLiteral("run.enrol"));
     connect(button, &QPushButton::clicked, this, &RunScreen::enrol);
     layout.addWidget(button, 0, Qt::AlignLeft);
@@ -258,7 +283,8 @@ void RunScreen::askConsent(const database::Participant& participant) {
     dialog->open();
 }
 
-QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const ConditionProgress& progress, bool next) {
+QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const ConditionProgress& progress,
+                                 bool next) {
     const Theme& theme = context().theme();
     const OpenStudy& open = *study();
     const kit::Box box = kit::box(theme, "raised");
@@ -269,7 +295,8 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const 
     auto* said = new QVBoxLayout;
     said->setSpacing(theme.px(2));
     line->addLayout(said, 1);
-    said->addWidget(kit::label(theme, tr("%1. %2").arg(context().locale().toString(position + 1), name), TextStyle::strong));
+    said->addWidget(kit::label(theme, tr("%1. %2").arg(context().locale().toString(position + 1), name),
+                               TextStyle::strong));
     const QString state = progressWords(open, progress, context().locale());
     const database::StudyRun* interrupted = nullptr;
     for (const database::StudyRun& run : row.runs)
@@ -280,8 +307,9 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const 
     said->addWidget(words);
     QVBoxLayout* cell = buttonCell(*line);
     if (next) {
-        QPushButton* go = interrupted ? resumeButton(m_participant, *interrupted)
-                                      : kit::button(theme, tr("Begin"), "primary", QStringLiteral("media-playback-start"));
+        QPushButton* go =
+            interrupted ? resumeButton(m_participant, *interrupted)
+                        : kit::button(theme, tr("Begin"), "primary", QStringLiteral("media-playback-start"));
         go->setObjectName(QStringLiteral("run.begin"));
         if (!interrupted) {
             go->setAccessibleName(tr("Begin %1").arg(name));
@@ -293,22 +321,29 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const 
     return box.frame;
 }
 
-QWidget* RunScreen::questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire, const database::StudyRun* run, int position) {
+QWidget* RunScreen::questionnaireRow(const ParticipantRow& row,
+                                     const psychophysics::Questionnaire& questionnaire,
+                                     const database::StudyRun* run, int position) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme, "raised");
     auto* line = new QHBoxLayout;
     const QString title = study_words::text(questionnaire.title, context().language());
-    const QString name = run ? tr("%1, about condition %2").arg(title, context().locale().toString(position + 1)) : title;
+    const QString name =
+        run ? tr("%1, about condition %2").arg(title, context().locale().toString(position + 1)) : title;
     auto* said = new QVBoxLayout;
     said->setSpacing(theme.px(2));
     line->addLayout(said, 1);
     said->addWidget(kit::label(theme, name, TextStyle::strong));
-    const bool done = run ? study()->answeredAfter.contains({run->id, questionnaire.id}) : study()->answered.contains({row.participant.id, questionnaire.id});
-    said->addWidget(kit::label(theme, done ? tr("answered") : tr("not answered yet"), TextStyle::body, "muted"));
+    const bool done = run ? study()->answeredAfter.contains({run->id, questionnaire.id})
+                          : study()->answered.contains({row.participant.id, questionnaire.id});
+    said->addWidget(
+        kit::label(theme, done ? tr("answered") : tr("not answered yet"), TextStyle::body, "muted"));
     QVBoxLayout* cell = buttonCell(*line);
     if (!done && row.participant.state != database::ParticipantState::withdrawn) {
         auto* go = kit::button(theme, tr("Answer"), "", QStringLiteral("document-edit"));
-        go->setObjectName(QStringLiteral("run.questionnaire.%1").arg(QString::fromStdString(questionnaire.id)) + (run ? QStringLiteral(".%1").arg(position) : QString()));
+        go->setObjectName(
+            QStringLiteral("run.questionnaire.%1").arg(QString::fromStdString(questionnaire.id)) +
+            (run ? QStringLiteral(".%1").arg(position) : QString()));
         go->setAccessibleName(tr("Answer %1").arg(name));
         connect(go, &QPushButton::clicked, this, [this, id = questionnaire.id, number = run ? run->id : 0] {
             QVariantMap place{{QStringLiteral("study"), qlonglong(m_study)},
@@ -325,9 +360,10 @@ QWidget* RunScreen::questionnaireRow(const ParticipantRow& row, const psychophys
 }
 
 void RunScreen::run(const std::string& condition) {
-    context().navigator().go(QStringLiteral("study_trials"), {{QStringLiteral("study"), qlonglong(m_study)},
-                                                              {QStringLiteral("participant"), m_participant},
-                                                              {QStringLiteral("condition"), QString::fromStdString(condition)}});
+    context().navigator().go(QStringLiteral("study_trials"),
+                             {{QStringLiteral("study"), qlonglong(m_study)},
+                              {QStringLiteral("participant"), m_participant},
+                              {QStringLiteral("condition"), QString::fromStdString(condition)}});
 }
 
 } // namespace chiron::desktop

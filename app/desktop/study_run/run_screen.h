@@ -50,10 +50,12 @@ private:
     void askConsent(const database::Participant& participant);
     /// The notice for a study with masking sound on a computer without sound output; otherwise null.
     QWidget* soundNotice();
-    QWidget* conditionRow(const ParticipantRow& row, int position, const ConditionProgress& progress, bool next);
+    QWidget* conditionRow(const ParticipantRow& row, int position, const ConditionProgress& progress,
+                          bool next);
     /// `run`: the run of the condition that the questionnaire is about, at `position`; null if it is asked
     /// once.
-    QWidget* questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire, const database::StudyRun* run = nullptr, int position = 0);
+    QWidget* questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire,
+                              const database::StudyRun* run = nullptr, int position = 0);
     void showParticipant();
     const OpenStudy* study() const;
     const ParticipantRow* participant() const;

@@ -28,7 +28,8 @@ QString RunScreen::firstChoice() const {
         const auto state = row.participant.state;
         if (row.participant.simulated)
             continue;
-        if (!first && (state == database::ParticipantState::enrolled || state == database::ParticipantState::consented))
+        if (!first &&
+            (state == database::ParticipantState::enrolled || state == database::ParticipantState::consented))
             first = &row;
         for (const LeftRun& left : row.left)
             if (state == database::ParticipantState::consented && left.lastUtc > when) {
@@ -41,7 +42,8 @@ QString RunScreen::firstChoice() const {
 }
 
 QPushButton* RunScreen::resumeButton(const QString& participant, const database::StudyRun& run) {
-    auto* go = kit::button(context().theme(), tr("Resume here"), "primary", QStringLiteral("media-playback-start"));
+    auto* go =
+        kit::button(context().theme(), tr("Resume here"), "primary", QStringLiteral("media-playback-start"));
     go->setAccessibleName(tr("Resume %1 where it was interrupted").arg(participant));
     connect(go, &QPushButton::clicked, this, [this, participant, label = session::labelOf(run)] {
         m_participant = participant;
@@ -58,17 +60,24 @@ QWidget* RunScreen::leftBox() {
     int rows = 0;
     for (const ParticipantRow& row : study()->participants)
         for (const LeftRun& left : row.left) {
-            const auto run = std::find_if(row.runs.begin(), row.runs.end(), [&](const database::StudyRun& each) { return each.id == left.run; });
+            const auto run =
+                std::find_if(row.runs.begin(), row.runs.end(),
+                             [&](const database::StudyRun& each) { return each.id == left.run; });
             const QString code = QString::fromStdString(row.participant.code);
-            if (row.participant.simulated || row.participant.state != database::ParticipantState::consented || code == m_participant)
+            if (row.participant.simulated || row.participant.state != database::ParticipantState::consented ||
+                code == m_participant)
                 continue;
             const kit::Box inner = kit::box(theme, "raised");
             auto* line = new QHBoxLayout;
             auto* said = new QVBoxLayout;
             said->setSpacing(theme.px(2));
             line->addLayout(said, 1);
-            said->addWidget(kit::label(theme, tr("%1 · %2").arg(code, conditionName(*study(), session::labelOf(*run), context().language())), TextStyle::strong));
-            said->addWidget(kit::label(theme, interruptedWords(*study(), left, context().locale()), TextStyle::body, "muted"));
+            said->addWidget(kit::label(theme,
+                                       tr("%1 · %2").arg(code, conditionName(*study(), session::labelOf(*run),
+                                                                             context().language())),
+                                       TextStyle::strong));
+            said->addWidget(kit::label(theme, interruptedWords(*study(), left, context().locale()),
+                                       TextStyle::body, "muted"));
             QPushButton* go = resumeButton(code, *run);
             go->setObjectName(QStringLiteral("run.resume.%1").arg(code));
             buttonCell(*line)->addWidget(go, 0, Qt::AlignRight);

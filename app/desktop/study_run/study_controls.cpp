@@ -17,28 +17,43 @@ struct Words {
 };
 
 ControlHint moveHint(const StudyHand& hand) {
-    return hand.pointer ? ControlHint{Pictogram::moveMouse, Words::tr("Move"), Words::tr("Move the mouse, or use the arrow keys.")}
-                        : ControlHint{Pictogram::moveStylus, Words::tr("Move"), Words::tr("Take the handle and move it over the objects.")};
+    return hand.pointer ? ControlHint{Pictogram::moveMouse, Words::tr("Move"),
+                                      Words::tr("Move the mouse, or use the arrow keys.")}
+                        : ControlHint{Pictogram::moveStylus, Words::tr("Move"),
+                                      Words::tr("Take the handle and move it over the objects.")};
 }
 
 ControlHint exploreHint(Attribute attribute, const StudyHand& hand) {
     if (hand.pointer)
         return isTakenHold(attribute)
-                   ? ControlHint{Pictogram::wheelAway, Words::tr("Take hold and pull"), Words::tr("Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or "
-                                                                                                  "Page Up, pulls. To let go, lower it well below the ring.")}
-                   : ControlHint{Pictogram::wheelTowards, Words::tr("Press"), Words::tr("Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.")};
-    return isTakenHold(attribute) ? ControlHint{Pictogram::pressStylus, Words::tr("Take hold and pull"), Words::tr("Lower the tip into the ring, then raise the handle. To let go, push it well below the ring.")}
-                                  : ControlHint{Pictogram::pressStylus, Words::tr("Press"), Words::tr("Push the tip into the object, or stroke it. Raise the handle to let go.")};
+                   ? ControlHint{Pictogram::wheelAway, Words::tr("Take hold and pull"),
+                                 Words::tr("Lower the tool into the ring: roll the wheel towards you, or "
+                                           "hold Page Down. Away from you, or "
+                                           "Page Up, pulls. To let go, lower it well below the ring.")}
+                   : ControlHint{Pictogram::wheelTowards, Words::tr("Press"),
+                                 Words::tr("Roll the wheel towards you, or hold Page Down. Away from you, or "
+                                           "Page Up, raises.")};
+    return isTakenHold(attribute)
+               ? ControlHint{Pictogram::pressStylus, Words::tr("Take hold and pull"),
+                             Words::tr("Lower the tip into the ring, then raise the handle. To let go, push "
+                                       "it well below the ring.")}
+               : ControlHint{
+                     Pictogram::pressStylus, Words::tr("Press"),
+                     Words::tr("Push the tip into the object, or stroke it. Raise the handle to let go.")};
 }
 
 QString answerHow(Task task, Attribute attribute, const StudyHand& hand) {
     if (attribute == Attribute::apex)
-        return hand.pointer ? Words::tr("Click, or press Enter, while the tool is at the place.") : Words::tr("Press the button of the handle, or Enter, while the tip is at the place.");
+        return hand.pointer
+                   ? Words::tr("Click, or press Enter, while the tool is at the place.")
+                   : Words::tr("Press the button of the handle, or Enter, while the tip is at the place.");
     switch (task) {
     case Task::rank3:
-        return Words::tr("Press 1, 2 or 3 from least to most, then Enter. Backspace takes the last one back.");
+        return Words::tr(
+            "Press 1, 2 or 3 from least to most, then Enter. Backspace takes the last one back.");
     case Task::rank3Ties:
-        return Words::tr("Press 1, 2 or 3 from least to most, = before one that equals the last, then Enter. Backspace takes back.");
+        return Words::tr("Press 1, 2 or 3 from least to most, = before one that equals the last, then Enter. "
+                         "Backspace takes back.");
     case Task::sameDifferent:
         return Words::tr("Press 1 for the same, 2 for different.");
     case Task::yesNo:
@@ -49,7 +64,9 @@ QString answerHow(Task task, Attribute attribute, const StudyHand& hand) {
         return Words::tr("Type a number, then press Enter.");
     default:
         if (hand.pointer)
-            return psychophysics::placesOf(task) == 2 ? Words::tr("Press the number of the object: 1 or 2.") : Words::tr("Press the number of the object: 1, 2 or 3.");
+            return psychophysics::placesOf(task) == 2
+                       ? Words::tr("Press the number of the object: 1 or 2.")
+                       : Words::tr("Press the number of the object: 1, 2 or 3.");
         return Words::tr("Press the number of the object, or the button of the handle while you touch it.");
     }
 }
@@ -58,18 +75,26 @@ QString answerHow(Task task, Attribute attribute, const StudyHand& hand) {
 
 bool isTakenHold(Attribute attribute) {
     // Both enumerations have the same order.
-    return attribute != Attribute::apex && simulation::isHooked(static_cast<simulation::ComparedAttribute>(attribute));
+    return attribute != Attribute::apex &&
+           simulation::isHooked(static_cast<simulation::ComparedAttribute>(attribute));
 }
 
 std::vector<ControlHint> studyControls(Task task, Attribute attribute, const StudyHand& hand) {
     const bool click = attribute == Attribute::apex;
-    const Pictogram answer = hand.pointer ? (click ? Pictogram::leftClick : Pictogram::keys) : click ? Pictogram::stylusButton : Pictogram::keys;
-    return {moveHint(hand), exploreHint(attribute, hand), {answer, Words::tr("Answer"), answerHow(task, attribute, hand)}};
+    const Pictogram answer = hand.pointer ? (click ? Pictogram::leftClick : Pictogram::keys)
+                             : click      ? Pictogram::stylusButton
+                                          : Pictogram::keys;
+    return {moveHint(hand),
+            exploreHint(attribute, hand),
+            {answer, Words::tr("Answer"), answerHow(task, attribute, hand)}};
 }
 
 QString studyKeys(Task, Attribute, const StudyHand& hand) {
-    const QString always = Words::tr("Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.");
-    return hand.pointer ? Words::tr("%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and answers nothing.").arg(always)
+    const QString always = Words::tr("Space pauses. Esc stops force at once, and R brings it back slowly; "
+                                     "Esc again asks whether to stop.");
+    return hand.pointer ? Words::tr("%1 T frees the pointer, so that the answers can be clicked as well; a "
+                                    "click in the scene takes it back and answers nothing.")
+                              .arg(always)
                         : Words::tr("%1 The answers can be clicked as well.").arg(always);
 }
 

@@ -20,7 +20,8 @@ bool isTakenHold(psychophysics::Attribute attribute);
 /// How a participant explores and answers a task with the device in hand: the movements in the order in which
 /// they are needed.
 /// Thread: GUI.
-std::vector<ControlHint> studyControls(psychophysics::Task task, psychophysics::Attribute attribute, const StudyHand& hand);
+std::vector<ControlHint> studyControls(psychophysics::Task task, psychophysics::Attribute attribute,
+                                       const StudyHand& hand);
 /// The remaining keys during a study session, as a line of text.
 QString studyKeys(psychophysics::Task task, psychophysics::Attribute attribute, const StudyHand& hand);
 /// The keys (Qt::Key) whose press counts as a first movement of the tool.

@@ -40,7 +40,7 @@ QString paragraphs(QStringList texts) {
     return texts.join(QStringLiteral("\n\n"));
 }
 
-}
+} // namespace
 
 TrialsScreen::~TrialsScreen() {
     m_keys->setActive(false);
@@ -50,15 +50,22 @@ TrialsScreen::~TrialsScreen() {
     context().setTrialRuns(false);
 }
 
-QString TrialsScreen::title() const { return tr("Study"); }
+QString TrialsScreen::title() const {
+    return tr("Study");
+}
 
 /// Participants read this as well, so it reveals no more than their own page.
 QString TrialsScreen::help() const {
-    return tr("Here a participant explores objects and answers.\n\nMove the tool with the device, or with the mouse; with the mouse, raise and "
-              "lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers "
-              "nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.\n\nIn practice, Backspace takes "
-              "an answer back.\n\nSpace pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop "
-              "the session. All answered trials are kept; a stopped run continues later at the same trial.\n\nF2 is for the experimenter.");
+    return tr("Here a participant explores objects and answers.\n\nMove the tool with the device, or with "
+              "the mouse; with the mouse, raise and "
+              "lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene "
+              "captures it again and answers "
+              "nothing. Answer with the buttons or with the keys shown on them, as soon as they are "
+              "enabled.\n\nIn practice, Backspace takes "
+              "an answer back.\n\nSpace pauses. Esc stops force at once and R brings it back slowly; "
+              "pressing Esc again asks whether to stop "
+              "the session. All answered trials are kept; a stopped run continues later at the same "
+              "trial.\n\nF2 is for the experimenter.");
 }
 
 void TrialsScreen::enter() {
@@ -78,13 +85,16 @@ void TrialsScreen::begin() {
         fail(station.error());
         return;
     }
-    request.measuredDelay_s = measuredDelay_s(context().settings(), station->tools.front().device->descriptor());
+    request.measuredDelay_s =
+        measuredDelay_s(context().settings(), station->tools.front().device->descriptor());
     request.station = std::move(*station);
-    request.freeMinute_s = place().parameters.value(QStringLiteral("free_minute_s"), kFreeMinute_s).toDouble();
+    request.freeMinute_s =
+        place().parameters.value(QStringLiteral("free_minute_s"), kFreeMinute_s).toDouble();
     request.waitsAfterPractice = true;
     request.language = context().language().toStdString();
     request.nextStation = [] { return session::keyboardMouseStation(); };
-    auto live = session::LiveSitting::start(context().site().database(), context().actor(), std::move(request));
+    auto live =
+        session::LiveSitting::start(context().site().database(), context().actor(), std::move(request));
     if (!live) {
         const QString words = refusalWords(live.error(), context().locale());
         words.isEmpty() ? fail(live.error()) : refuse(words);
@@ -116,32 +126,46 @@ void TrialsScreen::showInstructions() {
 }
 
 /// The researcher's own text about this condition; empty if there is none.
-QString TrialsScreen::partText() const { return study_words::text(m_live->condition().instructions, context().language()); }
+QString TrialsScreen::partText() const {
+    return study_words::text(m_live->condition().instructions, context().language());
+}
 
 /// Describes, from the design, what stays the same and what may differ. The design does not know other
 /// changes that a researcher makes (a glove, another hand), so the text must not exclude them.
 QString TrialsScreen::furtherPartText() const {
     const session::ParticipantView study = session::participantView(m_live->design());
     const auto anyOther = [&](const auto& same) {
-        return std::any_of(study.parts.begin(), study.parts.end(), [&](const session::PartView& part) { return !same(part, study.parts.front()); });
+        return std::any_of(study.parts.begin(), study.parts.end(),
+                           [&](const session::PartView& part) { return !same(part, study.parts.front()); });
     };
-    const bool differs = anyOther([](const session::PartView& a, const session::PartView& b) { return a.task == b.task && a.attribute == b.attribute; });
-    const bool otherNumber = anyOther([](const session::PartView& a, const session::PartView& b) { return a.trialsAtMost == b.trialsAtMost && a.trialsFixed == b.trialsFixed; });
+    const bool differs = anyOther([](const session::PartView& a, const session::PartView& b) {
+        return a.task == b.task && a.attribute == b.attribute;
+    });
+    const bool otherNumber = anyOther([](const session::PartView& a, const session::PartView& b) {
+        return a.trialsAtMost == b.trialsAtMost && a.trialsFixed == b.trialsFixed;
+    });
     QStringList said;
     const bool own = !partText().isEmpty();
-    said << (differs ? tr("What you do may differ from the part before: the next page shows the question and how you answer it.")
+    said << (differs ? tr("What you do may differ from the part before: the next page shows the question and "
+                          "how you answer it.")
              : own   ? tr("Apart from this, you explore and answer as in the part before.")
-                     : tr("You explore and answer as in the part before, unless the experimenter tells you otherwise."));
+                     : tr("You explore and answer as in the part before, unless the experimenter tells you "
+                            "otherwise."));
     if (otherNumber)
         said << tr("The number of trials may be another.");
-    const auto part = std::find_if(study.parts.begin(), study.parts.end(), [&](const session::PartView& each) { return each.condition == m_live->condition().id; });
+    const auto part =
+        std::find_if(study.parts.begin(), study.parts.end(),
+                     [&](const session::PartView& each) { return each.condition == m_live->condition().id; });
     if (part != study.parts.end() && part->practice > 0 && m_live->view().tryLeft_s > 0.0)
         said << tr("It begins with %n practice trial(s), which do not count.", nullptr, part->practice);
     return said.join(QLatin1Char(' '));
 }
 
 void TrialsScreen::showWholeInstructions() {
-    m_break->say(tr("Before you begin"), paragraphs({study_words::text(m_live->design().instructions, context().language()), partText()}), tr("Continue (Enter)"));
+    m_break->say(
+        tr("Before you begin"),
+        paragraphs({study_words::text(m_live->design().instructions, context().language()), partText()}),
+        tr("Continue (Enter)"));
     m_stage->setCurrentWidget(m_break);
     m_panel->showContent();
     m_break->focusButton();
@@ -154,17 +178,22 @@ void TrialsScreen::showCard() {
     ReadyFacts facts;
     facts.exercise = tr("Participant %1").arg(m_participant);
     facts.level = tr("This is how you explore and answer");
-    facts.goal = m_apex ? tr("Where is the highest point?") : study_words::question(condition.task, condition.stimulus.attribute);
+    facts.goal = m_apex ? tr("Where is the highest point?")
+                        : study_words::question(condition.task, condition.stimulus.attribute);
     facts.controls = studyControls(condition.task, condition.stimulus.attribute, hand);
     facts.keys = studyKeys(condition.task, condition.stimulus.attribute, hand);
-    facts.limit = hand.felt ? tr("You feel the objects through the device.") : tr("This device renders no force: what a hand would feel is shown beside the scene.");
-    facts.clock = m_live->view().tryLeft_s > 0.0 ? tr("First comes a free minute to try the controls. Nothing counts in it, and you can end it at any time.")
+    facts.limit = hand.felt
+                      ? tr("You feel the objects through the device.")
+                      : tr("This device renders no force: what a hand would feel is shown beside the scene.");
+    facts.clock = m_live->view().tryLeft_s > 0.0 ? tr("First comes a free minute to try the controls. "
+                                                      "Nothing counts in it, and you can end it at any time.")
                                                  : tr("The trials go on where they were interrupted.");
     facts.offersPractice = false; // the free minute follows anyway
     m_card = new ReadyCard(context().theme(), facts, ReadyCard::Kind::whole);
     m_card->setToolKeys(studyMovementKeys(hand));
     connect(m_card, &ReadyCard::goAsked, this, &TrialsScreen::go);
-    connect(m_card, &ReadyCard::helpAsked, this, [this] { showHelp(context().theme(), *this, m_page->window()); });
+    connect(m_card, &ReadyCard::helpAsked, this,
+            [this] { showHelp(context().theme(), *this, m_page->window()); });
     m_stage->addWidget(m_card);
     m_stage->setCurrentWidget(m_card);
     m_card->takeFocus();
@@ -245,7 +274,10 @@ void TrialsScreen::onBreakButton() {
     }
 }
 
-bool TrialsScreen::isPage() const { return m_page->isVisible() && (m_stage->currentWidget() == m_break || (m_card && m_stage->currentWidget() == m_card)); }
+bool TrialsScreen::isPage() const {
+    return m_page->isVisible() &&
+           (m_stage->currentWidget() == m_break || (m_card && m_stage->currentWidget() == m_card));
+}
 
 /// A key press within kOnePress_ms after a page appears was meant for the previous view, and a second press
 /// for the previous page; both are ignored. If the experimenter must come, or force was removed, continuing
@@ -324,7 +356,8 @@ void TrialsScreen::askToStop() {
     m_asking = true;
     m_live->pause();
     freePointer();
-    QMessageBox box(QMessageBox::Question, title(), tr("Stop this session?"), QMessageBox::NoButton, m_window && !m_desk->isActiveWindow() ? m_window->window() : window());
+    QMessageBox box(QMessageBox::Question, title(), tr("Stop this session?"), QMessageBox::NoButton,
+                    m_window && !m_desk->isActiveWindow() ? m_window->window() : window());
     box.setObjectName(QStringLiteral("trials.ask"));
     box.setInformativeText(tr("All answered trials are kept. The run continues later at the same trial."));
     QPushButton* keep = box.addButton(tr("Keep going"), QMessageBox::RejectRole);
@@ -345,21 +378,24 @@ void TrialsScreen::finished() {
     freePointer();
     const core::Result<session::LiveStudyResult>& result = m_live->result();
     m_completed = result && result->completed;
-    const QString what = !result      ? tr("The session could not be run.") + QLatin1Char('\n') + inWords(result.error())
-                         : m_completed ? tr("This condition is completed.")
-                                       : tr("All answered trials are kept. The run continues at the same trial.");
-    m_completed && ConditionQuestions::areIn(m_live->design()) ? askQuestions(what) : showEnd(what);
+    const QString what =
+        !result       ? tr("The session could not be run.") + QLatin1Char('\n') + inWords(result.error())
+        : m_completed ? tr("This condition is completed.")
+                      : tr("All answered trials are kept. The run continues at the same trial.");
+    m_completed&& ConditionQuestions::areIn(m_live->design()) ? askQuestions(what) : showEnd(what);
 }
 
 void TrialsScreen::fail(const core::Error& error) {
     over();
-    m_panel->showError(tr("The session could not be run"), error, [this] { leave(); }, Tried::saving);
+    m_panel->showError(
+        tr("The session could not be run"), error, [this] { leave(); }, Tried::saving);
 }
 
 /// This is not an error: it takes another device or another study.
 void TrialsScreen::refuse(const QString& words) {
     over();
-    m_panel->showEmpty(tr("Not possible with this device"), words, tr("Back to the participant"), [this] { leave(); });
+    m_panel->showEmpty(tr("Not possible with this device"), words, tr("Back to the participant"),
+                       [this] { leave(); });
 }
 
 void TrialsScreen::over() {
@@ -371,19 +407,25 @@ void TrialsScreen::over() {
 
 QString TrialsScreen::refusalWords(const session::SittingError& error, const QLocale& locale) {
     if (error.device == session::DeviceRefusal::rendersNone)
-        return tr("Because of its delay, this device can render none of the differences in this condition. Use a faster or stronger "
+        return tr("Because of its delay, this device can render none of the differences in this condition. "
+                  "Use a faster or stronger "
                   "device, or plan another reference in another study.");
     if (error.device == session::DeviceRefusal::rendersLess)
-        return tr("This run was started on a device that renders larger differences than this one. It can be continued only with such a "
+        return tr("This run was started on a device that renders larger differences than this one. It can be "
+                  "continued only with such a "
                   "device, so that all of its trials can be compared.");
     if (error.otherVersion)
-        return tr("This run was started with a different version of its procedure. A run is never continued with another version, so that "
-                  "all of its trials can be compared. The answers so far are kept; enrol another participant for this condition.");
+        return tr("This run was started with a different version of its procedure. A run is never continued "
+                  "with another version, so that "
+                  "all of its trials can be compared. The answers so far are kept; enrol another participant "
+                  "for this condition.");
     if (!error.tooStiff)
         return {};
-    return tr("The sphere is too stiff for this device: the study asks for %1 N/m, but with its delay the device can render at most %2 N/m "
+    return tr("The sphere is too stiff for this device: the study asks for %1 N/m, but with its delay the "
+              "device can render at most %2 N/m "
               "stably. Use a faster device, or plan a softer sphere in another study.")
-        .arg(locale.toString(qRound(error.tooStiff->sphere_N_per_m)), locale.toString(qRound(error.tooStiff->device_N_per_m)));
+        .arg(locale.toString(qRound(error.tooStiff->sphere_N_per_m)),
+             locale.toString(qRound(error.tooStiff->device_N_per_m)));
 }
 
 std::vector<ScreenCommand> TrialsScreen::commands() {

@@ -63,7 +63,8 @@ public:
 
     /// The participant's explanation why a trial does not count. It does not reveal whether the answer was
     /// right. `pulls`: objects are held and pulled.
-    static QString repeatedWords(const std::string& reason, bool pulls, double probe_N, const QLocale& locale);
+    static QString repeatedWords(const std::string& reason, bool pulls, double probe_N,
+                                 const QLocale& locale);
 
 private:
     // trials_screen_build.cpp
@@ -178,9 +179,9 @@ private:
     KeyFilter* m_keys = nullptr;
     SoundCuePlayer m_sound{4.0};
     bool m_masking = true;
-    bool m_released = false;  ///< the experimenter has left for another screen
-    bool m_gate = false;      ///< the experimenter's password is being asked for
-    QString m_ended;          ///< result of the session, for the experimenter
+    bool m_released = false; ///< the experimenter has left for another screen
+    bool m_gate = false;     ///< the experimenter's password is being asked for
+    QString m_ended;         ///< result of the session, for the experimenter
     bool m_completed = false;
     bool m_over = false;
     bool m_asking = false;
@@ -188,7 +189,7 @@ private:
     session::LiveStudyView::State m_state = session::LiveStudyView::State::starting;
     /// Time since a page appeared without a key press, while the participant was doing something else.
     QElapsedTimer m_pageCame;
-    QElapsedTimer m_wentOn;   ///< time since a key press continued
+    QElapsedTimer m_wentOn; ///< time since a key press continued
     QTimer m_frame;
     std::unique_ptr<session::LiveSitting> m_live;
     int m_sessions = 0; ///< session whose pointer is connected

@@ -8,12 +8,12 @@
 #include "desktop/study_run/apex_stage.h"
 #include "desktop/study_run/break_panel.h"
 #include "desktop/study_run/experimenter_panel.h"
-#include "desktop/study_run/places_view.h"
 #include "desktop/study_run/participant_window.h"
+#include "desktop/study_run/places_view.h"
 #include "desktop/study_run/study_controls.h"
-#include "desktop/training/ready_card.h"
 #include "desktop/training/key_filter.h"
 #include "desktop/training/pointer_control.h"
+#include "desktop/training/ready_card.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
@@ -71,7 +71,8 @@ void TrialsScreen::buildDesk() {
     column->setSpacing(theme.px(10));
     auto* bar = new QWidget;
     auto* row = new FlowLayout(theme.px(12), bar);
-    m_toPage = kit::button(theme, tr("Back to the participant (F2)"), "primary", QStringLiteral("go-previous"));
+    m_toPage =
+        kit::button(theme, tr("Back to the participant (F2)"), "primary", QStringLiteral("go-previous"));
     m_toPage->setObjectName(QStringLiteral("trials.to_page"));
     connect(m_toPage, &QPushButton::clicked, this, &TrialsScreen::showPage);
     row->addWidget(m_toPage);
@@ -88,8 +89,10 @@ void TrialsScreen::buildDesk() {
     connect(masking, &QCheckBox::toggled, this, [this](bool on) { m_masking = on; });
     row->addWidget(masking);
     column->addWidget(bar);
-    m_noSound = kit::notice(theme, "warning", tr("The masking sound is not heard: this machine has no sound output. Each trial is recorded as not masked. To mask, stop the "
-                                                 "session, connect headphones or loudspeakers, and resume the run."));
+    m_noSound = kit::notice(theme, "warning",
+                            tr("The masking sound is not heard: this machine has no sound output. Each trial "
+                               "is recorded as not masked. To mask, stop the "
+                               "session, connect headphones or loudspeakers, and resume the run."));
     m_noSound->setObjectName(QStringLiteral("trials.no_sound"));
     m_noSound->hide();
     column->addWidget(m_noSound);
@@ -131,7 +134,8 @@ QWidget* TrialsScreen::buildHead() {
     connect(m_call, &QPushButton::clicked, this, &TrialsScreen::toggleExperimenter);
     row->addWidget(m_call);
     m_stop = kit::button(theme, tr("Stop … (Esc twice)"), "", QStringLiteral("media-playback-stop"));
-    m_stop->setToolTip(tr("Esc stops force at once; pressed again, it asks whether to stop the session. T frees the pointer."));
+    m_stop->setToolTip(tr(
+        "Esc stops force at once; pressed again, it asks whether to stop the session. T frees the pointer."));
     m_stop->setObjectName(QStringLiteral("trials.stop"));
     connect(m_stop, &QPushButton::clicked, this, &TrialsScreen::askToStop);
     row->addWidget(m_stop);
@@ -212,8 +216,12 @@ void TrialsScreen::buildApex() {
     connect(m_apex, &ApexStage::markAsked, this, &TrialsScreen::mark);
 }
 
-QWidget& TrialsScreen::area() { return m_apex ? m_apex->area() : *m_places; }
-QObject& TrialsScreen::source() { return m_apex ? m_apex->source() : *m_places; }
+QWidget& TrialsScreen::area() {
+    return m_apex ? m_apex->area() : *m_places;
+}
+QObject& TrialsScreen::source() {
+    return m_apex ? m_apex->source() : *m_places;
+}
 
 void TrialsScreen::buildPlaces() {
     const Theme& theme = context().theme();
@@ -283,7 +291,8 @@ void TrialsScreen::toolKey(int key, bool down) {
         return;
     }
     if (m_card) { // the first movement starts
-        const std::vector<int> movements = studyMovementKeys({m_live->training().pointer() != nullptr, m_live->training().felt()});
+        const std::vector<int> movements =
+            studyMovementKeys({m_live->training().pointer() != nullptr, m_live->training().felt()});
         if (down && std::find(movements.begin(), movements.end(), key) != movements.end())
             go();
         return;

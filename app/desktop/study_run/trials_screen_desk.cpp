@@ -19,11 +19,15 @@
 
 namespace chiron::desktop {
 
-bool TrialsScreen::atDesk() const { return m_window || m_faces->currentWidget() == m_desk; }
+bool TrialsScreen::atDesk() const {
+    return m_window || m_faces->currentWidget() == m_desk;
+}
 
 /// If there is a second screen, the participant sits in front of it; the desk stays here.
 void TrialsScreen::placePage() {
-    QScreen* second = place().parameters.value(QStringLiteral("one_screen")).toBool() ? nullptr : ParticipantWindow::otherScreen(*this);
+    QScreen* second = place().parameters.value(QStringLiteral("one_screen")).toBool()
+                          ? nullptr
+                          : ParticipantWindow::otherScreen(*this);
     if (!second)
         return;
     m_window = new ParticipantWindow(context().theme(), *second, this);
@@ -49,7 +53,8 @@ void TrialsScreen::bringBack() {
     m_faces->insertWidget(0, m_page);
     m_call->show();
     m_toPage->setVisible(running());
-    m_deskNote->setText(tr("The participant's screen is gone. The session is paused, and everything so far is kept. The participant's page is "
+    m_deskNote->setText(tr("The participant's screen is gone. The session is paused, and everything so far "
+                           "is kept. The participant's page is "
                            "in this window now."));
 }
 
@@ -83,7 +88,9 @@ void TrialsScreen::callExperimenter(std::function<void()> then) {
 void TrialsScreen::showDesk() {
     m_faces->setCurrentWidget(m_desk);
     m_toPage->setVisible(running() && !m_window);
-    m_deskNote->setText(running() ? tr("The session is paused. Before you hand over, go back to the participant's page.") : m_ended);
+    m_deskNote->setText(
+        running() ? tr("The session is paused. Before you hand over, go back to the participant's page.")
+                  : m_ended);
     if (running())
         m_experimenter->show(m_live->view(), m_live->numbers(), m_live->condition());
     (m_toPage->isHidden() ? m_leave : m_toPage)->setFocus(Qt::OtherFocusReason);
@@ -111,7 +118,8 @@ void TrialsScreen::toggleExperimenter() {
 void TrialsScreen::askQuestions(const QString& what) {
     m_ended = what;
     m_panel->showContent();
-    m_questions = new ConditionQuestions(context(), m_live->design(), {m_study, m_participant, m_live->result()->run});
+    m_questions =
+        new ConditionQuestions(context(), m_live->design(), {m_study, m_participant, m_live->result()->run});
     m_questions->setObjectName(QStringLiteral("trials.questions"));
     connect(m_questions, &ConditionQuestions::answered, this, [this] { showEnd(m_ended); });
     m_stage->addWidget(m_questions);
@@ -133,7 +141,8 @@ void TrialsScreen::showEnd(const QString& what) {
     m_ended = what;
     m_panel->showContent();
     if (isPilot())
-        m_break->say(tr("The pilot run is over"), tr("What was tried does not count as data of the study."), tr("Go on"));
+        m_break->say(tr("The pilot run is over"), tr("What was tried does not count as data of the study."),
+                     tr("Go on"));
     else
         m_break->say(tr("Thank you"), tr("Please call the experimenter."), {});
     m_break->countDown(-1.0, 0.0);
@@ -153,10 +162,14 @@ void TrialsScreen::leave() {
         context().messages().information(m_ended);
     // A pilot returns to the design that was tried.
     if (const QVariant draft = place().parameters.value(QStringLiteral("pilot_of")); draft.isValid()) {
-        context().navigator().replace({QStringLiteral("study"), {{QStringLiteral("study"), draft}, {QStringLiteral("tab"), int(StudyScreen::checkTab)}}});
+        context().navigator().replace(
+            {QStringLiteral("study"),
+             {{QStringLiteral("study"), draft}, {QStringLiteral("tab"), int(StudyScreen::checkTab)}}});
         return;
     }
-    context().navigator().replace({QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_participant}}});
+    context().navigator().replace(
+        {QStringLiteral("study_run"),
+         {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_participant}}});
 }
 
 bool TrialsScreen::mayLeave() {

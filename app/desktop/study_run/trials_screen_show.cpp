@@ -31,14 +31,17 @@ constexpr int kFreeMinuteEnds_s = 10; // announced this long before the end, to 
 void TrialsScreen::showState(const session::LiveStudyView& view) {
     m_progress->setValue(view.ofAtMost > 0 ? 100 * view.trial / view.ofAtMost : 0);
     m_progress->setVisible(view.ofAtMost > 0);
-    const QString pilot = m_live->design().pilotOf.empty() ? QString() : tr("Pilot run") + QStringLiteral(" · ");
-    m_note->setText(pilot + (view.state == State::trying ? tr("Participant %1 · free minute").arg(m_participant)
-                             : view.practice            ? tr("Participant %1 · practice").arg(m_participant)
-                                                        : tr("Participant %1").arg(m_participant)));
+    const QString pilot =
+        m_live->design().pilotOf.empty() ? QString() : tr("Pilot run") + QStringLiteral(" · ");
+    m_note->setText(pilot + (view.state == State::trying
+                                 ? tr("Participant %1 · free minute").arg(m_participant)
+                             : view.practice ? tr("Participant %1 · practice").arg(m_participant)
+                                             : tr("Participant %1").arg(m_participant)));
     const bool changed = view.state != m_state;
     m_state = view.state;
-    const bool scene = view.state == State::trying || view.state == State::coming || view.state == State::arming || view.state == State::exploring || view.state == State::answering ||
-                       view.state == State::feedback;
+    const bool scene = view.state == State::trying || view.state == State::coming ||
+                       view.state == State::arming || view.state == State::exploring ||
+                       view.state == State::answering || view.state == State::feedback;
     if (scene) {
         if (m_stage->currentWidget() != m_trial) {
             m_stage->setCurrentWidget(m_trial);
@@ -70,10 +73,14 @@ void TrialsScreen::hearMasking(bool scene) {
     const bool wanted = m_masking && m_live->design().trial.maskingSound;
     if (m_live->design().trial.maskingSound)
         m_sound.mask(wanted && scene);
-    m_live->setMasking(!wanted ? TrialCircumstances::kMaskingOff : m_sound.works() ? TrialCircumstances::kMaskingNoise : TrialCircumstances::kMaskingSilent);
+    m_live->setMasking(!wanted           ? TrialCircumstances::kMaskingOff
+                       : m_sound.works() ? TrialCircumstances::kMaskingNoise
+                                         : TrialCircumstances::kMaskingSilent);
 }
 
-void TrialsScreen::showSilence() { m_noSound->setVisible(m_live->design().trial.maskingSound && !m_sound.works()); }
+void TrialsScreen::showSilence() {
+    m_noSound->setVisible(m_live->design().trial.maskingSound && !m_sound.works());
+}
 
 /// Gives the number of trials, exact or at most, but not the state of a staircase.
 QString TrialsScreen::trialText(const session::LiveStudyView& view) const {
@@ -84,7 +91,9 @@ QString TrialsScreen::trialText(const session::LiveStudyView& view) const {
     const QString number = locale.toString(view.trial + 1);
     const QString most = locale.toString(view.ofAtMost);
     const bool fixed = session::trialsAreFixed(m_live->condition());
-    return view.ofAtMost <= 0 ? tr("Trial %1").arg(number) : fixed ? tr("Trial %1 of %2").arg(number, most) : tr("Trial %1 of at most %2").arg(number, most);
+    return view.ofAtMost <= 0 ? tr("Trial %1").arg(number)
+           : fixed            ? tr("Trial %1 of %2").arg(number, most)
+                              : tr("Trial %1 of at most %2").arg(number, most);
 }
 
 /// Updates the strip for the free minute and the feedback of practice.
@@ -92,11 +101,14 @@ void TrialsScreen::showStrip(const session::LiveStudyView& view) {
     const bool trying = view.state == State::trying;
     const int left_s = static_cast<int>(std::ceil(view.tryLeft_s));
     const bool ends = trying && left_s <= kFreeMinuteEnds_s;
-    m_strip->setText(ends               ? tr("The free minute ends in %n second(s). Then you say when the trials begin.", nullptr, left_s)
-                     : trying           ? tr("Free minute: try the controls. Nothing counts yet. %n second(s) left.", nullptr, left_s)
-                     : view.mayTakeBack ? tr("Practice: this answer does not count. If it was a slip, take it back.")
-                     : view.practice    ? tr("Practice: nothing counts yet.")
-                                        : trialText(view));
+    m_strip->setText(
+        ends
+            ? tr("The free minute ends in %n second(s). Then you say when the trials begin.", nullptr, left_s)
+        : trying
+            ? tr("Free minute: try the controls. Nothing counts yet. %n second(s) left.", nullptr, left_s)
+        : view.mayTakeBack ? tr("Practice: this answer does not count. If it was a slip, take it back.")
+        : view.practice    ? tr("Practice: nothing counts yet.")
+                           : trialText(view));
     m_repeated->setText(trying || view.practice ? QString() : repeatedText(view));
     m_takeBack->setVisible(view.mayTakeBack);
     m_enough->setText(trying ? tr("I am ready (Enter)") : tr("Next (Enter)"));
@@ -118,24 +130,31 @@ static QString namesOfPlaces(const session::LiveStudyView& view, std::uint32_t p
 }
 
 /// Names of the objects that have not been touched yet.
-static QString missingObjects(const session::LiveStudyView& view) { return namesOfPlaces(view, ~view.touched); }
+static QString missingObjects(const session::LiveStudyView& view) {
+    return namesOfPlaces(view, ~view.touched);
+}
 
 /// Says that objects that were only grazed, or are held without being pulled, need more force. It does not
 /// say how far an object yields to that force.
 static QString harderWords(const session::LiveStudyView& view, bool pulls, const QLocale& locale) {
     const std::uint32_t light = view.grazed & ~view.touched;
     const std::uint32_t here = view.place >= 0 ? light & (1U << view.place) : light;
-    if (view.probe_N <= 0.0 || here == 0 || (view.place < 0 && light != (~view.touched & ((1U << view.places) - 1U))))
+    if (view.probe_N <= 0.0 || here == 0 ||
+        (view.place < 0 && light != (~view.touched & ((1U << view.places) - 1U))))
         return {};
     const QString force = study_words::plainNumber(view.probe_N, locale);
     if (view.places == 1)
-        return pulls ? TrialsScreen::tr("Pull a little harder: at least %1 N.").arg(force) : TrialsScreen::tr("Press a little harder: at least %1 N.").arg(force);
-    return pulls ? TrialsScreen::tr("Pull a little harder on %1: at least %2 N.").arg(namesOfPlaces(view, here), force)
-                 : TrialsScreen::tr("Press a little harder on %1: at least %2 N.").arg(namesOfPlaces(view, here), force);
+        return pulls ? TrialsScreen::tr("Pull a little harder: at least %1 N.").arg(force)
+                     : TrialsScreen::tr("Press a little harder: at least %1 N.").arg(force);
+    return pulls ? TrialsScreen::tr("Pull a little harder on %1: at least %2 N.")
+                       .arg(namesOfPlaces(view, here), force)
+                 : TrialsScreen::tr("Press a little harder on %1: at least %2 N.")
+                       .arg(namesOfPlaces(view, here), force);
 }
 
 static QString untouchedWords(double probe_N, const QLocale& locale) {
-    return probe_N > 0.0 ? TrialsScreen::tr("Not every object was felt with at least %1 N in time.").arg(study_words::plainNumber(probe_N, locale))
+    return probe_N > 0.0 ? TrialsScreen::tr("Not every object was felt with at least %1 N in time.")
+                               .arg(study_words::plainNumber(probe_N, locale))
                          : TrialsScreen::tr("Not every object was touched in time.");
 }
 
@@ -143,18 +162,21 @@ static QString untouchedWords(double probe_N, const QLocale& locale) {
 static QString handWords(const std::string& did, bool pulls) {
     if (did == "speed")
         return TrialsScreen::tr("You moved too fast. Move more slowly.");
-    return pulls ? TrialsScreen::tr("You pulled too hard. Pull more gently.") : TrialsScreen::tr("You pressed too hard. Press more gently.");
+    return pulls ? TrialsScreen::tr("You pulled too hard. Pull more gently.")
+                 : TrialsScreen::tr("You pressed too hard. Press more gently.");
 }
 
 /// A procedure that depends on each answer repeats the same objects at once; a list continues and repeats
 /// them later.
 QString TrialsScreen::comesAgainText() const {
-    return m_apex || session::trialsAreFixed(m_live->condition()) ? tr("It comes again later.") : tr("The same objects come again.");
+    return m_apex || session::trialsAreFixed(m_live->condition()) ? tr("It comes again later.")
+                                                                  : tr("The same objects come again.");
 }
 
 /// A participant learns only the kind of reason: what they can do differently, or that it was not their
 /// fault. The experimenter's view names the exceeded limit.
-QString TrialsScreen::repeatedWords(const std::string& reason, bool pulls, double probe_N, const QLocale& locale) {
+QString TrialsScreen::repeatedWords(const std::string& reason, bool pulls, double probe_N,
+                                    const QLocale& locale) {
     if (reason == "untouched")
         return untouchedWords(probe_N, locale);
     if (reason == "speed" || reason == "peak_force")
@@ -170,7 +192,8 @@ QString TrialsScreen::repeatedText(const session::LiveStudyView& view) const {
     if (view.repeated.empty())
         return {};
     const bool pulls = !m_apex && isTakenHold(m_live->condition().stimulus.attribute);
-    return tr("The last trial did not count. %1 %2").arg(repeatedWords(view.repeated, pulls, view.probe_N, context().locale()), comesAgainText());
+    return tr("The last trial did not count. %1 %2")
+        .arg(repeatedWords(view.repeated, pulls, view.probe_N, context().locale()), comesAgainText());
 }
 
 QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
@@ -181,8 +204,11 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
         if (!repeatedText(view).isEmpty()) // the line above says what happened to the previous ones
             return tr("The next objects are coming. Lift the tool off.");
         if (!view.hand.empty())
-            return tr("%1 These objects come again. Lift the tool off.").arg(handWords(view.hand, isTakenHold(m_live->condition().stimulus.attribute)));
-        return view.again ? tr("%1 These objects come again. Lift the tool off.").arg(untouchedWords(view.probe_N, context().locale())) : tr("The next objects are coming. Lift the tool off.");
+            return tr("%1 These objects come again. Lift the tool off.")
+                .arg(handWords(view.hand, isTakenHold(m_live->condition().stimulus.attribute)));
+        return view.again ? tr("%1 These objects come again. Lift the tool off.")
+                                .arg(untouchedWords(view.probe_N, context().locale()))
+                          : tr("The next objects are coming. Lift the tool off.");
     case State::arming:
         return tr("Force is starting. Hold still for a moment.");
     case State::feedback:
@@ -190,11 +216,17 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
             return handWords(view.hand, isTakenHold(m_live->condition().stimulus.attribute));
         return !view.right ? QString() : *view.right ? tr("Correct.") : tr("Wrong.");
     case State::exploring:
-        if (const QString harder = harderWords(view, isTakenHold(m_live->condition().stimulus.attribute), context().locale()); !view.canAnswer && !harder.isEmpty())
+        if (const QString harder =
+                harderWords(view, isTakenHold(m_live->condition().stimulus.attribute), context().locale());
+            !view.canAnswer && !harder.isEmpty())
             return harder;
-        if (!view.canAnswer && view.place >= 0 && isTakenHold(m_live->condition().stimulus.attribute) && !missingObjects(view).isEmpty())
-            return tr("To let go, lower the tool well below the ring. Touch next: %1.").arg(missingObjects(view));
-        return view.canAnswer ? QString() : view.places == 1 ? tr("Touch the object first.") : tr("Touch first: %1.").arg(missingObjects(view));
+        if (!view.canAnswer && view.place >= 0 && isTakenHold(m_live->condition().stimulus.attribute) &&
+            !missingObjects(view).isEmpty())
+            return tr("To let go, lower the tool well below the ring. Touch next: %1.")
+                .arg(missingObjects(view));
+        return view.canAnswer     ? QString()
+               : view.places == 1 ? tr("Touch the object first.")
+                                  : tr("Touch first: %1.").arg(missingObjects(view));
     case State::answering:
         return tr("The time to explore is over. Answer now.");
     default:
@@ -209,9 +241,11 @@ QString TrialsScreen::apexWords(const session::LiveStudyView& view) const {
     case State::coming:
         return tr("The next sphere is coming. Lift the tool off.");
     case State::feedback:
-        return tr("%1 mm from the highest point.").arg(study_words::number(1e3 * view.beside_m.value_or(0.0), context().locale(), 2));
+        return tr("%1 mm from the highest point.")
+            .arg(study_words::number(1e3 * view.beside_m.value_or(0.0), context().locale(), 2));
     case State::exploring:
-        return view.canAnswer ? tr("Click or press Enter at the highest point.") : tr("Feel for the sphere first.");
+        return view.canAnswer ? tr("Click or press Enter at the highest point.")
+                              : tr("Feel for the sphere first.");
     default:
         return whyNoAnswer(view);
     }
@@ -226,7 +260,8 @@ void TrialsScreen::showScene(const session::LiveStudyView& view) {
         return;
     }
     PlacesView::Now now;
-    now.objects = view.state == State::trying || view.state == State::exploring || view.state == State::arming;
+    now.objects =
+        view.state == State::trying || view.state == State::exploring || view.state == State::arming;
     now.touched = view.touched;
     now.place = view.place;
     now.feltNothing = !m_live->training().felt();
@@ -239,7 +274,8 @@ void TrialsScreen::showScene(const session::LiveStudyView& view) {
 /// Why the supervisor removed force although nobody stopped it.
 QString TrialsScreen::stoppedText() const {
     const haptics::DisplayState& state = m_live->training().display().latest();
-    const QString kept = tr("The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the session.");
+    const QString kept = tr("The clock stands still and everything so far is kept. Press R to go on, or Esc "
+                            "to stop the session.");
     if (state.force != core::ForceState::fault)
         return kept;
     return forceWords(state, {}, context().locale()).title + QLatin1Char('\n') + kept;
@@ -248,8 +284,10 @@ QString TrialsScreen::stoppedText() const {
 /// Explains what follows the free minute.
 QString TrialsScreen::triedText() const {
     return m_live->design().trial.practiceTrials > 0
-               ? tr("What you tried does not count. Practice trials come next, and they do not count either; after them every answer counts. Press Continue when you are ready.")
-               : tr("What you tried does not count. From now on every answer counts. Press Continue when you are ready.");
+               ? tr("What you tried does not count. Practice trials come next, and they do not count either; "
+                    "after them every answer counts. Press Continue when you are ready.")
+               : tr("What you tried does not count. From now on every answer counts. Press Continue when you "
+                    "are ready.");
 }
 
 void TrialsScreen::showBreak(const session::LiveStudyView& view) {
@@ -262,21 +300,29 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
         m_break->say(tr("The free minute is over"), triedText(), tr("Continue (Enter)"));
         break;
     case State::practised:
-        m_break->say(tr("Practice is over"), tr("From now on every answer counts. Press Continue when you are ready."), tr("Continue (Enter)"));
+        m_break->say(tr("Practice is over"),
+                     tr("From now on every answer counts. Press Continue when you are ready."),
+                     tr("Continue (Enter)"));
         break;
     case State::breakDue:
-        m_break->say(tr("Break"), view.breakLeft_s > 0.0 ? tr("Rest your hand. You can continue in %n second(s).", nullptr, static_cast<int>(std::ceil(view.breakLeft_s)))
-                                                           : tr("Continue when you are ready."),
+        m_break->say(tr("Break"),
+                     view.breakLeft_s > 0.0 ? tr("Rest your hand. You can continue in %n second(s).", nullptr,
+                                                 static_cast<int>(std::ceil(view.breakLeft_s)))
+                                            : tr("Continue when you are ready."),
                      tr("Continue (Enter)"));
         break;
     case State::needsExperimenter:
-        m_break->say(tr("Please ask the experimenter"),
-                     view.again && view.probe_N > 0.0
-                         ? tr("Several times in a row, not every object was felt with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.")
-                               .arg(study_words::plainNumber(view.probe_N, context().locale()))
-                     : view.again ? tr("Several times in a row, not every object was touched in time. Ask the experimenter to show how an object is touched and let go.")
-                                : tr("The last trial could not be presented accurately enough, even after several attempts."),
-                     tr("Continue"));
+        m_break->say(
+            tr("Please ask the experimenter"),
+            view.again && view.probe_N > 0.0
+                ? tr("Several times in a row, not every object was felt with at least %1 N in time. Ask the "
+                     "experimenter to show how an object is explored and let go.")
+                      .arg(study_words::plainNumber(view.probe_N, context().locale()))
+            : view.again
+                ? tr("Several times in a row, not every object was touched in time. Ask the experimenter to "
+                     "show how an object is touched and let go.")
+                : tr("The last trial could not be presented accurately enough, even after several attempts."),
+            tr("Continue"));
         break;
     case State::stopped:
         m_break->say(tr("Force is stopped"), stoppedText(), tr("Re-arm (R)"));
@@ -288,7 +334,8 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
         m_break->say(tr("Thank you"), tr("Please call the experimenter."), {});
         break;
     }
-    m_break->countDown(view.state == State::breakDue ? view.breakLeft_s : -1.0, m_live->design().trial.breakAtLeast_s);
+    m_break->countDown(view.state == State::breakDue ? view.breakLeft_s : -1.0,
+                       m_live->design().trial.breakAtLeast_s);
 }
 
 } // namespace chiron::desktop

@@ -152,7 +152,9 @@ QString inScale(QString sheet, const Theme& theme) {
 
 QString Theme::styleSheet() const {
     QString sheet = inScale(QString::fromLatin1(kSheet), *this);
-    const auto drawing = [this](Colour ink) { return color(ink).lightness() > 128 ? QStringLiteral("light") : QStringLiteral("dark"); };
+    const auto drawing = [this](Colour ink) {
+        return color(ink).lightness() > 128 ? QStringLiteral("light") : QStringLiteral("dark");
+    };
     sheet.replace(QStringLiteral("%INK%"), drawing(Colour::text));
     sheet.replace(QStringLiteral("%ONACCENT%"), drawing(Colour::accentText));
     // Longer names come first, so that @accent does not replace the beginning of @accentSoft.
@@ -160,7 +162,8 @@ QString Theme::styleSheet() const {
 #define CHIRON_COLOUR(role) names.emplace_back(QStringLiteral("@" #role), color(Colour::role));
     CHIRON_THEME_COLOURS(CHIRON_COLOUR)
 #undef CHIRON_COLOUR
-    std::sort(names.begin(), names.end(), [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
+    std::sort(names.begin(), names.end(),
+              [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
     for (const auto& [name, colour] : names)
         sheet.replace(name, colour.name());
     return sheet;

@@ -61,15 +61,18 @@ core::Result<Theme> Theme::fromJson(const QByteArray& json, ThemeName name, doub
     theme.m_colours[static_cast<std::size_t>(Colour::role)] =                                                \
         QColor(colours.value(QStringLiteral(#role)).toString());                                             \
     if (!theme.color(Colour::role).isValid())                                                                \
-        return bad(QStringLiteral("themes.%1.%2").arg(token, QStringLiteral(#role)), QStringLiteral("a colour #rrggbb"));
+        return bad(QStringLiteral("themes.%1.%2").arg(token, QStringLiteral(#role)),                         \
+                   QStringLiteral("a colour #rrggbb"));
     CHIRON_THEME_COLOURS(CHIRON_COLOUR)
 #undef CHIRON_COLOUR
     const QJsonObject sizes = root.value(QStringLiteral("text_px")).toObject();
     const QJsonObject weights = root.value(QStringLiteral("text_weight")).toObject();
 #define CHIRON_STYLE(style)                                                                                  \
-    theme.m_text_px[static_cast<std::size_t>(TextStyle::style)] = sizes.value(QStringLiteral(#style)).toInt();       \
-    theme.m_weight[static_cast<std::size_t>(TextStyle::style)] = weights.value(QStringLiteral(#style)).toInt();      \
-    if (theme.m_text_px[static_cast<std::size_t>(TextStyle::style)] < 8)                                             \
+    theme.m_text_px[static_cast<std::size_t>(TextStyle::style)] =                                            \
+        sizes.value(QStringLiteral(#style)).toInt();                                                         \
+    theme.m_weight[static_cast<std::size_t>(TextStyle::style)] =                                             \
+        weights.value(QStringLiteral(#style)).toInt();                                                       \
+    if (theme.m_text_px[static_cast<std::size_t>(TextStyle::style)] < 8)                                     \
         return bad(QStringLiteral("text_px." #style), QStringLiteral("at least 8 pixels"));                  \
     if (theme.m_weight[static_cast<std::size_t>(TextStyle::style)] < 100)                                    \
         return bad(QStringLiteral("text_weight." #style), QStringLiteral("a weight from 100"));

@@ -12,8 +12,10 @@ namespace {
 
 /// Breeze has one drawing per size and kind; the plain 22 px drawings are those made for buttons.
 QString fileOf(const QString& name) {
-    for (const char* kind : {"actions/22", "actions/32", "status/22", "devices/22", "places/22", "apps/22", "actions/16", "status/16"}) {
-        const QString path = QStringLiteral("/usr/share/icons/breeze/%1/%2.svg").arg(QLatin1String(kind), name);
+    for (const char* kind : {"actions/22", "actions/32", "status/22", "devices/22", "places/22", "apps/22",
+                             "actions/16", "status/16"}) {
+        const QString path =
+            QStringLiteral("/usr/share/icons/breeze/%1/%2.svg").arg(QLatin1String(kind), name);
         if (QFile::exists(path))
             return path;
     }
@@ -27,7 +29,8 @@ QPixmap dot(const QSize& size, const QColor& ink) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(ink);
     painter.setPen(Qt::NoPen);
-    painter.drawEllipse(QRectF(size.width() * 0.3, size.height() * 0.3, size.width() * 0.4, size.height() * 0.4));
+    painter.drawEllipse(
+        QRectF(size.width() * 0.3, size.height() * 0.3, size.width() * 0.4, size.height() * 0.4));
     return pixmap;
 }
 
@@ -36,7 +39,8 @@ QPixmap dot(const QSize& size, const QColor& ink) {
 /// and modes are never shown.
 class InkedIcon final : public QIconEngine {
 public:
-    InkedIcon(QString name, QColor ink, QColor disabled) : m_name(std::move(name)), m_ink(ink), m_disabled(disabled) {}
+    InkedIcon(QString name, QColor ink, QColor disabled)
+        : m_name(std::move(name)), m_ink(ink), m_disabled(disabled) {}
 
     QIconEngine* clone() const override { return new InkedIcon(m_name, m_ink, m_disabled); }
     bool isNull() override { return false; }
@@ -44,7 +48,10 @@ public:
 
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State) override {
         const QColor ink = mode == QIcon::Disabled ? m_disabled : m_ink;
-        const QString key = QStringLiteral("chiron-icon/%1/%2/%3x%4").arg(m_name, ink.name()).arg(size.width()).arg(size.height());
+        const QString key = QStringLiteral("chiron-icon/%1/%2/%3x%4")
+                                .arg(m_name, ink.name())
+                                .arg(size.width())
+                                .arg(size.height());
         QPixmap pixmap;
         if (QPixmapCache::find(key, &pixmap))
             return pixmap;

@@ -7,13 +7,16 @@
 namespace chiron::desktop {
 
 namespace {
-QString after(const QString& what, const QString& how) { return how.isEmpty() ? what : AnswerTexts::tr("%1. %2").arg(what, how); }
+QString after(const QString& what, const QString& how) {
+    return how.isEmpty() ? what : AnswerTexts::tr("%1. %2").arg(what, how);
+}
 
 namespace bits = core::event_bits;
 constexpr std::uint32_t kEnds = bits::kMarked | bits::kTimedOut | bits::kCompleted;
 } // namespace
 
-AnswerNote::AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& locale, std::unique_ptr<session::TrialSurfaces> truth)
+AnswerNote::AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& locale,
+                       std::unique_ptr<session::TrialSurfaces> truth)
     : m_feedback(level.feedback), m_locale(locale), m_truth(level.feedback ? std::move(truth) : nullptr) {
     if (const auto face = exerciseFace(level.exercise)) {
         m_face = *face;
@@ -42,7 +45,8 @@ void AnswerNote::keepTruth(const session::LiveSample& at) {
     if (m_found)
         m_found->keep();
     if (marked)
-        m_shown->p_WMark = core::Vec3(static_cast<double>(at.p_WT_m[0]), static_cast<double>(at.p_WT_m[1]), static_cast<double>(at.p_WT_m[2]));
+        m_shown->p_WMark = core::Vec3(static_cast<double>(at.p_WT_m[0]), static_cast<double>(at.p_WT_m[1]),
+                                      static_cast<double>(at.p_WT_m[2]));
 }
 
 void AnswerNote::take(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
@@ -93,7 +97,8 @@ void AnswerNote::show(std::int64_t now_ns, scene3d::SceneState& drawn) const {
     const session::TrialObject& object = m_shown->object;
     drawn.objectShown = true;
     drawn.p_WObject = object.p_WObject;
-    drawn.exercise.own<core::LaparoscopyCues>().body[0].q_W = {std::cos(0.5 * object.turn_rad), 0.0, 0.0, std::sin(0.5 * object.turn_rad)};
+    drawn.exercise.own<core::LaparoscopyCues>().body[0].q_W = {std::cos(0.5 * object.turn_rad), 0.0, 0.0,
+                                                               std::sin(0.5 * object.turn_rad)};
     drawn.answered = true;
     drawn.p_WAnswer = object.p_WObject + object.radius_m * core::Vec3::UnitZ();
     drawn.marked = m_shown->p_WMark.has_value();

@@ -34,7 +34,8 @@ public:
     /// `truth`: the session's hidden objects, because the state on the screen does not contain the position
     /// of a hidden object. If it is empty, marks are only confirmed. A level without feedback keeps none of
     /// it, so that none of it can be drawn.
-    AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& locale, std::unique_ptr<session::TrialSurfaces> truth);
+    AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& locale,
+               std::unique_ptr<session::TrialSurfaces> truth);
 
     /// Call once per frame with the newest state and every sample since the previous frame.
     void take(const haptics::DisplayState& state, std::span<const session::LiveSample> samples);
@@ -51,7 +52,9 @@ private:
     };
 
     bool says(std::int64_t now_ns) const { return !m_said.isEmpty() && now_ns - m_since_ns <= kSaid_ns; }
-    std::optional<session::TrialObject> truth() const { return m_truth ? m_truth->object(m_trial) : std::nullopt; }
+    std::optional<session::TrialObject> truth() const {
+        return m_truth ? m_truth->object(m_trial) : std::nullopt;
+    }
     void keepTruth(const session::LiveSample& at);
     QString markedWords(const session::LiveSample& at) const;
     QString foundWords() const; ///< about what was reported by the end; empty if there was nothing to find
@@ -61,7 +64,7 @@ private:
     bool m_feedback;
     QLocale m_locale;
     std::unique_ptr<session::TrialSurfaces> m_truth;
-    int m_trial = 0; ///< the running trial, or the last one
+    int m_trial = 0;                      ///< the running trial, or the last one
     std::unique_ptr<FoundAnswer> m_found; ///< null if the answer is a mark
     QString m_said;
     std::optional<Shown> m_shown;

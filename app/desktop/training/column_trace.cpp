@@ -18,13 +18,17 @@ constexpr auto kCount = static_cast<std::int64_t>(ColumnTrace::kCells);
 
 } // namespace
 
-ColumnTrace::ColumnTrace(double span_s) : m_span_s(span_s), m_cells(kCells) { m_columns.reserve(kCells); }
+ColumnTrace::ColumnTrace(double span_s) : m_span_s(span_s), m_cells(kCells) {
+    m_columns.reserve(kCells);
+}
 
 std::int64_t ColumnTrace::cellOf(double t_s) const noexcept {
     return static_cast<std::int64_t>(std::floor(t_s / m_span_s * static_cast<double>(kCells)));
 }
 
-ColumnRange& ColumnTrace::cell(std::int64_t index) noexcept { return m_cells[static_cast<std::size_t>(index % kCount)]; }
+ColumnRange& ColumnTrace::cell(std::int64_t index) noexcept {
+    return m_cells[static_cast<std::size_t>(index % kCount)];
+}
 const ColumnRange& ColumnTrace::cell(std::int64_t index) const noexcept {
     return m_cells[static_cast<std::size_t>(index % kCount)];
 }
@@ -65,8 +69,9 @@ const std::vector<ColumnRange>& ColumnTrace::columns(std::size_t count) {
     for (std::int64_t i = std::max<std::int64_t>(oldest, 0); i <= m_newestCell; ++i) {
         const ColumnRange& from = cell(i);
         if (from.any)
-            include(m_columns[static_cast<std::size_t>((i - oldest) * static_cast<std::int64_t>(count) / kCount)], from.lowest,
-                    from.highest);
+            include(
+                m_columns[static_cast<std::size_t>((i - oldest) * static_cast<std::int64_t>(count) / kCount)],
+                from.lowest, from.highest);
     }
     return m_columns;
 }

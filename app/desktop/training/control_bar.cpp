@@ -20,17 +20,22 @@ ControlBar::ControlBar(const Theme& theme, QWidget* parent) : QWidget(parent), m
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme.px(10));
-    m_stop = add(tr("Stop force (Esc)"), "danger", QStringLiteral("process-stop"), QStringLiteral("training.stop"));
+    m_stop = add(tr("Stop force (Esc)"), "danger", QStringLiteral("process-stop"),
+                 QStringLiteral("training.stop"));
     // In Greek the larger text is wider than the button.
     m_stop->setFont(theme.font(stacked ? TextStyle::strong : TextStyle::title));
     row->addWidget(m_stop, 3);
     m_main = add({}, "primary", {}, QStringLiteral("training.main"));
     row->addWidget(m_main, 2);
-    m_resumeHere = add(tr("Resume here"), "", QStringLiteral("go-jump"), QStringLiteral("training.resume_here"));
+    m_resumeHere =
+        add(tr("Resume here"), "", QStringLiteral("go-jump"), QStringLiteral("training.resume_here"));
     row->addWidget(m_resumeHere, 2);
-    m_again = add(tr("Start again …"), "", QStringLiteral("media-skip-backward"), QStringLiteral("training.again"));
-    m_again->setToolTip(tr("Start again from the beginning (F5). The attempt so far is kept and marked as stopped."));
-    m_end = add(tr("End session …"), "", QStringLiteral("media-playback-stop"), QStringLiteral("training.end"));
+    m_again =
+        add(tr("Start again …"), "", QStringLiteral("media-skip-backward"), QStringLiteral("training.again"));
+    m_again->setToolTip(
+        tr("Start again from the beginning (F5). The attempt so far is kept and marked as stopped."));
+    m_end =
+        add(tr("End session …"), "", QStringLiteral("media-playback-stop"), QStringLiteral("training.end"));
     auto* last = new QBoxLayout(stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     last->setSpacing(gap);
     last->addWidget(m_again, 1);
@@ -46,7 +51,8 @@ ControlBar::ControlBar(const Theme& theme, QWidget* parent) : QWidget(parent), m
     setRunning(false);
 }
 
-QPushButton* ControlBar::add(const QString& text, const char* kind, const QString& icon, const QString& name) {
+QPushButton* ControlBar::add(const QString& text, const char* kind, const QString& icon,
+                             const QString& name) {
     auto* button = kit::button(m_theme, text, kind, icon);
     button->setObjectName(name);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding); // as high as the bar
@@ -73,7 +79,9 @@ void ControlBar::setMain(Main main) {
     m_main->setIconSize(QSize(m_theme.px(20), m_theme.px(20)));
 }
 
-void ControlBar::setResumeHere(bool possible) { m_resumeHere->setVisible(possible); }
+void ControlBar::setResumeHere(bool possible) {
+    m_resumeHere->setVisible(possible);
+}
 
 void ControlBar::setPractice() {
     m_again->hide();

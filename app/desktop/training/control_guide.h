@@ -9,7 +9,18 @@
 namespace chiron::desktop {
 
 /// The picture of the part of a mouse, of a device's handle or of the keyboard that is used.
-enum class Pictogram { moveMouse, wheelTowards, wheelAway, leftClick, leftHeld, rightHeld, moveStylus, pressStylus, stylusButton, keys };
+enum class Pictogram {
+    moveMouse,
+    wheelTowards,
+    wheelAway,
+    leftClick,
+    leftHeld,
+    rightHeld,
+    moveStylus,
+    pressStylus,
+    stylusButton,
+    keys
+};
 
 /// One action with the tool, and how to do it with the present device.
 struct ControlHint {

@@ -9,14 +9,19 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr std::array<int, 11> kKeys{Qt::Key_W,  Qt::Key_S,    Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Left, Qt::Key_Right,
-                                    Qt::Key_Up, Qt::Key_Down, Qt::Key_Q,      Qt::Key_E,        Qt::Key_Shift};
+constexpr std::array<int, 11> kKeys{Qt::Key_W,    Qt::Key_S,     Qt::Key_PageUp, Qt::Key_PageDown,
+                                    Qt::Key_Left, Qt::Key_Right, Qt::Key_Up,     Qt::Key_Down,
+                                    Qt::Key_Q,    Qt::Key_E,     Qt::Key_Shift};
 
-bool moves(int key) { return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end(); }
+bool moves(int key) {
+    return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
+}
 
 } // namespace
 
-std::span<const int> EndoscopeControl::keys() const noexcept { return kKeys; }
+std::span<const int> EndoscopeControl::keys() const noexcept {
+    return kKeys;
+}
 
 void EndoscopeControl::drag(QPointF pixels, bool sideways) noexcept {
     devices::EndoscopeMovement by;
@@ -59,7 +64,9 @@ void EndoscopeControl::sendRate() {
     const double right = m_right * between(Qt::Key_Left, Qt::Key_Right);
     const double up = between(Qt::Key_Down, Qt::Key_Up);
     devices::EndoscopeMovement perSecond;
-    perSecond.advance_m = kKeyAdvance_m_per_s * std::clamp(between(Qt::Key_S, Qt::Key_W) + between(Qt::Key_PageDown, Qt::Key_PageUp), -1.0, 1.0);
+    perSecond.advance_m =
+        kKeyAdvance_m_per_s *
+        std::clamp(between(Qt::Key_S, Qt::Key_W) + between(Qt::Key_PageDown, Qt::Key_PageUp), -1.0, 1.0);
     if (holds(Qt::Key_Shift)) {
         perSecond.right_m = kKeyShift_m_per_s * right;
         perSecond.up_m = kKeyShift_m_per_s * up;

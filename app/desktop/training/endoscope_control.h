@@ -39,7 +39,9 @@ public:
 private:
     void sendRate();
     bool holds(int key) const { return m_held.count(key) != 0; }
-    double between(int minus, int plus) const { return (holds(plus) ? 1.0 : 0.0) - (holds(minus) ? 1.0 : 0.0); }
+    double between(int minus, int plus) const {
+        return (holds(plus) ? 1.0 : 0.0) - (holds(minus) ? 1.0 : 0.0);
+    }
 
     devices::EndoscopeMailbox& m_mailbox;
     double m_scale;

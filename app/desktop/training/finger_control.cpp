@@ -5,8 +5,10 @@
 
 namespace chiron::desktop {
 
-FingerControl::FingerControl(std::span<devices::PointerMailbox* const> mailboxes, int fingers, double scale, bool mirrored, bool jaw)
-    : m_fingers(std::clamp(fingers, 1, std::max(1, static_cast<int>(mailboxes.size())))), m_mailboxes(mailboxes.begin(), mailboxes.end()) {
+FingerControl::FingerControl(std::span<devices::PointerMailbox* const> mailboxes, int fingers, double scale,
+                             bool mirrored, bool jaw)
+    : m_fingers(std::clamp(fingers, 1, std::max(1, static_cast<int>(mailboxes.size())))),
+      m_mailboxes(mailboxes.begin(), mailboxes.end()) {
     for (devices::PointerMailbox* mailbox : mailboxes)
         m_tips.emplace_back(*mailbox, scale, mirrored);
     const auto moving = m_tips.front().keys();
@@ -21,10 +23,13 @@ void FingerControl::moveJaw(int key, bool down) {
     (key == Qt::Key_G ? m_closing : m_opening) = down;
     const int asked = (m_opening ? 1 : 0) - (m_closing ? 1 : 0);
     for (int i = 0; i < m_fingers; ++i) // one lever: every finger of the hand receives its rate
-        m_mailboxes[static_cast<std::size_t>(m_hand * m_fingers + i)]->setJawRate(kJawSpeed_rad_per_s * asked);
+        m_mailboxes[static_cast<std::size_t>(m_hand * m_fingers + i)]->setJawRate(kJawSpeed_rad_per_s *
+                                                                                  asked);
 }
 
-bool FingerControl::isKey(int key) const { return std::find(m_keys.begin(), m_keys.end(), key) != m_keys.end(); }
+bool FingerControl::isKey(int key) const {
+    return std::find(m_keys.begin(), m_keys.end(), key) != m_keys.end();
+}
 
 void FingerControl::drag(QPointF pixels, bool lifting) noexcept {
     if (!m_still)
@@ -68,14 +73,18 @@ void FingerControl::feel(const haptics::DisplayState& state) {
     for (int hand = 0; hand < hands(); ++hand) {
         bool touches = false;
         for (int tool = hand * m_fingers; tool < (hand + 1) * m_fingers && tool < state.tools; ++tool)
-            touches = touches || core::toWrench(state.tool[static_cast<std::size_t>(tool)].tissue).force.norm() > kTouch_N;
+            touches =
+                touches ||
+                core::toWrench(state.tool[static_cast<std::size_t>(tool)].tissue).force.norm() > kTouch_N;
         for (int i = 0; i < m_fingers; ++i)
-            m_tips[static_cast<std::size_t>(hand * m_fingers + i)].setLift(touches ? PointerControl::Lift{kMetresPerNotch, kKeyPress_m_per_s}
-                                                                                   : PointerControl::Lift{});
+            m_tips[static_cast<std::size_t>(hand * m_fingers + i)].setLift(
+                touches ? PointerControl::Lift{kMetresPerNotch, kKeyPress_m_per_s} : PointerControl::Lift{});
     }
 }
 
-void FingerControl::click() { m_tips[static_cast<std::size_t>(activeTool())].click(); }
+void FingerControl::click() {
+    m_tips[static_cast<std::size_t>(activeTool())].click();
+}
 
 void FingerControl::choose(int hand) {
     if (hand < 0 || hand >= hands() || hand == m_hand)

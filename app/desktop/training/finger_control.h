@@ -20,14 +20,15 @@ class FingerControl final : public HandControl {
 public:
     /// In contact: 0.1 to 0.35 N in tissue of 227 to 700 N/m.
     static constexpr double kMetresPerNotch = 0.0005;
-    static constexpr double kKeyPress_m_per_s = 0.008;    ///< in contact: Page Down and Page Up
-    static constexpr double kTouch_N = 0.02;              ///< less counts as no contact
+    static constexpr double kKeyPress_m_per_s = 0.008; ///< in contact: Page Down and Page Up
+    static constexpr double kTouch_N = 0.02;           ///< less counts as no contact
 
-    static constexpr double kJawSpeed_rad_per_s = 1.0;    ///< as in GrasperControl
+    static constexpr double kJawSpeed_rad_per_s = 1.0; ///< as in GrasperControl
 
     /// `mailboxes`: one per tool, ordered by hand, `fingers` (≥ 1) for each. `scale`, `mirrored`: as in
     /// PointerControl. `jaw`: the hands can pinch.
-    FingerControl(std::span<devices::PointerMailbox* const> mailboxes, int fingers, double scale, bool mirrored = false, bool jaw = false);
+    FingerControl(std::span<devices::PointerMailbox* const> mailboxes, int fingers, double scale,
+                  bool mirrored = false, bool jaw = false);
 
     void drag(QPointF pixels, bool lifting) noexcept override;
     void wheel(int eighthsOfDegree) noexcept override;

@@ -10,13 +10,16 @@ namespace {
 constexpr double kReach = 1.25; // multiple of the limit, so that a value above it is visibly above
 } // namespace
 
-ForceBar::ForceBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers, QWidget* parent)
+ForceBar::ForceBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers,
+                   QWidget* parent)
     : QWidget(parent), m_theme(theme), m_locale(locale), m_quantity(std::move(quantity)), m_numbers(numbers) {
     setAccessibleName(m_quantity.name);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-QSize ForceBar::sizeHint() const { return {m_theme.px(200), m_theme.px(40)}; }
+QSize ForceBar::sizeHint() const {
+    return {m_theme.px(200), m_theme.px(40)};
+}
 
 void ForceBar::setValue(double value) {
     if (!std::isfinite(value) || value == m_value)
@@ -32,7 +35,8 @@ QString ForceBar::words() const {
     if (!m_numbers)
         return isOver() ? tr("over the limit") : QString();
     const QString number = m_locale.toString(m_value, 'f', m_quantity.decimals);
-    return isOver() ? tr("%1 %2, over the limit").arg(number, m_quantity.unit) : tr("%1 %2").arg(number, m_quantity.unit);
+    return isOver() ? tr("%1 %2, over the limit").arg(number, m_quantity.unit)
+                    : tr("%1 %2").arg(number, m_quantity.unit);
 }
 
 void ForceBar::paintEvent(QPaintEvent*) {
@@ -50,7 +54,8 @@ void ForceBar::paintEvent(QPaintEvent*) {
     painter.setBrush(m_theme.color(Colour::raised));
     painter.drawRect(track);
     const double share = std::clamp(m_value / (m_quantity.limit * kReach), 0.0, 1.0);
-    const QRect filled(track.left() + 1, track.top() + 1, qRound(share * (track.width() - 1)), track.height() - 1);
+    const QRect filled(track.left() + 1, track.top() + 1, qRound(share * (track.width() - 1)),
+                       track.height() - 1);
     painter.fillRect(filled, m_theme.color(isOver() ? Colour::bad : Colour::seriesA));
     const int limitX = track.left() + qRound(track.width() / kReach);
     if (isOver()) // not shown by colour alone

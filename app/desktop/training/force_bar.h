@@ -15,12 +15,13 @@ class ForceBar final : public QWidget {
     Q_OBJECT
 public:
     struct Quantity {
-        QString name;        ///< "Force"
-        QString unit;        ///< "N"
-        double limit = 4.0;  ///< in that unit
+        QString name;       ///< "Force"
+        QString unit;       ///< "N"
+        double limit = 4.0; ///< in that unit
         int decimals = 2;
     };
-    ForceBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers, QWidget* parent = nullptr);
+    ForceBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers,
+             QWidget* parent = nullptr);
 
     void setValue(double value); ///< in the quantity's unit, ≥ 0
     bool isOver() const noexcept { return m_value > m_quantity.limit; }

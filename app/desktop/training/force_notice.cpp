@@ -54,7 +54,8 @@ void ForceNotice::show(const ForceWords& words) {
         style()->unpolish(this);
         style()->polish(this);
         const Sign sign = signOf(kind);
-        m_sign->setPixmap(m_theme.icon(QLatin1String(sign.icon), sign.ink).pixmap(m_theme.px(22), m_theme.px(22)));
+        m_sign->setPixmap(
+            m_theme.icon(QLatin1String(sign.icon), sign.ink).pixmap(m_theme.px(22), m_theme.px(22)));
     }
     m_words = words;
     m_title->setText(words.title);

@@ -18,8 +18,8 @@ struct ForceWords {
 
 /// The person's requests and the circumstances, in addition to the loop's state.
 struct AskedFor {
-    bool felt = true;     ///< the device renders force
-    bool ownHand = true;  ///< false: a demonstration or a trace is being watched
+    bool felt = true;    ///< the device renders force
+    bool ownHand = true; ///< false: a demonstration or a trace is being watched
     bool paused = false;
     bool stopped = false;
     bool endoscope = false; ///< the tool is an endoscope

@@ -12,7 +12,9 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(GraspNote)
 };
 
-core::Vec3 placeOf(const std::array<double, 3>& p_W) { return {p_W[0], p_W[1], p_W[2]}; }
+core::Vec3 placeOf(const std::array<double, 3>& p_W) {
+    return {p_W[0], p_W[1], p_W[2]};
+}
 } // namespace
 
 GraspNote::GraspNote(Grasping grasping, const QLocale& locale, bool explains)
@@ -20,9 +22,13 @@ GraspNote::GraspNote(Grasping grasping, const QLocale& locale, bool explains)
 
 bool GraspNote::holds(std::size_t tool, const core::LaparoscopyCues& cues) const {
     const auto by = [tool](std::uint8_t tools) { return (tools >> tool & 1U) != 0; };
-    const auto first = [](const auto& values, int count) { return values.begin() + std::clamp<std::ptrdiff_t>(count, 0, std::ssize(values)); };
-    return by(cues.foldHeldBy) || std::any_of(cues.gripHeldBy.begin(), first(cues.gripHeldBy, cues.grips), by) ||
-           std::any_of(cues.body.begin(), first(cues.body, cues.bodies), [by](const core::BodyCue& body) { return by(body.heldBy); });
+    const auto first = [](const auto& values, int count) {
+        return values.begin() + std::clamp<std::ptrdiff_t>(count, 0, std::ssize(values));
+    };
+    return by(cues.foldHeldBy) ||
+           std::any_of(cues.gripHeldBy.begin(), first(cues.gripHeldBy, cues.grips), by) ||
+           std::any_of(cues.body.begin(), first(cues.body, cues.bodies),
+                       [by](const core::BodyCue& body) { return by(body.heldBy); });
 }
 
 GraspNote::Nearest GraspNote::nearest(std::size_t tool, const haptics::DisplayState& state) const {
@@ -38,11 +44,15 @@ GraspNote::Nearest GraspNote::nearest(std::size_t tool, const haptics::DisplaySt
             take(Nearest::What::fold, (placeOf(cues.p_WFoldEdge) - tip).norm(), false);
         return found;
     }
-    for (std::size_t i = 0; cues.tube && i < std::min(cues.p_WGrip.size(), static_cast<std::size_t>(std::max(0, cues.grips))); ++i)
+    for (std::size_t i = 0;
+         cues.tube && i < std::min(cues.p_WGrip.size(), static_cast<std::size_t>(std::max(0, cues.grips)));
+         ++i)
         if (cues.gripHeldBy[i] == 0 && !cues.gripAnchored[i])
             take(Nearest::What::tube, (placeOf(cues.p_WGrip[i]) - tip).norm(), cues.fold && !cues.foldOpen);
-    for (std::size_t i = 0; i < std::min(cues.body.size(), static_cast<std::size_t>(std::max(0, cues.bodies))); ++i)
-        take(Nearest::What::object, std::max(0.0, (placeOf(cues.body[i].p_W) - tip).norm() - cues.body[i].radius_m), false);
+    for (std::size_t i = 0;
+         i < std::min(cues.body.size(), static_cast<std::size_t>(std::max(0, cues.bodies))); ++i)
+        take(Nearest::What::object,
+             std::max(0.0, (placeOf(cues.body[i].p_W) - tip).norm() - cues.body[i].radius_m), false);
     return found;
 }
 
@@ -50,19 +60,26 @@ QString GraspNote::missedWords(const Nearest& nearest) const {
     if (!m_explains || nearest.what == Nearest::What::nothing)
         return Words::tr("Nothing was grasped");
     if (nearest.away_m <= m_grasping.reach_m)
-        return nearest.covered ? Words::tr("Nothing was grasped: the fold still lies over the tube. Retract it first.")
-                               : Words::tr("Nothing was grasped. Open the jaws and try again.");
+        return nearest.covered
+                   ? Words::tr("Nothing was grasped: the fold still lies over the tube. Retract it first.")
+                   : Words::tr("Nothing was grasped. Open the jaws and try again.");
     const QString mm = m_locale.toString(1e3 * nearest.away_m, 'f', 0);
     switch (nearest.what) {
     case Nearest::What::fold:
-        return Words::tr("Nothing was grasped: the edge of the fold was %1 mm away. Open the jaws and move closer to it.").arg(mm);
+        return Words::tr("Nothing was grasped: the edge of the fold was %1 mm away. Open the jaws and move "
+                         "closer to it.")
+            .arg(mm);
     case Nearest::What::object:
-        return Words::tr("Nothing was grasped: the object was %1 mm away. Open the jaws and move closer to it.").arg(mm);
+        return Words::tr(
+                   "Nothing was grasped: the object was %1 mm away. Open the jaws and move closer to it.")
+            .arg(mm);
     case Nearest::What::tube:
     case Nearest::What::nothing:
         break;
     }
-    return Words::tr("Nothing was grasped: the place to grip the tube was %1 mm away. Open the jaws and move closer to it.").arg(mm);
+    return Words::tr("Nothing was grasped: the place to grip the tube was %1 mm away. Open the jaws and move "
+                     "closer to it.")
+        .arg(mm);
 }
 
 void GraspNote::say(const QString& words, std::int64_t now_ns) {
@@ -98,7 +115,8 @@ void GraspNote::look(std::size_t tool, const haptics::DisplayState& state) {
     if (jaw.near_ns < 0)
         jaw.near_ns = state.now_ns;
     else if (m_explains && state.now_ns - jaw.near_ns >= kPatience_ns)
-        say(Words::tr("Nothing is grasped: the jaws are closed. Open them wide, then close them here."), state.now_ns);
+        say(Words::tr("Nothing is grasped: the jaws are closed. Open them wide, then close them here."),
+            state.now_ns);
 }
 
 void GraspNote::take(const haptics::DisplayState& state) {

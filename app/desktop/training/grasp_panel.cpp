@@ -23,13 +23,16 @@ constexpr double kSpeedAxis_mm_per_s = 60.0;
 constexpr double kPlotHeight_px = 64; // minimum height; the plots grow with the window
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-double largest(const std::array<double, core::kMaxTools>& values) { return *std::max_element(values.begin(), values.end()); }
+double largest(const std::array<double, core::kMaxTools>& values) {
+    return *std::max_element(values.begin(), values.end());
+}
 
 } // namespace
 
-GraspPanel::GraspPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, Grasping grasping, QWidget* parent)
-    : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_grasping(std::move(grasping)), m_tools(m_grasping.tools),
-      m_column(new QVBoxLayout(this)) {
+GraspPanel::GraspPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues,
+                       Grasping grasping, QWidget* parent)
+    : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_grasping(std::move(grasping)),
+      m_tools(m_grasping.tools), m_column(new QVBoxLayout(this)) {
     setProperty("kind", QStringLiteral("card"));
     m_column->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
     m_column->setSpacing(theme.px(6));
@@ -78,18 +81,27 @@ void GraspPanel::addHead() {
 
 void GraspPanel::addBars() {
     const bool pulled = m_grasping.measured == Grasping::Measured::tension;
-    m_target = new TargetBar(m_theme, m_locale, {pulled ? tr("Tension") : tr("Squeeze"), tr("N"), m_grasping.measuredEnd_N, 2}, m_cues.numbers);
-    m_target->setObjectName(pulled ? QStringLiteral("training.tension_bar") : QStringLiteral("training.squeeze_bar"));
+    m_target = new TargetBar(m_theme, m_locale,
+                             {pulled ? tr("Tension") : tr("Squeeze"), tr("N"), m_grasping.measuredEnd_N, 2},
+                             m_cues.numbers);
+    m_target->setObjectName(pulled ? QStringLiteral("training.tension_bar")
+                                   : QStringLiteral("training.squeeze_bar"));
     m_column->addWidget(m_target);
     if (m_grasping.retractionEnd_N > 0.0) {
-        m_retraction = new TargetBar(m_theme, m_locale, {tr("Pull on the fold"), tr("N"), m_grasping.retractionEnd_N, 2}, m_cues.numbers);
+        m_retraction =
+            new TargetBar(m_theme, m_locale, {tr("Pull on the fold"), tr("N"), m_grasping.retractionEnd_N, 2},
+                          m_cues.numbers);
         m_retraction->setObjectName(QStringLiteral("training.retraction_bar"));
         m_retraction->setLimit(m_grasping.limits.retraction_N.value_or(0.0));
         m_column->addWidget(m_retraction);
     }
     for (int i = 0; i < m_tools; ++i) {
-        const QString name = m_tools == 1 ? tr("Force") : i == 0 ? tr("Force, right") : i == 1 ? tr("Force, left") : tr("Force, instrument %1").arg(i + 1);
-        auto* bar = new ForceBar(m_theme, m_locale, {name, tr("N"), m_grasping.limits.force_N, 2}, m_cues.numbers);
+        const QString name = m_tools == 1 ? tr("Force")
+                             : i == 0     ? tr("Force, right")
+                             : i == 1     ? tr("Force, left")
+                                          : tr("Force, instrument %1").arg(i + 1);
+        auto* bar =
+            new ForceBar(m_theme, m_locale, {name, tr("N"), m_grasping.limits.force_N, 2}, m_cues.numbers);
         bar->setObjectName(QStringLiteral("training.force_bar_%1").arg(i));
         m_column->addWidget(bar);
         m_force.push_back(bar);
@@ -140,11 +152,12 @@ void GraspPanel::addPlots() {
     if (m_cues.bars) // tension and squeeze belong to this cue
         m_targetPlot = m_grasping.measured == Grasping::Measured::tension
                            ? plot("training.tension_plot", tr("Tension (N)"), m_grasping.measuredEnd_N)
-                           : plot("training.squeeze_plot", tr("Squeeze (N)"), m_grasping.measuredEnd_N, m_grasping.measuredLimit_N);
+                           : plot("training.squeeze_plot", tr("Squeeze (N)"), m_grasping.measuredEnd_N,
+                                  m_grasping.measuredLimit_N);
     if (m_tools > 1 && m_cues.bars)
         return; // both hands feel the same tension, so one readable plot suffices
-    m_forcePlot = plot("training.force_plot", m_tools > 1 ? tr("Force, right (N)") : tr("Force (N)"), m_grasping.limits.force_N * 1.25,
-                       m_grasping.limits.force_N);
+    m_forcePlot = plot("training.force_plot", m_tools > 1 ? tr("Force, right (N)") : tr("Force (N)"),
+                       m_grasping.limits.force_N * 1.25, m_grasping.limits.force_N);
     if (!m_cues.bars)
         m_speedPlot = plot("training.speed_plot", tr("Speed (mm/s)"), kSpeedAxis_mm_per_s);
 }
@@ -178,7 +191,8 @@ void GraspPanel::showBars(const haptics::DisplayState& state) {
         m_retraction->setValue(cues.retractionShown ? cues.retraction_N : 0.0);
     }
     for (std::size_t i = 0; i < m_force.size(); ++i)
-        m_force[i]->setValue(std::hypot(state.tool[i].tissue[0], state.tool[i].tissue[1], state.tool[i].tissue[2]));
+        m_force[i]->setValue(
+            std::hypot(state.tool[i].tissue[0], state.tool[i].tissue[1], state.tool[i].tissue[2]));
 }
 
 void GraspPanel::showWords(const haptics::DisplayState& state) {
@@ -191,7 +205,9 @@ void GraspPanel::showWords(const haptics::DisplayState& state) {
 
 void GraspPanel::showNumbers(const haptics::DisplayState& state) {
     // Adding 0 avoids a minus sign before 0.0.
-    const auto text = [this](double value) { return m_locale.toString(std::round(value * 10.0) / 10.0 + 0.0, 'f', 1); };
+    const auto text = [this](double value) {
+        return m_locale.toString(std::round(value * 10.0) / 10.0 + 0.0, 'f', 1);
+    };
     m_load->setText(m_grasping.load(state, m_locale));
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const haptics::ToolDisplay& tool = state.tool[i];
@@ -203,7 +219,8 @@ void GraspPanel::showNumbers(const haptics::DisplayState& state) {
     }
 }
 
-void GraspPanel::addSamples(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
+void GraspPanel::addSamples(const haptics::DisplayState& state,
+                            std::span<const session::LiveSample> samples) {
     for (const session::LiveSample& sample : samples) {
         if (m_forcePlot)
             m_forcePlot->add(sample.t_s, static_cast<double>(sample.tissueNorm_N));

@@ -11,9 +11,12 @@ GraspPart::GraspPart(Grasping grasping, bool feedback, LiveSurroundings around)
     : LivePart(std::move(around)), m_grasping(std::move(grasping)),
       m_note(m_grasping, this->around().locale, feedback || this->around().practises) {}
 
-InfoView* GraspPart::makePanel() { return new GraspPanel(around().theme, around().locale, around().cues, m_grasping); }
+InfoView* GraspPart::makePanel() {
+    return new GraspPanel(around().theme, around().locale, around().cues, m_grasping);
+}
 
-std::unique_ptr<HandControl> GraspPart::takeHand(session::LiveTraining& training, std::function<void(int)> chosen) const {
+std::unique_ptr<HandControl> GraspPart::takeHand(session::LiveTraining& training,
+                                                 std::function<void(int)> chosen) const {
     const std::vector<devices::PointerMailbox*> mailboxes = training.pointers();
     if (mailboxes.empty())
         return nullptr; // the person does not move the tool
@@ -22,8 +25,13 @@ std::unique_ptr<HandControl> GraspPart::takeHand(session::LiveTraining& training
     return graspers;
 }
 
-QString GraspPart::activeText(int tool) const { return m_grasping.tools > 1 ? activeToolInWords(tool, m_grasping.tools) : QString(); }
+QString GraspPart::activeText(int tool) const {
+    return m_grasping.tools > 1 ? activeToolInWords(tool, m_grasping.tools) : QString();
+}
 
-void GraspPart::show(const haptics::DisplayState& state, std::span<const session::LiveSample>, scene3d::SceneState&) { m_note.take(state); }
+void GraspPart::show(const haptics::DisplayState& state, std::span<const session::LiveSample>,
+                     scene3d::SceneState&) {
+    m_note.take(state);
+}
 
 } // namespace chiron::desktop

@@ -14,9 +14,11 @@ public:
     GraspPart(Grasping grasping, bool feedback, LiveSurroundings around);
 
     InfoView* makePanel() override;
-    std::unique_ptr<HandControl> takeHand(session::LiveTraining& training, std::function<void(int)> chosen) const override;
+    std::unique_ptr<HandControl> takeHand(session::LiveTraining& training,
+                                          std::function<void(int)> chosen) const override;
     QString activeText(int tool) const override;
-    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples, scene3d::SceneState& drawn) override;
+    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples,
+              scene3d::SceneState& drawn) override;
     scene3d::SceneNote note(std::int64_t now_ns) const override { return m_note.note(now_ns); }
 
 private:

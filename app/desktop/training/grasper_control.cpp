@@ -5,7 +5,8 @@
 
 namespace chiron::desktop {
 
-GrasperControl::GrasperControl(std::span<devices::PointerMailbox* const> mailboxes, double scale, bool mirrored)
+GrasperControl::GrasperControl(std::span<devices::PointerMailbox* const> mailboxes, double scale,
+                               bool mirrored)
     : m_mailboxes(mailboxes.begin(), mailboxes.end()) {
     for (devices::PointerMailbox* mailbox : m_mailboxes)
         m_hands.emplace_back(*mailbox, scale, mirrored);
@@ -70,7 +71,8 @@ void GrasperControl::choose(int tool) {
 
 void GrasperControl::sendJaw() {
     const int asked = (m_openingKey ? 1 : 0) - (m_closingKey ? 1 : 0) + m_button;
-    m_mailboxes[static_cast<std::size_t>(m_active)]->setJawRate(kJawSpeed_rad_per_s * std::clamp(asked, -1, 1));
+    m_mailboxes[static_cast<std::size_t>(m_active)]->setJawRate(kJawSpeed_rad_per_s *
+                                                                std::clamp(asked, -1, 1));
 }
 
 } // namespace chiron::desktop

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/laparoscopy_cues.h"
 #include "haptics/display_state.h"
 #include "session/level_limits.h"
-#include "core/laparoscopy_cues.h"
 
 #include <QLocale>
 #include <QString>
@@ -23,7 +23,7 @@ struct Grasping {
     double measuredLimit_N = 0.0; ///< 0: it has a band instead
     /// End of the scale of the pull on a fold of tissue; 0: no fold is retracted.
     double retractionEnd_N = 0.0;
-    int retractor = -1;           ///< the tool that retracts the fold; -1: none
+    int retractor = -1; ///< the tool that retracts the fold; -1: none
 
     // The rules by which the scene lets jaws grasp (GraspLatch).
     double reach_m = 0.0;

@@ -26,12 +26,12 @@ public:
     virtual bool keyUp(int key) = 0;
     /// On pause, or if the window loses the keyboard focus: nothing may continue to move.
     virtual void releaseKeys() = 0;
-    virtual void click() = 0;       ///< "Here it is", if the exercise asks for it
+    virtual void click() = 0; ///< "Here it is", if the exercise asks for it
     /// The left button was pressed over the scene; the argument says whether Shift is held. Not every tool
     /// uses it.
     virtual void buttonDown(bool) {}
     virtual void buttonUp() {}
-    virtual void feel(const haptics::DisplayState&) {} ///< called every frame with the tools' contacts
+    virtual void feel(const haptics::DisplayState&) {}    ///< called every frame with the tools' contacts
     virtual int activeTool() const noexcept { return 0; } ///< the moving tool, if there are several
 };
 

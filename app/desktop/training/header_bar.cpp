@@ -21,8 +21,10 @@ HeaderBar::HeaderBar(const Theme& theme, const QLocale& locale, const Titles& ti
     auto* what = new QVBoxLayout;
     what->setSpacing(0);
     what->addWidget(kit::label(theme, tr("%1: %2").arg(titles.exercise, titles.level), TextStyle::strong));
-    m_device = kit::label(theme, titles.familiarisation ? tr("%1 · familiarisation, not counted").arg(titles.device) : titles.device,
-                              TextStyle::small, "muted");
+    m_device = kit::label(theme,
+                          titles.familiarisation ? tr("%1 · familiarisation, not counted").arg(titles.device)
+                                                 : titles.device,
+                          TextStyle::small, "muted");
     m_device->setObjectName(QStringLiteral("training.device"));
     what->addWidget(m_device);
     row->addLayout(what, 3);
@@ -44,7 +46,8 @@ HeaderBar::HeaderBar(const Theme& theme, const QLocale& locale, const Titles& ti
 void HeaderBar::show(const haptics::DisplayState& state) {
     if (m_trials > 1 && m_shownTrial != state.trial) { // a single trial needs no number
         m_shownTrial = state.trial;
-        m_trial->setText(tr("Trial %1 of %2").arg(m_locale.toString(state.trial + 1), m_locale.toString(m_trials)));
+        m_trial->setText(
+            tr("Trial %1 of %2").arg(m_locale.toString(state.trial + 1), m_locale.toString(m_trials)));
     }
     const bool clock = state.phase == core::TrialPhase::ready || state.phase == core::TrialPhase::running;
     const int left_s = clock ? static_cast<int>(std::ceil(state.timeLeft_s)) : kNoTime;
@@ -54,13 +57,16 @@ void HeaderBar::show(const haptics::DisplayState& state) {
     m_left->setText(left_s == kNoTime ? QString() : tr("%1 s left").arg(m_locale.toString(left_s)));
 }
 
-void HeaderBar::setCompact(bool compact) { m_device->setVisible(!compact); }
+void HeaderBar::setCompact(bool compact) {
+    m_device->setVisible(!compact);
+}
 
 void HeaderBar::setMuted(bool muted) {
     if (!m_mute)
         return;
     const QString text = muted ? tr("Sound on") : tr("Sound off");
-    m_mute->setIcon(m_theme.icon(muted ? QStringLiteral("audio-volume-muted") : QStringLiteral("audio-volume-high"), Colour::accent));
+    m_mute->setIcon(m_theme.icon(
+        muted ? QStringLiteral("audio-volume-muted") : QStringLiteral("audio-volume-high"), Colour::accent));
     m_mute->setAccessibleName(text);
     m_mute->setToolTip(text);
 }

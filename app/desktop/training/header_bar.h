@@ -23,7 +23,7 @@ public:
         QString device;
         QString deviceIcon;
         int trials = 1;
-        bool sound = false;         ///< the level has sound cues that can be muted
+        bool sound = false; ///< the level has sound cues that can be muted
         bool familiarisation = false;
     };
     HeaderBar(const Theme& theme, const QLocale& locale, const Titles& titles, QWidget* parent = nullptr);

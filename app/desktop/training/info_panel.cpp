@@ -13,11 +13,10 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr int kNumbersEvery_frames = 6;  // ten times per second, so that digits can be read
+constexpr int kNumbersEvery_frames = 6; // ten times per second, so that digits can be read
 constexpr double kSpeedAxis_mm_per_s = 60.0;
 
-template <class A>
-double norm3(const A& v, std::size_t at = 0) {
+template <class A> double norm3(const A& v, std::size_t at = 0) {
     return std::hypot(v[at], v[at + 1], v[at + 2]);
 }
 
@@ -25,12 +24,14 @@ double norm3(const A& v, std::size_t at = 0) {
 QString lateShare_percent(const haptics::DisplayState& state) {
     constexpr double kSmallest_percent = 0.01;
     const double ticks = static_cast<double>(std::max(state.tick, state.lateTicks));
-    return QLocale().toString(std::max(kSmallest_percent, 100.0 * static_cast<double>(state.lateTicks) / ticks), 'f', 2);
+    return QLocale().toString(
+        std::max(kSmallest_percent, 100.0 * static_cast<double>(state.lateTicks) / ticks), 'f', 2);
 }
 
 } // namespace
 
-InfoPanel::InfoPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, Limits limits, QWidget* parent)
+InfoPanel::InfoPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, Limits limits,
+                     QWidget* parent)
     : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_limits(limits) {
     setProperty("kind", QStringLiteral("card"));
     m_column = new QVBoxLayout(this);
@@ -59,7 +60,8 @@ void InfoPanel::addBars() {
     m_force = new ForceBar(m_theme, m_locale, {tr("Force"), tr("N"), m_limits.force_N, 2}, m_cues.numbers);
     m_force->setObjectName(QStringLiteral("training.force_bar"));
     m_column->addWidget(m_force);
-    m_torque = new ForceBar(m_theme, m_locale, {tr("Torque"), tr("mN·m"), m_limits.torque_Nm * 1e3, 0}, m_cues.numbers);
+    m_torque = new ForceBar(m_theme, m_locale, {tr("Torque"), tr("mN·m"), m_limits.torque_Nm * 1e3, 0},
+                            m_cues.numbers);
     m_torque->setObjectName(QStringLiteral("training.torque_bar"));
     m_column->addWidget(m_torque);
     addDetail(m_torque);
@@ -138,19 +140,25 @@ void InfoPanel::showNumbers(const haptics::ToolDisplay& tool) {
 }
 
 QString InfoPanel::elapsedText(std::int64_t second) {
-    return tr("Elapsed: %1").arg(QStringLiteral("%1:%2").arg(second / 60).arg(second % 60, 2, 10, QLatin1Char('0')));
+    return tr("Elapsed: %1")
+        .arg(QStringLiteral("%1:%2").arg(second / 60).arg(second % 60, 2, 10, QLatin1Char('0')));
 }
 
 QString InfoPanel::noCuesText() {
-    return tr("This level shows no measurements: rely on what you feel. Everything is recorded and appears in the results.");
+    return tr("This level shows no measurements: rely on what you feel. Everything is recorded and appears "
+              "in the results.");
 }
 
 QString InfoPanel::loopText(const haptics::DisplayState& state) {
-    const auto count = [](std::uint64_t n) { return static_cast<int>(std::min<std::uint64_t>(n, 1'000'000'000)); };
+    const auto count = [](std::uint64_t n) {
+        return static_cast<int>(std::min<std::uint64_t>(n, 1'000'000'000));
+    };
     if (state.droppedFrames > 0)
-        return tr("%n samples could not be recorded: this session will be incomplete.", nullptr, count(state.droppedFrames));
+        return tr("%n samples could not be recorded: this session will be incomplete.", nullptr,
+                  count(state.droppedFrames));
     if (state.lateTicks > 0)
-        return tr("Recording complete; nothing is lost. %1 % of the force updates came late.").arg(lateShare_percent(state));
+        return tr("Recording complete; nothing is lost. %1 % of the force updates came late.")
+            .arg(lateShare_percent(state));
     return tr("Recording complete; every force update on time");
 }
 

@@ -30,7 +30,7 @@ public:
     void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) override;
 
     /// Texts that every kind of panel shares.
-    static QString elapsedText(std::int64_t second);                ///< "Elapsed: 1:05"
+    static QString elapsedText(std::int64_t second); ///< "Elapsed: 1:05"
     /// Whether everything is recorded, and the force on time.
     static QString loopText(const haptics::DisplayState& state);
     static QString noCuesText(); ///< for a level that shows no measurements

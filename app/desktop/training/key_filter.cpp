@@ -11,16 +11,24 @@ namespace chiron::desktop {
 
 namespace {
 
-bool isEnter(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }
-bool isTab(int key) { return key == Qt::Key_Tab || key == Qt::Key_Backtab; }
+bool isEnter(int key) {
+    return key == Qt::Key_Return || key == Qt::Key_Enter;
+}
+bool isTab(int key) {
+    return key == Qt::Key_Tab || key == Qt::Key_Backtab;
+}
 
 } // namespace
 
 KeyFilter::KeyFilter(QWidget& screen) : QObject(&screen), m_screen(screen) {}
 
-KeyFilter::~KeyFilter() { setActive(false); }
+KeyFilter::~KeyFilter() {
+    setActive(false);
+}
 
-bool KeyFilter::isToolKey(int key) const { return std::find(m_toolKeys.begin(), m_toolKeys.end(), key) != m_toolKeys.end(); }
+bool KeyFilter::isToolKey(int key) const {
+    return std::find(m_toolKeys.begin(), m_toolKeys.end(), key) != m_toolKeys.end();
+}
 
 void KeyFilter::setActive(bool active) {
     if (m_active == active)
@@ -47,8 +55,8 @@ bool KeyFilter::takes(const QKeyEvent& event, QObject* watched) const {
         return false;
     if (isTab(key))
         return m_scene && watched == m_scene && !watched->isWidgetType();
-    return key == Qt::Key_Space || key == Qt::Key_R || key == Qt::Key_F4 || key == Qt::Key_F5 || (key == Qt::Key_F && m_depthOfFieldKey) || isEnter(key) ||
-           isToolKey(key);
+    return key == Qt::Key_Space || key == Qt::Key_R || key == Qt::Key_F4 || key == Qt::Key_F5 ||
+           (key == Qt::Key_F && m_depthOfFieldKey) || isEnter(key) || isToolKey(key);
 }
 
 bool KeyFilter::eventFilter(QObject* watched, QEvent* event) {

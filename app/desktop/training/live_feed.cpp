@@ -3,16 +3,20 @@
 
 namespace chiron::desktop {
 
-core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(database::Database& database, const database::Actor& actor,
+core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(database::Database& database,
+                                                        const database::Actor& actor,
                                                         session::TrainingRequest request) {
     std::unique_ptr<LiveFeed> feed(new LiveFeed);
     feed->m_samples.reserve(session::LiveLink::kSamples);
     auto training = session::LiveTraining::start(database, actor, std::move(request), [to = feed.get()] {
-        QMetaObject::invokeMethod(to, [to] {
-            to->tick(); // shows the last state before the end is reported
-            to->m_timer.stop();
-            emit to->finished();
-        }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            to,
+            [to] {
+                to->tick(); // shows the last state before the end is reported
+                to->m_timer.stop();
+                emit to->finished();
+            },
+            Qt::QueuedConnection);
     });
     CHIRON_TRY(training);
     feed->m_training = std::move(*training);
@@ -28,7 +32,8 @@ void LiveFeed::tick() {
     m_training->beat();
     m_training->display().read(m_state);
     m_samples.clear();
-    for (session::LiveSample sample; m_samples.size() < m_samples.capacity() && m_training->samples().tryPop(sample);) {
+    for (session::LiveSample sample;
+         m_samples.size() < m_samples.capacity() && m_training->samples().tryPop(sample);) {
         m_samples.push_back(sample);
         m_contacts += (sample.events & core::event_bits::kContactBegan) != 0 ? 1 : 0;
         m_worked_ms += sample.paused || sample.phase == core::TrialPhase::idle ? 0 : 1;

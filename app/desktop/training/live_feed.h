@@ -22,8 +22,8 @@ public:
 
     /// Starts a session.
     /// Errors: as for LiveTraining::start().
-    static core::Result<std::unique_ptr<LiveFeed>> start(database::Database& database, const database::Actor& actor,
-                                                         session::TrainingRequest request);
+    static core::Result<std::unique_ptr<LiveFeed>>
+    start(database::Database& database, const database::Actor& actor, session::TrainingRequest request);
     ~LiveFeed() override;
 
     session::LiveTraining& training() noexcept { return *m_training; }

@@ -8,7 +8,8 @@
 
 namespace chiron::desktop {
 
-std::unique_ptr<HandControl> LivePart::takeHand(session::LiveTraining& training, std::function<void(int)>) const {
+std::unique_ptr<HandControl> LivePart::takeHand(session::LiveTraining& training,
+                                                std::function<void(int)>) const {
     const double scale = m_around.theme.scale();
     if (training.pointer())
         return std::make_unique<PointerControl>(*training.pointer(), scale, m_around.leftHanded);
@@ -20,6 +21,8 @@ std::unique_ptr<HandControl> LivePart::takeHand(session::LiveTraining& training,
 PointPart::PointPart(const catalogue::ExerciseLevel& level, LiveSurroundings around)
     : LivePart(std::move(around)), m_limit_N(session::levelLimits(level).force_N) {}
 
-InfoView* PointPart::makePanel() { return new InfoPanel(around().theme, around().locale, around().cues, {.force_N = m_limit_N}); }
+InfoView* PointPart::makePanel() {
+    return new InfoPanel(around().theme, around().locale, around().cues, {.force_N = m_limit_N});
+}
 
 } // namespace chiron::desktop

@@ -32,7 +32,7 @@ struct LiveSurroundings {
     const Theme& theme;
     QLocale locale;
     session::LevelCues cues;
-    bool ownHand = false;    ///< the person's own; otherwise a demonstration is watched
+    bool ownHand = false; ///< the person's own; otherwise a demonstration is watched
     bool leftHanded = false;
     bool practises = false;
     std::function<void(core::ReportField, unsigned)> report; ///< reports a finding to the running session
@@ -68,7 +68,8 @@ public:
     /// Creates the control for the tools that the running session offers; by default for a point or an
     /// endoscope. Null if the person does not move the tool. `chosen` is called with the newly active tool if
     /// there are several.
-    virtual std::unique_ptr<HandControl> takeHand(session::LiveTraining& training, std::function<void(int)> chosen) const;
+    virtual std::unique_ptr<HandControl> takeHand(session::LiveTraining& training,
+                                                  std::function<void(int)> chosen) const;
     /// Names the active tool; empty if there is only one.
     virtual QString activeText(int /*tool*/) const { return {}; }
     /// Whether the mark ("here it is") comes from the hand control instead of the single tool.
@@ -84,7 +85,8 @@ public:
     virtual std::vector<LiveCommand> commands() const { return {}; }
 
     /// Called every frame: adds to the drawn scene. What it points to stays valid until the next frame.
-    virtual void show(const haptics::DisplayState&, std::span<const session::LiveSample>, scene3d::SceneState& /*drawn*/) {}
+    virtual void show(const haptics::DisplayState&, std::span<const session::LiveSample>,
+                      scene3d::SceneState& /*drawn*/) {}
     /// How far the force on a tool leans, if the level shows it; the force tone becomes brighter with it.
     virtual double lean_rad(const haptics::DisplayState&, std::size_t /*tool*/) const { return 0.0; }
     /// The message over the scene, shown if there is nothing more urgent.

@@ -9,7 +9,9 @@ namespace chiron::desktop {
 struct LivePlot::Frame {
     QRect area;
     double top = 1.0; ///< value at its upper edge
-    int yOf(double value) const { return area.bottom() - qRound(std::clamp(value / top, 0.0, 1.0) * (area.height() - 1)); }
+    int yOf(double value) const {
+        return area.bottom() - qRound(std::clamp(value / top, 0.0, 1.0) * (area.height() - 1));
+    }
 };
 
 namespace {
@@ -25,8 +27,8 @@ double niceTop(double value) {
 
 } // namespace
 
-LivePlot::LivePlot(const Theme& theme, const QLocale& locale, const QString& title, double top, std::optional<double> limit,
-                   QWidget* parent)
+LivePlot::LivePlot(const Theme& theme, const QLocale& locale, const QString& title, double top,
+                   std::optional<double> limit, QWidget* parent)
     : QWidget(parent), m_theme(theme), m_locale(locale), m_title(title), m_top(top), m_limit(limit) {
     setAccessibleName(title);
     setAccessibleDescription(tr("The last %1 seconds").arg(locale.toString(kSpan_s, 'f', 0)));
@@ -36,8 +38,12 @@ LivePlot::LivePlot(const Theme& theme, const QLocale& locale, const QString& tit
     m_over.reserve(ColumnTrace::kCells);
 }
 
-QSize LivePlot::sizeHint() const { return minimumSizeHint(); } // it expands to the available space
-QSize LivePlot::minimumSizeHint() const { return {m_theme.px(160), m_theme.px(86)}; }
+QSize LivePlot::sizeHint() const {
+    return minimumSizeHint();
+} // it expands to the available space
+QSize LivePlot::minimumSizeHint() const {
+    return {m_theme.px(160), m_theme.px(86)};
+}
 
 QString LivePlot::numberOf(double value) const {
     const bool whole = std::abs(value - std::round(value)) < 1e-9;
@@ -50,13 +56,15 @@ void LivePlot::paintEvent(QPaintEvent*) {
     const QFont font = m_theme.font(TextStyle::small);
     painter.setFont(font);
     const QFontMetrics metrics(font);
-    const double highest = std::max({m_top, m_trace.highest() * 1.05, m_limit.value_or(0.0) * 1.25, m_high * 1.1});
+    const double highest =
+        std::max({m_top, m_trace.highest() * 1.05, m_limit.value_or(0.0) * 1.25, m_high * 1.1});
     Frame frame;
     frame.top = niceTop(highest);
     int left = 0;
     for (const double share : {0.5, 1.0})
         left = std::max(left, metrics.horizontalAdvance(numberOf(share * frame.top)) + m_theme.px(8));
-    frame.area = rect().adjusted(left, metrics.height() + m_theme.px(6), -m_theme.px(6), -metrics.height() - m_theme.px(4));
+    frame.area = rect().adjusted(left, metrics.height() + m_theme.px(6), -m_theme.px(6),
+                                 -metrics.height() - m_theme.px(4));
     if (frame.area.width() < 2 || frame.area.height() < 2)
         return;
     if (m_high > 0.0)
@@ -69,17 +77,19 @@ void LivePlot::paintEvent(QPaintEvent*) {
 void LivePlot::paintAxes(QPainter& painter, const Frame& frame) const {
     const QFontMetrics metrics(painter.font());
     painter.setPen(m_theme.color(Colour::text));
-    painter.drawText(rect().adjusted(0, 0, 0, -rect().height() + metrics.height()), Qt::AlignLeft | Qt::AlignVCenter,
-                     metrics.elidedText(m_title, Qt::ElideRight, width()));
+    painter.drawText(rect().adjusted(0, 0, 0, -rect().height() + metrics.height()),
+                     Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(m_title, Qt::ElideRight, width()));
     for (const double share : {0.0, 0.5, 1.0}) {
         const int y = frame.yOf(share * frame.top);
         painter.setPen(m_theme.color(Colour::grid));
         painter.drawLine(frame.area.left(), y, frame.area.right(), y);
         painter.setPen(m_theme.color(Colour::muted));
-        painter.drawText(QRect(0, y - metrics.height() / 2, frame.area.left() - m_theme.px(5), metrics.height()),
-                         Qt::AlignRight | Qt::AlignVCenter, numberOf(share * frame.top));
+        painter.drawText(
+            QRect(0, y - metrics.height() / 2, frame.area.left() - m_theme.px(5), metrics.height()),
+            Qt::AlignRight | Qt::AlignVCenter, numberOf(share * frame.top));
     }
-    const QRect below(frame.area.left(), frame.area.bottom() + m_theme.px(3), frame.area.width(), metrics.height());
+    const QRect below(frame.area.left(), frame.area.bottom() + m_theme.px(3), frame.area.width(),
+                      metrics.height());
     painter.drawText(below, Qt::AlignLeft, tr("-%1 s").arg(m_locale.toString(kSpan_s, 'f', 0)));
     painter.drawText(below, Qt::AlignRight, tr("now"));
 }
@@ -87,7 +97,8 @@ void LivePlot::paintAxes(QPainter& painter, const Frame& frame) const {
 void LivePlot::paintBand(QPainter& painter, const Frame& frame) const {
     const int low = frame.yOf(m_low);
     const int high = frame.yOf(m_high);
-    painter.fillRect(QRect(frame.area.left(), high, frame.area.width(), low - high), m_theme.color(Colour::goodSoft));
+    painter.fillRect(QRect(frame.area.left(), high, frame.area.width(), low - high),
+                     m_theme.color(Colour::goodSoft));
     painter.setPen(QPen(m_theme.color(Colour::good), m_theme.px(1.5), Qt::DashLine));
     painter.drawLine(frame.area.left(), low, frame.area.right(), low);
     painter.drawLine(frame.area.left(), high, frame.area.right(), high);

@@ -20,12 +20,15 @@ public:
     static constexpr double kSpan_s = 10.0;
 
     /// `title` includes the unit ("Force (N)"). The axis starts at 0 and reaches at least `top`.
-    LivePlot(const Theme& theme, const QLocale& locale, const QString& title, double top, std::optional<double> limit = {},
-             QWidget* parent = nullptr);
+    LivePlot(const Theme& theme, const QLocale& locale, const QString& title, double top,
+             std::optional<double> limit = {}, QWidget* parent = nullptr);
 
     void add(double t_s, double value) noexcept { m_trace.add(t_s, value); }
     /// A target range, drawn as a band with an edge; both 0: none.
-    void setBand(double low, double high) noexcept { m_low = low; m_high = high; }
+    void setBand(double low, double high) noexcept {
+        m_low = low;
+        m_high = high;
+    }
     const ColumnTrace& trace() const noexcept { return m_trace; }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;

@@ -16,7 +16,8 @@ constexpr double kButtonEnd = 30.0; // y
 constexpr double kHead = 4.5;       // size of an arrow's head
 } // namespace
 
-MousePictogram::MousePictogram(const Theme& theme, Pictogram picture, QWidget* parent) : QWidget(parent), m_theme(theme), m_picture(picture) {
+MousePictogram::MousePictogram(const Theme& theme, Pictogram picture, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_picture(picture) {
     setFixedSize(theme.px(kSide), theme.px(kSide));
 }
 
@@ -26,7 +27,8 @@ void MousePictogram::paintArrow(QPainter& painter, QPointF from, QPointF to) con
     const QPointF across(-along.y(), along.x());
     painter.drawLine(from, to - along * kHead);
     painter.setBrush(painter.pen().color());
-    painter.drawPolygon(QPolygonF{{to, to - along * kHead + across * 0.6 * kHead, to - along * kHead - across * 0.6 * kHead}});
+    painter.drawPolygon(QPolygonF{
+        {to, to - along * kHead + across * 0.6 * kHead, to - along * kHead - across * 0.6 * kHead}});
 }
 
 void MousePictogram::paintEvent(QPaintEvent*) {
@@ -93,8 +95,9 @@ void MousePictogram::paintMouse(QPainter& painter) const {
     const bool wheel = m_picture == Pictogram::wheelTowards || m_picture == Pictogram::wheelAway;
     if (left || m_picture == Pictogram::rightHeld) {
         QPainterPath half;
-        half.addRect(left ? QRectF(kBody.left(), kBody.top(), 0.5 * kBody.width(), kButtonEnd - kBody.top())
-                          : QRectF(kBody.center().x(), kBody.top(), 0.5 * kBody.width(), kButtonEnd - kBody.top()));
+        half.addRect(
+            left ? QRectF(kBody.left(), kBody.top(), 0.5 * kBody.width(), kButtonEnd - kBody.top())
+                 : QRectF(kBody.center().x(), kBody.top(), 0.5 * kBody.width(), kButtonEnd - kBody.top()));
         painter.fillPath(body.intersected(half), accent);
     }
     painter.setPen(QPen(m_theme.color(Colour::text), 1.6));

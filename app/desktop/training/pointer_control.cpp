@@ -26,7 +26,9 @@ constexpr std::array<KeyWay, 6> kWays{{{Qt::Key_Left, 0, -1.0},
 constexpr std::array<int, kWays.size()> kKeys{Qt::Key_Left, Qt::Key_Right,    Qt::Key_Down,
                                               Qt::Key_Up,   Qt::Key_PageDown, Qt::Key_PageUp};
 
-bool moves(int key) { return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end(); }
+bool moves(int key) {
+    return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
+}
 
 } // namespace
 
@@ -42,7 +44,9 @@ void PointerControl::wheel(int eighthsOfDegree) noexcept {
     m_mailbox.move(0.0, 0.0, m_lift.wheelStep_m * eighthsOfDegree / 120.0);
 }
 
-std::span<const int> PointerControl::keys() const noexcept { return kKeys; }
+std::span<const int> PointerControl::keys() const noexcept {
+    return kKeys;
+}
 
 bool PointerControl::keyDown(int key) {
     if (!moves(key))
@@ -82,7 +86,8 @@ void PointerControl::sendRate() {
     std::array<double, 3> rate{};
     for (const KeyWay& way : kWays)
         if (m_held.count(way.key) != 0)
-            rate[static_cast<std::size_t>(way.axis)] += way.sign * (way.axis == 2 ? m_lift.keySpeed_m_per_s : kKeySpeed_m_per_s);
+            rate[static_cast<std::size_t>(way.axis)] +=
+                way.sign * (way.axis == 2 ? m_lift.keySpeed_m_per_s : kKeySpeed_m_per_s);
     m_mailbox.setRate(m_right * rate[0], rate[1], rate[2]);
 }
 

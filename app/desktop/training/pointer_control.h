@@ -13,7 +13,7 @@ namespace chiron::desktop {
 /// Thread: GUI; the mailbox outlives it.
 class PointerControl final : public HandControl {
 public:
-    static constexpr double kMetresPerPixel = 0.0001;  ///< at 100 % scale: 650 pixels are the field's radius
+    static constexpr double kMetresPerPixel = 0.0001; ///< at 100 % scale: 650 pixels are the field's radius
     static constexpr double kMetresPerWheelStep = 0.002; ///< one notch (120 eighths of a degree)
     static constexpr double kKeySpeed_m_per_s = 0.030;
 
@@ -39,7 +39,7 @@ public:
     bool keyDown(int key) override;
     bool keyUp(int key) override;
     void releaseKeys() override;
-    void click() override; ///< "Here it is": marks
+    void click() override;   ///< "Here it is": marks
     void setLift(Lift lift); ///< takes effect at once, also for a held key
 
 private:

@@ -16,10 +16,13 @@ namespace {
 constexpr int kPageWidth_px = 760;
 constexpr double kControlWidth_px = 216; // three fit side by side on a page of full width
 
-bool isEnter(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }
+bool isEnter(int key) {
+    return key == Qt::Key_Return || key == Qt::Key_Enter;
+}
 } // namespace
 
-ReadyCard::ReadyCard(const Theme& theme, const ReadyFacts& facts, Kind kind, QWidget* parent) : QWidget(parent), m_theme(theme), m_kind(kind), m_cameByItself(!facts.practised.isEmpty()) {
+ReadyCard::ReadyCard(const Theme& theme, const ReadyFacts& facts, Kind kind, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_kind(kind), m_cameByItself(!facts.practised.isEmpty()) {
     setObjectName(QStringLiteral("training.ready"));
     if (m_cameByItself)
         setAccessibleName(facts.practised); // because the card itself has the focus
@@ -38,7 +41,8 @@ QWidget* ReadyCard::buildText(const ReadyFacts& facts) {
     m_page->setObjectName(QStringLiteral("training.ready.page"));
     QVBoxLayout& column = *m_page->column();
     column.setSpacing(m_theme.px(10));
-    column.addWidget(kit::label(m_theme, tr("%1 · %2").arg(facts.exercise, facts.level), TextStyle::body, "muted"));
+    column.addWidget(
+        kit::label(m_theme, tr("%1 · %2").arg(facts.exercise, facts.level), TextStyle::body, "muted"));
     if (!facts.practised.isEmpty()) {
         auto* over = kit::label(m_theme, facts.practised, TextStyle::strong);
         over->setObjectName(QStringLiteral("training.ready.practised"));
@@ -57,9 +61,11 @@ QWidget* ReadyCard::buildText(const ReadyFacts& facts) {
     line(facts.clock, "training.ready.clock");
     if (!isShort()) {
         if (!facts.gates.isEmpty())
-            line(tr("To pass:\n•  %1").arg(facts.gates.join(QStringLiteral("\n•  "))), "training.ready.gates");
+            line(tr("To pass:\n•  %1").arg(facts.gates.join(QStringLiteral("\n•  "))),
+                 "training.ready.gates");
         if (!facts.marks.isEmpty())
-            line(tr("In the scene:\n•  %1").arg(facts.marks.join(QStringLiteral("\n•  "))), "training.ready.marks");
+            line(tr("In the scene:\n•  %1").arg(facts.marks.join(QStringLiteral("\n•  "))),
+                 "training.ready.marks");
         line(facts.keys, "training.ready.keys", "muted");
     }
     column.addStretch(1);
@@ -98,11 +104,17 @@ QWidget* ReadyCard::buildButtons(const ReadyFacts& facts) {
         flow->addWidget(button);
         return button;
     };
-    m_go = add(m_kind == Kind::paused ? tr("Resume (Enter)") : m_cameByItself ? tr("Continue") : tr("Go (Enter)"), "primary", "training.ready.go");
+    m_go = add(m_kind == Kind::paused ? tr("Resume (Enter)")
+               : m_cameByItself       ? tr("Continue")
+                                      : tr("Go (Enter)"),
+               "primary", "training.ready.go");
     connect(m_go, &QPushButton::clicked, this, &ReadyCard::goAsked);
     if (m_kind != Kind::paused && facts.offersPractice) {
-        auto* practice = add(facts.practised.isEmpty() ? tr("Practise for a minute") : tr("Practise for another minute"), "", "training.ready.practice");
-        practice->setToolTip(tr("Try the controls here for a minute. It is recorded as a familiarisation and does not count."));
+        auto* practice =
+            add(facts.practised.isEmpty() ? tr("Practise for a minute") : tr("Practise for another minute"),
+                "", "training.ready.practice");
+        practice->setToolTip(tr(
+            "Try the controls here for a minute. It is recorded as a familiarisation and does not count."));
         connect(practice, &QPushButton::clicked, this, &ReadyCard::practiceAsked);
     }
     if (m_kind == Kind::first && facts.offersDemonstration) {
@@ -111,11 +123,14 @@ QWidget* ReadyCard::buildButtons(const ReadyFacts& facts) {
         connect(watch, &QPushButton::clicked, this, &ReadyCard::watchAsked);
     }
     if (isShort())
-        connect(add(tr("More"), "quiet", "training.ready.more"), &QPushButton::clicked, this, &ReadyCard::wholeAsked);
+        connect(add(tr("More"), "quiet", "training.ready.more"), &QPushButton::clicked, this,
+                &ReadyCard::wholeAsked);
     else
-        connect(add(tr("Help for this screen"), "quiet", "training.ready.help"), &QPushButton::clicked, this, &ReadyCard::helpAsked);
+        connect(add(tr("Help for this screen"), "quiet", "training.ready.help"), &QPushButton::clicked, this,
+                &ReadyCard::helpAsked);
     if (m_kind != Kind::paused && facts.offersLeave)
-        connect(add(tr("Not now"), "quiet", "training.ready.leave"), &QPushButton::clicked, this, &ReadyCard::leaveAsked);
+        connect(add(tr("Not now"), "quiet", "training.ready.leave"), &QPushButton::clicked, this,
+                &ReadyCard::leaveAsked);
     return bar;
 }
 
@@ -131,7 +146,8 @@ bool ReadyCard::eventFilter(QObject*, QEvent* event) {
 bool ReadyCard::pressed(const QKeyEvent& key) {
     auto* button = qobject_cast<QPushButton*>(focusWidget());
     const bool hasButton = button && button->hasFocus();
-    const bool begins = isEnter(key.key()) || std::find(m_toolKeys.begin(), m_toolKeys.end(), key.key()) != m_toolKeys.end();
+    const bool begins =
+        isEnter(key.key()) || std::find(m_toolKeys.begin(), m_toolKeys.end(), key.key()) != m_toolKeys.end();
     if (scroll(key.key()))
         return true;
     if (!begins)
@@ -152,9 +168,11 @@ bool ReadyCard::scroll(int key) {
     if (isShort() || bar.maximum() <= 0)
         return false;
     if (key == Qt::Key_Up || key == Qt::Key_Down)
-        bar.triggerAction(key == Qt::Key_Up ? QAbstractSlider::SliderSingleStepSub : QAbstractSlider::SliderSingleStepAdd);
+        bar.triggerAction(key == Qt::Key_Up ? QAbstractSlider::SliderSingleStepSub
+                                            : QAbstractSlider::SliderSingleStepAdd);
     else if (key == Qt::Key_PageUp || key == Qt::Key_PageDown)
-        bar.triggerAction(key == Qt::Key_PageUp ? QAbstractSlider::SliderPageStepSub : QAbstractSlider::SliderPageStepAdd);
+        bar.triggerAction(key == Qt::Key_PageUp ? QAbstractSlider::SliderPageStepSub
+                                                : QAbstractSlider::SliderPageStepAdd);
     else
         return false;
     return true;

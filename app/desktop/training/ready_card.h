@@ -44,10 +44,10 @@ class ReadyCard final : public QWidget {
     Q_OBJECT
 public:
     enum class Kind {
-        first,  ///< before the first session at this level; explains each movement
-        brief,  ///< before a later session
-        whole,  ///< everything, on request
-        paused  ///< like whole, while the session is paused
+        first, ///< before the first session at this level; explains each movement
+        brief, ///< before a later session
+        whole, ///< everything, on request
+        paused ///< like whole, while the session is paused
     };
 
     ReadyCard(const Theme& theme, const ReadyFacts& facts, Kind kind, QWidget* parent = nullptr);
@@ -56,7 +56,7 @@ public:
     /// The keys (Qt::Key) whose press counts as a first movement.
     void setToolKeys(std::vector<int> keys) { m_toolKeys = std::move(keys); }
     bool scroll(int key); ///< false: not a scrolling key, or nothing to scroll
-    void takeFocus(); ///< moves the focus to "Go", or to the card itself if the card appeared by itself
+    void takeFocus();     ///< moves the focus to "Go", or to the card itself if the card appeared by itself
 
 signals:
     void goAsked();

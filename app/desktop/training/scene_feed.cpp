@@ -8,7 +8,9 @@ namespace chiron::desktop {
 
 namespace {
 
-core::Vec3 vectorOf(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+core::Vec3 vectorOf(const std::array<double, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
 
 scene3d::ToolView toolOf(const haptics::ToolDisplay& shown, const session::LevelCues& cues) {
     scene3d::ToolView tool;
@@ -24,13 +26,17 @@ scene3d::ToolView toolOf(const haptics::ToolDisplay& shown, const session::Level
 
 } // namespace
 
-scene3d::SceneSetup sceneSetupOf(const catalogue::ExerciseLevel& level, const session::LevelCues& cues, const Theme& theme,
-                                 bool leftHanded, std::optional<bool> depthOfField) {
+scene3d::SceneSetup sceneSetupOf(const catalogue::ExerciseLevel& level, const session::LevelCues& cues,
+                                 const Theme& theme, bool leftHanded, std::optional<bool> depthOfField) {
     scene3d::SceneSetup setup;
     setup.exercise = level.exercise;
     setup.parameters = level.parameters;
     setup.forceLimit_N = session::levelLimits(level).force_N;
-    setup.cues = {.tool = cues.tool, .arrow = cues.arrow, .object = cues.object, .overview = cues.overview, .guidance = cues.guidance};
+    setup.cues = {.tool = cues.tool,
+                  .arrow = cues.arrow,
+                  .object = cues.object,
+                  .overview = cues.overview,
+                  .guidance = cues.guidance};
     const auto face = exerciseFace(level.exercise);
     if (const auto optics = face ? (*face)->depthOfField(level) : std::nullopt)
         setup.depthOfField = optics->shown(depthOfField);
@@ -48,7 +54,8 @@ scene3d::SceneSetup sceneSetupOf(const catalogue::ExerciseLevel& level, const se
     return setup;
 }
 
-scene3d::SceneState sceneStateOf(const haptics::DisplayState& shown, const session::LevelCues& cues, std::int64_t startedAt_ns) {
+scene3d::SceneState sceneStateOf(const haptics::DisplayState& shown, const session::LevelCues& cues,
+                                 std::int64_t startedAt_ns) {
     scene3d::SceneState state;
     for (std::size_t i = 0; i < state.tool.size() && static_cast<int>(i) < shown.tools; ++i)
         state.tool[i] = toolOf(shown.tool[i], cues);

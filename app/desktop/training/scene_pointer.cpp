@@ -22,7 +22,9 @@ ScenePointer::ScenePointer(HandControl& control, QObject& source, QWidget& area,
     area.setMouseTracking(true);
 }
 
-ScenePointer::~ScenePointer() { release(); }
+ScenePointer::~ScenePointer() {
+    release();
+}
 
 void ScenePointer::capture() {
     if (m_captured || !m_area)
@@ -74,7 +76,8 @@ bool ScenePointer::aroundTheScene(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseButtonRelease && m_captured)
         m_control.buttonUp(); // wherever it is released; the window receives the event, too
     const bool moves = event->type() == QEvent::MouseMove;
-    const bool presses = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+    const bool presses =
+        event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     if ((!moves && !presses) || !m_captured || !m_area || watched != m_area->window()->windowHandle())
         return false;
     const auto& mouse = static_cast<const QMouseEvent&>(*event);
@@ -134,7 +137,8 @@ void ScenePointer::moved(QPointF at, const QMouseEvent& event) {
         m_onItsWay = false;
     }
     if (m_known)
-        m_control.drag(at - m_last, (event.buttons() & Qt::RightButton) != 0 || (event.modifiers() & Qt::ShiftModifier) != 0);
+        m_control.drag(at - m_last, (event.buttons() & Qt::RightButton) != 0 ||
+                                        (event.modifiers() & Qt::ShiftModifier) != 0);
     else if (inner().contains(at))
         m_onItsWay = false; // it arrived before the first event
     m_last = at;

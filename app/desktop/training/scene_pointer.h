@@ -54,7 +54,7 @@ private:
     QPointer<QObject> m_source;
     QPointer<QWidget> m_area;
     bool m_captured = false;
-    bool m_known = false;   ///< m_last is valid for this capture
+    bool m_known = false; ///< m_last is valid for this capture
     /// The pointer was moved back to the middle. Earlier events may still arrive, or (on Wayland) it never
     /// gets there.
     bool m_onItsWay = false;

@@ -26,7 +26,9 @@ public:
     void keepNext(bool kept);
     void resumeHere() { post(core::CommandKind::confirmHold); }
     void mark() { post(core::CommandKind::mark); }
-    void report(core::ReportField field, unsigned value) { m_training.post(core::CommandKind::report, core::reportWord(field, value)); }
+    void report(core::ReportField field, unsigned value) {
+        m_training.post(core::CommandKind::report, core::reportWord(field, value));
+    }
     void end() { post(core::CommandKind::end); }
 
     bool paused() const noexcept { return m_paused; }

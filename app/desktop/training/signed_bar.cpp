@@ -11,16 +11,22 @@ namespace {
 constexpr double kReach = 1.25; // multiple of the limit, so that a value beyond it is visibly beyond
 } // namespace
 
-SignedBar::SignedBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool bar, bool number, QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_quantity(std::move(quantity)), m_bar(bar), m_number(number) {
+SignedBar::SignedBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool bar, bool number,
+                     QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_quantity(std::move(quantity)), m_bar(bar),
+      m_number(number) {
     setAccessibleName(m_quantity.name);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
 QSize SignedBar::sizeHint() const {
     const QFontMetrics metrics(m_theme.font(TextStyle::label));
-    const int words = metrics.horizontalAdvance(m_quantity.sign) +
-                      (m_number ? metrics.horizontalAdvance(m_locale.toString(-m_quantity.limit, 'f', m_quantity.decimals)) + m_theme.px(6) : 0);
+    const int words =
+        metrics.horizontalAdvance(m_quantity.sign) +
+        (m_number
+             ? metrics.horizontalAdvance(m_locale.toString(-m_quantity.limit, 'f', m_quantity.decimals)) +
+                   m_theme.px(6)
+             : 0);
     return {std::max(words, m_theme.px(62)), metrics.height() + (m_bar ? m_theme.px(16) : 0)};
 }
 
@@ -43,7 +49,8 @@ QString SignedBar::numberText() const {
 void SignedBar::speak() {
     QString words;
     if (m_number)
-        words = isOver() ? tr("%1 %2, over the limit").arg(numberText(), m_quantity.unit) : tr("%1 %2").arg(numberText(), m_quantity.unit);
+        words = isOver() ? tr("%1 %2, over the limit").arg(numberText(), m_quantity.unit)
+                         : tr("%1 %2").arg(numberText(), m_quantity.unit);
     else if (isOver())
         words = tr("over the limit");
     if (words != accessibleDescription())
@@ -72,7 +79,8 @@ void SignedBar::paintBar(QPainter& painter, int top) const {
     const int middle = track.left() + track.width() / 2;
     const double half = track.width() / 2 - 1;
     const int reach = qRound(std::clamp(m_value / (m_quantity.limit * kReach), -1.0, 1.0) * half);
-    const QRect filled(std::min(middle, middle + reach), track.top() + 1, std::abs(reach), track.height() - 1);
+    const QRect filled(std::min(middle, middle + reach), track.top() + 1, std::abs(reach),
+                       track.height() - 1);
     painter.fillRect(filled, m_theme.color(isOver() ? Colour::bad : Colour::seriesA));
     if (isOver()) // not shown by colour alone
         painter.fillRect(filled, QBrush(m_theme.color(Colour::surface), Qt::BDiagPattern));

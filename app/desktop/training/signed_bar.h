@@ -23,7 +23,8 @@ public:
         double limit = 1.0; ///< in that unit
         int decimals = 2;
     };
-    SignedBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool bar, bool number, QWidget* parent = nullptr);
+    SignedBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool bar, bool number,
+              QWidget* parent = nullptr);
 
     void setValue(double value); ///< in the quantity's unit
     double value() const noexcept { return m_value; }

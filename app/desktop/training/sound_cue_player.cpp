@@ -26,7 +26,8 @@ QString SoundCuePlayer::open() {
     return m_sound.whySilent;
 }
 
-void SoundCuePlayer::play(const haptics::DisplayState& state, std::uint32_t contacts, bool held, const LeanOfTool& lean) {
+void SoundCuePlayer::play(const haptics::DisplayState& state, std::uint32_t contacts, bool held,
+                          const LeanOfTool& lean) {
     takeStrongest(state, lean, m_cues);
     m_cues.contacts = contacts;
     m_sounding = !held && !state.ended && state.phase == core::TrialPhase::running;

@@ -31,8 +31,9 @@ public:
     void setMuted(bool muted) { m_muted = muted; }
     bool muted() const noexcept { return m_muted; }
     /// Call once per frame. `held`: paused or stopped.
-    void play(const haptics::DisplayState& state, std::uint32_t contacts, bool held, const LeanOfTool& lean = {});
-    void silence(); ///< at the end of the session
+    void play(const haptics::DisplayState& state, std::uint32_t contacts, bool held,
+              const LeanOfTool& lean = {});
+    void silence();     ///< at the end of the session
     void mask(bool on); ///< a study's masking noise, which replaces the cues
     /// Of the last frame, with or without an output.
     const SoundCues& cues() const noexcept { return m_cues; }

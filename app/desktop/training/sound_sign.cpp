@@ -19,7 +19,9 @@ constexpr std::int64_t kClickSeen_ns = 400'000'000;
 /// Draws dot, steps and triangle in a row.
 class SoundGlyph final : public QWidget {
 public:
-    SoundGlyph(const Theme& theme, QWidget* parent) : QWidget(parent), m_theme(theme) { setFixedSize(theme.px(88), theme.px(22)); }
+    SoundGlyph(const Theme& theme, QWidget* parent) : QWidget(parent), m_theme(theme) {
+        setFixedSize(theme.px(88), theme.px(22));
+    }
 
     void set(bool click, int steps, bool warning) {
         if (click == m_click && steps == m_steps && warning == m_warning)
@@ -46,7 +48,8 @@ protected:
         }
         lit(painter, m_warning, Colour::bad);
         const double right = width() - line;
-        painter.drawPolygon(QPolygonF{{QPointF(right - 0.9 * h, h - line), QPointF(right, h - line), QPointF(right - 0.45 * h, line)}});
+        painter.drawPolygon(QPolygonF{
+            {QPointF(right - 0.9 * h, h - line), QPointF(right, h - line), QPointF(right - 0.45 * h, line)}});
     }
 
 private:
@@ -61,7 +64,9 @@ private:
     bool m_warning = false;
 };
 
-SoundSign::SoundSign(const Theme& theme, QWidget* parent) : QWidget(parent), m_glyph(new SoundGlyph(theme, this)), m_words(kit::label(theme, {}, TextStyle::strong)) {
+SoundSign::SoundSign(const Theme& theme, QWidget* parent)
+    : QWidget(parent), m_glyph(new SoundGlyph(theme, this)),
+      m_words(kit::label(theme, {}, TextStyle::strong)) {
     setObjectName(QStringLiteral("training.sound"));
     setAccessibleName(tr("Current sound"));
     setToolTip(tr("Shows what can be heard: start of contact, pitch of the tone, warning"));
@@ -89,18 +94,20 @@ void SoundSign::show(const SoundCues& cues, bool sounding, std::int64_t now_ns) 
     const int steps = sounding ? stepsOf(cues.force_N, cues.limit_N) : 0;
     const bool warning = sounding && cues.force_N > cues.limit_N;
     m_glyph->set(m_clicked_ns >= 0, steps, warning);
-    const QString words = warning              ? tr("Warning: pressed too hard")
-                          : m_clicked_ns >= 0  ? tr("Contact")
-                          : steps == 0         ? tr("No tone")
-                          : 3 * steps <= kSteps ? tr("Low tone")
+    const QString words = warning                   ? tr("Warning: pressed too hard")
+                          : m_clicked_ns >= 0       ? tr("Contact")
+                          : steps == 0              ? tr("No tone")
+                          : 3 * steps <= kSteps     ? tr("Low tone")
                           : 3 * steps <= 2 * kSteps ? tr("Medium tone")
-                                               : tr("High tone");
+                                                    : tr("High tone");
     if (words == m_words->text())
         return;
     m_words->setText(words);
     setAccessibleDescription(words);
 }
 
-QString SoundSign::words() const { return m_words->text(); }
+QString SoundSign::words() const {
+    return m_words->text();
+}
 
 } // namespace chiron::desktop

@@ -7,13 +7,16 @@
 
 namespace chiron::desktop {
 
-TargetBar::TargetBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers, QWidget* parent)
+TargetBar::TargetBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers,
+                     QWidget* parent)
     : QWidget(parent), m_theme(theme), m_locale(locale), m_quantity(std::move(quantity)), m_numbers(numbers) {
     setAccessibleName(m_quantity.name);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-QSize TargetBar::sizeHint() const { return {m_theme.px(200), m_theme.px(42)}; }
+QSize TargetBar::sizeHint() const {
+    return {m_theme.px(200), m_theme.px(42)};
+}
 
 void TargetBar::setBand(double low, double high) {
     if (low == m_low && high == m_high)
@@ -42,7 +45,9 @@ void TargetBar::setValue(double value) {
     update();
 }
 
-void TargetBar::say() { setAccessibleDescription(words()); }
+void TargetBar::say() {
+    setAccessibleDescription(words());
+}
 
 int TargetBar::place() const {
     if (m_limit > 0.0 && m_value > m_limit)
@@ -54,11 +59,16 @@ int TargetBar::place() const {
 
 QString TargetBar::placeText() const {
     switch (place()) {
-    case -1: return tr("below the band");
-    case 0: return tr("in the band");
-    case 1: return tr("above the band");
-    case 2: return tr("over the limit");
-    default: return {};
+    case -1:
+        return tr("below the band");
+    case 0:
+        return tr("in the band");
+    case 1:
+        return tr("above the band");
+    case 2:
+        return tr("over the limit");
+    default:
+        return {};
     }
 }
 
@@ -67,7 +77,8 @@ QString TargetBar::words() const {
     if (!m_numbers)
         return where;
     const QString number = m_locale.toString(m_value, 'f', m_quantity.decimals);
-    return where.isEmpty() ? tr("%1 %2").arg(number, m_quantity.unit) : tr("%1 %2, %3").arg(number, m_quantity.unit, where);
+    return where.isEmpty() ? tr("%1 %2").arg(number, m_quantity.unit)
+                           : tr("%1 %2, %3").arg(number, m_quantity.unit, where);
 }
 
 void TargetBar::paintEvent(QPaintEvent*) {
@@ -89,10 +100,14 @@ void TargetBar::paintEvent(QPaintEvent*) {
     painter.setBrush(m_theme.color(Colour::raised));
     painter.drawRect(track);
     if (m_high > 0.0)
-        painter.fillRect(QRect(xOf(m_low), track.top() + 1, xOf(m_high) - xOf(m_low), track.height() - 1), m_theme.color(Colour::goodSoft));
+        painter.fillRect(QRect(xOf(m_low), track.top() + 1, xOf(m_high) - xOf(m_low), track.height() - 1),
+                         m_theme.color(Colour::goodSoft));
     // The value's bar is narrower than the track, so that the band remains visible above and below it.
-    const QRect filled(track.left() + 1, track.top() + m_theme.px(4), xOf(m_value) - track.left(), track.height() - m_theme.px(8) + 1);
-    painter.fillRect(filled, m_theme.color(place() == 2 ? Colour::bad : place() == 0 ? Colour::good : Colour::seriesA));
+    const QRect filled(track.left() + 1, track.top() + m_theme.px(4), xOf(m_value) - track.left(),
+                       track.height() - m_theme.px(8) + 1);
+    painter.fillRect(filled, m_theme.color(place() == 2   ? Colour::bad
+                                           : place() == 0 ? Colour::good
+                                                          : Colour::seriesA));
     if (place() == 2)
         painter.fillRect(filled, QBrush(m_theme.color(Colour::surface), Qt::BDiagPattern));
     painter.setPen(QPen(m_theme.color(Colour::text), m_theme.px(2)));

@@ -16,12 +16,13 @@ class TargetBar final : public QWidget {
     Q_OBJECT
 public:
     struct Quantity {
-        QString name; ///< "Tension"
-        QString unit; ///< "N"
+        QString name;     ///< "Tension"
+        QString unit;     ///< "N"
         double end = 1.0; ///< end of the scale, > 0
         int decimals = 2;
     };
-    TargetBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers, QWidget* parent = nullptr);
+    TargetBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers,
+              QWidget* parent = nullptr);
 
     void setBand(double low, double high); ///< both 0: none
     void setLimit(double limit);           ///< 0: none

@@ -14,7 +14,8 @@ namespace {
 const std::string kExpert = "expert"; // the operator of demonstrations
 constexpr int kTried = 3; // number of trials: enough to improve by the third, short enough for a first try
 
-core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level, std::uint64_t seed) {
+core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level,
+                                         std::uint64_t seed) {
     auto kind = session::exerciseKind(level.exercise);
     CHIRON_TRY(kind);
     switch (plan.driver->movedBy) {
@@ -24,7 +25,8 @@ core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalog
         session::WorkspaceChoice mounting;
         if ((*kind)->operatorsKnowTheirPlace())
             mounting.turn_rad = plan.workspace.turn_rad;
-        return session::scriptedStation(**kind, level, plan.operatorName.toStdString(), seed, plan.forceMap, {}, mounting);
+        return session::scriptedStation(**kind, level, plan.operatorName.toStdString(), seed, plan.forceMap,
+                                        {}, mounting);
     }
     case devices::MovedBy::recording:
         break;
@@ -44,22 +46,23 @@ const devices::Driver* driverOf(const QString& word) {
 
 QVariantMap TrainingPlan::toMap() const {
     QVariantMap map{{QStringLiteral("exercise"), exercise},
-                {QStringLiteral("level"), level},
-                {QStringLiteral("device"), QString::fromUtf8(driver->planWord.data(), qsizetype(driver->planWord.size()))},
-                {QStringLiteral("operator"), operatorName},
-                {QStringLiteral("as_published"), forceMap == mechanisms::PolarMap::asPublished},
-                {QStringLiteral("trace"), traceFile},
-                {QStringLiteral("scale"), workspace.scale},
-                {QStringLiteral("origin_x_m"), workspace.origin_m[0]},
-                {QStringLiteral("origin_y_m"), workspace.origin_m[1]},
-                {QStringLiteral("origin_z_m"), workspace.origin_m[2]},
-                {QStringLiteral("left_handed"), workspace.leftHanded},
-                {QStringLiteral("base_turn_rad"), workspace.turn_rad[0]},
-                {QStringLiteral("base_tilt_rad"), workspace.turn_rad[1]},
-                {QStringLiteral("base_roll_rad"), workspace.turn_rad[2]},
-                {QStringLiteral("familiarisation"), familiarisation},
-                {QStringLiteral("practice_s"), practice_s},
-                {QStringLiteral("trials"), trials}};
+                    {QStringLiteral("level"), level},
+                    {QStringLiteral("device"),
+                     QString::fromUtf8(driver->planWord.data(), qsizetype(driver->planWord.size()))},
+                    {QStringLiteral("operator"), operatorName},
+                    {QStringLiteral("as_published"), forceMap == mechanisms::PolarMap::asPublished},
+                    {QStringLiteral("trace"), traceFile},
+                    {QStringLiteral("scale"), workspace.scale},
+                    {QStringLiteral("origin_x_m"), workspace.origin_m[0]},
+                    {QStringLiteral("origin_y_m"), workspace.origin_m[1]},
+                    {QStringLiteral("origin_z_m"), workspace.origin_m[2]},
+                    {QStringLiteral("left_handed"), workspace.leftHanded},
+                    {QStringLiteral("base_turn_rad"), workspace.turn_rad[0]},
+                    {QStringLiteral("base_tilt_rad"), workspace.turn_rad[1]},
+                    {QStringLiteral("base_roll_rad"), workspace.turn_rad[2]},
+                    {QStringLiteral("familiarisation"), familiarisation},
+                    {QStringLiteral("practice_s"), practice_s},
+                    {QStringLiteral("trials"), trials}};
     if (depthOfField)
         map.insert(QStringLiteral("depth_of_field"), *depthOfField);
     return map;
@@ -75,10 +78,12 @@ TrainingPlan TrainingPlan::fromMap(const QVariantMap& map) {
         plan.forceMap = mechanisms::PolarMap::asPublished;
     plan.traceFile = map.value(QStringLiteral("trace")).toString();
     plan.workspace.scale = map.value(QStringLiteral("scale"), 1.0).toDouble();
-    plan.workspace.origin_m = {map.value(QStringLiteral("origin_x_m")).toDouble(), map.value(QStringLiteral("origin_y_m")).toDouble(),
+    plan.workspace.origin_m = {map.value(QStringLiteral("origin_x_m")).toDouble(),
+                               map.value(QStringLiteral("origin_y_m")).toDouble(),
                                map.value(QStringLiteral("origin_z_m")).toDouble()};
     plan.workspace.leftHanded = map.value(QStringLiteral("left_handed")).toBool();
-    plan.workspace.turn_rad = {map.value(QStringLiteral("base_turn_rad")).toDouble(), map.value(QStringLiteral("base_tilt_rad")).toDouble(),
+    plan.workspace.turn_rad = {map.value(QStringLiteral("base_turn_rad")).toDouble(),
+                               map.value(QStringLiteral("base_tilt_rad")).toDouble(),
                                map.value(QStringLiteral("base_roll_rad")).toDouble()};
     plan.familiarisation = map.value(QStringLiteral("familiarisation")).toBool();
     plan.practice_s = map.value(QStringLiteral("practice_s")).toDouble();
@@ -112,9 +117,12 @@ std::optional<TrainingPlan> expertPlan(const std::string& exercise, int level) {
     return plan;
 }
 
-QString readyKey(const TrainingPlan& plan) { return QStringLiteral("ready_%1_%2").arg(plan.exercise).arg(plan.level); }
+QString readyKey(const TrainingPlan& plan) {
+    return QStringLiteral("ready_%1_%2").arg(plan.exercise).arg(plan.level);
+}
 
-core::Result<session::TrainingRequest> requestOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level) {
+core::Result<session::TrainingRequest> requestOf(const TrainingPlan& plan,
+                                                 const catalogue::ExerciseLevel& level) {
     session::TrainingRequest request;
     request.level = level;
     request.seed = QRandomGenerator::global()->generate64() >> 1; // also fits a signed number

@@ -18,10 +18,10 @@ struct TrainingPlan {
     int level = 1;
     /// From the catalogue, never null.
     const devices::Driver* driver = &devices::usualDriver(devices::MovedBy::person);
-    QString operatorName; ///< for a demonstration
+    QString operatorName;                                        ///< for a demonstration
     mechanisms::PolarMap forceMap = mechanisms::PolarMap::exact; ///< for a demonstration on the gimbal
-    QString traceFile;    ///< for a trace
-    session::WorkspaceChoice workspace; ///< for the mouse
+    QString traceFile;                                           ///< for a trace
+    session::WorkspaceChoice workspace;                          ///< for the mouse
     bool familiarisation = false;
     /// For the mouse: a familiarisation of this length, after which the level itself is offered. 0: none.
     double practice_s = 0.0;
@@ -29,9 +29,11 @@ struct TrainingPlan {
     std::optional<bool> depthOfField; ///< the person's choice; empty: the level's default
 
     bool movedBy(devices::MovedBy mover) const { return driver->movedBy == mover; }
-    /// Whether a person feels the force. Who watches a demonstration or a recording feels nothing, whatever the
-    /// device renders.
-    bool feltByPerson() const { return movedBy(devices::MovedBy::person) && driver->deviceClass == devices::DeviceClass::felt; }
+    /// Whether a person feels the force. Who watches a demonstration or a recording feels nothing, whatever
+    /// the device renders.
+    bool feltByPerson() const {
+        return movedBy(devices::MovedBy::person) && driver->deviceClass == devices::DeviceClass::felt;
+    }
     bool ownHand() const { return movedBy(devices::MovedBy::person); }
     bool practises() const { return practice_s > 0.0 && ownHand(); }
     QVariantMap toMap() const;
@@ -59,7 +61,8 @@ QString readyKey(const TrainingPlan& plan);
 /// nobody's score. It reads the trace file.
 /// Thread: worker; blocks.
 /// Errors: those of the station; an error in a trace names file and row.
-core::Result<session::TrainingRequest> requestOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level);
+core::Result<session::TrainingRequest> requestOf(const TrainingPlan& plan,
+                                                 const catalogue::ExerciseLevel& level);
 database::Actor actorOf(const TrainingPlan& plan, const database::Actor& person);
 
 } // namespace chiron::desktop

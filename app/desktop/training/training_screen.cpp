@@ -38,7 +38,8 @@ TrainingScreen::~TrainingScreen() {
 void TrainingScreen::enter() {
     m_card ? m_card->takeFocus() : setFocus();
     if (!m_level)
-        fail({core::ErrorCode::notFound, "exercise \"" + m_plan.exercise.toStdString() + "\": no level " + std::to_string(m_plan.level)});
+        fail({core::ErrorCode::notFound, "exercise \"" + m_plan.exercise.toStdString() + "\": no level " +
+                                             std::to_string(m_plan.level)});
 }
 
 void TrainingScreen::paintEvent(QPaintEvent* event) {
@@ -66,7 +67,8 @@ void TrainingScreen::take(core::Result<session::TrainingRequest> request) {
     }
     m_request = std::move(*request);
     const auto kind = session::exerciseKind(m_level->exercise);
-    m_answer.emplace(*m_level, context().locale(), kind ? (*kind)->makeSurfaces(*m_level, m_request->seed) : nullptr);
+    m_answer.emplace(*m_level, context().locale(),
+                     kind ? (*kind)->makeSurfaces(*m_level, m_request->seed) : nullptr);
     if (m_wentAhead)
         loadScene();
 }
@@ -80,7 +82,8 @@ void TrainingScreen::loadScene() {
             m_keysText->setText(tr("%1 %2").arg(keys, why));
             QTimer::singleShot(kSilentWords_ms, this, [this, keys] { m_keysText->setText(keys); });
         }
-    m_setup = sceneSetupOf(*m_level, m_cues, context().theme(), m_plan.workspace.leftHanded, m_plan.depthOfField);
+    m_setup =
+        sceneSetupOf(*m_level, m_cues, context().theme(), m_plan.workspace.leftHanded, m_plan.depthOfField);
     auto loaded = scene3d::makeSceneView(m_setup, m_pages);
     m_scene = std::move(loaded.view);
     m_scene->widget()->setAccessibleName(tr("Scene"));
@@ -98,7 +101,8 @@ void TrainingScreen::loadScene() {
 void TrainingScreen::begin() {
     if (m_feed || !m_request)
         return;
-    auto feed = LiveFeed::start(context().site().database(), actorOf(m_plan, context().actor()), std::move(*m_request));
+    auto feed = LiveFeed::start(context().site().database(), actorOf(m_plan, context().actor()),
+                                std::move(*m_request));
     m_request.reset();
     if (!feed) {
         fail(feed.error());
@@ -173,7 +177,9 @@ void TrainingScreen::onFrame() {
     m_header->show(shown);
     m_info->show(shown, stopped ? std::span<const session::LiveSample>() : m_feed->samples());
     m_sound.play(state, m_feed->contacts(), m_control->held(),
-                 [this](const haptics::DisplayState& of, std::size_t tool) { return m_live ? m_live->lean_rad(of, tool) : 0.0; });
+                 [this](const haptics::DisplayState& of, std::size_t tool) {
+                     return m_live ? m_live->lean_rad(of, tool) : 0.0;
+                 });
     if (m_soundSign)
         m_soundSign->show(m_sound.cues(), m_sound.sounding(), state.now_ns);
     showControls();
@@ -191,16 +197,20 @@ void TrainingScreen::onFrame() {
 /// and scored.
 void TrainingScreen::beginLastLook() {
     const haptics::DisplayState& state = m_feed->state();
-    const bool looks = m_plan.ownHand() && state.phase == core::TrialPhase::finished && m_answer->holdsNext(state.now_ns);
+    const bool looks =
+        m_plan.ownHand() && state.phase == core::TrialPhase::finished && m_answer->holdsNext(state.now_ns);
     m_lastLook.setSingleShot(true);
-    connect(&m_lastLook, &QTimer::timeout, this, [this] { m_over ? showOutcome() : m_stage->showLoading(storingText()); });
+    connect(&m_lastLook, &QTimer::timeout, this,
+            [this] { m_over ? showOutcome() : m_stage->showLoading(storingText()); });
     if (looks)
         m_lastLook.start(static_cast<int>(AnswerNote::kHeld_ns / 1'000'000));
     else
         m_stage->showLoading(storingText());
 }
 
-QString TrainingScreen::storingText() { return tr("Storing and scoring the session …"); }
+QString TrainingScreen::storingText() {
+    return tr("Storing and scoring the session …");
+}
 
 /// Shows the result of the trial that has just ended, as text and in the scene. If a person works with their
 /// own hand, the next trial waits while they look.
@@ -216,12 +226,14 @@ scene3d::SceneNote TrainingScreen::noteNow() const {
     using Kind = scene3d::SceneNote::Kind;
     const haptics::DisplayState& state = m_feed->state();
     if (m_control->stopped())
-        return {Kind::stopped, tr("Force is stopped"), tr("The clock is stopped. Press Re-arm or R to go on.")};
+        return {Kind::stopped, tr("Force is stopped"),
+                tr("The clock is stopped. Press Re-arm or R to go on.")};
     if (m_control->paused())
         return {Kind::paused, tr("Paused"), tr("The clock is stopped. Press Resume or Space to go on.")};
     if (const scene3d::SceneNote said = m_answer->note(state.now_ns); said.kind != Kind::none)
         return said;
-    if (const scene3d::SceneNote said = m_live ? m_live->note(state.now_ns) : scene3d::SceneNote(); said.kind != Kind::none)
+    if (const scene3d::SceneNote said = m_live ? m_live->note(state.now_ns) : scene3d::SceneNote();
+        said.kind != Kind::none)
         return said;
     if (const scene3d::SceneNote said = practiceNote(); said.kind != Kind::none)
         return said;
@@ -231,9 +243,13 @@ scene3d::SceneNote TrainingScreen::noteNow() const {
 scene3d::SceneNote TrainingScreen::pointerNote() const {
     if (m_storing || !m_pointer || !m_pointer->captured() || m_feed->worked_s() > kPointerTold_s)
         return {};
-    if (context().settings().ofPerson(context().actor().personId(), QString::fromLatin1(kPointerKnown), false).toBool())
+    if (context()
+            .settings()
+            .ofPerson(context().actor().personId(), QString::fromLatin1(kPointerKnown), false)
+            .toBool())
         return {};
-    return {scene3d::SceneNote::Kind::said, tr("The mouse moves the instrument. Space pauses and frees it."), {}};
+    return {
+        scene3d::SceneNote::Kind::said, tr("The mouse moves the instrument. Space pauses and frees it."), {}};
 }
 
 void TrainingScreen::showPointer() {
@@ -250,10 +266,17 @@ void TrainingScreen::showPointer() {
 void TrainingScreen::showControls() {
     const haptics::DisplayState& state = m_feed->state();
     const bool felt = m_feed->training().felt();
-    m_notice->show(forceWords(state, {felt, m_plan.ownHand(), m_control->paused(), m_control->stopped(), isEndoscope(), isGrasper()}, context().locale()));
-    const bool latched = m_control->stopped() || state.force == core::ForceState::stopped || state.force == core::ForceState::fault;
-    m_controls->setMain(latched ? ControlBar::Main::rearm : m_control->paused() ? ControlBar::Main::resume : ControlBar::Main::pause);
-    m_controls->setResumeHere(felt && m_plan.ownHand() && state.force == core::ForceState::arming && state.waitsFor == haptics::ArmingWait::smallRequest);
+    m_notice->show(forceWords(
+        state,
+        {felt, m_plan.ownHand(), m_control->paused(), m_control->stopped(), isEndoscope(), isGrasper()},
+        context().locale()));
+    const bool latched = m_control->stopped() || state.force == core::ForceState::stopped ||
+                         state.force == core::ForceState::fault;
+    m_controls->setMain(latched               ? ControlBar::Main::rearm
+                        : m_control->paused() ? ControlBar::Main::resume
+                                              : ControlBar::Main::pause);
+    m_controls->setResumeHere(felt && m_plan.ownHand() && state.force == core::ForceState::arming &&
+                              state.waitsFor == haptics::ArmingWait::smallRequest);
     m_keys->setHeld(m_control->held());
     showPointer();
 }
@@ -285,7 +308,9 @@ void TrainingScreen::showOutcome() {
         // This is a new screen, so that every value starts afresh.
         context().navigator().replace({QStringLiteral("training"), plan});
     } else {
-        context().navigator().replace({QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(result->session)}, {QString::fromLatin1(kJustEnded), m_plan.ownHand()}}});
+        context().navigator().replace({QStringLiteral("debrief"),
+                                       {{QStringLiteral("session"), qlonglong(result->session)},
+                                        {QString::fromLatin1(kJustEnded), m_plan.ownHand()}}});
     }
 }
 
@@ -293,10 +318,13 @@ void TrainingScreen::fail(const core::Error& error) {
     m_over = true;
     for (QWidget* part : {m_side, static_cast<QWidget*>(m_controls), m_foot})
         part->hide(); // there is nothing to control or measure
-    m_stage->showError(tr("The session could not be run"), error, [this] {
-        QVariantMap parameters = m_plan.toMap();
-        context().navigator().replace({QStringLiteral("exercise_setup"), parameters});
-    }, Tried::saving);
+    m_stage->showError(
+        tr("The session could not be run"), error,
+        [this] {
+            QVariantMap parameters = m_plan.toMap();
+            context().navigator().replace({QStringLiteral("exercise_setup"), parameters});
+        },
+        Tried::saving);
 }
 
 } // namespace chiron::desktop

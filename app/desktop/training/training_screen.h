@@ -7,9 +7,9 @@
 #include "desktop/training/answer_note.h"
 #include "desktop/training/control_bar.h"
 #include "desktop/training/force_words.h"
+#include "desktop/training/hand_control.h"
 #include "desktop/training/live_feed.h"
 #include "desktop/training/live_part.h"
-#include "desktop/training/hand_control.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_pointer.h"
 #include "desktop/training/session_control.h"
@@ -126,22 +126,22 @@ private:
     void rearm();
     void mark();
     void end();
-    void startAgain();   ///< stores the present attempt as stopped and starts a new one
+    void startAgain(); ///< stores the present attempt as stopped and starts a new one
     void askToStartAgain();
     void setDepthOfField(bool on);
-    void hold();   ///< when paused or stopped: frees pointer and keys
-    void goOn();   ///< captures them again
+    void hold(); ///< when paused or stopped: frees pointer and keys
+    void goOn(); ///< captures them again
     void toggleMute();
 
     /// Name of a person's setting: they have paused by themselves.
     static constexpr char kPointerKnown[] = "pointer_freed";
 
     TrainingPlan m_plan;
-    std::optional<catalogue::ExerciseLevel> m_tried;   ///< with the plan's smaller number of trials
+    std::optional<catalogue::ExerciseLevel> m_tried; ///< with the plan's smaller number of trials
     /// From the catalogue, or m_tried; null: no such level.
     const catalogue::ExerciseLevel* m_level = nullptr;
-    const ExerciseFace* m_face = nullptr;              ///< of the level's exercise
-    std::unique_ptr<LivePart> m_live;                  ///< for the level; null without one
+    const ExerciseFace* m_face = nullptr; ///< of the level's exercise
+    std::unique_ptr<LivePart> m_live;     ///< for the level; null without one
     session::LevelCues m_cues;
     session::LevelLimits m_limits;
     session::PointerTool m_tool = session::PointerTool::point;
@@ -154,7 +154,7 @@ private:
     bool m_practised = false;          ///< the card follows a practice
     HeaderBar* m_header = nullptr;
     InfoView* m_info = nullptr;
-    std::optional<AnswerNote> m_answer;    ///< set once the session is prepared
+    std::optional<AnswerNote> m_answer; ///< set once the session is prepared
     ForceNotice* m_notice = nullptr;
     SoundSign* m_soundSign = nullptr; ///< for levels with sound and without bars
     ControlBar* m_controls = nullptr;
@@ -163,18 +163,18 @@ private:
     QLabel* m_keysText = nullptr;
     /// How to get from the scene to the buttons and back; null if nobody uses the pointer.
     QLabel* m_pointerText = nullptr;
-    QLabel* m_activeText = nullptr; ///< names the active instrument; null if there is only one
+    QLabel* m_activeText = nullptr;      ///< names the active instrument; null if there is only one
     QCheckBox* m_depthOfField = nullptr; ///< null if the exercise has no such setting
-    QCheckBox* m_details = nullptr; ///< switches between all measurements and the default set
+    QCheckBox* m_details = nullptr;      ///< switches between all measurements and the default set
     QWidget* m_foot = nullptr;
 
     bool m_painted = false;
-    bool m_over = false;    ///< stored or failed: the screen may be left
+    bool m_over = false; ///< stored or failed: the screen may be left
     bool m_storing = false;
     /// Runs after the end of the session, while the true answer of its last trial is still shown.
     QTimer m_lastLook;
     bool m_asking = false;
-    bool m_again = false;   ///< a new attempt starts when this one is stored
+    bool m_again = false; ///< a new attempt starts when this one is stored
     std::int64_t m_start_ns = 0;
     scene3d::SceneSetup m_setup;
     std::unique_ptr<scene3d::ISceneView> m_scene;

@@ -67,7 +67,8 @@ void TrainingScreen::askToStartAgain() {
         startAgain();
         return;
     }
-    const QString then = tr("What is recorded so far is kept and counts as stopped, not as completed. A new attempt begins at once.");
+    const QString then = tr("What is recorded so far is kept and counts as stopped, not as completed. A new "
+                            "attempt begins at once.");
     askToEnd({tr("Start again from the beginning?"), then, tr("Start again")}, [this] { startAgain(); });
 }
 
@@ -90,7 +91,8 @@ bool TrainingScreen::mayLeave() {
     if (running() && !leave) {
         m_control->pause();
         hold();
-        askToEnd({tr("A session is running. End it and leave?"), keptText(), tr("End and leave")}, [&leave] { leave = true; });
+        askToEnd({tr("A session is running. End it and leave?"), keptText(), tr("End and leave")},
+                 [&leave] { leave = true; });
     }
     if (leave && running()) { // the person has left, so no debrief follows
         disconnect(m_feed.get(), nullptr, this, nullptr);

@@ -25,8 +25,8 @@ namespace chiron::desktop {
 
 namespace {
 constexpr char kDetails[] = "all_measurements"; // key of a person's setting
-constexpr double kCompactBelow_px = 420; // height below which the header is compact
-constexpr double kLargestSideShare = 0.44; // share of a small window, so that the scene stays larger
+constexpr double kCompactBelow_px = 420;        // height below which the header is compact
+constexpr double kLargestSideShare = 0.44;      // share of a small window, so that the scene stays larger
 } // namespace
 
 TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
@@ -61,7 +61,9 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
     buildKeys();
     m_wentAhead = !m_level || !hasCard() || place.parameters.value(QString::fromLatin1(kAtOnce)).toBool();
     if (!m_wentAhead)
-        showCard(context.settings().ofPerson(context.actor().personId(), readyKey(m_plan), false).toBool() ? ReadyCard::Kind::brief : ReadyCard::Kind::first);
+        showCard(context.settings().ofPerson(context.actor().personId(), readyKey(m_plan), false).toBool()
+                     ? ReadyCard::Kind::brief
+                     : ReadyCard::Kind::first);
 }
 
 void TrainingScreen::makeHeader() {
@@ -113,9 +115,8 @@ void TrainingScreen::build() {
         if (m_control)
             m_control->resumeHere();
     });
-    connect(m_controls, &ControlBar::mainAsked, this, [this](ControlBar::Main main) {
-        main == ControlBar::Main::rearm ? rearm() : pauseOrResume();
-    });
+    connect(m_controls, &ControlBar::mainAsked, this,
+            [this](ControlBar::Main main) { main == ControlBar::Main::rearm ? rearm() : pauseOrResume(); });
 }
 
 QWidget* TrainingScreen::buildFoot() {
@@ -129,12 +130,14 @@ QWidget* TrainingScreen::buildFoot() {
     row->addWidget(m_keysText, 1);
     // At a larger scale the keys' text needs the whole row, and it contains this as well.
     constexpr double kRoomUpTo = 1.5;
-    if (m_plan.ownHand() && m_plan.driver->deviceClass == devices::DeviceClass::shown && theme.scale() <= kRoomUpTo) {
+    if (m_plan.ownHand() && m_plan.driver->deviceClass == devices::DeviceClass::shown &&
+        theme.scale() <= kRoomUpTo) {
         m_pointerText = kit::label(theme, {}, TextStyle::strong);
         m_pointerText->setObjectName(QStringLiteral("training.pointer"));
         row->addWidget(m_pointerText, 0, Qt::AlignTop);
     }
-    if (const QString active = m_live && m_plan.ownHand() ? m_live->activeText(0) : QString(); !active.isEmpty()) {
+    if (const QString active = m_live && m_plan.ownHand() ? m_live->activeText(0) : QString();
+        !active.isEmpty()) {
         m_activeText = kit::label(theme, active, TextStyle::strong);
         m_activeText->setObjectName(QStringLiteral("training.active_tool"));
         row->addWidget(m_activeText, 0, Qt::AlignTop);
@@ -171,7 +174,9 @@ LiveSurroundings TrainingScreen::surroundings() {
 }
 
 InfoView* TrainingScreen::makeInfo() {
-    return m_live ? m_live->makePanel() : new InfoPanel(context().theme(), context().locale(), m_cues, {.force_N = m_limits.force_N});
+    return m_live
+               ? m_live->makePanel()
+               : new InfoPanel(context().theme(), context().locale(), m_cues, {.force_N = m_limits.force_N});
 }
 
 QString TrainingScreen::keysText() const {
@@ -181,7 +186,8 @@ QString TrainingScreen::keysText() const {
 
 void TrainingScreen::addPartCommands(std::vector<ScreenCommand>& list) {
     for (const LiveCommand& each : m_live->commands())
-        list.push_back({each.text, QKeySequence(each.key), [this, key = each.key] { (void)m_live->key(key); }, false});
+        list.push_back(
+            {each.text, QKeySequence(each.key), [this, key = each.key] { (void)m_live->key(key); }, false});
 }
 
 QWidget* TrainingScreen::buildSide() {
@@ -203,14 +209,18 @@ QWidget* TrainingScreen::buildSide() {
         column->addWidget(m_soundSign);
     }
     if (m_level && m_level->needsForce && m_level->shownForce)
-        column->addWidget(kit::label(theme, QString::fromStdString(catalogue::textIn(m_level->shownForce->note, context().language().toStdString())),
+        column->addWidget(kit::label(theme,
+                                     QString::fromStdString(catalogue::textIn(
+                                         m_level->shownForce->note, context().language().toStdString())),
                                      TextStyle::small, "muted"));
     m_info = makeInfo();
     column->addWidget(m_info, 1);
     column->addWidget(buildDetailsSwitch());
     side->setWidget(inner);
     const bool felt = m_plan.ownHand() && m_plan.driver->deviceClass == devices::DeviceClass::felt;
-    m_notice->show(forceWords({}, {.felt = felt, .ownHand = m_plan.ownHand(), .endoscope = isEndoscope(), .grasper = isGrasper()}, context().locale()));
+    m_notice->show(forceWords(
+        {}, {.felt = felt, .ownHand = m_plan.ownHand(), .endoscope = isEndoscope(), .grasper = isGrasper()},
+        context().locale()));
     return side;
 }
 
@@ -219,8 +229,12 @@ QWidget* TrainingScreen::buildDetailsSwitch() {
     const bool learns = roles.contains(database::Role::trainee) || roles.empty();
     m_details = new QCheckBox(tr("All measurements (F4)"));
     m_details->setObjectName(QStringLiteral("training.details"));
-    m_details->setToolTip(tr("Also shows single components, coordinates and further plots. Everything is recorded either way."));
-    m_details->setChecked(context().settings().ofPerson(context().actor().personId(), QString::fromLatin1(kDetails), !learns).toBool());
+    m_details->setToolTip(tr(
+        "Also shows single components, coordinates and further plots. Everything is recorded either way."));
+    m_details->setChecked(context()
+                              .settings()
+                              .ofPerson(context().actor().personId(), QString::fromLatin1(kDetails), !learns)
+                              .toBool());
     m_info->setDetailed(m_details->isChecked());
     connect(m_details, &QCheckBox::toggled, this, [this](bool on) {
         context().settings().setOfPerson(context().actor().personId(), QString::fromLatin1(kDetails), on);
@@ -234,7 +248,8 @@ void TrainingScreen::buildKeys() {
     connect(m_keys, &KeyFilter::stopAsked, this, &TrainingScreen::stopForce);
     connect(m_keys, &KeyFilter::pauseAsked, this, [this] {
         if (m_pointer)
-            context().settings().setOfPerson(context().actor().personId(), QString::fromLatin1(kPointerKnown), true);
+            context().settings().setOfPerson(context().actor().personId(), QString::fromLatin1(kPointerKnown),
+                                             true);
         pauseOrResume();
     });
     connect(m_keys, &KeyFilter::rearmAsked, this, &TrainingScreen::rearm);
@@ -267,12 +282,16 @@ void TrainingScreen::resizeEvent(QResizeEvent* event) {
     // With large text in a small window the scene keeps its space. The ready card and Help also list the
     // keys.
     constexpr double kLargestKeysShare = 0.13;
-    m_keysText->setVisible(m_keysText->heightForWidth(static_cast<int>(0.7 * width())) <= kLargestKeysShare * height());
+    m_keysText->setVisible(m_keysText->heightForWidth(static_cast<int>(0.7 * width())) <=
+                           kLargestKeysShare * height());
     m_header->setCompact(height() < context().theme().px(kCompactBelow_px));
-    m_side->setFixedWidth(std::min(context().theme().px(wanted_px), static_cast<int>(kLargestSideShare * width())));
+    m_side->setFixedWidth(
+        std::min(context().theme().px(wanted_px), static_cast<int>(kLargestSideShare * width())));
 }
 
-QString TrainingScreen::keptText() { return tr("What is recorded is kept. The session counts as stopped, not as completed."); }
+QString TrainingScreen::keptText() {
+    return tr("What is recorded is kept. The session counts as stopped, not as completed.");
+}
 
 void TrainingScreen::askToEnd(const Ask& ask, const std::function<void()>& end) {
     if (m_asking)
@@ -295,14 +314,20 @@ void TrainingScreen::askToEnd(const Ask& ask, const std::function<void()>& end) 
 
 QString TrainingScreen::title() const {
     const catalogue::Exercise* exercise = context().site().catalogue().find(m_plan.exercise.toStdString());
-    return exercise ? QString::fromStdString(catalogue::textIn(exercise->title, context().language().toStdString())) : tr("Training");
+    return exercise ? QString::fromStdString(
+                          catalogue::textIn(exercise->title, context().language().toStdString()))
+                    : tr("Training");
 }
 
 QString TrainingScreen::help() const {
-    const QString end = isEndoscope() ? tr("When the procedure is done the debrief opens by itself.") : tr("After the last trial the debrief opens by itself.");
-    return tr("This is where you train. The scene is on the left, the measurements are on the right and the controls are below. Each level "
-              "shows only what belongs to it; what is hidden is still recorded.\n\n%1\n\nStop force switches the force off at once and "
-              "stops the clock. Re-arm brings the force back slowly. Pause keeps everything as it is. Start again keeps the attempt so far "
+    const QString end = isEndoscope() ? tr("When the procedure is done the debrief opens by itself.")
+                                      : tr("After the last trial the debrief opens by itself.");
+    return tr("This is where you train. The scene is on the left, the measurements are on the right and the "
+              "controls are below. Each level "
+              "shows only what belongs to it; what is hidden is still recorded.\n\n%1\n\nStop force switches "
+              "the force off at once and "
+              "stops the clock. Re-arm brings the force back slowly. Pause keeps everything as it is. Start "
+              "again keeps the attempt so far "
               "as stopped and begins a new one from the start.\n\n%2")
         .arg(keysText(), end);
 }
@@ -314,12 +339,15 @@ std::vector<ScreenCommand> TrainingScreen::commands() {
         {tr("Stop force"), QKeySequence(Qt::Key_Escape), [this] { stopForce(); }, false},
         {tr("Pause or go on"), QKeySequence(Qt::Key_Space), [this] { pauseOrResume(); }, false},
         {tr("Re-arm force"), QKeySequence(Qt::Key_R), [this] { rearm(); }, false},
-        {tr("All measurements, or those a trainee needs"), QKeySequence(Qt::Key_F4), [this] { m_details->toggle(); }, false},
-        {tr("Start again from the beginning"), QKeySequence(Qt::Key_F5), [this] { askToStartAgain(); }, false},
+        {tr("All measurements, or those a trainee needs"), QKeySequence(Qt::Key_F4),
+         [this] { m_details->toggle(); }, false},
+        {tr("Start again from the beginning"), QKeySequence(Qt::Key_F5), [this] { askToStartAgain(); },
+         false},
         {tr("End the session"), {}, [this] { end(); }, true},
     };
     if (m_depthOfField && m_depthOfField->isEnabled())
-        list.push_back({tr("Depth of field on or off"), QKeySequence(Qt::Key_F), [this] { m_depthOfField->toggle(); }, false});
+        list.push_back({tr("Depth of field on or off"), QKeySequence(Qt::Key_F),
+                        [this] { m_depthOfField->toggle(); }, false});
     if (m_plan.ownHand() && m_tool == session::PointerTool::point)
         list.push_back({tr("Mark this place"), QKeySequence(Qt::Key_Return), [this] { mark(); }, false});
     if (m_live && m_plan.ownHand())

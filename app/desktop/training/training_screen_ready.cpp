@@ -17,9 +17,9 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kPractice_s = 60.0; // long enough to try every control once, short enough to be accepted
+constexpr double kPractice_s = 60.0;     // long enough to try every control once, short enough to be accepted
 constexpr double kPracticeEnds_s = 10.0; // announced this long before the end, to finish the current action
-}
+} // namespace
 
 /// Explains everything that this level's scene may draw as guidance.
 QStringList TrainingScreen::markWords() const {
@@ -27,7 +27,8 @@ QStringList TrainingScreen::markWords() const {
     const catalogue::Exercise* exercise = context().site().catalogue().find(m_level->exercise);
     if (!exercise)
         return words;
-    const scene3d::SceneSetup setup = sceneSetupOf(*m_level, m_cues, context().theme(), m_plan.workspace.leftHanded, m_plan.depthOfField);
+    const scene3d::SceneSetup setup =
+        sceneSetupOf(*m_level, m_cues, context().theme(), m_plan.workspace.leftHanded, m_plan.depthOfField);
     const std::vector<std::string> drawn = scene3d::marksOf({setup, m_cues.coverage, m_level->feedback});
     for (const catalogue::LegendLine& line : exercise->legend)
         if (std::find(drawn.begin(), drawn.end(), line.mark) != drawn.end())
@@ -37,7 +38,9 @@ QStringList TrainingScreen::markWords() const {
 
 ReadyFacts TrainingScreen::readyFacts() const {
     const std::string language = context().language().toStdString();
-    const auto text = [&](const catalogue::Translated& words) { return QString::fromStdString(catalogue::textIn(words, language)); };
+    const auto text = [&](const catalogue::Translated& words) {
+        return QString::fromStdString(catalogue::textIn(words, language));
+    };
     ReadyFacts facts;
     facts.exercise = title();
     facts.level = text(m_level->title);
@@ -46,13 +49,16 @@ ReadyFacts TrainingScreen::readyFacts() const {
     if (facts.controls.empty())
         facts.controls = controlGuide(m_tool);
     facts.keys = keysText();
-    facts.limit = tr("%1. %2.").arg(limitsInWords(*m_level, context().locale()).join(QStringLiteral(". ")), deviceTitle(m_plan));
+    facts.limit = tr("%1. %2.").arg(limitsInWords(*m_level, context().locale()).join(QStringLiteral(". ")),
+                                    deviceTitle(m_plan));
     facts.gates = gatesInWords(*m_level, context().locale());
     facts.marks = markWords();
     const auto kind = session::exerciseKind(m_level->exercise);
     const int trials = kind ? (*kind)->trialCount(*m_level) : 1;
-    facts.clock = m_practised ? tr("%n trial(s). The clock starts when you press Continue.", nullptr, trials)
-                              : tr("%n trial(s). The clock starts when you press Go or move the tool with a key.", nullptr, trials);
+    facts.clock = m_practised
+                      ? tr("%n trial(s). The clock starts when you press Continue.", nullptr, trials)
+                      : tr("%n trial(s). The clock starts when you press Go or move the tool with a key.",
+                           nullptr, trials);
     if (m_plan.trials > 0) {
         facts.offersPractice = false; // it is a practice itself
         facts.clock = tr("%1 Nothing counts yet.").arg(facts.clock);
@@ -60,8 +66,10 @@ ReadyFacts TrainingScreen::readyFacts() const {
     facts.offersLeave = context().navigator().canGoBack();
     facts.offersDemonstration = !m_practised && expertPlan(m_level->exercise, m_level->number).has_value();
     if (m_practised)
-        facts.practised = m_plan.familiarisation ? tr("The practice is over. The familiarisation begins when you press Continue; it does not count either.")
-                                                 : tr("The practice is over and does not count. The trials that count begin when you press Continue.");
+        facts.practised = m_plan.familiarisation ? tr("The practice is over. The familiarisation begins when "
+                                                      "you press Continue; it does not count either.")
+                                                 : tr("The practice is over and does not count. The trials "
+                                                      "that count begin when you press Continue.");
     return facts;
 }
 
@@ -141,7 +149,10 @@ scene3d::SceneNote TrainingScreen::practiceNote() const {
     const double left_s = m_plan.practice_s - m_feed->worked_s();
     if (!m_plan.practises() || m_storing || left_s > kPracticeEnds_s)
         return {};
-    return {scene3d::SceneNote::Kind::said, tr("Practice ends in %1 s").arg(context().locale().toString(std::max(1, static_cast<int>(std::ceil(left_s))))), {}};
+    return {scene3d::SceneNote::Kind::said,
+            tr("Practice ends in %1 s")
+                .arg(context().locale().toString(std::max(1, static_cast<int>(std::ceil(left_s))))),
+            {}};
 }
 
 bool TrainingScreen::helpItself() {

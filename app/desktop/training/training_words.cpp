@@ -33,7 +33,8 @@ QString deviceTitle(const TrainingPlan& plan) {
     case devices::MovedBy::scriptedOperator: {
         const QString who = operatorTitle(plan.operatorName.toStdString());
         const auto kind = session::exerciseKind(plan.exercise.toStdString());
-        return Words::tr("Demonstration (%1). %2: force shown, not felt").arg(who, StationWords::device(*plan.driver, kind ? (*kind)->mechanism() : std::string_view()));
+        return Words::tr("Demonstration (%1). %2: force shown, not felt")
+            .arg(who, StationWords::device(*plan.driver, kind ? (*kind)->mechanism() : std::string_view()));
     }
     case devices::MovedBy::recording:
         return Words::tr("Replayed file %1: force shown, not felt").arg(QFileInfo(plan.traceFile).fileName());
@@ -43,7 +44,9 @@ QString deviceTitle(const TrainingPlan& plan) {
     const QString name = StationWords::driver(*plan.driver);
     if (plan.driver->name.empty())
         return name; // the command line's title already says whether force is felt
-    return plan.driver->deviceClass == devices::DeviceClass::shown ? Words::tr("%1: force shown, not felt").arg(name) : Words::tr("%1: force felt").arg(name);
+    return plan.driver->deviceClass == devices::DeviceClass::shown
+               ? Words::tr("%1: force shown, not felt").arg(name)
+               : Words::tr("%1: force felt").arg(name);
 }
 
 QString deviceIcon(devices::MovedBy movedBy) {
@@ -62,28 +65,36 @@ QString keysInWords(bool ownHand, session::PointerTool tool, int tools) {
     if (!ownHand)
         return Words::tr("You are watching. Space: pause or continue. Esc: stop.");
     if (tool == session::PointerTool::endoscope)
-        return Words::tr("Advance and withdraw: wheel, W and S, or Page Up and Page Down. Turn: mouse or arrow keys. Move sideways: the same "
-                         "with the right button or Shift. Roll: Q and E. Space: pause, frees the pointer. Esc: stop "
-                         "force. F5: start again.");
+        return Words::tr(
+            "Advance and withdraw: wheel, W and S, or Page Up and Page Down. Turn: mouse or arrow keys. Move "
+            "sideways: the same "
+            "with the right button or Shift. Roll: Q and E. Space: pause, frees the pointer. Esc: stop "
+            "force. F5: start again.");
     if (tool == session::PointerTool::grasper && tools == 2)
-        return Words::tr("Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: "
-                         "hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 is the right one, 2 the left one. "
+        return Words::tr("Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page "
+                         "Down and Page Up. Close the jaw: "
+                         "hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 is "
+                         "the right one, 2 the left one. "
                          "Space: pause, frees the pointer. Esc: stop force. F5: start again.");
     if (tool == session::PointerTool::grasper && tools > 2)
-        return Words::tr("Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: "
+        return Words::tr("Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page "
+                         "Down and Page Up. Close the jaw: "
                          "hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 to 4. "
                          "Space: pause, frees the pointer. Esc: stop force. F5: start again.");
     if (tool == session::PointerTool::grasper)
-        return Words::tr("Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: "
+        return Words::tr("Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page "
+                         "Down and Page Up. Close the jaw: "
                          "hold the left button or G. Open it: the same with Shift, or H. "
                          "Space: pause, frees the pointer. Esc: stop force. F5: start again.");
-    return Words::tr("Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or "
+    return Words::tr("Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down "
+                     "and Page Up. Mark: click or "
                      "Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.");
 }
 
 QString activeToolInWords(int tool, int tools) {
     if (tools == 2)
-        return tool == 0 ? Words::tr("You move the right instrument (1)") : Words::tr("You move the left instrument (2)");
+        return tool == 0 ? Words::tr("You move the right instrument (1)")
+                         : Words::tr("You move the left instrument (2)");
     return Words::tr("You move instrument %1 of %2").arg(tool + 1).arg(tools);
 }
 

@@ -56,8 +56,9 @@ int FlowLayout::arrange(const QRect& area, bool place) const {
     for (const auto& item : m_items) {
         if (item->isEmpty())
             continue; // hidden items take no space
-        const QSize wanted(std::min(item->sizeHint().width(), std::max(area.width(), item->minimumSize().width())),
-                           item->sizeHint().height());
+        const QSize wanted(
+            std::min(item->sizeHint().width(), std::max(area.width(), item->minimumSize().width())),
+            item->sizeHint().height());
         if (x > area.x() && x + wanted.width() > area.x() + area.width()) {
             endLine();
             x = area.x();

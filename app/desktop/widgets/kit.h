@@ -16,9 +16,11 @@ namespace chiron::desktop::kit {
 /// Thread: GUI.
 
 /// A wrapping label.
-QLabel* label(const Theme& theme, const QString& text, TextStyle style = TextStyle::body, const char* kind = "");
+QLabel* label(const Theme& theme, const QString& text, TextStyle style = TextStyle::body,
+              const char* kind = "");
 /// A single-line label that never wraps (table heads, numbers).
-QLabel* line(const Theme& theme, const QString& text, TextStyle style = TextStyle::body, const char* kind = "");
+QLabel* line(const Theme& theme, const QString& text, TextStyle style = TextStyle::body,
+             const char* kind = "");
 /// kind: "", "primary", "danger", "quiet", "tile". `icon` is the name of a Breeze icon; may be empty.
 QPushButton* button(const Theme& theme, const QString& text, const char* kind = "", const QString& icon = {});
 /// Disables a button and states the reason in its tool tip and to screen readers; enables it if `reason` is

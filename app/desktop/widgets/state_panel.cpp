@@ -138,15 +138,18 @@ void StatePanel::showNote(const QString& icon, Colour ink, const QString& title,
     setCurrentWidget(m_note);
 }
 
-void StatePanel::showEmpty(const QString& title, const QString& text, const QString& actionText, std::function<void()> action) {
+void StatePanel::showEmpty(const QString& title, const QString& text, const QString& actionText,
+                           std::function<void()> action) {
     m_state = State::empty;
     showNote(QStringLiteral("view-list-details"), Colour::muted, title, text, actionText, std::move(action));
 }
 
-void StatePanel::showError(const QString& title, const core::Error& error, std::function<void()> again, Tried tried) {
+void StatePanel::showError(const QString& title, const core::Error& error, std::function<void()> again,
+                           Tried tried) {
     m_state = State::error;
     const QString actionText = again ? tr("Try again") : QString();
-    showNote(QStringLiteral("dialog-error"), Colour::bad, title, inWords(error, tried), actionText, std::move(again));
+    showNote(QStringLiteral("dialog-error"), Colour::bad, title, inWords(error, tried), actionText,
+             std::move(again));
 }
 
 } // namespace chiron::desktop

@@ -35,16 +35,18 @@ public:
     void showLoading(const QString& what, std::shared_ptr<WorkToken> token = {});
     void showContent();
     /// Shows that there is nothing yet, why, and what to do about it (no button if `actionText` is empty).
-    void showEmpty(const QString& title, const QString& text, const QString& actionText = {}, std::function<void()> action = {});
+    void showEmpty(const QString& title, const QString& text, const QString& actionText = {},
+                   std::function<void()> action = {});
     /// Shows an error in words, with "Try again" if `again` is given.
-    void showError(const QString& title, const core::Error& error, std::function<void()> again = {}, Tried tried = Tried::reading);
+    void showError(const QString& title, const core::Error& error, std::function<void()> again = {},
+                   Tried tried = Tried::reading);
 
     enum class State { loading, content, empty, error };
     State state() const noexcept { return m_state; }
 
 private:
-    void showNote(const QString& icon, Colour ink, const QString& title, const QString& text, const QString& actionText,
-                  std::function<void()> action);
+    void showNote(const QString& icon, Colour ink, const QString& title, const QString& text,
+                  const QString& actionText, std::function<void()> action);
     void buildNote();
     void buildLoading();
     void buildProgress();

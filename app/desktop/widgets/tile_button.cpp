@@ -7,7 +7,8 @@
 
 namespace chiron::desktop {
 
-TileButton::TileButton(const Theme& theme, QWidget* parent) : QPushButton(parent), m_row(new QHBoxLayout(this)) {
+TileButton::TileButton(const Theme& theme, QWidget* parent)
+    : QPushButton(parent), m_row(new QHBoxLayout(this)) {
     setProperty("kind", QStringLiteral("tile"));
     setAutoDefault(false);
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);

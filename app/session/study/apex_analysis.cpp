@@ -39,7 +39,8 @@ std::vector<std::size_t> membersOf(const AnalysedCondition& condition) {
 
 } // namespace
 
-std::vector<psychophysics::ApexTrial> apexTrials(const std::vector<database::StudyTrial>& trials, int participant) {
+std::vector<psychophysics::ApexTrial> apexTrials(const std::vector<database::StudyTrial>& trials,
+                                                 int participant) {
     std::vector<psychophysics::ApexTrial> out;
     for (const database::StudyTrial& trial : trials)
         if (const auto mark = counts(trial) ? apexMarkOf(trial.fidelityJson) : std::nullopt)
@@ -49,7 +50,9 @@ std::vector<psychophysics::ApexTrial> apexTrials(const std::vector<database::Stu
 
 psychophysics::ApexSummary apexOfRun(const AnalysedRun& run, double radius_m, std::uint64_t seed) {
     auto summary = psychophysics::summariseApex(apexTrials(run.trials, 0), radius_m, seed);
-    std::erase_if(summary.warnings, [](const psychophysics::Warning& warning) { return warning.kind == WarningKind::fewMarkers; });
+    std::erase_if(summary.warnings, [](const psychophysics::Warning& warning) {
+        return warning.kind == WarningKind::fewMarkers;
+    });
     warnOfMarks(summary, {&run});
     return summary;
 }
@@ -71,7 +74,9 @@ void poolApex(AnalysedCondition& condition, double radius_m, std::uint64_t seed)
     psychophysics::GroupEstimate& group = condition.group;
     std::vector<psychophysics::Warning> who;
     for (const psychophysics::Warning& warning : group.warnings)
-        for (const WarningKind kind : {WarningKind::withdrawn, WarningKind::simulatedLeftOut, WarningKind::simulatedOnly, WarningKind::shownLeftOut, WarningKind::shownInGroup})
+        for (const WarningKind kind :
+             {WarningKind::withdrawn, WarningKind::simulatedLeftOut, WarningKind::simulatedOnly,
+              WarningKind::shownLeftOut, WarningKind::shownInGroup})
             if (warning.kind == kind)
                 who.push_back(warning);
     group.warnings = who;

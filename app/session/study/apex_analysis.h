@@ -9,7 +9,8 @@
 namespace chiron::session {
 
 /// The scored marks among stored trials, as errors of participant number `participant`.
-std::vector<psychophysics::ApexTrial> apexTrials(const std::vector<database::StudyTrial>& trials, int participant);
+std::vector<psychophysics::ApexTrial> apexTrials(const std::vector<database::StudyTrial>& trials,
+                                                 int participant);
 
 /// The summary of one run's marks; `radius_m` is the condition's reference. Omits warnings about the number
 /// of people, and adds those about marks that nobody felt (`planned`) or that were set without contact

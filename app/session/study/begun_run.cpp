@@ -30,14 +30,17 @@ SittingError refused(core::Error error, DeviceRefusal device) {
 
 bool rendersAny(const psychophysics::Condition& condition, double limit) {
     const std::vector<double>& differences = condition.stimulus.differences;
-    return std::any_of(differences.begin(), differences.end(), [limit](double difference) { return std::abs(difference) <= limit; });
+    return std::any_of(differences.begin(), differences.end(),
+                       [limit](double difference) { return std::abs(difference) <= limit; });
 }
 
-SittingResult<BegunRun> goOnWith(const OpenedStudy& study, const database::ConductedRun& conducted, double limit) {
+SittingResult<BegunRun> goOnWith(const OpenedStudy& study, const database::ConductedRun& conducted,
+                                 double limit) {
     const database::StudyRun& begun = *conducted.open;
     if (auto same = sameTable(begun, limit); !same)
         return tl::unexpected(refused(same.error(), DeviceRefusal::rendersLess));
-    auto progress = StudyProgress::resume(study.design, conducted.condition, begun.seed, conducted.trials, StudyProgress::limitOf(begun.procedures));
+    auto progress = StudyProgress::resume(study.design, conducted.condition, begun.seed, conducted.trials,
+                                          StudyProgress::limitOf(begun.procedures));
     CHIRON_TRY(progress);
     if (auto same = sameVersions(begun, progress->procedureIds()); !same) {
         SittingError typed(same.error());
@@ -49,9 +52,12 @@ SittingResult<BegunRun> goOnWith(const OpenedStudy& study, const database::Condu
 
 } // namespace
 
-const psychophysics::Condition* ConductedSitting::condition() const { return conditionOf(study.design, run.condition); }
+const psychophysics::Condition* ConductedSitting::condition() const {
+    return conditionOf(study.design, run.condition);
+}
 
-core::Result<ConductedSitting> conductSitting(database::Database& database, const database::Actor& actor, const LiveStudyRequest& request) {
+core::Result<ConductedSitting> conductSitting(database::Database& database, const database::Actor& actor,
+                                              const LiveStudyRequest& request) {
     auto study = openStudy(database, actor, request.study, request.participantCode);
     CHIRON_TRY(study);
     auto label = chosenLabel(*study, request.condition);
@@ -64,7 +70,8 @@ core::Result<ConductedSitting> conductSitting(database::Database& database, cons
     CHIRON_TRY(study);
     ConductedSitting sitting{std::move(*study), std::move(*label), std::move(*run)};
     if (!sitting.condition())
-        return core::fail(core::ErrorCode::notFound, "condition \"" + sitting.label + "\" is not one of the study's");
+        return core::fail(core::ErrorCode::notFound,
+                          "condition \"" + sitting.label + "\" is not one of the study's");
     return sitting;
 }
 
@@ -73,13 +80,16 @@ SittingError sealed(const ConductedSitting& sitting, SittingError error) {
     return error;
 }
 
-SittingResult<BegunRun> beginOrGoOn(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting, double limit) {
+SittingResult<BegunRun> beginOrGoOn(database::Database& database, const database::Actor& actor,
+                                    const ConductedSitting& sitting, double limit) {
     if (sitting.run.open)
         return goOnWith(sitting.study, sitting.run, limit);
     const std::uint64_t seed = runSeed(sitting.study, sitting.label);
     auto progress = StudyProgress::begin(sitting.study.design, sitting.run.condition, seed, limit);
     if (!progress)
-        return tl::unexpected(rendersAny(*sitting.condition(), limit) ? SittingError(progress.error()) : refused(progress.error(), DeviceRefusal::rendersNone));
+        return tl::unexpected(rendersAny(*sitting.condition(), limit)
+                                  ? SittingError(progress.error())
+                                  : refused(progress.error(), DeviceRefusal::rendersNone));
     auto run = beginRun(database, actor, sitting.study, sitting.label, seed, progress->procedureIds());
     CHIRON_TRY(run);
     return BegunRun{*run, seed, std::move(*progress)};

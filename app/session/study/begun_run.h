@@ -20,7 +20,8 @@ struct ConductedSitting {
 };
 /// Resolves the requested condition (empty: the next one), which must not be completed.
 /// Errors: those of openStudy and conduct; wrongUse (completed; no device); notFound.
-core::Result<ConductedSitting> conductSitting(database::Database& database, const database::Actor& actor, const LiveStudyRequest& request);
+core::Result<ConductedSitting> conductSitting(database::Database& database, const database::Actor& actor,
+                                              const LiveStudyRequest& request);
 
 /// A run with its procedures, at the beginning or where it was left.
 struct BegunRun {
@@ -30,7 +31,8 @@ struct BegunRun {
 };
 /// Begins or resumes a run. `limit`: the largest difference that the device renders.
 /// Errors: wrongUse (begun on a device that renders more), badInput (it renders none), storage.
-SittingResult<BegunRun> beginOrGoOn(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting, double limit);
+SittingResult<BegunRun> beginOrGoOn(database::Database& database, const database::Actor& actor,
+                                    const ConductedSitting& sitting, double limit);
 /// The error without the condition's name if experimenters are blind; its type is preserved.
 SittingError sealed(const ConductedSitting& sitting, SittingError error);
 

@@ -12,17 +12,19 @@ using simulation::ComparedAttribute;
 
 namespace {
 
-constexpr double kLate_ns = 0.5e6;          ///< a tick that is later than this counts as late
+constexpr double kLate_ns = 0.5e6; ///< a tick that is later than this counts as late
 constexpr double kSliding_m_per_s = 0.010;
 constexpr double kDragging_m_per_s = 0.020; ///< at lower speeds, a hand's tremor would change the direction
 /// The trail is this factor times as long as the bristle, and longer by this length.
 constexpr double kTrail = 1.5, kTrail_m = 0.0005;
 constexpr double kTaut_m = 0.0005;
-constexpr double kAir_m = 0.002;            ///< an object lifted higher than this lies on nothing
+constexpr double kAir_m = 0.002; ///< an object lifted higher than this lies on nothing
 constexpr double kShortest_s = 0.005, kLongest_s = 5.0;
-constexpr double kUsableError = 0.05;       ///< a fit with a larger relative standard error is not used
+constexpr double kUsableError = 0.05; ///< a fit with a larger relative standard error is not used
 
-double norm(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
+double norm(const std::array<double, 3>& v) {
+    return std::hypot(v[0], v[1], v[2]);
+}
 
 /// True for attributes whose fit is exact enough to serve as a limit.
 bool limited(ComparedAttribute attribute) {
@@ -31,8 +33,8 @@ bool limited(ComparedAttribute attribute) {
 
 } // namespace
 
-FidelityMeter::FidelityMeter(const simulation::ComparisonParameters& parameters, const psychophysics::FidelityLimits& limits,
-                             bool mustTouchAll, bool shown)
+FidelityMeter::FidelityMeter(const simulation::ComparisonParameters& parameters,
+                             const psychophysics::FidelityLimits& limits, bool mustTouchAll, bool shown)
     : m_parameters(parameters), m_limits(limits), m_mustTouchAll(mustTouchAll), m_shown(shown) {
     if (!m_parameters.adjusts)
         m_parameters.values.clear();
@@ -69,7 +71,9 @@ void FidelityMeter::add(const FidelitySample& sample) {
     }
     m_touched = static_cast<std::uint8_t>(m_touched | sample.touched);
     m_measured = m_measured || (sample.measures && !m_shown);
-    const std::array<double, 3>& force = m_shown ? sample.tissue_N : sample.measures ? sample.measured_N : sample.commanded_N;
+    const std::array<double, 3>& force = m_shown           ? sample.tissue_N
+                                         : sample.measures ? sample.measured_N
+                                                           : sample.commanded_N;
     const auto at = static_cast<std::size_t>(sample.place);
     const bool present = at >= 1 && at <= m_places.size() && (sample.full || m_shown) && sample.paused == 0;
     for (std::size_t i = 0; i < m_places.size(); ++i)
@@ -92,10 +96,10 @@ void FidelityMeter::Place::forget() {
 /// Called at the beginning of a contact: discards the fit if the level was adjusted to another value in the
 /// meantime.
 void FidelityMeter::noticeChange(std::size_t place, const FidelitySample& sample) {
-    const auto candidate = static_cast<std::size_t>(sample.candidate);     // both count from 1
+    const auto candidate = static_cast<std::size_t>(sample.candidate); // both count from 1
     const auto arrangement = static_cast<std::size_t>(sample.arrangement);
-    if (place >= m_asked.size() || candidate < 1 || candidate > m_parameters.values.size() || arrangement < 1 ||
-        arrangement > m_parameters.arrangements.size())
+    if (place >= m_asked.size() || candidate < 1 || candidate > m_parameters.values.size() ||
+        arrangement < 1 || arrangement > m_parameters.arrangements.size())
         return;
     const int multiple = m_parameters.arrangements[arrangement - 1][place];
     if (multiple < 0 || multiple > 2)
@@ -107,7 +111,8 @@ void FidelityMeter::noticeChange(std::size_t place, const FidelitySample& sample
     m_places[place].forget();
 }
 
-void FidelityMeter::addContact(Place& place, const FidelitySample& sample, const std::array<double, 3>& force) {
+void FidelityMeter::addContact(Place& place, const FidelitySample& sample,
+                               const std::array<double, 3>& force) {
     const double size_N = norm(force);
     if (!place.touching) {
         place.touching = true;
@@ -124,13 +129,15 @@ void FidelityMeter::addContact(Place& place, const FidelitySample& sample, const
     m_peak_N = std::max(m_peak_N, size_N);
     if (sample.measures && !m_shown)
         for (std::size_t i = 0; i < 3; ++i)
-            m_sumError2 += (sample.measured_N[i] - sample.commanded_N[i]) * (sample.measured_N[i] - sample.commanded_N[i]);
+            m_sumError2 += (sample.measured_N[i] - sample.commanded_N[i]) *
+                           (sample.measured_N[i] - sample.commanded_N[i]);
     fit(place, sample, force);
 }
 
 double FidelityMeter::trailLength_m(std::size_t place, double pressed_N) const {
     const double mu = place <= m_asked.size() ? std::max(0.0, m_asked[place - 1]) : 0.0;
-    return kTrail_m + kTrail * mu * std::max(0.0, pressed_N) / std::max(1.0, m_parameters.object.bristleStiffness_N_per_m);
+    return kTrail_m + kTrail * mu * std::max(0.0, pressed_N) /
+                          std::max(1.0, m_parameters.object.bristleStiffness_N_per_m);
 }
 
 void FidelityMeter::fit(Place& place, const FidelitySample& sample, const std::array<double, 3>& f) {
@@ -154,7 +161,8 @@ void FidelityMeter::fit(Place& place, const FidelitySample& sample, const std::a
             place.line.add({sample.depth_m, 1.0, v[2]}, f[2]);
         break;
     case ComparedAttribute::friction:
-        place.trail.drag(v[0] * core::kTickSeconds, v[1] * core::kTickSeconds, trailLength_m(sample.place, f[2]));
+        place.trail.drag(v[0] * core::kTickSeconds, v[1] * core::kTickSeconds,
+                         trailLength_m(sample.place, f[2]));
         if (says && place.trail.taut() && speed > kDragging_m_per_s)
             // Without a term for the speed: under constant pressure it would take over part of μ.
             place.line.add({f[2], 0.0, 0.0}, place.trail.against(f[0], f[1]));
@@ -184,7 +192,8 @@ PlaceFidelity FidelityMeter::summary(std::size_t index) const {
     if (place.ticks > 0)
         out.meanSpeed_m_per_s = place.sumSpeed / static_cast<double>(place.ticks);
     if (place.contacts > 0)
-        out.terminalForce_N = (place.sumTerminal_N + (place.touching ? place.contactPeak_N : 0.0)) / place.contacts;
+        out.terminalForce_N =
+            (place.sumTerminal_N + (place.touching ? place.contactPeak_N : 0.0)) / place.contacts;
     if (m_shown && place.ticks == 0) // nothing responded
         out.peakForce_N = out.terminalForce_N = TrialFidelity::kNone;
     if (m_parameters.attribute == ComparedAttribute::deformation) {

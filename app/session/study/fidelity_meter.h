@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/least_squares.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "psychophysics/study/study_design.h"
 #include "session/study/fidelity_sample.h"
 #include "session/study/sliding_trail.h"
 #include "session/study/trial_fidelity.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <array>
 #include <vector>
@@ -31,7 +31,8 @@ class FidelityMeter {
 public:
     /// `shown`: the device renders no force. The rendered value, its error and saturation are then not
     /// measured.
-    FidelityMeter(const simulation::ComparisonParameters& parameters, const psychophysics::FidelityLimits& limits, bool mustTouchAll, bool shown = false);
+    FidelityMeter(const simulation::ComparisonParameters& parameters,
+                  const psychophysics::FidelityLimits& limits, bool mustTouchAll, bool shown = false);
 
     /// Begins a trial; `asked`: the value at each place, SI. If a level is adjusted, the value of a place is
     /// that of the presentation during which its last contact began (an object changes only while nobody

@@ -23,9 +23,9 @@ struct FidelitySample {
     std::uint8_t place = 0;   ///< from 1; 0: none is in contact
     std::uint8_t touched = 0; ///< places touched in this trial, one bit each
     std::uint8_t paused = 0;
-    bool full = false;        ///< force is fully armed
-    bool measures = false;    ///< `measured_N` is valid
-    bool saturated = false;   ///< according to the device itself, or at the supervisor's cap
+    bool full = false;             ///< force is fully armed
+    bool measures = false;         ///< `measured_N` is valid
+    bool saturated = false;        ///< according to the device itself, or at the supervisor's cap
     std::uint16_t candidate = 0;   ///< from 1
     std::uint16_t arrangement = 0; ///< from 1
     std::uint16_t answer = 0;      ///< from 1

@@ -59,7 +59,9 @@ Presence presenceOf(const psychophysics::RunEstimate& estimate, bool completed) 
 }
 
 int GroupRoll::used() const {
-    return static_cast<int>(std::count_if(people.begin(), people.end(), [](const RolledPerson& each) { return each.presence == Presence::used; }));
+    return static_cast<int>(std::count_if(people.begin(), people.end(), [](const RolledPerson& each) {
+        return each.presence == Presence::used;
+    }));
 }
 
 int GroupRoll::expected() const {
@@ -77,11 +79,13 @@ std::vector<std::string> GroupRoll::codesOf(Presence presence) const {
 }
 
 Presence GroupRoll::of(const std::string& code) const {
-    const auto found = std::find_if(people.begin(), people.end(), [&](const RolledPerson& each) { return each.code == code; });
+    const auto found = std::find_if(people.begin(), people.end(),
+                                    [&](const RolledPerson& each) { return each.code == code; });
     return found == people.end() ? Presence::notBegun : found->presence;
 }
 
-GroupRoll groupRoll(const std::vector<database::Participant>& participants, const std::vector<AnalysedRun>& runs, bool closed, int planned) {
+GroupRoll groupRoll(const std::vector<database::Participant>& participants,
+                    const std::vector<AnalysedRun>& runs, bool closed, int planned) {
     GroupRoll roll;
     roll.closed = closed;
     roll.planned = planned;

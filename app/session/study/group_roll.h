@@ -16,7 +16,7 @@ struct AnalysedRun;
 /// Whether a participant is included in a condition's group value, or the reason why not.
 enum class Presence : std::uint8_t {
     used,
-    sealed,     ///< the study is blinded, so the run's results are withheld
+    sealed, ///< the study is blinded, so the run's results are withheld
     notBegun,
     noAnswers,  ///< begun, but no answer counts yet
     unfinished, ///< no value: the run was broken off, and its few answers are not conclusive
@@ -39,7 +39,7 @@ Presence presenceOf(const psychophysics::RunEstimate& estimate, bool completed);
 struct RolledPerson {
     std::string code;
     Presence presence = Presence::notBegun; ///< of several runs, the most informative value
-    bool open = false; ///< a run is not finished
+    bool open = false;                      ///< a run is not finished
 };
 
 /// Everybody who could be included in a condition's group value.
@@ -57,6 +57,7 @@ struct GroupRoll {
 
 /// `runs`: those of one condition, with their presence. A simulated participant is included only with a run
 /// of the condition.
-GroupRoll groupRoll(const std::vector<database::Participant>& participants, const std::vector<AnalysedRun>& runs, bool closed, int planned = 0);
+GroupRoll groupRoll(const std::vector<database::Participant>& participants,
+                    const std::vector<AnalysedRun>& runs, bool closed, int planned = 0);
 
 } // namespace chiron::session

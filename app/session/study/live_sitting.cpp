@@ -7,8 +7,8 @@
 
 namespace chiron::session {
 
-SittingResult<std::unique_ptr<LiveSitting>> LiveSitting::start(database::Database& database, const database::Actor& actor,
-                                                               LiveStudyRequest request) {
+SittingResult<std::unique_ptr<LiveSitting>>
+LiveSitting::start(database::Database& database, const database::Actor& actor, LiveStudyRequest request) {
     const auto sitting = conductSitting(database, actor, request);
     CHIRON_TRY(sitting);
     if (const MarkSessions* marks = markSessionsOf(*sitting->condition()))

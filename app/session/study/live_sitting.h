@@ -44,32 +44,32 @@ struct LiveStudyRequest {
 /// The state of a run. The participant's screen shows nothing else of the run: no value, level or condition.
 struct LiveStudyView {
     enum class State {
-        starting,         ///< the session is starting
-        trying,           ///< the free minute, until endTrying() or its end
-        tried,            ///< the free minute is over; the trials begin with endTrying()
-        practised,        ///< practice is over; the trials that count begin with beginCounting()
-        coming,           ///< the next objects are being placed; the tool must be lifted off
-        arming,           ///< the objects are in place; force is being armed
+        starting,  ///< the session is starting
+        trying,    ///< the free minute, until endTrying() or its end
+        tried,     ///< the free minute is over; the trials begin with endTrying()
+        practised, ///< practice is over; the trials that count begin with beginCounting()
+        coming,    ///< the next objects are being placed; the tool must be lifted off
+        arming,    ///< the objects are in place; force is being armed
         exploring,
-        answering,        ///< the time to explore is over, the objects are gone
-        feedback,         ///< `right` holds the result; shown for a moment
-        breakDue,         ///< until breakTaken()
-        needsExperimenter,///< one trial was spoiled too often; until experimenterSays()
+        answering,         ///< the time to explore is over, the objects are gone
+        feedback,          ///< `right` holds the result; shown for a moment
+        breakDue,          ///< until breakTaken()
+        needsExperimenter, ///< one trial was spoiled too often; until experimenterSays()
         paused,
-        stopped,          ///< force was stopped, by a person or by the supervisor; until rearm()
-        finished,         ///< the run is done or stopped; see result()
+        stopped,  ///< force was stopped, by a person or by the supervisor; until rearm()
+        finished, ///< the run is done or stopped; see result()
     };
     State state = State::starting;
     psychophysics::Task task = psychophysics::Task::rank3;
     int places = 3;
     bool practice = false;
-    bool firstPart = true; ///< the participant has completed no other condition of the study
-    int trial = 0;        ///< scored trials done
-    int ofAtMost = 0;     ///< 0: not known
-    int place = -1;       ///< place in contact now
-    std::uint32_t touched = 0;  ///< in this trial, one bit per place
-    std::uint32_t grazed = 0;   ///< places that were in contact in this trial, however lightly, one bit per
-                                ///< place
+    bool firstPart = true;     ///< the participant has completed no other condition of the study
+    int trial = 0;             ///< scored trials done
+    int ofAtMost = 0;          ///< 0: not known
+    int place = -1;            ///< place in contact now
+    std::uint32_t touched = 0; ///< in this trial, one bit per place
+    std::uint32_t grazed = 0;  ///< places that were in contact in this trial, however lightly, one bit per
+                               ///< place
     /// A place counts as touched once its object has responded with at least this force; 0: at any contact.
     double probe_N = 0.0;
     /// The previous trial did not count because its objects were gone before all were touched; it is
@@ -81,14 +81,14 @@ struct LiveStudyView {
     /// The reason in the hand's motion why the previous trial did not count: "peak_force" or "speed"; else
     /// empty.
     std::string hand;
-    bool mayTakeBack = false;   ///< an answer in practice can be taken back, while its feedback is shown
-    double tryLeft_s = 0.0;     ///< remaining time of the free minute
-    bool canAnswer = false;     ///< an answer is accepted now (every place was touched, if that is required)
-    double timeLeft_s = 0.0;    ///< remaining time to explore; 0: no limit
-    double breakLeft_s = 0.0;   ///< remaining time of the shortest break
-    std::optional<bool> right;  ///< only during feedback
+    bool mayTakeBack = false;  ///< an answer in practice can be taken back, while its feedback is shown
+    double tryLeft_s = 0.0;    ///< remaining time of the free minute
+    bool canAnswer = false;    ///< an answer is accepted now (every place was touched, if that is required)
+    double timeLeft_s = 0.0;   ///< remaining time to explore; 0: no limit
+    double breakLeft_s = 0.0;  ///< remaining time of the shortest break
+    std::optional<bool> right; ///< only during feedback
     std::optional<double> beside_m; ///< feedback in a study of the apex: distance of the mark from the apex
-    double adjusted = 0.0;      ///< adjustment: 0..1, position of the level in its table
+    double adjusted = 0.0;          ///< adjustment: 0..1, position of the level in its table
 };
 
 /// Duration of feedback in practice: long enough to notice an error and take the answer back.
@@ -96,23 +96,23 @@ inline constexpr double kPracticeFeedback_s = 4.0;
 
 /// The additional data that the experimenter sees.
 struct LiveStudyNumbers {
-    std::string condition;   ///< id; the sealed code if the experimenter is blind
+    std::string condition; ///< id; the sealed code if the experimenter is blind
     std::string sealedCode;
     /// One per procedure; empty if the experimenter is blind.
     std::vector<psychophysics::ProcedureEstimate> estimates;
     int scored = 0;
     int spoiled = 0;
     int practice = 0;
-    bool blind = false;      ///< the experimenter is blind
+    bool blind = false;         ///< the experimenter is blind
     TrialFidelity lastFidelity; ///< without forces, if they must not be revealed to the experimenter
-    std::string lastSpoiled; ///< empty: the trial counted
-    int repeats = 0;         ///< number of times that the current trial was spoiled
-    bool limited = false;    ///< differences were left out because the device cannot render them
-    int candidates = 0;      ///< number of candidates left
-    RenderingLimits limits;  ///< of the current device
+    std::string lastSpoiled;    ///< empty: the trial counted
+    int repeats = 0;            ///< number of times that the current trial was spoiled
+    bool limited = false;       ///< differences were left out because the device cannot render them
+    int candidates = 0;         ///< number of candidates left
+    RenderingLimits limits;     ///< of the current device
     /// Study of the apex: summary of this run's marks so far; empty if the experimenter is blind.
     std::optional<psychophysics::ApexSummary> apex;
-    bool spoiling = false;   ///< the current trial will not count, whatever happens
+    bool spoiling = false; ///< the current trial will not count, whatever happens
 };
 
 /// The result of a run in a window.
@@ -134,7 +134,7 @@ enum class DeviceRefusal {
     /// It renders no difference of the condition or, if experimenters are blind, none of another condition
     /// with the same table.
     rendersNone,
-    rendersLess  ///< it renders less than the device on which the run began, so the run cannot continue on it
+    rendersLess ///< it renders less than the device on which the run began, so the run cannot continue on it
 };
 
 /// The reason why a run does not begin. For some reasons it carries typed data, for which the window has its
@@ -146,8 +146,7 @@ struct SittingError : core::Error {
     std::optional<DeviceRefusal> device;
     bool otherVersion = false; ///< the run began with other versions of its procedures
 };
-template <class T>
-using SittingResult = tl::expected<T, SittingError>;
+template <class T> using SittingResult = tl::expected<T, SittingError>;
 
 /// A run of a study in real time in a window, for any task. Each trial is stored as soon as it is answered,
 /// so that a stop or a kill loses at most the current trial. Call poll() each frame; it also sends the
@@ -159,8 +158,8 @@ public:
     /// condition.
     /// Errors: notFound (study, participant, condition); notAllowed; wrongUse (not frozen, completed,
     ///   withdrawn, no consent); badInput (cannot be made, or not be rendered by the device).
-    static SittingResult<std::unique_ptr<LiveSitting>> start(database::Database& database, const database::Actor& actor,
-                                                             LiveStudyRequest request);
+    static SittingResult<std::unique_ptr<LiveSitting>>
+    start(database::Database& database, const database::Actor& actor, LiveStudyRequest request);
     LiveSitting(const LiveSitting&) = delete;
     LiveSitting& operator=(const LiveSitting&) = delete;
     virtual ~LiveSitting() = default;
@@ -181,25 +180,25 @@ public:
     /// "set" (adjustment).
     /// Errors: wrongUse while no answer is accepted (canAnswer); badInput.
     virtual core::Result<void> answer(int answer, std::optional<double> value = std::nullopt) = 0;
-    virtual void adjust(int) {}   ///< adjustment: moves this many candidates up (negative: down)
+    virtual void adjust(int) {} ///< adjustment: moves this many candidates up (negative: down)
     /// The first key or click of an answer: its tick is stored; later calls in the same trial change nothing.
     virtual void beginAnswer() = 0;
     /// Practice: the last answer does not count, and its presentation is repeated (view().mayTakeBack).
     virtual void takeBack() = 0;
-    virtual void goOn() = 0;      ///< practice: ends the feedback early
-    virtual void endTrying() = 0; ///< ends the free minute
+    virtual void goOn() = 0;          ///< practice: ends the feedback early
+    virtual void endTrying() = 0;     ///< ends the free minute
     virtual void beginCounting() = 0; ///< the participant has read that practice is over
     /// TrialCircumstances::kMasking...: the masking sound that is heard from now on.
     virtual void setMasking(const std::string& what) = 0;
-    virtual void spoil() = 0;     ///< by the experimenter: this trial does not count and is repeated
+    virtual void spoil() = 0; ///< by the experimenter: this trial does not count and is repeated
     /// Takes effect at once, also before the loop ticks; nothing is presented until resume().
     virtual void pause() = 0;
-    virtual void resume() = 0;    ///< has no effect while force is stopped: that takes rearm()
-    virtual void stopForce() = 0; ///< at once; stops the trial's clock as well
-    virtual void rearm() = 0;     ///< after a stop or a fault: force returns slowly, and the trial continues
+    virtual void resume() = 0;     ///< has no effect while force is stopped: that takes rearm()
+    virtual void stopForce() = 0;  ///< at once; stops the trial's clock as well
+    virtual void rearm() = 0;      ///< after a stop or a fault: force returns slowly, and the trial continues
     virtual void breakTaken() = 0; ///< only once the shortest break is over
     virtual void experimenterSays(bool goOn) = 0;
-    virtual void stop() = 0;      ///< stops the run, which can be resumed later
+    virtual void stop() = 0; ///< stops the run, which can be resumed later
 
     virtual bool finished() const = 0;
     virtual const core::Result<LiveStudyResult>& result() const = 0; ///< valid once finished(); else wrongUse

@@ -42,10 +42,18 @@ LiveStudyNumbers LiveStudy::numbers() const {
     return out;
 }
 
-const psychophysics::StudyDesign& LiveStudy::design() const { return m_state->study.design; }
-const psychophysics::Condition& LiveStudy::condition() const { return *m_state->condition; }
-const catalogue::ExerciseLevel& LiveStudy::level() const { return m_state->level; }
-LiveTraining& LiveStudy::training() { return *m_state->training; }
+const psychophysics::StudyDesign& LiveStudy::design() const {
+    return m_state->study.design;
+}
+const psychophysics::Condition& LiveStudy::condition() const {
+    return *m_state->condition;
+}
+const catalogue::ExerciseLevel& LiveStudy::level() const {
+    return m_state->level;
+}
+LiveTraining& LiveStudy::training() {
+    return *m_state->training;
+}
 
 core::Result<void> LiveStudy::answer(int answer, std::optional<double> value) {
     State& s = *m_state;
@@ -53,8 +61,10 @@ core::Result<void> LiveStudy::answer(int answer, std::optional<double> value) {
     if (!s.view.canAnswer)
         return core::fail(core::ErrorCode::wrongUse, "no answer is taken now");
     const psychophysics::Task task = s.condition->task;
-    if (answer < 0 || answer >= psychophysics::answers(task) || (task == psychophysics::Task::magnitude && (!value || !(*value > 0.0))))
-        return core::fail(core::ErrorCode::badInput, "an answer of the task is expected, and a number above 0 where one is said");
+    if (answer < 0 || answer >= psychophysics::answers(task) ||
+        (task == psychophysics::Task::magnitude && (!value || !(*value > 0.0))))
+        return core::fail(core::ErrorCode::badInput,
+                          "an answer of the task is expected, and a number above 0 where one is said");
     s.notes.answerBegins(s.last.tick);
     s.answered = answer;
     s.value = value;
@@ -93,7 +103,9 @@ void LiveStudy::takeBack() {
     s.storePending();
 }
 
-void LiveStudy::goOn() { m_state->enough = m_state->pending.has_value(); }
+void LiveStudy::goOn() {
+    m_state->enough = m_state->pending.has_value();
+}
 
 void LiveStudy::endTrying() {
     m_state->readySaid = true;
@@ -102,9 +114,13 @@ void LiveStudy::endTrying() {
         m_state->tried_s = m_state->tryFor_s; // the objects are removed at the next poll
 }
 
-void LiveStudy::beginCounting() { m_state->waitsToCount = false; }
+void LiveStudy::beginCounting() {
+    m_state->waitsToCount = false;
+}
 
-void LiveStudy::setMasking(const std::string& what) { m_state->notes.hear(what); }
+void LiveStudy::setMasking(const std::string& what) {
+    m_state->notes.hear(what);
+}
 
 void LiveStudy::spoil() {
     State& s = *m_state;
@@ -114,8 +130,12 @@ void LiveStudy::spoil() {
     s.posted = s.training->post(CommandKind::answer, simulation::kAnswerSpoiled);
 }
 
-void LiveStudy::pause() { m_state->wantPause(true); }
-void LiveStudy::resume() { m_state->wantPause(false); }
+void LiveStudy::pause() {
+    m_state->wantPause(true);
+}
+void LiveStudy::resume() {
+    m_state->wantPause(false);
+}
 
 void LiveStudy::stopForce() {
     m_state->control.stopForce();
@@ -155,7 +175,11 @@ void LiveStudy::stop() {
     }
 }
 
-bool LiveStudy::finished() const { return m_state->done; }
-const core::Result<LiveStudyResult>& LiveStudy::result() const { return m_state->result; }
+bool LiveStudy::finished() const {
+    return m_state->done;
+}
+const core::Result<LiveStudyResult>& LiveStudy::result() const {
+    return m_state->result;
+}
 
 } // namespace chiron::session

@@ -12,10 +12,12 @@ class LiveStudy final : public LiveSitting {
 public:
     /// Begins or resumes the run.
     /// Errors: those of LiveSitting::start.
-    static SittingResult<std::unique_ptr<LiveStudy>> start(database::Database& database, const database::Actor& actor,
-                                                          LiveStudyRequest request);
-    static SittingResult<std::unique_ptr<LiveStudy>> start(database::Database& database, const database::Actor& actor,
-                                                   const ConductedSitting& sitting, LiveStudyRequest request);
+    static SittingResult<std::unique_ptr<LiveStudy>>
+    start(database::Database& database, const database::Actor& actor, LiveStudyRequest request);
+    static SittingResult<std::unique_ptr<LiveStudy>> start(database::Database& database,
+                                                           const database::Actor& actor,
+                                                           const ConductedSitting& sitting,
+                                                           LiveStudyRequest request);
     ~LiveStudy() override;
 
     void poll() override;

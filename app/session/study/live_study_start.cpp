@@ -9,33 +9,41 @@
 
 namespace chiron::session {
 
-SittingResult<std::unique_ptr<LiveStudy>> LiveStudy::start(database::Database& database, const database::Actor& actor,
-                                                          LiveStudyRequest request) {
+SittingResult<std::unique_ptr<LiveStudy>>
+LiveStudy::start(database::Database& database, const database::Actor& actor, LiveStudyRequest request) {
     const auto sitting = conductSitting(database, actor, request);
     return sitting ? start(database, actor, *sitting, std::move(request)) : tl::unexpected(sitting.error());
 }
 
-SittingResult<std::unique_ptr<LiveStudy>> LiveStudy::start(database::Database& database, const database::Actor& actor,
-                                                          const ConductedSitting& sitting, LiveStudyRequest request) {
+SittingResult<std::unique_ptr<LiveStudy>> LiveStudy::start(database::Database& database,
+                                                           const database::Actor& actor,
+                                                           const ConductedSitting& sitting,
+                                                           LiveStudyRequest request) {
     auto state = State::conducted(database, actor, sitting, std::move(request));
     if (!state)
         return tl::unexpected(sealed(sitting, state.error()));
     return std::unique_ptr<LiveStudy>(new LiveStudy(std::move(*state)));
 }
 
-SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(database::Database& database, const database::Actor& actor,
-                                                                            const ConductedSitting& sitting, LiveStudyRequest request) {
+SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(database::Database& database,
+                                                                             const database::Actor& actor,
+                                                                             const ConductedSitting& sitting,
+                                                                             LiveStudyRequest request) {
     const OpenedStudy& study = sitting.study;
     const psychophysics::Condition& condition = *sitting.condition();
     CHIRON_TRY(studyLevel(study.design, condition)); // before a run begins
-    const RenderingLimits limits = limitsAt(request.station.tools.front().device->descriptor(), request.measuredDelay_s);
-    const LimitedTable table = study.blind() ? blindTable(study.design, condition, limits) : limitedTable(condition, limits);
+    const RenderingLimits limits =
+        limitsAt(request.station.tools.front().device->descriptor(), request.measuredDelay_s);
+    const LimitedTable table =
+        study.blind() ? blindTable(study.design, condition, limits) : limitedTable(condition, limits);
     auto begun = beginOrGoOn(database, actor, sitting, table.limit);
     CHIRON_TRY(begun);
-    auto level = studyLevel(study.design, condition, simulation::ComparisonControl::none, sessionLabel(study, sitting.run.sealedCode));
+    auto level = studyLevel(study.design, condition, simulation::ComparisonControl::none,
+                            sessionLabel(study, sitting.run.sealedCode));
     CHIRON_TRY(level);
-    auto state = std::make_unique<State>(database, actor, study, std::move(begun->progress), std::move(*level),
-                                         !request.station.tools.front().device->descriptor().rendersForce, request.language);
+    auto state = std::make_unique<State>(
+        database, actor, study, std::move(begun->progress), std::move(*level),
+        !request.station.tools.front().device->descriptor().rendersForce, request.language);
     state->tryFor_s = sitting.run.trials.empty() ? request.freeMinute_s : 0.0;
     state->waitsAfterPractice = request.waitsAfterPractice;
     state->view.firstPart = study.firstPart(sitting.label);
@@ -44,7 +52,8 @@ SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(dat
     state->describeRun(sitting.run, table, limits);
     TrainingRequest training;
     training.level = state->level;
-    training.seed = core::Random::mix(begun->seed, "sitting " + std::to_string(sitting.run.trials.size())) >> 1;
+    training.seed =
+        core::Random::mix(begun->seed, "sitting " + std::to_string(sitting.run.trials.size())) >> 1;
     training.station = std::move(request.station);
     training.ringFolder = request.ringFolder;
     training.studyRun = begun->number;
@@ -56,7 +65,8 @@ SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(dat
     return state;
 }
 
-void LiveStudy::State::describeRun(const database::ConductedRun& conducted, const LimitedTable& limited, const RenderingLimits& limits) {
+void LiveStudy::State::describeRun(const database::ConductedRun& conducted, const LimitedTable& limited,
+                                   const RenderingLimits& limits) {
     condition = conditionOf(study.design, conducted.condition);
     sealedCode = conducted.sealedCode;
     table = limited;

@@ -21,7 +21,9 @@ constexpr double kStopPatience_s = 2.0;
 
 /// The reason why a trial does not count, if the participant can avoid it; the other reasons concern the
 /// device or the experimenter.
-std::string ofTheHand(const std::string& reason) { return reason == "peak_force" || reason == "speed" ? reason : std::string(); }
+std::string ofTheHand(const std::string& reason) {
+    return reason == "peak_force" || reason == "speed" ? reason : std::string();
+}
 } // namespace
 
 void LiveStudy::State::wantPause(bool wanted) {
@@ -43,7 +45,8 @@ void LiveStudy::State::drain() {
 }
 
 void LiveStudy::State::take(const FidelitySample& sample) {
-    constexpr std::uint32_t kEnds = core::event_bits::kCompleted | core::event_bits::kTimedOut | core::event_bits::kFailed;
+    constexpr std::uint32_t kEnds =
+        core::event_bits::kCompleted | core::event_bits::kTimedOut | core::event_bits::kFailed;
     last = sample;
     if (sample.events & core::event_bits::kTrialStarted) {
         clock.begin(sample.tick);
@@ -90,7 +93,8 @@ void LiveStudy::State::endTrial(const FidelitySample& sample) {
         return store(answer);
     const int correct = psychophysics::correctAnswer(condition->task, shown.arrangement);
     view.hand = ofTheHand(answer.fidelity.outside);
-    view.right = correct >= 0 && answer.fidelity.outside.empty() ? std::optional(answer.answer == correct) : std::nullopt;
+    view.right = correct >= 0 && answer.fidelity.outside.empty() ? std::optional(answer.answer == correct)
+                                                                 : std::nullopt;
     feedbackSince = Clock::now();
     enough = false;
     pending = std::move(answer);
@@ -127,7 +131,8 @@ void LiveStudy::State::note(const database::StudyTrial& trial, const TrialFideli
     view.repeated = trial.practice || trial.spoiled == "stopped" ? std::string() : trial.spoiled;
     // Practice trials were explained by their feedback, and are not repeated.
     view.hand = trial.practice ? std::string() : ofTheHand(trial.spoiled);
-    if (study.design.trial.feedback && !trial.practice && correct >= 0 && trial.answer >= 0 && trial.spoiled.empty()) {
+    if (study.design.trial.feedback && !trial.practice && correct >= 0 && trial.answer >= 0 &&
+        trial.spoiled.empty()) {
         view.right = trial.answer == correct;
         feedbackSince = Clock::now();
     }
@@ -150,7 +155,8 @@ bool LiveStudy::State::timeIsUp() const {
 /// The objects are gone before every one was touched: no answer is possible, so the trial ends here and is
 /// repeated.
 void LiveStudy::State::spoilUntouched() {
-    if (!presented || posted || stopping || last.phase != TrialPhase::running || last.paused != 0 || control.paused() || !timeIsUp() || allTouched())
+    if (!presented || posted || stopping || last.phase != TrialPhase::running || last.paused != 0 ||
+        control.paused() || !timeIsUp() || allTouched())
         return;
     spoiled = "untouched";
     posted = training->post(CommandKind::answer, simulation::kAnswerSpoiled);
@@ -171,7 +177,8 @@ void LiveStudy::State::goOn() {
         return goOnTrying();
     if (stopping || progress.done())
         finish();
-    else if (!waitsForReady && !waitsToCount && !progress.needsExperimenter() && !progress.breakDue() && (last.phase == TrialPhase::idle || last.phase == TrialPhase::between))
+    else if (!waitsForReady && !waitsToCount && !progress.needsExperimenter() && !progress.breakDue() &&
+             (last.phase == TrialPhase::idle || last.phase == TrialPhase::between))
         present();
 }
 
@@ -190,7 +197,8 @@ double LiveStudy::State::triedSoFar_s() const {
 /// later questions.
 int LiveStudy::State::mostAlike() const {
     const auto& differences = condition->stimulus.differences;
-    const auto least = std::min_element(differences.begin(), differences.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    const auto least = std::min_element(differences.begin(), differences.end(),
+                                        [](double a, double b) { return std::abs(a) < std::abs(b); });
     return static_cast<int>(least - differences.begin());
 }
 
@@ -260,7 +268,9 @@ void LiveStudy::State::describe() {
     const bool running = presented && last.phase == TrialPhase::running;
     view.timeLeft_s = running && limit_s > 0.0 ? std::max(0.0, limit_s - clock.exploration_s()) : 0.0;
     view.canAnswer = running && !posted && !control.paused() && last.paused == 0 && allTouched();
-    view.breakLeft_s = progress.breakDue() ? std::max(0.0, study.design.trial.breakAtLeast_s - secondsSince(breakSince)) : 0.0;
+    view.breakLeft_s = progress.breakDue()
+                           ? std::max(0.0, study.design.trial.breakAtLeast_s - secondsSince(breakSince))
+                           : 0.0;
     const auto lastCandidate = static_cast<double>(condition->stimulus.differences.size() - 1);
     view.adjusted = lastCandidate > 0.0 ? adjusted / lastCandidate : 0.0;
     view.state = where(running);
@@ -285,7 +295,9 @@ LiveStudyView::State LiveStudy::State::where(bool running) const {
     if (view.right || pending)
         return View::feedback;
     if (trying() && training->sessionId() != 0)
-        return last.phase == TrialPhase::running ? View::trying : last.phase == TrialPhase::ready ? View::arming : View::coming;
+        return last.phase == TrialPhase::running ? View::trying
+               : last.phase == TrialPhase::ready ? View::arming
+                                                 : View::coming;
     if (waitsForReady)
         return View::tried;
     if (!presented && waitsToCount)

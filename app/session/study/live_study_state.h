@@ -21,10 +21,12 @@ namespace chiron::session {
 struct LiveStudy::State {
     using Clock = std::chrono::steady_clock;
 
-    State(database::Database& data, database::Actor who, OpenedStudy opened, StudyProgress begun, catalogue::ExerciseLevel made, bool rendersNone,
-          std::string language)
-        : database(data), actor(std::move(who)), study(std::move(opened)), progress(std::move(begun)), level(std::move(made)), notes(std::move(language)),
-          meter(level.parameters.as<simulation::ComparisonParameters>(), study.design.fidelity, study.design.trial.mustTouchAll, rendersNone) {}
+    State(database::Database& data, database::Actor who, OpenedStudy opened, StudyProgress begun,
+          catalogue::ExerciseLevel made, bool rendersNone, std::string language)
+        : database(data), actor(std::move(who)), study(std::move(opened)), progress(std::move(begun)),
+          level(std::move(made)), notes(std::move(language)),
+          meter(level.parameters.as<simulation::ComparisonParameters>(), study.design.fidelity,
+                study.design.trial.mustTouchAll, rendersNone) {}
 
     database::Database& database;
     database::Actor actor;
@@ -46,15 +48,15 @@ struct LiveStudy::State {
     StudyPresentation shown;
     int adjusted = 0; ///< candidate that is currently set
     bool presented = false, posted = false, stopping = false, finishing = false, done = false;
-    bool cut = false;         ///< the session was cancelled because it did not end on request
+    bool cut = false; ///< the session was cancelled because it did not end on request
     SittingControl control;
     /// A practice answer; stored only after its feedback, because it can be taken back until then.
     std::optional<StudyAnswer> pending;
-    bool enough = false;                ///< the feedback was ended early
-    double tryFor_s = 0.0;              ///< duration of the free minute still to be given; 0: none
-    double tried_s = 0.0;               ///< elapsed part of it, in presentations that have ended
+    bool enough = false;   ///< the feedback was ended early
+    double tryFor_s = 0.0; ///< duration of the free minute still to be given; 0: none
+    double tried_s = 0.0;  ///< elapsed part of it, in presentations that have ended
     bool tryPresented = false;
-    bool readySaid = false, waitsForReady = false; ///< at the end of the free minute
+    bool readySaid = false, waitsForReady = false;         ///< at the end of the free minute
     bool waitsAfterPractice = false, waitsToCount = false; ///< between practice and the trials that count
     int answered = -1;
     std::optional<double> value;
@@ -63,14 +65,20 @@ struct LiveStudy::State {
     std::uint32_t grazed = 0; ///< places in contact in this trial, one bit per place
     TrialClock clock;
     Clock::time_point feedbackSince, breakSince, stopSince;
-    core::Result<LiveStudyResult> result = core::fail(core::ErrorCode::wrongUse, "the sitting has not ended yet");
+    core::Result<LiveStudyResult> result =
+        core::fail(core::ErrorCode::wrongUse, "the sitting has not ended yet");
 
-    static double secondsSince(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+    static double secondsSince(Clock::time_point then) {
+        return std::chrono::duration<double>(Clock::now() - then).count();
+    }
 
     /// Creates the state of a run that has begun.
-    static SittingResult<std::unique_ptr<State>> conducted(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting,
-                                                          LiveStudyRequest request);
-    void describeRun(const database::ConductedRun& conducted, const LimitedTable& limited, const RenderingLimits& limits);
+    static SittingResult<std::unique_ptr<State>> conducted(database::Database& database,
+                                                           const database::Actor& actor,
+                                                           const ConductedSitting& sitting,
+                                                           LiveStudyRequest request);
+    void describeRun(const database::ConductedRun& conducted, const LimitedTable& limited,
+                     const RenderingLimits& limits);
     void wantPause(bool wanted);
     void lookAtForce();
     void drain();

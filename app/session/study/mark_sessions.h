@@ -43,19 +43,24 @@ public:
     /// The exercise's level for a condition, which sessions call by `label` (empty: the condition's id). Its
     /// objects can only be felt unless the design shows them.
     /// Errors: badInput.
-    virtual core::Result<catalogue::ExerciseLevel> level(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
+    virtual core::Result<catalogue::ExerciseLevel> level(const psychophysics::StudyDesign& design,
+                                                         const psychophysics::Condition& condition,
                                                          int trials, const std::string& label) const = 0;
     /// A simulated device held by a scripted trainee.
     /// Errors: notFound naming the trainees that exist.
-    virtual core::Result<Station> scripted(const catalogue::ExerciseLevel& level, const std::string& trainee, std::uint64_t seed) const = 0;
+    virtual core::Result<Station> scripted(const catalogue::ExerciseLevel& level, const std::string& trainee,
+                                           std::uint64_t seed) const = 0;
     /// Runs and records a session through scene, loop, supervisor and simulated device, faster than real
     /// time. Ends early if the run is done, given up, cancelled or cannot be stored.
     /// Errors: badInput, notFound, storage.
-    virtual core::Result<database::SessionId> run(database::Database& database, const database::Actor& actor, const MarkSitting& sitting) const = 0;
+    virtual core::Result<database::SessionId> run(database::Database& database, const database::Actor& actor,
+                                                  const MarkSitting& sitting) const = 0;
     /// Begins a person's run in a window.
     /// Errors: those of LiveSitting::start.
-    virtual SittingResult<std::unique_ptr<LiveSitting>> begin(database::Database& database, const database::Actor& actor,
-                                                              const ConductedSitting& sitting, LiveStudyRequest request) const = 0;
+    virtual SittingResult<std::unique_ptr<LiveSitting>> begin(database::Database& database,
+                                                              const database::Actor& actor,
+                                                              const ConductedSitting& sitting,
+                                                              LiveStudyRequest request) const = 0;
 };
 
 /// The support of the exercise that serves the condition (ExerciseKind::markSessions); null if the condition

@@ -53,9 +53,9 @@ bool ParticipantView::anyBreak() const {
 }
 
 bool trialsAreFixed(const psychophysics::Condition& condition) {
-    return trialsAtMost(condition) > 0 && std::all_of(condition.procedures.begin(), condition.procedures.end(), [](const auto& spec) {
-        return psychophysics::kindFor(spec).trialsAreFixed();
-    });
+    return trialsAtMost(condition) > 0 &&
+           std::all_of(condition.procedures.begin(), condition.procedures.end(),
+                       [](const auto& spec) { return psychophysics::kindFor(spec).trialsAreFixed(); });
 }
 
 ParticipantView participantView(const psychophysics::StudyDesign& design) {

@@ -13,12 +13,12 @@ struct PartView {
     std::string condition; ///< id
     psychophysics::Task task = psychophysics::Task::rank3;
     psychophysics::Attribute attribute = psychophysics::Attribute::stiffness;
-    int objects = 0;       ///< number of objects to explore in a trial
-    int practice = 0;      ///< trials that do not count
-    int trialsAtMost = 0;  ///< trials that count; 0: their number depends on the answers
-    bool trialsFixed = false; ///< the number of trials is fixed
-    int breaksAtMost = 0;  ///< 0 also if the number of trials is not known
-    bool breaks = false;   ///< there are, or may be, breaks
+    int objects = 0;            ///< number of objects to explore in a trial
+    int practice = 0;           ///< trials that do not count
+    int trialsAtMost = 0;       ///< trials that count; 0: their number depends on the answers
+    bool trialsFixed = false;   ///< the number of trials is fixed
+    int breaksAtMost = 0;       ///< 0 also if the number of trials is not known
+    bool breaks = false;        ///< there are, or may be, breaks
     double minutesAtMost = 0.0; ///< 0 if the number of trials is not known
     bool rightOrWrong = false;  ///< an answer in this task is right or wrong
     bool apex() const { return attribute == psychophysics::Attribute::apex; }
@@ -29,15 +29,15 @@ struct PartView {
 /// cannot contradict each other.
 struct ParticipantView {
     std::vector<PartView> parts; ///< in the design's order
-    double explore_s = 0.0; ///< 0: no limit
-    double answer_s = 0.0;  ///< after exploring; 0: no limit (also if exploring has none)
-    int breakEvery = 0;     ///< trials between breaks; 0: no breaks
+    double explore_s = 0.0;      ///< 0: no limit
+    double answer_s = 0.0;       ///< after exploring; 0: no limit (also if exploring has none)
+    int breakEvery = 0;          ///< trials between breaks; 0: no breaks
     double breakAtLeast_s = 0.0;
     /// Feedback after trials that count, in parts in which an answer is right or wrong (for an apex: its
     /// distance).
     bool feedback = false;
     bool mustTouchAll = true;
-    bool probes = false;    ///< with a minimum force: a light contact is not enough
+    bool probes = false; ///< with a minimum force: a light contact is not enough
     bool maskingSound = false;
     int questionsBefore = 0;
     int questionsAfter = 0;

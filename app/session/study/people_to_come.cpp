@@ -5,7 +5,8 @@
 
 namespace chiron::session {
 
-int peopleToCome(const psychophysics::StudyDesign& design, const database::StudySummary& study, const std::vector<database::Participant>& participants) {
+int peopleToCome(const psychophysics::StudyDesign& design, const database::StudySummary& study,
+                 const std::vector<database::Participant>& participants) {
     using State = database::ParticipantState;
     int enrolled = 0, unfinished = 0;
     for (const database::Participant& each : participants) {

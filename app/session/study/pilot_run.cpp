@@ -14,7 +14,8 @@ namespace {
 constexpr std::size_t kLongestKey = 64;
 
 const std::map<std::string, std::string>& pilotWords() {
-    static const std::map<std::string, std::string> words{{"en", "Pilot: "}, {"de", "Probelauf: "}, {"el", "Πιλοτική δοκιμή: "}};
+    static const std::map<std::string, std::string> words{
+        {"en", "Pilot: "}, {"de", "Probelauf: "}, {"el", "Πιλοτική δοκιμή: "}};
     return words;
 }
 
@@ -37,19 +38,22 @@ const std::string& consentIn(const psychophysics::StudyDesign& design, const std
     return found != design.consent.end() ? found->second : design.consent.at("en");
 }
 
-core::Result<PilotRun> begin(database::Connection& connection, const database::Actor& actor, const psychophysics::StudyDesign& draft,
-                             const std::string& who, const std::string& language) {
+core::Result<PilotRun> begin(database::Connection& connection, const database::Actor& actor,
+                             const psychophysics::StudyDesign& draft, const std::string& who,
+                             const std::string& language) {
     database::StudyReader reader(connection, actor);
     database::StudyRepository studies(connection, actor);
     const auto key = freeKey(reader, draft.id);
     CHIRON_TRY(key);
     const psychophysics::StudyDesign design = pilotDesign(draft, *key);
-    const auto study = studies.createStudy(*key, design.title.at("en"), catalogue::studyJson(design).toStdString());
+    const auto study =
+        studies.createStudy(*key, design.title.at("en"), catalogue::studyJson(design).toStdString());
     CHIRON_TRY(study);
     CHIRON_TRY(studies.freezeStudy(*study));
     const auto participant = studies.enrolParticipant(*study, who, 0, {});
     CHIRON_TRY(participant);
-    CHIRON_TRY(studies.recordConsent(participant->id, catalogue::studySha256(QByteArray::fromStdString(consentIn(design, language)))));
+    CHIRON_TRY(studies.recordConsent(
+        participant->id, catalogue::studySha256(QByteArray::fromStdString(consentIn(design, language)))));
     return PilotRun{*study, participant->code};
 }
 
@@ -67,11 +71,14 @@ psychophysics::StudyDesign pilotDesign(const psychophysics::StudyDesign& draft, 
     return pilot;
 }
 
-core::Result<PilotRun> beginPilot(database::Database& database, const database::Actor& actor, const psychophysics::StudyDesign& draft,
-                                  const std::string& who, const std::string& language) {
+core::Result<PilotRun> beginPilot(database::Database& database, const database::Actor& actor,
+                                  const psychophysics::StudyDesign& draft, const std::string& who,
+                                  const std::string& language) {
     // Errors of the draft are reported for the draft, not for its copy.
     CHIRON_TRY(catalogue::readStudy(catalogue::studyJson(draft), draft.id));
-    return database.write([&](database::WriteContext& writing) { return begin(writing.connection(), actor, draft, who, language); });
+    return database.write([&](database::WriteContext& writing) {
+        return begin(writing.connection(), actor, draft, who, language);
+    });
 }
 
 } // namespace chiron::session

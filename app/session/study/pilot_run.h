@@ -25,7 +25,8 @@ psychophysics::StudyDesign pilotDesign(const psychophysics::StudyDesign& draft, 
 /// appear in lists of studies, nor in runs, analyses or exports of the study itself. `who`: free text, stored
 /// only in the key table.
 /// Errors: those of the repository (badInput if the draft cannot be read).
-core::Result<PilotRun> beginPilot(database::Database& database, const database::Actor& actor, const psychophysics::StudyDesign& draft,
-                                  const std::string& who, const std::string& language);
+core::Result<PilotRun> beginPilot(database::Database& database, const database::Actor& actor,
+                                  const psychophysics::StudyDesign& draft, const std::string& who,
+                                  const std::string& language);
 
 } // namespace chiron::session

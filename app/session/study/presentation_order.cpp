@@ -18,8 +18,8 @@ int balancedArrangement(psychophysics::Task task, std::uint64_t seed, const Pres
     }
     std::vector<int> block(static_cast<std::size_t>(count));
     std::iota(block.begin(), block.end(), 0);
-    core::Random random = core::Random::stream(seed, "study.arrangement " + std::to_string(place.procedure) + " " +
-                                                         std::to_string(place.trial / count));
+    core::Random random = core::Random::stream(seed, "study.arrangement " + std::to_string(place.procedure) +
+                                                         " " + std::to_string(place.trial / count));
     for (std::size_t i = block.size(); i > 1; --i) // Fisher & Yates
         std::swap(block[i - 1], block[static_cast<std::size_t>(random.below(i))]);
     return block[static_cast<std::size_t>(place.trial % count)];

@@ -41,9 +41,12 @@ std::map<database::ParticipantNumber, double> performanceOf(const StudyAnalysis&
     return performance;
 }
 
-std::string labelOf(const database::QuestionnaireAnswer& answer) { return answer.condition.empty() ? answer.sealedCode : answer.condition; }
+std::string labelOf(const database::QuestionnaireAnswer& answer) {
+    return answer.condition.empty() ? answer.sealedCode : answer.condition;
+}
 
-std::vector<AnsweredPart> answeredParts(const psychophysics::StudyDesign& design, const psychophysics::Questionnaire& questionnaire,
+std::vector<AnsweredPart> answeredParts(const psychophysics::StudyDesign& design,
+                                        const psychophysics::Questionnaire& questionnaire,
                                         const std::vector<database::QuestionnaireAnswer>& answers) {
     std::vector<AnsweredPart> parts;
     if (questionnaire.when != psychophysics::Questionnaire::When::afterCondition)
@@ -51,22 +54,28 @@ std::vector<AnsweredPart> answeredParts(const psychophysics::StudyDesign& design
     for (const database::QuestionnaireAnswer& answer : answers) {
         if (answer.questionnaire != questionnaire.id || answer.withheld)
             continue;
-        auto part = std::find_if(parts.begin(), parts.end(), [&](const AnsweredPart& each) { return each.label == labelOf(answer); });
+        auto part = std::find_if(parts.begin(), parts.end(),
+                                 [&](const AnsweredPart& each) { return each.label == labelOf(answer); });
         if (part == parts.end())
             part = parts.insert(parts.end(), {labelOf(answer), {}});
         part->answers.push_back(answer);
     }
     const auto place = [&](const AnsweredPart& part) {
         const auto& all = design.conditions;
-        return std::find_if(all.begin(), all.end(), [&](const psychophysics::Condition& each) { return each.id == part.label; }) - all.begin();
+        return std::find_if(all.begin(), all.end(),
+                            [&](const psychophysics::Condition& each) { return each.id == part.label; }) -
+               all.begin();
     };
-    std::sort(parts.begin(), parts.end(), [&](const AnsweredPart& a, const AnsweredPart& b) { return std::pair(place(a), a.label) < std::pair(place(b), b.label); });
+    std::sort(parts.begin(), parts.end(), [&](const AnsweredPart& a, const AnsweredPart& b) {
+        return std::pair(place(a), a.label) < std::pair(place(b), b.label);
+    });
     return parts;
 }
 
-std::vector<psychophysics::QuestionnaireReply> questionnaireReplies(const psychophysics::Questionnaire& questionnaire,
-                                                                    const std::vector<database::QuestionnaireAnswer>& answers,
-                                                                    const std::map<database::ParticipantNumber, double>& performance) {
+std::vector<psychophysics::QuestionnaireReply>
+questionnaireReplies(const psychophysics::Questionnaire& questionnaire,
+                     const std::vector<database::QuestionnaireAnswer>& answers,
+                     const std::map<database::ParticipantNumber, double>& performance) {
     std::map<database::ParticipantNumber, psychophysics::QuestionnaireReply> replies;
     for (const database::QuestionnaireAnswer& answer : answers) {
         if (answer.questionnaire != questionnaire.id || (!answer.number && answer.text.empty()))

@@ -27,14 +27,16 @@ struct AnsweredPart {
 /// Splits the answers into parts. A questionnaire that is asked once has one part with all answers, even if
 /// nobody has answered. One that is asked after each condition has a part for each condition with an answer,
 /// in the design's order, followed by sealed codes in their order. Withheld answers are omitted.
-std::vector<AnsweredPart> answeredParts(const psychophysics::StudyDesign& design, const psychophysics::Questionnaire& questionnaire,
+std::vector<AnsweredPart> answeredParts(const psychophysics::StudyDesign& design,
+                                        const psychophysics::Questionnaire& questionnaire,
                                         const std::vector<database::QuestionnaireAnswer>& answers);
 
 /// The answers of each participant to one questionnaire (of one part, if it is asked after each condition),
 /// ordered by participant, with the participant's performance (if `performance` contains it). Erased answers
 /// are omitted.
-std::vector<psychophysics::QuestionnaireReply> questionnaireReplies(const psychophysics::Questionnaire& questionnaire,
-                                                                    const std::vector<database::QuestionnaireAnswer>& answers,
-                                                                    const std::map<database::ParticipantNumber, double>& performance);
+std::vector<psychophysics::QuestionnaireReply>
+questionnaireReplies(const psychophysics::Questionnaire& questionnaire,
+                     const std::vector<database::QuestionnaireAnswer>& answers,
+                     const std::map<database::ParticipantNumber, double>& performance);
 
 } // namespace chiron::session

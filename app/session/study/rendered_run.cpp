@@ -6,11 +6,11 @@
 #include "core/random.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/scene_exchange.h"
+#include "modules/exercises/comparison/simulation/comparison_scene.h"
 #include "realtime/periodic_runner.h"
 #include "session/study/study_director.h"
 #include "session/study/study_setup.h"
 #include "session/training_run.h"
-#include "modules/exercises/comparison/simulation/comparison_scene.h"
 
 #include <atomic>
 #include <cmath>
@@ -20,7 +20,8 @@ namespace chiron::session {
 namespace {
 
 /// Runs a loop from its first tick to its last, with a director as its only listener.
-core::Result<void> runDirected(Station& station, const catalogue::ExerciseLevel& level, std::uint64_t seed, ITickDirector& director) {
+core::Result<void> runDirected(Station& station, const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                               ITickDirector& director) {
     const auto& parameters = level.parameters.as<simulation::ComparisonParameters>();
     if (auto opened = station.tools.front().device->open(); !opened)
         return opened;
@@ -28,10 +29,12 @@ core::Result<void> runDirected(Station& station, const catalogue::ExerciseLevel&
     director.connect(inputs);
     haptics::SafetySupervisor supervisor;
     haptics::SceneExchange scenes;
-    std::unique_ptr<simulation::IScene> scene = std::make_unique<simulation::ComparisonScene>(parameters, seed);
+    std::unique_ptr<simulation::IScene> scene =
+        std::make_unique<simulation::ComparisonScene>(parameters, seed);
     scenes.offer(scene);
     const haptics::LoopTool tool{*station.tools.front().device, station.tools.front().mapping};
-    auto loop = haptics::HapticLoop::create({{&tool, 1}, inputs, supervisor, headlessSafety(level), scenes, director});
+    auto loop = haptics::HapticLoop::create(
+        {{&tool, 1}, inputs, supervisor, headlessSafety(level), scenes, director});
     CHIRON_TRY(loop);
     core::setModelFloatingPointEnvironment();
     realtime::TickSource ticks;
@@ -50,7 +53,8 @@ core::Result<void> runDirected(Station& station, const catalogue::ExerciseLevel&
 /// decision model.
 class NoiseDirector final : public ITickDirector {
 public:
-    NoiseDirector(operators::IParticipantMind& mind, const simulation::ComparisonParameters& p, int candidate, int trials)
+    NoiseDirector(operators::IParticipantMind& mind, const simulation::ComparisonParameters& p, int candidate,
+                  int trials)
         : m_mind(mind), m_parameters(p), m_candidate(candidate), m_left(trials) {}
     void connect(haptics::LiveInputs& inputs) noexcept override { m_inputs = &inputs; }
     bool tryPush(const core::HapticFrame& frame) noexcept override {
@@ -63,7 +67,8 @@ public:
             if (m_left-- == 0)
                 m_inputs->postOwn({core::CommandKind::answer, simulation::kAnswerFinish});
             else
-                m_inputs->postOwn({core::CommandKind::present, core::encode({m_candidate, static_cast<int>(m_arrangement)})});
+                m_inputs->postOwn({core::CommandKind::present,
+                                   core::encode({m_candidate, static_cast<int>(m_arrangement)})});
         } else if (phase == core::TrialPhase::running && m_presented && m_mind.explored()) {
             m_presented = false;
             keep();
@@ -78,7 +83,8 @@ public:
 private:
     void keep() {
         for (int place = 0; place < m_parameters.places; ++place) {
-            const auto multiple = static_cast<std::size_t>(m_parameters.arrangements[m_arrangement][static_cast<std::size_t>(place)]);
+            const auto multiple = static_cast<std::size_t>(
+                m_parameters.arrangements[m_arrangement][static_cast<std::size_t>(place)]);
             const double truth = m_parameters.values[static_cast<std::size_t>(m_candidate)][multiple];
             const double estimate = m_mind.estimate(place);
             if (estimate > 0.0)
@@ -110,7 +116,9 @@ std::vector<psychophysics::ScoredTrial> scoredTrials(const psychophysics::Condit
         scored.answer = trial.answer;
         scored.outcome = trial.outcome;
         const auto candidate = static_cast<std::size_t>(trial.candidate);
-        scored.difference = candidate < condition.stimulus.differences.size() ? condition.stimulus.differences[candidate] : trial.difference;
+        scored.difference = candidate < condition.stimulus.differences.size()
+                                ? condition.stimulus.differences[candidate]
+                                : trial.difference;
         scored.value = trial.value;
         out.push_back(scored);
     }
@@ -120,7 +128,8 @@ std::vector<psychophysics::ScoredTrial> scoredTrials(const psychophysics::Condit
 core::Result<RenderedRun> runRendered(const RenderedRunRequest& request) {
     const psychophysics::Condition* condition = conditionOf(request.design, request.condition);
     if (!condition)
-        return core::fail(core::ErrorCode::badInput, "condition \"" + request.condition + "\" is not one of the study's");
+        return core::fail(core::ErrorCode::badInput,
+                          "condition \"" + request.condition + "\" is not one of the study's");
     auto level = studyLevel(request.design, *condition, request.control);
     CHIRON_TRY(level);
     auto participant = participantStation(*level, core::Random::mix(request.seed, "participant"));
@@ -152,16 +161,21 @@ core::Result<RenderedRun> runRendered(const RenderedRunRequest& request) {
     return run;
 }
 
-core::Result<RenderingNoise> renderingNoise(const psychophysics::StudyDesign& design, const std::string& condition, int candidate,
-                                            int trials, std::uint64_t seed) {
+core::Result<RenderingNoise> renderingNoise(const psychophysics::StudyDesign& design,
+                                            const std::string& condition, int candidate, int trials,
+                                            std::uint64_t seed) {
     const psychophysics::Condition* found = conditionOf(design, condition);
-    if (!found || candidate < 0 || static_cast<std::size_t>(candidate) >= found->stimulus.differences.size() || trials < 1)
-        return core::fail(core::ErrorCode::badInput, "a condition of the study, one of its candidates and at least one trial are expected");
+    if (!found || candidate < 0 ||
+        static_cast<std::size_t>(candidate) >= found->stimulus.differences.size() || trials < 1)
+        return core::fail(
+            core::ErrorCode::badInput,
+            "a condition of the study, one of its candidates and at least one trial are expected");
     auto level = studyLevel(design, *found);
     CHIRON_TRY(level);
     auto participant = participantStation(*level, core::Random::mix(seed, "participant"));
     CHIRON_TRY(participant);
-    NoiseDirector director(*participant->mind, level->parameters.as<simulation::ComparisonParameters>(), candidate, trials);
+    NoiseDirector director(*participant->mind, level->parameters.as<simulation::ComparisonParameters>(),
+                           candidate, trials);
     CHIRON_TRY(runDirected(participant->station, *level, seed, director));
     RenderingNoise out;
     out.missed = director.missed;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "psychophysics/observers/observer_spec.h"
 #include "psychophysics/study/run_estimate.h"
 #include "session/study/study_progress.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <limits>
 #include <string>
@@ -29,8 +29,9 @@ struct RenderedRun {
     psychophysics::RunEstimate estimate;
     std::uint64_t ticks = 0;
     bool completed = false;
-    double threshold = std::numeric_limits<double>::quiet_NaN(); ///< the first procedure's own estimate, in its scale
-    std::string procedures; ///< StudyProgress::procedureIds()
+    double threshold =
+        std::numeric_limits<double>::quiet_NaN(); ///< the first procedure's own estimate, in its scale
+    std::string procedures;                       ///< StudyProgress::procedureIds()
 };
 
 /// Runs the request.
@@ -44,14 +45,15 @@ std::vector<psychophysics::ScoredTrial> scoredTrials(const psychophysics::Condit
 /// The noise contributed by rendering and hand: a noiseless participant explores `trials` presentations (all
 /// arrangements in turn) of one candidate. Values are log10 of estimate over true value, by multiple 0, 1, 2.
 struct RenderingNoise {
-    double mean[3]{};   ///< log10
-    double sd[3]{};     ///< log10
+    double mean[3]{};      ///< log10
+    double sd[3]{};        ///< log10
     double pooledSd = 0.0; ///< within multiples: σ_render
-    int explored = 0;   ///< places that gave an estimate
+    int explored = 0;      ///< places that gave an estimate
     int missed = 0;
     double seconds = 0.0; ///< simulated time per trial
 };
-core::Result<RenderingNoise> renderingNoise(const psychophysics::StudyDesign& design, const std::string& condition, int candidate,
-                                            int trials, std::uint64_t seed);
+core::Result<RenderingNoise> renderingNoise(const psychophysics::StudyDesign& design,
+                                            const std::string& condition, int candidate, int trials,
+                                            std::uint64_t seed);
 
 } // namespace chiron::session

@@ -11,7 +11,8 @@ std::uint64_t seedOf(const OpenedStudy& study, const std::string& label, const S
 /// Refuses a requested seed that differs from the seed with which the run began, because it would have no
 /// effect.
 /// Errors: wrongUse.
-core::Result<void> sameSeed(const OpenedStudy& study, const database::StudyRun& run, const StudyRunRequest& request);
+core::Result<void> sameSeed(const OpenedStudy& study, const database::StudyRun& run,
+                            const StudyRunRequest& request);
 /// The same check if no run is left to be done.
 core::Result<void> seedIsOfWhatWasDone(const OpenedStudy& study, const StudyRunRequest& request);
 

@@ -22,7 +22,9 @@ void SittingControl::rearm() noexcept {
     m_stopped = m_pause = false;
 }
 
-void SittingControl::letGo() noexcept { m_pause = m_hold = false; }
+void SittingControl::letGo() noexcept {
+    m_pause = m_hold = false;
+}
 
 void SittingControl::tell(LiveTraining& training) noexcept {
     if (m_tellStop && training.post(CommandKind::stopForce))

@@ -21,8 +21,8 @@ public:
     void rearm() noexcept;
     void letGo() noexcept; ///< no pause may delay the end of a session
 
-    void tell(LiveTraining& training) noexcept;               ///< sends pending commands; call it each frame
-    void look(const haptics::DisplayState& state) noexcept;   ///< takes over stops by the supervisor
+    void tell(LiveTraining& training) noexcept;             ///< sends pending commands; call it each frame
+    void look(const haptics::DisplayState& state) noexcept; ///< takes over stops by the supervisor
 
     bool paused() const noexcept { return m_pause; }
     bool stopped() const noexcept { return m_stopped; }
@@ -30,7 +30,7 @@ public:
 
 private:
     bool m_pause = false, m_hold = false;
-    bool m_told = false;    ///< the loop has been told to pause
+    bool m_told = false; ///< the loop has been told to pause
     bool m_stopped = false;
     bool m_tellStop = false, m_tellRearm = false;
     bool m_sawLatched = false; ///< the newest state showed a stop or a fault

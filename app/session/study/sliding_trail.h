@@ -25,7 +25,9 @@ public:
     }
     bool taut() const noexcept { return m_taut; }
     /// The component of a force that holds the tool back; requires a taut trail.
-    double against(double x_N, double y_N) const noexcept { return -(x_N * m_behind[0] + y_N * m_behind[1]) / m_length_m; }
+    double against(double x_N, double y_N) const noexcept {
+        return -(x_N * m_behind[0] + y_N * m_behind[1]) / m_length_m;
+    }
 
 private:
     std::array<double, 2> m_behind{}; ///< vector from the dragged point to the tool

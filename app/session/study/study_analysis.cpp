@@ -20,27 +20,32 @@ using psychophysics::Warning;
 using psychophysics::WarningKind;
 
 /// Trials of a rendered run have a session. A person's trials can lack one only if the study was imported.
-bool wasNotRendered(const database::Participant& participant, const std::vector<database::StudyTrial>& trials) {
-    return participant.simulated && std::any_of(trials.begin(), trials.end(), [](const auto& trial) { return trial.session == 0; });
+bool wasNotRendered(const database::Participant& participant,
+                    const std::vector<database::StudyTrial>& trials) {
+    return participant.simulated &&
+           std::any_of(trials.begin(), trials.end(), [](const auto& trial) { return trial.session == 0; });
 }
 
 /// True if three objects are ranked in a condition.
 bool ranks(const psychophysics::Condition& condition) {
-    return psychophysics::ranksThree(condition.task) && condition.stimulus.attribute != psychophysics::Attribute::apex;
+    return psychophysics::ranksThree(condition.task) &&
+           condition.stimulus.attribute != psychophysics::Attribute::apex;
 }
 
 /// Repeats the choices by the condition that the run is analysed by; empty if there is none, or the run's
 /// procedures are sealed.
-core::Result<ReplayedChoices> rerun(const StudyAnalysis& study, const psychophysics::Condition* condition, database::StudyRun run,
-                                    const std::vector<database::StudyTrial>& trials) {
+core::Result<ReplayedChoices> rerun(const StudyAnalysis& study, const psychophysics::Condition* condition,
+                                    database::StudyRun run, const std::vector<database::StudyTrial>& trials) {
     if (!condition || run.procedures.empty())
         return ReplayedChoices{};
     run.condition = condition->id;
     return rerunChoices(study.design, run, trials);
 }
 
-core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyAnalysis& study, const psychophysics::Condition* condition,
-                                     const database::Participant& participant, const database::StudyRun& run, std::uint64_t seed) {
+core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyAnalysis& study,
+                                     const psychophysics::Condition* condition,
+                                     const database::Participant& participant, const database::StudyRun& run,
+                                     std::uint64_t seed) {
     AnalysedRun out;
     out.participant = participant;
     out.run = run;
@@ -55,8 +60,10 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
         else
             ++out.scored;
     }
-    const auto scored = condition ? scoredTrials(*condition, out.trials) : std::vector<psychophysics::ScoredTrial>{};
-    out.estimate = estimateOf(condition, scored, study.blinding, core::Random::mix(seed, "run " + participant.code + " " + labelOf(run)));
+    const auto scored =
+        condition ? scoredTrials(*condition, out.trials) : std::vector<psychophysics::ScoredTrial>{};
+    out.estimate = estimateOf(condition, scored, study.blinding,
+                              core::Random::mix(seed, "run " + participant.code + " " + labelOf(run)));
     if (!condition)
         out.estimate.trials = out.scored;
     warnNotRendered(out.estimate, participant, out.trials);
@@ -67,7 +74,8 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
     if (condition && ranks(*condition))
         out.ranking = psychophysics::summariseRankings(psychophysics::saidRanks(scored), adapts(*condition));
     if (condition && looksForApex(*condition))
-        out.apex = apexOfRun(out, condition->stimulus.reference, core::Random::mix(seed, "apex " + participant.code + " " + labelOf(run)));
+        out.apex = apexOfRun(out, condition->stimulus.reference,
+                             core::Random::mix(seed, "apex " + participant.code + " " + labelOf(run)));
     if (out.apex)
         for (const Warning& warning : out.estimate.warnings)
             if (warning.kind == WarningKind::shownRun)
@@ -78,7 +86,9 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
     return out;
 }
 
-bool wasShown(const AnalysedRun& run) { return run.felt && !*run.felt; }
+bool wasShown(const AnalysedRun& run) {
+    return run.felt && !*run.felt;
+}
 
 /// In a study of the apex the marks count, since there is no Weber fraction.
 Presence presenceIn(const AnalysedRun& run) {
@@ -89,10 +99,14 @@ Presence presenceIn(const AnalysedRun& run) {
 
 /// Computes the group's estimate: of people who have not withdrawn, or of simulated participants if there are
 /// no people.
-void pool(AnalysedCondition& condition, const psychophysics::Condition* designed, std::uint64_t seed, const AnalysisChoices& choices) {
-    const auto takesPart = [](const AnalysedRun& run) { return run.participant.state != database::ParticipantState::withdrawn; };
-    const bool real = std::any_of(condition.runs.begin(), condition.runs.end(),
-                                  [&](const AnalysedRun& run) { return takesPart(run) && !run.participant.simulated; });
+void pool(AnalysedCondition& condition, const psychophysics::Condition* designed, std::uint64_t seed,
+          const AnalysisChoices& choices) {
+    const auto takesPart = [](const AnalysedRun& run) {
+        return run.participant.state != database::ParticipantState::withdrawn;
+    };
+    const bool real = std::any_of(condition.runs.begin(), condition.runs.end(), [&](const AnalysedRun& run) {
+        return takesPart(run) && !run.participant.simulated;
+    });
     std::vector<psychophysics::RunEstimate> estimates;
     std::vector<int> rows;
     std::vector<std::vector<psychophysics::SaidRanks>> rankings;
@@ -125,11 +139,13 @@ void pool(AnalysedCondition& condition, const psychophysics::Condition* designed
     if (withdrawn > 0)
         warnings.push_back({WarningKind::withdrawn, withdrawn});
     if (simulated > 0)
-        warnings.push_back(real ? Warning{WarningKind::simulatedLeftOut, simulated} : Warning{WarningKind::simulatedOnly});
+        warnings.push_back(real ? Warning{WarningKind::simulatedLeftOut, simulated}
+                                : Warning{WarningKind::simulatedOnly});
     if (notRendered > 0)
         warnings.push_back({WarningKind::notRenderedOfGroup, notRendered});
     if (shown > 0)
-        warnings.push_back({choices.withShown ? WarningKind::shownInGroup : WarningKind::shownLeftOut, shown});
+        warnings.push_back(
+            {choices.withShown ? WarningKind::shownInGroup : WarningKind::shownLeftOut, shown});
 }
 
 /// The labels of the conditions, in the design's order; ordered by code while blinded.
@@ -149,13 +165,15 @@ core::Result<std::vector<std::string>> labelsOf(database::StudyReader& reader, c
 
 } // namespace
 
-void warnNotRendered(psychophysics::RunEstimate& estimate, const database::Participant& participant, const std::vector<database::StudyTrial>& trials) {
+void warnNotRendered(psychophysics::RunEstimate& estimate, const database::Participant& participant,
+                     const std::vector<database::StudyTrial>& trials) {
     if (wasNotRendered(participant, trials))
         estimate.warnings.push_back({psychophysics::WarningKind::notRenderedRun});
 }
 
 void warnShown(psychophysics::RunEstimate& estimate, const std::vector<database::StudyTrial>& trials) {
-    const auto shown = std::count_if(trials.begin(), trials.end(), [](const auto& trial) { return trial.felt && !*trial.felt; });
+    const auto shown = std::count_if(trials.begin(), trials.end(),
+                                     [](const auto& trial) { return trial.felt && !*trial.felt; });
     if (shown > 0)
         estimate.warnings.push_back({psychophysics::WarningKind::shownRun, static_cast<int>(shown)});
 }
@@ -164,13 +182,15 @@ const psychophysics::Condition* StudyAnalysis::designed(std::size_t at) const {
     return analysedBy(design, blinding, conditions[at].condition);
 }
 
-const psychophysics::Condition* analysedBy(const psychophysics::StudyDesign& design, const database::Blinding& blinding, const std::string& condition) {
+const psychophysics::Condition* analysedBy(const psychophysics::StudyDesign& design,
+                                           const database::Blinding& blinding, const std::string& condition) {
     if (blinding.on)
         return blinding.analysable() ? &design.conditions.front() : nullptr;
     return conditionOf(design, condition);
 }
 
-psychophysics::RunEstimate estimateOf(const psychophysics::Condition* condition, const std::vector<psychophysics::ScoredTrial>& trials,
+psychophysics::RunEstimate estimateOf(const psychophysics::Condition* condition,
+                                      const std::vector<psychophysics::ScoredTrial>& trials,
                                       const database::Blinding& blinding, std::uint64_t seed) {
     psychophysics::RunEstimate estimate;
     if (!condition) {
@@ -195,7 +215,8 @@ core::Result<StudyAnalysis> opened(database::StudyReader& reader, database::Stud
     auto record = reader.study(number);
     CHIRON_TRY(record);
     study.record = std::move(*record);
-    auto design = catalogue::readStudy(QByteArray::fromStdString(study.record.designJson), "study " + std::to_string(number));
+    auto design = catalogue::readStudy(QByteArray::fromStdString(study.record.designJson),
+                                       "study " + std::to_string(number));
     CHIRON_TRY(design);
     study.design = std::move(*design);
     study.blinding = study.record.blinding;
@@ -206,14 +227,17 @@ core::Result<StudyAnalysis> opened(database::StudyReader& reader, database::Stud
     return study;
 }
 
-core::Result<void> addRuns(database::StudyReader& reader, StudyAnalysis& study, const database::Participant& participant, std::uint64_t seed) {
+core::Result<void> addRuns(database::StudyReader& reader, StudyAnalysis& study,
+                           const database::Participant& participant, std::uint64_t seed) {
     auto runs = reader.runs(participant.id);
     CHIRON_TRY(runs);
     for (const database::StudyRun& run : *runs) {
-        const auto at = std::find_if(study.conditions.begin(), study.conditions.end(), [&](const auto& each) { return each.condition == labelOf(run); });
+        const auto at = std::find_if(study.conditions.begin(), study.conditions.end(),
+                                     [&](const auto& each) { return each.condition == labelOf(run); });
         if (at == study.conditions.end() || run.state == database::StudyRunState::stopped)
             continue;
-        auto analysed = analyseRun(reader, study, analysedBy(study.design, study.blinding, run.condition), participant, run, seed);
+        auto analysed = analyseRun(reader, study, analysedBy(study.design, study.blinding, run.condition),
+                                   participant, run, seed);
         CHIRON_TRY(analysed);
         if (!analysed->trials.empty() || study.sealed())
             at->runs.push_back(std::move(*analysed));
@@ -223,7 +247,8 @@ core::Result<void> addRuns(database::StudyReader& reader, StudyAnalysis& study, 
 
 } // namespace
 
-core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database::StudyNumber number, std::uint64_t seed, const AnalysisChoices& choices) {
+core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database::StudyNumber number,
+                                         std::uint64_t seed, const AnalysisChoices& choices) {
     auto study = opened(reader, number);
     if (!study)
         return study;
@@ -244,12 +269,15 @@ core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database
         if (study->sealed())
             for (AnalysedRun& run : condition.runs)
                 run.presence = Presence::sealed;
-        condition.roll = groupRoll(*participants, condition.runs, study->record.summary.state != database::StudyState::frozen, study->design.participantsPlanned);
+        condition.roll = groupRoll(*participants, condition.runs,
+                                   study->record.summary.state != database::StudyState::frozen,
+                                   study->design.participantsPlanned);
         if (study->sealed())
             for (RolledPerson& person : condition.roll.people)
                 person = {person.code, Presence::sealed, false};
         if (designed && looksForApex(*designed))
-            poolApex(condition, designed->stimulus.reference, core::Random::mix(seed, "apex " + condition.condition));
+            poolApex(condition, designed->stimulus.reference,
+                     core::Random::mix(seed, "apex " + condition.condition));
     }
     study->comparisons = compareAll(*study, seed);
     return study;

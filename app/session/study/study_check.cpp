@@ -12,7 +12,8 @@ namespace chiron::session {
 namespace {
 
 /// Checks that the condition can be presented to its simulated participant at all.
-core::Result<void> checkStation(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition, const std::string& trainee) {
+core::Result<void> checkStation(const psychophysics::StudyDesign& design,
+                                const psychophysics::Condition& condition, const std::string& trainee) {
     if (const MarkSessions* marks = markSessionsOf(condition)) {
         auto level = marks->level(design, condition, 1, {});
         CHIRON_TRY(level);
@@ -25,7 +26,8 @@ core::Result<void> checkStation(const psychophysics::StudyDesign& design, const 
     return participant ? core::Result<void>() : tl::unexpected(participant.error());
 }
 
-core::Result<void> checkCondition(const psychophysics::StudyDesign& design, bool blind, const psychophysics::Condition& condition, const StudyRunRequest& request,
+core::Result<void> checkCondition(const psychophysics::StudyDesign& design, bool blind,
+                                  const psychophysics::Condition& condition, const StudyRunRequest& request,
                                   const RenderingLimits& limits) {
     const auto limit = limitOnStation(design, blind, condition, request, limits);
     CHIRON_TRY(limit);
@@ -35,29 +37,36 @@ core::Result<void> checkCondition(const psychophysics::StudyDesign& design, bool
 
 } // namespace
 
-core::Result<void> checkObserver(const psychophysics::StudyDesign& design, const psychophysics::ObserverSpec& observer) {
+core::Result<void> checkObserver(const psychophysics::StudyDesign& design,
+                                 const psychophysics::ObserverSpec& observer) {
     const auto& all = design.conditions;
     if (!observer.trainee.empty() && std::none_of(all.begin(), all.end(), looksForApex))
-        return core::fail(core::ErrorCode::wrongUse, "observer: operator:" + observer.trainee + ": only a study of the apex has one");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "observer: operator:" + observer.trainee + ": only a study of the apex has one");
     return {};
 }
 
-core::Result<RenderingLimits> limitsOfRun(const StudyRunRequest& request) { return request.quick ? RenderingLimits{} : simulatedLimits(); }
+core::Result<RenderingLimits> limitsOfRun(const StudyRunRequest& request) {
+    return request.quick ? RenderingLimits{} : simulatedLimits();
+}
 
-core::Result<double> limitOnStation(const psychophysics::StudyDesign& design, bool blind, const psychophysics::Condition& condition,
-                                    const StudyRunRequest& request, const RenderingLimits& limits) {
+core::Result<double> limitOnStation(const psychophysics::StudyDesign& design, bool blind,
+                                    const psychophysics::Condition& condition, const StudyRunRequest& request,
+                                    const RenderingLimits& limits) {
     if (request.quick)
         return StudyProgress::kNoLimit;
     CHIRON_TRY(checkStation(design, condition, request.observer.trainee));
     return (blind ? blindTable(design, condition, limits) : limitedTable(condition, limits)).limit;
 }
 
-core::Result<void> checkStudyRun(const psychophysics::StudyDesign& design, bool blind, const StudyRunRequest& request) {
+core::Result<void> checkStudyRun(const psychophysics::StudyDesign& design, bool blind,
+                                 const StudyRunRequest& request) {
     if (auto observer = checkObserver(design, request.observer); !observer)
         return observer;
     const bool one = !blind && !request.condition.empty();
     if (one && !conditionOf(design, request.condition))
-        return core::fail(core::ErrorCode::notFound, "condition \"" + request.condition + "\" is not one of the study's");
+        return core::fail(core::ErrorCode::notFound,
+                          "condition \"" + request.condition + "\" is not one of the study's");
     const auto limits = limitsOfRun(request);
     CHIRON_TRY(limits);
     for (const psychophysics::Condition& condition : design.conditions)

@@ -11,13 +11,15 @@ namespace chiron::session {
 
 /// Checks that the observer fits the type of the study.
 /// Errors: wrongUse.
-core::Result<void> checkObserver(const psychophysics::StudyDesign& design, const psychophysics::ObserverSpec& observer);
+core::Result<void> checkObserver(const psychophysics::StudyDesign& design,
+                                 const psychophysics::ObserverSpec& observer);
 
 /// Checks everything that follows from the design: the observer, the condition, and for each condition to be
 /// done its table, its procedures and what the simulated device renders. `blind`: conditions have sealed
 /// codes, so the database checks request.condition.
 /// Errors: wrongUse, notFound, badInput.
-core::Result<void> checkStudyRun(const psychophysics::StudyDesign& design, bool blind, const StudyRunRequest& request);
+core::Result<void> checkStudyRun(const psychophysics::StudyDesign& design, bool blind,
+                                 const StudyRunRequest& request);
 
 /// The limits of the run's device, measured once for all its conditions. A quick run has no device.
 /// Errors: those of simulatedLimits().
@@ -25,7 +27,8 @@ core::Result<RenderingLimits> limitsOfRun(const StudyRunRequest& request);
 
 /// The largest difference that the simulated device renders.
 /// Errors: badInput, notFound (the scripted trainee).
-core::Result<double> limitOnStation(const psychophysics::StudyDesign& design, bool blind, const psychophysics::Condition& condition,
-                                    const StudyRunRequest& request, const RenderingLimits& limits);
+core::Result<double> limitOnStation(const psychophysics::StudyDesign& design, bool blind,
+                                    const psychophysics::Condition& condition, const StudyRunRequest& request,
+                                    const RenderingLimits& limits);
 
 } // namespace chiron::session

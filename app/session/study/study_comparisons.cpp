@@ -54,11 +54,12 @@ std::map<std::string, RunEstimate> byParticipant(const AnalysedCondition& condit
 }
 
 struct Pair {
-    std::vector<RunEstimate> first, second;           ///< those who did both, in the same order
+    std::vector<RunEstimate> first, second; ///< those who did both, in the same order
     std::vector<RunEstimate> onlyFirst, onlySecond;
 };
 
-Pair paired(const std::map<std::string, RunEstimate>& first, const std::map<std::string, RunEstimate>& second) {
+Pair paired(const std::map<std::string, RunEstimate>& first,
+            const std::map<std::string, RunEstimate>& second) {
     Pair pair;
     for (const auto& [code, estimate] : first) {
         if (const auto other = second.find(code); other != second.end()) {
@@ -84,11 +85,14 @@ psychophysics::Task taskOf(const StudyAnalysis& study, std::size_t condition) {
 
 bool adapts(const psychophysics::Condition& condition) {
     return std::any_of(condition.procedures.begin(), condition.procedures.end(),
-                       [](const psychophysics::ProcedureSpec& spec) { return !psychophysics::kindFor(spec).trialsAreFixed(); });
+                       [](const psychophysics::ProcedureSpec& spec) {
+                           return !psychophysics::kindFor(spec).trialsAreFixed();
+                       });
 }
 
 bool testsThresholds(const std::vector<ComparedConditions>& compared) {
-    return std::any_of(compared.begin(), compared.end(), [](const ComparedConditions& each) { return std::isfinite(each.models.pValue); });
+    return std::any_of(compared.begin(), compared.end(),
+                       [](const ComparedConditions& each) { return std::isfinite(each.models.pValue); });
 }
 
 std::vector<ComparedConditions> compareAll(const StudyAnalysis& study, std::uint64_t seed) {
@@ -100,8 +104,11 @@ std::vector<ComparedConditions> compareAll(const StudyAnalysis& study, std::uint
             const Pair pair = paired(byParticipant(study.conditions[i]), byParticipant(study.conditions[j]));
             ComparedConditions each{i, j, {}, {}};
             if (pair.first.size() >= 2) {
-                each.weber = psychophysics::compareConditions(pair.first, pair.second, core::Random::mix(seed, "comparison " + std::to_string(i) + " " + std::to_string(j)));
-                each.models = psychophysics::compareThresholdModels(taskOf(study, i), pair.first, taskOf(study, j), pair.second);
+                each.weber = psychophysics::compareConditions(
+                    pair.first, pair.second,
+                    core::Random::mix(seed, "comparison " + std::to_string(i) + " " + std::to_string(j)));
+                each.models = psychophysics::compareThresholdModels(taskOf(study, i), pair.first,
+                                                                    taskOf(study, j), pair.second);
             } else {
                 each.weber = psychophysics::compareGroups(pair.onlyFirst, pair.onlySecond);
             }

@@ -22,7 +22,8 @@ bool StudyDirector::tryPush(const core::HapticFrame& frame) noexcept {
 }
 
 void StudyDirector::direct(const FidelitySample& sample) {
-    constexpr std::uint32_t kEnds = core::event_bits::kCompleted | core::event_bits::kTimedOut | core::event_bits::kFailed;
+    constexpr std::uint32_t kEnds =
+        core::event_bits::kCompleted | core::event_bits::kTimedOut | core::event_bits::kFailed;
     if (sample.events & core::event_bits::kTrialStarted) {
         m_clock.begin(sample.tick);
         m_looked = sample.tick;
@@ -50,7 +51,8 @@ void StudyDirector::direct(const FidelitySample& sample) {
     m_answer = said.value_or(-1);
     if (!said)
         m_spoiled = tooLong ? "time" : "untouched";
-    m_inputs->postOwn({CommandKind::answer, said ? static_cast<std::uint16_t>(*said) : simulation::kAnswerSpoiled});
+    m_inputs->postOwn(
+        {CommandKind::answer, said ? static_cast<std::uint16_t>(*said) : simulation::kAnswerSpoiled});
 }
 
 /// The felt value at each place, log10 relative to the reference; empty if a place could not be felt.

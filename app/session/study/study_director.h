@@ -71,10 +71,10 @@ private:
     int m_answer = -1;
     std::optional<double> m_value;
     std::string m_spoiled;
-    std::uint64_t m_looked = 0;     ///< tick at which the current exploration began
-    int m_dial = 0;                 ///< candidate that is set (adjustment)
+    std::uint64_t m_looked = 0; ///< tick at which the current exploration began
+    int m_dial = 0;             ///< candidate that is set (adjustment)
     int m_steps = 0;
-    std::optional<double> m_equal;  ///< felt difference that this trial's observer perceives as none
+    std::optional<double> m_equal; ///< felt difference that this trial's observer perceives as none
     core::Result<void> m_recorded;
 };
 

@@ -24,7 +24,8 @@ double contactDamping(const psychophysics::StimulusDesign& stimulus) {
 }
 
 /// The largest value of the attribute, SI; infinite if nothing limits it.
-double largestValue(const psychophysics::StimulusDesign& stimulus, const RenderingLimits& limits, std::string& why) {
+double largestValue(const psychophysics::StimulusDesign& stimulus, const RenderingLimits& limits,
+                    std::string& why) {
     using psychophysics::Attribute;
     switch (stimulus.attribute) {
     case Attribute::stiffness:
@@ -57,11 +58,14 @@ RenderingLimits renderingLimits(const devices::DeviceDescriptor& device, double 
     limits.delay_s = delay_s > 0.0 ? delay_s : period_s;
     limits.largestStiffness_N_per_m = kArmDamping_Ns_per_m / (0.5 * core::kTickSeconds + limits.delay_s);
     limits.largestViscosity_Ns_per_m = device.maximumDamping_Ns_per_m;
-    limits.largestForce_N = device.maximumForce_N > 0.0 ? std::min(device.maximumForce_N, kSiteForce_N) : kSiteForce_N;
+    limits.largestForce_N =
+        device.maximumForce_N > 0.0 ? std::min(device.maximumForce_N, kSiteForce_N) : kSiteForce_N;
     return limits;
 }
 
-double statedDelay_s(const devices::DeviceDescriptor& device) { return device.inProcess ? 0.0 : 2.0 * device.period_us * 1e-6; }
+double statedDelay_s(const devices::DeviceDescriptor& device) {
+    return device.inProcess ? 0.0 : 2.0 * device.period_us * 1e-6;
+}
 
 RenderingLimits limitsAt(const devices::DeviceDescriptor& device, std::optional<double> measuredDelay_s) {
     const bool measured = measuredDelay_s && std::isfinite(*measuredDelay_s) && *measuredDelay_s > 0.0;
@@ -95,7 +99,8 @@ LimitedTable limitedTable(const psychophysics::Condition& condition, const Rende
     return table;
 }
 
-LimitedTable blindTable(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition, const RenderingLimits& limits) {
+LimitedTable blindTable(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
+                        const RenderingLimits& limits) {
     const std::vector<double>& differences = condition.stimulus.differences;
     LimitedTable table = limitedTable(condition, limits);
     for (const psychophysics::Condition& each : design.conditions)

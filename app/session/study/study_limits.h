@@ -11,12 +11,12 @@ namespace chiron::session {
 
 /// The values that a connected device can render passively.
 struct RenderingLimits {
-    double largestStiffness_N_per_m = 0.0; ///< K = b/(T/2 + t_d), devices.md §6
+    double largestStiffness_N_per_m = 0.0;  ///< K = b/(T/2 + t_d), devices.md §6
     double largestViscosity_Ns_per_m = 0.0; ///< the device's own bound b_max
     double largestForce_N = 0.0;
-    double delay_s = 0.0;                  ///< the t_d used
-    bool measured = false;                 ///< t_d was measured; if false, it is the delay that the device
-                                           ///< states
+    double delay_s = 0.0;  ///< the t_d used
+    bool measured = false; ///< t_d was measured; if false, it is the delay that the device
+                           ///< states
 };
 
 /// The limits of a device: K < (b + B)/(T/2 + t_d) with b = 2 N·s/m of arm and mechanism and B = 0, T = 1 ms,
@@ -32,9 +32,9 @@ RenderingLimits limitsAt(const devices::DeviceDescriptor& device, std::optional<
 
 /// The part of a condition's table that such a device can render.
 struct LimitedTable {
-    double limit = 0.0;  ///< largest |D| that is rendered; infinite if all are rendered
-    int candidates = 0;  ///< number of candidates left
-    std::string why;     ///< empty: nothing was left out; else "stiffness", "weight", "viscosity", "reference"
+    double limit = 0.0; ///< largest |D| that is rendered; infinite if all are rendered
+    int candidates = 0; ///< number of candidates left
+    std::string why;    ///< empty: nothing was left out; else "stiffness", "weight", "viscosity", "reference"
 };
 /// Limits a table by the largest multiple of the task: a difference whose value the device cannot render
 /// passively or without saturation is never shown. `why` is "reference" if not even the reference can be
@@ -42,6 +42,7 @@ struct LimitedTable {
 LimitedTable limitedTable(const psychophysics::Condition& condition, const RenderingLimits& limits);
 /// The same for blind experimenters: the part that is left in every condition with this table, because a
 /// condition's own remaining part would reveal which one it is.
-LimitedTable blindTable(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition, const RenderingLimits& limits);
+LimitedTable blindTable(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
+                        const RenderingLimits& limits);
 
 } // namespace chiron::session

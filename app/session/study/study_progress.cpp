@@ -38,12 +38,14 @@ StudyProgress::StudyProgress(StudyProgress&&) noexcept = default;
 StudyProgress& StudyProgress::operator=(StudyProgress&&) noexcept = default;
 StudyProgress::~StudyProgress() = default;
 
-core::Result<StudyProgress> StudyProgress::begin(const psychophysics::StudyDesign& design, const std::string& condition,
-                                                 std::uint64_t seed, double limit) {
+core::Result<StudyProgress> StudyProgress::begin(const psychophysics::StudyDesign& design,
+                                                 const std::string& condition, std::uint64_t seed,
+                                                 double limit) {
     const Condition* found = find(design, condition);
     if (!found || found->procedures.empty() || found->stimulus.differences.empty())
         return core::fail(core::ErrorCode::badInput,
-                          "condition \"" + condition + "\": one of the study's, with differences and a procedure, is expected");
+                          "condition \"" + condition +
+                              "\": one of the study's, with differences and a procedure, is expected");
     auto state = std::make_unique<State>();
     state->condition = *found;
     state->rules = design.trial;
@@ -51,25 +53,34 @@ core::Result<StudyProgress> StudyProgress::begin(const psychophysics::StudyDesig
     state->seed = seed;
     state->limit = limit;
     for (std::size_t i = 0; i < found->stimulus.differences.size(); ++i)
-        if (std::abs(found->stimulus.differences[i]) <= limit && std::isfinite(state->scaled(found->stimulus.differences[i])))
+        if (std::abs(found->stimulus.differences[i]) <= limit &&
+            std::isfinite(state->scaled(found->stimulus.differences[i])))
             state->allowed.push_back(static_cast<int>(i));
     if (state->allowed.empty())
-        return core::fail(core::ErrorCode::badInput, "condition \"" + condition + "\": the device renders none of its differences");
+        return core::fail(core::ErrorCode::badInput,
+                          "condition \"" + condition + "\": the device renders none of its differences");
     for (std::size_t i = 0; i < found->procedures.size(); ++i) {
-        auto procedure = psychophysics::makeProcedure(found->procedures[i], core::Random::mix(seed, "study.procedure " + std::to_string(i)));
+        auto procedure = psychophysics::makeProcedure(
+            found->procedures[i], core::Random::mix(seed, "study.procedure " + std::to_string(i)));
         if (!procedure)
-            return core::fail(procedure.error().code, "condition \"" + condition + "\": " + procedure.error().message);
-        if (const int told = (*procedure)->outcomes(); told != 2 && told != psychophysics::outcomes(found->task))
-            return core::fail(core::ErrorCode::badInput, "condition \"" + condition + "\": this procedure is of " + std::to_string(told) +
-                                                             " outcomes, the task has " + std::to_string(psychophysics::outcomes(found->task)));
+            return core::fail(procedure.error().code,
+                              "condition \"" + condition + "\": " + procedure.error().message);
+        if (const int told = (*procedure)->outcomes();
+            told != 2 && told != psychophysics::outcomes(found->task))
+            return core::fail(core::ErrorCode::badInput,
+                              "condition \"" + condition + "\": this procedure is of " +
+                                  std::to_string(told) + " outcomes, the task has " +
+                                  std::to_string(psychophysics::outcomes(found->task)));
         state->procedures.push_back(std::move(*procedure));
     }
     state->asked.assign(state->procedures.size(), 0);
     return StudyProgress(std::move(state));
 }
 
-core::Result<StudyProgress> StudyProgress::resume(const psychophysics::StudyDesign& design, const std::string& condition,
-                                                  std::uint64_t seed, const std::vector<database::StudyTrial>& trials, double limit) {
+core::Result<StudyProgress> StudyProgress::resume(const psychophysics::StudyDesign& design,
+                                                  const std::string& condition, std::uint64_t seed,
+                                                  const std::vector<database::StudyTrial>& trials,
+                                                  double limit) {
     auto progress = begin(design, condition, seed, limit);
     if (!progress)
         return progress;
@@ -87,21 +98,28 @@ core::Result<StudyProgress> StudyProgress::resume(const psychophysics::StudyDesi
     return progress;
 }
 
-bool StudyProgress::done() const { return m_state->allDone(); }
+bool StudyProgress::done() const {
+    return m_state->allDone();
+}
 
 bool StudyProgress::breakDue() const {
     const int every = m_state->rules.breakEvery;
     return every > 0 && !done() && m_state->scored / every > m_state->breaksTaken;
 }
 
-void StudyProgress::breakTaken() { ++m_state->breaksTaken; }
+void StudyProgress::breakTaken() {
+    ++m_state->breaksTaken;
+}
 
-StudyPresentation StudyProgress::next() const { return m_state->present(); }
+StudyPresentation StudyProgress::next() const {
+    return m_state->present();
+}
 
 int StudyProgress::presentable(double difference) const {
     const auto& table = m_state->condition.stimulus.differences;
     return *std::min_element(m_state->allowed.begin(), m_state->allowed.end(), [&](int a, int b) {
-        return std::abs(table[static_cast<std::size_t>(a)] - difference) < std::abs(table[static_cast<std::size_t>(b)] - difference);
+        return std::abs(table[static_cast<std::size_t>(a)] - difference) <
+               std::abs(table[static_cast<std::size_t>(b)] - difference);
     });
 }
 
@@ -112,7 +130,8 @@ core::Result<database::StudyTrial> StudyProgress::record(const StudyAnswer& answ
     const Task task = m_state->condition.task;
     if (answer.answer >= psychophysics::answers(task))
         return core::fail(core::ErrorCode::badInput, "answer " + std::to_string(answer.answer) + ": 0 to " +
-                                                         std::to_string(psychophysics::answers(task) - 1) + " is expected");
+                                                         std::to_string(psychophysics::answers(task) - 1) +
+                                                         " is expected");
     database::StudyTrial trial;
     trial.ordinal = shown.ordinal;
     trial.procedure = shown.procedure;
@@ -128,11 +147,15 @@ core::Result<database::StudyTrial> StudyProgress::record(const StudyAnswer& answ
     trial.exploration_s = answer.exploration_s;
     trial.answer_s = answer.answer_s;
     trial.practice = shown.practice;
-    trial.spoiled = !answer.spoiled.empty() ? answer.spoiled : answer.answer < 0 ? "time" : answer.fidelity.outside;
+    trial.spoiled = !answer.spoiled.empty() ? answer.spoiled
+                    : answer.answer < 0     ? "time"
+                                            : answer.fidelity.outside;
     trial.fidelityJson = fidelityJson(answer.fidelity);
     const bool counts = !trial.practice && trial.spoiled.empty();
     if (counts)
-        trial.outcome = psychophysics::correctAnswer(task, shown.arrangement) < 0 ? 1 : psychophysics::outcomeOf(task, shown.arrangement, answer.answer);
+        trial.outcome = psychophysics::correctAnswer(task, shown.arrangement) < 0
+                            ? 1
+                            : psychophysics::outcomeOf(task, shown.arrangement, answer.answer);
     CHIRON_TRY(m_state->apply(trial));
     return trial;
 }
@@ -151,7 +174,9 @@ std::vector<const psychophysics::Procedure*> StudyProgress::procedures() const {
     return out;
 }
 
-bool StudyProgress::needsExperimenter() const { return m_state->asksExperimenter && !m_state->stopped; }
+bool StudyProgress::needsExperimenter() const {
+    return m_state->asksExperimenter && !m_state->stopped;
+}
 
 void StudyProgress::experimenterSays(bool goOn) {
     m_state->asksExperimenter = false;
@@ -159,13 +184,21 @@ void StudyProgress::experimenterSays(bool goOn) {
     m_state->stopped = m_state->stopped || !goOn;
 }
 
-bool StudyProgress::gaveUp() const { return m_state->stopped; }
-int StudyProgress::scored() const { return m_state->scored; }
-int StudyProgress::spoiledTrials() const { return m_state->spoiled; }
+bool StudyProgress::gaveUp() const {
+    return m_state->stopped;
+}
+int StudyProgress::scored() const {
+    return m_state->scored;
+}
+int StudyProgress::spoiledTrials() const {
+    return m_state->spoiled;
+}
 
 int StudyProgress::toCome() const {
     const int of = m_state->present().ofAtMost;
-    return done() || of == 0 ? 0 : std::max(0, m_state->rules.practiceTrials - m_state->practised) + std::max(0, of - m_state->scored);
+    return done() || of == 0 ? 0
+                             : std::max(0, m_state->rules.practiceTrials - m_state->practised) +
+                                   std::max(0, of - m_state->scored);
 }
 
 std::string StudyProgress::procedureIds() const {
@@ -179,7 +212,8 @@ double StudyProgress::limitOf(const std::string& procedureIds) {
     const auto at = procedureIds.find(kLimitWord);
     double limit = kNoLimit;
     if (at != std::string::npos)
-        std::from_chars(procedureIds.data() + at + kLimitWord.size(), procedureIds.data() + procedureIds.size(), limit);
+        std::from_chars(procedureIds.data() + at + kLimitWord.size(),
+                        procedureIds.data() + procedureIds.size(), limit);
     return limit;
 }
 

@@ -17,15 +17,15 @@ namespace chiron::session {
 struct StudyPresentation {
     int candidate = 0;
     int arrangement = 0;
-    double difference = 0.0;         ///< D
-    std::vector<double> values;      ///< at each place, SI
+    double difference = 0.0;    ///< D
+    std::vector<double> values; ///< at each place, SI
     int procedure = 0;
     double entropyMargin = 0.0;
     bool practice = false;
-    int trial = 0;                   ///< scored trials before it in this run
-    int ordinal = 0;                 ///< all presentations before it
-    int ofAtMost = 0;                ///< 0: not known
-    int repeat = 0;                  ///< number of times it was already spoiled
+    int trial = 0;    ///< scored trials before it in this run
+    int ordinal = 0;  ///< all presentations before it
+    int ofAtMost = 0; ///< 0: not known
+    int repeat = 0;   ///< number of times it was already spoiled
 };
 
 /// The participant's answer to a presentation.
@@ -53,17 +53,20 @@ public:
     /// Begins a run. `limit`: only candidates |D| up to it are presented, because the device renders no
     /// larger ones (study_limits.h).
     /// Errors: badInput (a procedure that cannot be made).
-    static core::Result<StudyProgress> begin(const psychophysics::StudyDesign& design, const std::string& condition, std::uint64_t seed,
+    static core::Result<StudyProgress> begin(const psychophysics::StudyDesign& design,
+                                             const std::string& condition, std::uint64_t seed,
                                              double limit = kNoLimit);
-    static core::Result<StudyProgress> resume(const psychophysics::StudyDesign& design, const std::string& condition, std::uint64_t seed,
-                                              const std::vector<database::StudyTrial>& trials, double limit = kNoLimit);
+    static core::Result<StudyProgress> resume(const psychophysics::StudyDesign& design,
+                                              const std::string& condition, std::uint64_t seed,
+                                              const std::vector<database::StudyTrial>& trials,
+                                              double limit = kNoLimit);
     static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
     StudyProgress(StudyProgress&&) noexcept;
     StudyProgress& operator=(StudyProgress&&) noexcept;
     ~StudyProgress();
 
     bool done() const;
-    bool breakDue() const;        ///< until breakTaken()
+    bool breakDue() const; ///< until breakTaken()
     void breakTaken();
     StudyPresentation next() const;
     /// The candidate nearest to D among those that the device renders: the position to which a dial can be
@@ -88,7 +91,8 @@ public:
     static double limitOf(const std::string& procedureIds); ///< kNoLimit if there is none
 
 private:
-    friend core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& design, const database::StudyRun& run,
+    friend core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& design,
+                                                      const database::StudyRun& run,
                                                       const std::vector<database::StudyTrial>& trials);
     struct State;
     explicit StudyProgress(std::unique_ptr<State> state);
@@ -103,7 +107,8 @@ struct ReplayedChoices {
     int firstDifference = -1;   ///< ordinal; -1: none
     bool sameProcedures = true; ///< the versions are the stored ones
 };
-core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& design, const database::StudyRun& run,
+core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& design,
+                                           const database::StudyRun& run,
                                            const std::vector<database::StudyTrial>& trials);
 
 } // namespace chiron::session

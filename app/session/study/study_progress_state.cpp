@@ -16,7 +16,8 @@ double StudyProgress::State::scaled(double difference) const {
 }
 
 bool StudyProgress::State::allDone() const {
-    return stopped || std::all_of(procedures.begin(), procedures.end(), [](const auto& procedure) { return procedure->done(); });
+    return stopped || std::all_of(procedures.begin(), procedures.end(),
+                                  [](const auto& procedure) { return procedure->done(); });
 }
 
 /// Picks at random among the unfinished procedures, depending on the presentation's number, so that a resumed
@@ -39,7 +40,8 @@ int StudyProgress::State::candidateFor(double x) const {
     int best = allowed.front();
     double nearest = std::numeric_limits<double>::infinity();
     for (const int candidate : allowed) {
-        const double away = std::abs(scaled(condition.stimulus.differences[static_cast<std::size_t>(candidate)]) - x);
+        const double away =
+            std::abs(scaled(condition.stimulus.differences[static_cast<std::size_t>(candidate)]) - x);
         if (away < nearest) {
             nearest = away;
             best = candidate;
@@ -68,16 +70,20 @@ StudyPresentation StudyProgress::State::present() const {
         next.candidate = candidateFor(choice.stimulus.empty() ? 0.0 : choice.stimulus.front());
         next.entropyMargin = choice.entropyMargin;
     }
-    next.arrangement = balancedArrangement(condition.task, seed, {next.procedure, asked[static_cast<std::size_t>(next.procedure)], ordinal, repeat, next.practice});
+    next.arrangement = balancedArrangement(
+        condition.task, seed,
+        {next.procedure, asked[static_cast<std::size_t>(next.procedure)], ordinal, repeat, next.practice});
     next.difference = condition.stimulus.differences[static_cast<std::size_t>(next.candidate)];
-    for (const int multiple : psychophysics::arrangements(condition.task)[static_cast<std::size_t>(next.arrangement)])
+    for (const int multiple :
+         psychophysics::arrangements(condition.task)[static_cast<std::size_t>(next.arrangement)])
         next.values.push_back(condition.stimulus.reference * std::pow(10.0, multiple * next.difference));
     next.ofAtMost = trialsAtMost(condition);
     return next;
 }
 
 void StudyProgress::State::believe(const database::StudyTrial& trial) {
-    if (trial.practice || practised >= rules.practiceTrials || practised + practiceUnanswered < rules.practiceTrials)
+    if (trial.practice || practised >= rules.practiceTrials ||
+        practised + practiceUnanswered < rules.practiceTrials)
         return;
     practised = rules.practiceTrials;
     repeat = 0;
@@ -85,9 +91,11 @@ void StudyProgress::State::believe(const database::StudyTrial& trial) {
 
 /// Processes a trial as it was logged, in the same way live, on resuming and on re-running.
 core::Result<void> StudyProgress::State::apply(const database::StudyTrial& trial) {
-    if (trial.candidate < 0 || static_cast<std::size_t>(trial.candidate) >= condition.stimulus.differences.size() || trial.procedure < 0 ||
-        static_cast<std::size_t>(trial.procedure) >= procedures.size())
-        return core::fail(core::ErrorCode::badInput, "trial " + std::to_string(trial.ordinal) + ": candidate or procedure is not of this condition");
+    if (trial.candidate < 0 ||
+        static_cast<std::size_t>(trial.candidate) >= condition.stimulus.differences.size() ||
+        trial.procedure < 0 || static_cast<std::size_t>(trial.procedure) >= procedures.size())
+        return core::fail(core::ErrorCode::badInput, "trial " + std::to_string(trial.ordinal) +
+                                                         ": candidate or procedure is not of this condition");
     auto& procedure = *procedures[static_cast<std::size_t>(trial.procedure)];
     believe(trial);
     if (trial.practice && trial.answer < 0) {
@@ -120,10 +128,12 @@ core::Result<void> StudyProgress::State::apply(const database::StudyTrial& trial
     return {};
 }
 
-core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& design, const database::StudyRun& run,
+core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& design,
+                                           const database::StudyRun& run,
                                            const std::vector<database::StudyTrial>& trials) {
     constexpr double kTie = 1e-9; // nats (psychophysics.md §6)
-    auto progress = StudyProgress::begin(design, run.condition, run.seed, StudyProgress::limitOf(run.procedures));
+    auto progress =
+        StudyProgress::begin(design, run.condition, run.seed, StudyProgress::limitOf(run.procedures));
     CHIRON_TRY(progress);
     ReplayedChoices replayed;
     replayed.sameProcedures = progress->procedureIds() == run.procedures;
@@ -133,7 +143,8 @@ core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& des
         progress->m_state->believe(trial);
         const StudyPresentation shown = progress->next();
         ++replayed.trials;
-        const bool sameOtherwise = shown.arrangement == trial.arrangement && shown.procedure == trial.procedure && shown.practice == trial.practice;
+        const bool sameOtherwise = shown.arrangement == trial.arrangement &&
+                                   shown.procedure == trial.procedure && shown.practice == trial.practice;
         if (sameOtherwise && shown.candidate == trial.candidate)
             ++replayed.same;
         // Only the candidate is chosen by entropy.

@@ -28,7 +28,7 @@ struct StudyProgress::State {
     /// Practice trials that ended without an answer (time was up, stopped): they do not count as practice and
     /// are repeated.
     int practiceUnanswered = 0;
-    int repeat = 0;        ///< number of times that the current trial was spoiled
+    int repeat = 0;         ///< number of times that the current trial was spoiled
     int sameProcedure = -1; ///< after a spoiled trial, its procedure continues
     int breaksTaken = 0;
     bool asksExperimenter = false;

@@ -48,8 +48,10 @@ struct Sitting {
     }
 };
 
-core::Result<database::SessionId> runRecorded(Sitting& sitting, const OpenedStudy& study, std::uint64_t seed) {
-    auto level = studyLevel(study.design, sitting.condition, sitting.request.control, sessionLabel(study, sitting.sealedCode));
+core::Result<database::SessionId> runRecorded(Sitting& sitting, const OpenedStudy& study,
+                                              std::uint64_t seed) {
+    auto level = studyLevel(study.design, sitting.condition, sitting.request.control,
+                            sessionLabel(study, sitting.sealedCode));
     CHIRON_TRY(level);
     auto participant = participantStation(*level, core::Random::mix(seed, "participant"));
     CHIRON_TRY(participant);
@@ -61,8 +63,7 @@ core::Result<database::SessionId> runRecorded(Sitting& sitting, const OpenedStud
                                 trial.session = session.load();
                                 return sitting.store(std::move(trial));
                             },
-                            [&] { return sitting.interrupted(); },
-                            study.design.trial.exploreLimit_s});
+                            [&] { return sitting.interrupted(); }, study.design.trial.exploreLimit_s});
     TrainingRequest request;
     request.level = *level;
     request.seed = seed;
@@ -80,17 +81,24 @@ core::Result<database::SessionId> runRecorded(Sitting& sitting, const OpenedStud
 
 /// Runs sessions of the exercise whose marks are asked for until the run is done: a further session repeats
 /// spoiled trials, and no session holds more trials than the exercise allows. Returns the last session.
-core::Result<database::SessionId> runMarks(const MarkSessions& marks, Sitting& sitting, const OpenedStudy& study) {
+core::Result<database::SessionId> runMarks(const MarkSessions& marks, Sitting& sitting,
+                                           const OpenedStudy& study) {
     database::SessionId last = 0;
     while (!sitting.progress.done() && !sitting.interrupted()) {
         const int before = sitting.presented;
         const int wanted = std::clamp(sitting.progress.toCome(), 1, marks.trialsAtMost());
-        const int most = sitting.request.trialsAtMost > 0 ? sitting.request.trialsAtMost - sitting.presented : wanted;
-        const std::uint64_t seed = core::Random::mix(sitting.runSeed, "sitting " + std::to_string(sitting.before + sitting.presented)) >> 1;
-        auto session = marks.run(sitting.database, sitting.actor,
-                                 {study, sitting.condition, sitting.progress, sitting.run, sitting.sealedCode, sitting.request.observer.trainee, seed,
-                                  std::min(wanted, most), sitting.request.ringFolder, sitting.request.cancel,
-                                  [&](database::StudyTrial trial) { return sitting.store(std::move(trial)); }});
+        const int most =
+            sitting.request.trialsAtMost > 0 ? sitting.request.trialsAtMost - sitting.presented : wanted;
+        const std::uint64_t seed =
+            core::Random::mix(sitting.runSeed,
+                              "sitting " + std::to_string(sitting.before + sitting.presented)) >>
+            1;
+        auto session =
+            marks.run(sitting.database, sitting.actor,
+                      {study, sitting.condition, sitting.progress, sitting.run, sitting.sealedCode,
+                       sitting.request.observer.trainee, seed, std::min(wanted, most),
+                       sitting.request.ringFolder, sitting.request.cancel,
+                       [&](database::StudyTrial trial) { return sitting.store(std::move(trial)); }});
         if (!session)
             return session;
         last = *session;
@@ -124,9 +132,10 @@ void runQuick(Sitting& sitting) {
         if (sitting.progress.breakDue())
             sitting.progress.breakTaken();
         const StudyPresentation shown = sitting.progress.next();
-        const StudyAnswer answer = looksForApex(sitting.condition)
-                                       ? plannedMark(sitting.condition.stimulus.reference, sitting.runSeed, shown.ordinal)
-                                       : toldAnswer(sitting, shown);
+        const StudyAnswer answer =
+            looksForApex(sitting.condition)
+                ? plannedMark(sitting.condition.stimulus.reference, sitting.runSeed, shown.ordinal)
+                : toldAnswer(sitting, shown);
         auto trial = sitting.progress.record(answer);
         if (!trial) {
             sitting.stored = tl::unexpected(trial.error());
@@ -146,15 +155,21 @@ struct BegunRun {
 };
 
 /// A run must be either rendered or quick from its first trial to its last.
-core::Result<void> sameKind(const database::StudyRun& run, const std::vector<database::StudyTrial>& trials, bool quick) {
-    const bool mixed = std::any_of(trials.begin(), trials.end(), [&](const auto& trial) { return (trial.session == 0) != quick; });
-    return mixed ? core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run.id) + " was begun " +
-                                                             (quick ? "through the rendering" : "without a rendering") + ": it goes on like that")
+core::Result<void> sameKind(const database::StudyRun& run, const std::vector<database::StudyTrial>& trials,
+                            bool quick) {
+    const bool mixed = std::any_of(trials.begin(), trials.end(),
+                                   [&](const auto& trial) { return (trial.session == 0) != quick; });
+    return mixed ? core::fail(core::ErrorCode::wrongUse,
+                              "run " + std::to_string(run.id) + " was begun " +
+                                  (quick ? "through the rendering" : "without a rendering") +
+                                  ": it goes on like that")
                  : core::Result<void>();
 }
 
-core::Result<BegunRun> beginOrResume(database::Database& database, const database::Actor& actor, const OpenedStudy& study, const std::string& label,
-                                     database::ConductedRun conducted, const StudyRunRequest& request, double limit) {
+core::Result<BegunRun> beginOrResume(database::Database& database, const database::Actor& actor,
+                                     const OpenedStudy& study, const std::string& label,
+                                     database::ConductedRun conducted, const StudyRunRequest& request,
+                                     double limit) {
     const std::uint64_t seed = seedOf(study, label, request);
     if (const auto& open = conducted.open) {
         auto alike = sameKind(*open, conducted.trials, request.quick);
@@ -163,11 +178,12 @@ core::Result<BegunRun> beginOrResume(database::Database& database, const databas
         if (alike)
             alike = sameTable(*open, limit);
         CHIRON_TRY(alike);
-        auto progress =
-            StudyProgress::resume(study.design, conducted.condition, open->seed, conducted.trials, StudyProgress::limitOf(open->procedures));
+        auto progress = StudyProgress::resume(study.design, conducted.condition, open->seed, conducted.trials,
+                                              StudyProgress::limitOf(open->procedures));
         CHIRON_TRY(progress);
         CHIRON_TRY(sameVersions(*open, progress->procedureIds()));
-        return BegunRun{open->id, open->sealedCode, open->seed, std::move(conducted.trials), std::move(*progress)};
+        return BegunRun{open->id, open->sealedCode, open->seed, std::move(conducted.trials),
+                        std::move(*progress)};
     }
     auto progress = StudyProgress::begin(study.design, conducted.condition, seed, limit);
     CHIRON_TRY(progress);
@@ -176,8 +192,9 @@ core::Result<BegunRun> beginOrResume(database::Database& database, const databas
     return BegunRun{*begun, conducted.sealedCode, seed, {}, std::move(*progress)};
 }
 
-core::Result<StudyRunSummary> runConducted(database::Database& database, const database::Actor& actor, const StudyRunRequest& request,
-                                           const OpenedStudy& study, const std::string& label, const database::ConductedRun& conducted,
+core::Result<StudyRunSummary> runConducted(database::Database& database, const database::Actor& actor,
+                                           const StudyRunRequest& request, const OpenedStudy& study,
+                                           const std::string& label, const database::ConductedRun& conducted,
                                            const RenderingLimits& limits) {
     const psychophysics::Condition* found = conditionOf(study.design, conducted.condition);
     if (!found)
@@ -189,9 +206,18 @@ core::Result<StudyRunSummary> runConducted(database::Database& database, const d
     // Each resumption has its own random streams, so that it does not repeat numbers that an earlier part of
     // the run has drawn.
     const std::uint64_t seed = core::Random::mix(run->seed, "sitting " + std::to_string(run->trials.size()));
-    Sitting sitting{database, actor, request, *found, run->progress,
-                    psychophysics::SimulatedObserver(request.observer, core::Random::mix(seed, "observer")), run->number, run->sealedCode, run->seed,
-                    static_cast<int>(run->trials.size()), 0, {}};
+    Sitting sitting{database,
+                    actor,
+                    request,
+                    *found,
+                    run->progress,
+                    psychophysics::SimulatedObserver(request.observer, core::Random::mix(seed, "observer")),
+                    run->number,
+                    run->sealedCode,
+                    run->seed,
+                    static_cast<int>(run->trials.size()),
+                    0,
+                    {}};
     StudyRunSummary summary;
     summary.condition = label;
     summary.run = run->number;
@@ -214,8 +240,9 @@ core::Result<StudyRunSummary> runConducted(database::Database& database, const d
     return summary;
 }
 
-core::Result<StudyRunSummary> runCondition(database::Database& database, const database::Actor& actor, const StudyRunRequest& request,
-                                           const OpenedStudy& study, const std::string& label, const RenderingLimits& limits) {
+core::Result<StudyRunSummary> runCondition(database::Database& database, const database::Actor& actor,
+                                           const StudyRunRequest& request, const OpenedStudy& study,
+                                           const std::string& label, const RenderingLimits& limits) {
     const auto conducted = conduct(database, actor, study, label);
     CHIRON_TRY(conducted);
     const auto open = unmasked(study, *conducted);
@@ -228,13 +255,15 @@ core::Result<StudyRunSummary> runCondition(database::Database& database, const d
 core::Result<void> mayBeSimulated(const OpenedStudy& study, const StudyRunRequest& request) {
     const database::Participant& participant = study.participant;
     if (!participant.simulated)
-        return core::fail(core::ErrorCode::wrongUse, "participant " + participant.code + " is a person: expected a simulated participant");
+        return core::fail(core::ErrorCode::wrongUse, "participant " + participant.code +
+                                                         " is a person: expected a simulated participant");
     if (participant.observer.empty())
         return {};
     const auto enrolled = psychophysics::parseObserver(participant.observer);
     CHIRON_TRY(enrolled);
     if (psychophysics::observerText(*enrolled) != psychophysics::observerText(request.observer))
-        return core::fail(core::ErrorCode::wrongUse, "participant " + participant.code + " was enrolled as " + participant.observer + ", not as " +
+        return core::fail(core::ErrorCode::wrongUse, "participant " + participant.code + " was enrolled as " +
+                                                         participant.observer + ", not as " +
                                                          psychophysics::observerText(request.observer));
     return {};
 }

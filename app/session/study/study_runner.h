@@ -2,10 +2,10 @@
 #pragma once
 
 #include "database/database.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "psychophysics/observers/observer_spec.h"
 #include "session/study/study_limits.h"
 #include "session/study/study_progress.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <atomic>
 #include <filesystem>
@@ -21,18 +21,19 @@ struct StudyRunRequest {
     database::StudyNumber study = 0;
     std::string participantCode;
     psychophysics::ObserverSpec observer;
-    std::uint64_t seed = 1;   ///< of participant and runs; a resumed run keeps its stored seed
-    bool seedGiven = false;   ///< the seed was given explicitly: a run that began with another one is then
-                              ///< refused
-    bool quick = false;       ///< no rendering: the observer receives the values directly; trials have no
-                              ///< session
+    std::uint64_t seed = 1; ///< of participant and runs; a resumed run keeps its stored seed
+    bool seedGiven = false; ///< the seed was given explicitly: a run that began with another one is then
+                            ///< refused
+    bool quick = false;     ///< no rendering: the observer receives the values directly; trials have no
+                            ///< session
     /// Id, or sealed code while blinded; empty: all conditions that are not completed, in the participant's
     /// order.
     std::string condition;
     /// > 0: stops after this number of presentations of a run, like an interruption; another call resumes it.
     int trialsAtMost = 0;
     std::filesystem::path ringFolder; ///< empty: the default
-    simulation::ComparisonControl control = simulation::ComparisonControl::none; ///< deliberate faults (psychophysics.md §6)
+    simulation::ComparisonControl control =
+        simulation::ComparisonControl::none; ///< deliberate faults (psychophysics.md §6)
     const std::atomic<bool>* cancel = nullptr;
     std::function<void(int scored, int of)> progress; ///< after each trial; may be empty; any thread
 };
@@ -41,7 +42,7 @@ struct StudyRunSummary {
     std::string condition; ///< id, or sealed code while blinded
     database::StudyRunNumber run = 0;
     database::SessionId session = 0; ///< the latest session of the run; 0: quick
-    int scored = 0;     ///< of the whole run
+    int scored = 0;                  ///< of the whole run
     int spoiled = 0;
     bool completed = false;
     std::vector<psychophysics::ProcedureEstimate> estimates;
@@ -61,6 +62,7 @@ struct StudyRunReport {
 /// Errors: notFound; notAllowed; wrongUse (not frozen; a person's code; another observer than the one
 ///   enrolled; an explicit seed other than the one with which a run began; resuming a quick run with
 ///   rendering, or the reverse); badInput; storage.
-core::Result<StudyRunReport> runStudyHeadless(database::Database& database, const database::Actor& actor, const StudyRunRequest& request);
+core::Result<StudyRunReport> runStudyHeadless(database::Database& database, const database::Actor& actor,
+                                              const StudyRunRequest& request);
 
 } // namespace chiron::session

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/study_setup.h"
 
-#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 #include "core/random.h"
+#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 #include "modules/exercises/comparison/operators/comparison_explorer.h"
 #include "session/exercise_kind.h"
 
@@ -10,8 +10,10 @@
 
 namespace chiron::session {
 
-core::Result<catalogue::ExerciseLevel> studyLevel(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
-                                                  simulation::ComparisonControl control, const std::string& sealedCode) {
+core::Result<catalogue::ExerciseLevel> studyLevel(const psychophysics::StudyDesign& design,
+                                                  const psychophysics::Condition& condition,
+                                                  simulation::ComparisonControl control,
+                                                  const std::string& sealedCode) {
     auto parameters = catalogue::comparisonOf(condition, design.trial);
     CHIRON_TRY(parameters);
     parameters->control = control;
@@ -19,11 +21,13 @@ core::Result<catalogue::ExerciseLevel> studyLevel(const psychophysics::StudyDesi
 }
 
 const psychophysics::Condition* conditionOf(const psychophysics::StudyDesign& design, const std::string& id) {
-    const auto found = std::find_if(design.conditions.begin(), design.conditions.end(), [&](const auto& c) { return c.id == id; });
+    const auto found = std::find_if(design.conditions.begin(), design.conditions.end(),
+                                    [&](const auto& c) { return c.id == id; });
     return found == design.conditions.end() ? nullptr : &*found;
 }
 
-core::Result<ParticipantStation> participantStation(const catalogue::ExerciseLevel& level, std::uint64_t seed) {
+core::Result<ParticipantStation> participantStation(const catalogue::ExerciseLevel& level,
+                                                    std::uint64_t seed) {
     const auto& parameters = level.parameters.as<simulation::ComparisonParameters>();
     auto explorer = operators::makeComparisonExplorer(operators::comparisonBriefing(parameters));
     CHIRON_TRY(explorer);

@@ -4,9 +4,9 @@
 #include "catalogue/exercise.h"
 #include "core/result.h"
 #include "modules/exercises/comparison/operators/participant_mind.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "psychophysics/study/study_design.h"
 #include "session/station.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <cstdint>
 #include <string>
@@ -17,9 +17,10 @@ namespace chiron::session {
 /// (psychophysics.md §6). `sealedCode`: the name of the condition in the session's title and in the level's
 /// id; empty: its own id.
 /// Errors: badInput.
-core::Result<catalogue::ExerciseLevel> studyLevel(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
-                                                  simulation::ComparisonControl control = simulation::ComparisonControl::none,
-                                                  const std::string& sealedCode = {});
+core::Result<catalogue::ExerciseLevel>
+studyLevel(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
+           simulation::ComparisonControl control = simulation::ComparisonControl::none,
+           const std::string& sealedCode = {});
 
 /// The condition with this id; null if there is none.
 const psychophysics::Condition* conditionOf(const psychophysics::StudyDesign& design, const std::string& id);
@@ -30,6 +31,7 @@ struct ParticipantStation {
     operators::IParticipantMind* mind = nullptr; ///< decision model of the participant on the station's
                                                  ///< device
 };
-core::Result<ParticipantStation> participantStation(const catalogue::ExerciseLevel& level, std::uint64_t seed);
+core::Result<ParticipantStation> participantStation(const catalogue::ExerciseLevel& level,
+                                                    std::uint64_t seed);
 
 } // namespace chiron::session

@@ -15,14 +15,15 @@ namespace chiron::session {
 namespace {
 
 bool hasRun(const OpenedStudy& study, const std::string& label, database::StudyRunState state) {
-    return std::any_of(study.runs.begin(), study.runs.end(),
-                       [&](const database::StudyRun& run) { return labelOf(run) == label && run.state == state; });
+    return std::any_of(study.runs.begin(), study.runs.end(), [&](const database::StudyRun& run) {
+        return labelOf(run) == label && run.state == state;
+    });
 }
 
 } // namespace
 
-core::Result<OpenedStudy> openStudy(database::Database& database, const database::Actor& actor, database::StudyNumber number,
-                                    const std::string& participantCode) {
+core::Result<OpenedStudy> openStudy(database::Database& database, const database::Actor& actor,
+                                    database::StudyNumber number, const std::string& participantCode) {
     auto connection = database.openReader();
     CHIRON_TRY(connection);
     database::StudyReader reader(**connection, actor);
@@ -31,8 +32,11 @@ core::Result<OpenedStudy> openStudy(database::Database& database, const database
     CHIRON_TRY(record);
     study.record = std::move(*record);
     if (study.record.summary.state == database::StudyState::draft)
-        return core::fail(core::ErrorCode::wrongUse, "study " + std::to_string(number) + " is a draft: it is frozen before anybody takes part");
-    auto design = catalogue::readStudy(QByteArray::fromStdString(study.record.designJson), "study " + std::to_string(number));
+        return core::fail(core::ErrorCode::wrongUse,
+                          "study " + std::to_string(number) +
+                              " is a draft: it is frozen before anybody takes part");
+    auto design = catalogue::readStudy(QByteArray::fromStdString(study.record.designJson),
+                                       "study " + std::to_string(number));
     CHIRON_TRY(design);
     study.design = std::move(*design);
     auto participant = reader.participantByCode(number, participantCode);
@@ -48,16 +52,24 @@ core::Result<OpenedStudy> openStudy(database::Database& database, const database
 }
 
 bool OpenedStudy::firstPart(const std::string& label) const {
-    return std::none_of(order.begin(), order.end(), [&](const std::string& other) { return other != label && hasRun(*this, other, database::StudyRunState::completed); });
+    return std::none_of(order.begin(), order.end(), [&](const std::string& other) {
+        return other != label && hasRun(*this, other, database::StudyRunState::completed);
+    });
 }
 
-std::string labelOf(const database::SealedCondition& condition) { return condition.condition.empty() ? condition.sealedCode : condition.condition; }
+std::string labelOf(const database::SealedCondition& condition) {
+    return condition.condition.empty() ? condition.sealedCode : condition.condition;
+}
 
-std::string labelOf(const database::StudyRun& run) { return run.condition.empty() ? run.sealedCode : run.condition; }
+std::string labelOf(const database::StudyRun& run) {
+    return run.condition.empty() ? run.sealedCode : run.condition;
+}
 
-std::vector<std::string> labelsInOrder(const psychophysics::StudyDesign& design, const std::vector<database::SealedCondition>& conditions, int row) {
+std::vector<std::string> labelsInOrder(const psychophysics::StudyDesign& design,
+                                       const std::vector<database::SealedCondition>& conditions, int row) {
     std::vector<std::string> labels;
-    for (const int index : psychophysics::orderFor(design.order, static_cast<int>(conditions.size()), row, design.seed))
+    for (const int index :
+         psychophysics::orderFor(design.order, static_cast<int>(conditions.size()), row, design.seed))
         labels.push_back(labelOf(conditions[static_cast<std::size_t>(index)]));
     return labels;
 }
@@ -76,20 +88,25 @@ std::string sessionLabel(const OpenedStudy& study, const std::string& sealedCode
 
 core::Result<void> sameTable(const database::StudyRun& run, double limit) {
     if (limit < StudyProgress::limitOf(run.procedures))
-        return core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run.id) +
-                                                         " was begun on a device that renders larger differences: it goes on with such a one alone");
+        return core::fail(
+            core::ErrorCode::wrongUse,
+            "run " + std::to_string(run.id) +
+                " was begun on a device that renders larger differences: it goes on with such a one alone");
     return {};
 }
 
 core::Result<void> sameVersions(const database::StudyRun& run, const std::string& now) {
     if (run.procedures != now) // unnamed in the message, because procedures can reveal the condition
-        return core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run.id) + " was begun with another version of its procedures than this program has: no version continues "
-                                                         "another one's run; expected another participant for this condition");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "run " + std::to_string(run.id) +
+                              " was begun with another version of its procedures than this program has: no "
+                              "version continues "
+                              "another one's run; expected another participant for this condition");
     return {};
 }
 
-core::Result<database::ConductedRun> conduct(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
-                                             const std::string& label) {
+core::Result<database::ConductedRun> conduct(database::Database& database, const database::Actor& actor,
+                                             const OpenedStudy& study, const std::string& label) {
     return database.write([&](database::WriteContext& context) {
         return database::StudyRepository(context.connection(), actor).conductRun(study.participant.id, label);
     });
@@ -98,7 +115,8 @@ core::Result<database::ConductedRun> conduct(database::Database& database, const
 core::Result<OpenedStudy> unmasked(OpenedStudy study, const database::ConductedRun& run) {
     if (!study.record.masked)
         return study;
-    auto design = catalogue::readStudy(QByteArray::fromStdString(run.designJson), "study " + study.record.summary.key);
+    auto design =
+        catalogue::readStudy(QByteArray::fromStdString(run.designJson), "study " + study.record.summary.key);
     CHIRON_TRY(design);
     study.design = std::move(*design);
     return study;
@@ -106,32 +124,40 @@ core::Result<OpenedStudy> unmasked(OpenedStudy study, const database::ConductedR
 
 core::Error sealedError(const OpenedStudy& study, const database::ConductedRun& run, core::Error error) {
     const std::string& name = run.condition;
-    for (std::size_t at = 0; study.blind() && !name.empty() && (at = error.message.find(name, at)) != std::string::npos; at += run.sealedCode.size())
+    for (std::size_t at = 0;
+         study.blind() && !name.empty() && (at = error.message.find(name, at)) != std::string::npos;
+         at += run.sealedCode.size())
         error.message.replace(at, name.size(), run.sealedCode);
     return error;
 }
 
-core::Result<database::StudyRunNumber> beginRun(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
-                                                const std::string& label, std::uint64_t seed, const std::string& procedures) {
+core::Result<database::StudyRunNumber> beginRun(database::Database& database, const database::Actor& actor,
+                                                const OpenedStudy& study, const std::string& label,
+                                                std::uint64_t seed, const std::string& procedures) {
     database::NewStudyRun run;
     run.participant = study.participant.id;
     run.condition = label;
-    run.position = static_cast<int>(std::find(study.order.begin(), study.order.end(), label) - study.order.begin());
+    run.position =
+        static_cast<int>(std::find(study.order.begin(), study.order.end(), label) - study.order.begin());
     run.seed = seed;
     run.procedures = procedures;
-    return database.write(
-        [&](database::WriteContext& context) { return database::StudyRepository(context.connection(), actor).beginRun(run); });
+    return database.write([&](database::WriteContext& context) {
+        return database::StudyRepository(context.connection(), actor).beginRun(run);
+    });
 }
 
-core::Result<void> storeTrial(database::Database& database, const database::Actor& actor, const database::StudyTrial& trial) {
-    return database.write(
-        [&](database::WriteContext& context) { return database::StudyRepository(context.connection(), actor).storeStudyTrial(trial); });
+core::Result<void> storeTrial(database::Database& database, const database::Actor& actor,
+                              const database::StudyTrial& trial) {
+    return database.write([&](database::WriteContext& context) {
+        return database::StudyRepository(context.connection(), actor).storeStudyTrial(trial);
+    });
 }
 
-core::Result<void> finishRun(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
-                             database::StudyRunNumber run) {
+core::Result<void> finishRun(database::Database& database, const database::Actor& actor,
+                             const OpenedStudy& study, database::StudyRunNumber run) {
     auto ended = database.write([&](database::WriteContext& context) {
-        return database::StudyRepository(context.connection(), actor).finishRun(run, database::StudyRunState::completed);
+        return database::StudyRepository(context.connection(), actor)
+            .finishRun(run, database::StudyRunState::completed);
     });
     if (!ended)
         return ended;
@@ -139,7 +165,8 @@ core::Result<void> finishRun(database::Database& database, const database::Actor
     if (!now || !openConditions(*now).empty())
         return now ? core::Result<void>() : tl::unexpected(now.error());
     return database.write([&](database::WriteContext& context) {
-        return database::StudyRepository(context.connection(), actor).completeParticipant(study.participant.id);
+        return database::StudyRepository(context.connection(), actor)
+            .completeParticipant(study.participant.id);
     });
 }
 

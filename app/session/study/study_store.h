@@ -28,14 +28,15 @@ struct OpenedStudy {
 
 /// Opens a study for a participant.
 /// Errors: notFound, notAllowed, wrongUse (a draft), badInput.
-core::Result<OpenedStudy> openStudy(database::Database& database, const database::Actor& actor, database::StudyNumber study,
-                                    const std::string& participantCode);
+core::Result<OpenedStudy> openStudy(database::Database& database, const database::Actor& actor,
+                                    database::StudyNumber study, const std::string& participantCode);
 /// The label of a condition, or of the condition of a run.
 std::string labelOf(const database::SealedCondition& condition);
 std::string labelOf(const database::StudyRun& run);
 /// Labels in the order in which a participant with this row does the conditions. `conditions`:
 /// StudyReader::conditionCodes.
-std::vector<std::string> labelsInOrder(const psychophysics::StudyDesign& design, const std::vector<database::SealedCondition>& conditions, int row);
+std::vector<std::string> labelsInOrder(const psychophysics::StudyDesign& design,
+                                       const std::vector<database::SealedCondition>& conditions, int row);
 /// The conditions still to be done, in order.
 std::vector<std::string> openConditions(const OpenedStudy& study);
 /// The name of a run's condition in a session: its sealed code while the experimenter is blind, else empty
@@ -52,20 +53,22 @@ core::Result<void> sameVersions(const database::StudyRun& run, const std::string
 
 /// The condition with this label and its open run, which are needed to render and to resume.
 /// Errors: those of the repository.
-core::Result<database::ConductedRun> conduct(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
-                                             const std::string& label);
+core::Result<database::ConductedRun> conduct(database::Database& database, const database::Actor& actor,
+                                             const OpenedStudy& study, const std::string& label);
 /// The study with its unmasked design, for whoever conducts a run of it.
 /// Errors: badInput.
 core::Result<OpenedStudy> unmasked(OpenedStudy study, const database::ConductedRun& run);
 /// The error of a run, with its sealed code in place of its condition while the study is blinded.
 core::Error sealedError(const OpenedStudy& study, const database::ConductedRun& run, core::Error error);
 /// Begins a run of a condition. `procedures`: StudyProgress::procedureIds().
-core::Result<database::StudyRunNumber> beginRun(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
-                                                const std::string& label, std::uint64_t seed, const std::string& procedures);
-core::Result<void> storeTrial(database::Database& database, const database::Actor& actor, const database::StudyTrial& trial);
+core::Result<database::StudyRunNumber> beginRun(database::Database& database, const database::Actor& actor,
+                                                const OpenedStudy& study, const std::string& label,
+                                                std::uint64_t seed, const std::string& procedures);
+core::Result<void> storeTrial(database::Database& database, const database::Actor& actor,
+                              const database::StudyTrial& trial);
 /// Ends the run; with the last condition, also ends the participant's part.
-core::Result<void> finishRun(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
-                             database::StudyRunNumber run);
+core::Result<void> finishRun(database::Database& database, const database::Actor& actor,
+                             const OpenedStudy& study, database::StudyRunNumber run);
 /// The seed of a new run, derived from the study's seed, the participant's code and the condition's label, so
 /// that it is known in advance and does not reveal a blinded condition.
 std::uint64_t runSeed(const OpenedStudy& study, const std::string& label);

@@ -30,13 +30,17 @@ public:
 
     std::uint64_t first() const noexcept { return m_first; }
     std::uint64_t last() const noexcept { return m_last; }
-    double exploration_s() const noexcept { return seconds(m_last - m_first, m_paused); }              ///< since the trial began
+    double exploration_s() const noexcept {
+        return seconds(m_last - m_first, m_paused);
+    } ///< since the trial began
     /// Since the last contact, or since the trial began if there was none.
     double sinceContact_s() const noexcept { return seconds(m_last - m_lastContact, m_pausedSinceContact); }
     double paused_s() const noexcept { return static_cast<double>(m_paused) * core::kTickSeconds; }
 
 private:
-    static double seconds(std::uint64_t ticks, std::uint64_t paused) noexcept { return static_cast<double>(ticks - std::min(ticks, paused)) * core::kTickSeconds; }
+    static double seconds(std::uint64_t ticks, std::uint64_t paused) noexcept {
+        return static_cast<double>(ticks - std::min(ticks, paused)) * core::kTickSeconds;
+    }
 
     std::uint64_t m_first = 0, m_last = 0, m_lastContact = 0;
     std::uint64_t m_paused = 0, m_pausedSinceContact = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/trial_fidelity.h"
 
-#include "session/study/fidelity_sample.h"
 #include "modules/exercises/comparison/simulation/comparison_scene.h"
+#include "session/study/fidelity_sample.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -13,7 +13,9 @@ namespace chiron::session {
 
 namespace {
 
-QJsonValue number(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(); }
+QJsonValue number(double value) {
+    return std::isfinite(value) ? QJsonValue(value) : QJsonValue();
+}
 
 QJsonObject placeJson(const PlaceFidelity& p) {
     return {{"place", p.place},
@@ -35,16 +37,21 @@ QJsonObject apexJson(const ApexMark& mark) {
             {"planned", mark.planned}};
 }
 
-template <class Whole> Whole whole(double value) noexcept { return static_cast<Whole>(value + 0.5); }
+template <class Whole> Whole whole(double value) noexcept {
+    return static_cast<Whole>(value + 0.5);
+}
 
 } // namespace
 
 double pausedOf(const std::string& fidelityJson) {
-    return QJsonDocument::fromJson(QByteArray::fromStdString(fidelityJson)).object()["paused_s"].toDouble(TrialFidelity::kNone);
+    return QJsonDocument::fromJson(QByteArray::fromStdString(fidelityJson))
+        .object()["paused_s"]
+        .toDouble(TrialFidelity::kNone);
 }
 
 TrialFidelity withoutForces(TrialFidelity fidelity) {
-    fidelity.forceErrorRms_N = fidelity.saturated = fidelity.peakForce_N = fidelity.stiffnessError = std::nan("");
+    fidelity.forceErrorRms_N = fidelity.saturated = fidelity.peakForce_N = fidelity.stiffnessError =
+        std::nan("");
     fidelity.places.clear();
     fidelity.apex.reset();
     fidelity.outside.clear();
@@ -93,11 +100,13 @@ TrialCircumstances circumstancesOf(const std::string& fidelityJson) {
 }
 
 std::optional<ApexMark> apexMarkOf(const std::string& fidelityJson) {
-    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(fidelityJson)).object()["apex"].toObject();
+    const QJsonObject json =
+        QJsonDocument::fromJson(QByteArray::fromStdString(fidelityJson)).object()["apex"].toObject();
     const QJsonValue x = json["error_x_m"], y = json["error_y_m"];
     if (!x.isDouble() || !y.isDouble())
         return std::nullopt;
-    return ApexMark{x.toDouble(), y.toDouble(), json["radius_m"].toDouble(), json["in_contact"].toBool(), json["planned"].toBool()};
+    return ApexMark{x.toDouble(), y.toDouble(), json["radius_m"].toDouble(), json["in_contact"].toBool(),
+                    json["planned"].toBool()};
 }
 
 FidelitySample fidelitySampleOf(const core::HapticFrame& frame) noexcept {
@@ -114,7 +123,8 @@ FidelitySample fidelitySampleOf(const core::HapticFrame& frame) noexcept {
     out.paused = header.paused;
     out.full = header.force == core::ForceState::on;
     out.measures = (tool.status & core::sample_status::kMeasuredForce) != 0;
-    out.saturated = (tool.status & core::sample_status::kSaturated) != 0 || (header.guards & core::guard_bits::kCap) != 0;
+    out.saturated =
+        (tool.status & core::sample_status::kSaturated) != 0 || (header.guards & core::guard_bits::kCap) != 0;
     out.place = whole<std::uint8_t>(header.quantities[q::kPlace]);
     out.touched = whole<std::uint8_t>(header.quantities[q::kTouched]);
     out.candidate = whole<std::uint16_t>(header.quantities[q::kCandidate]);

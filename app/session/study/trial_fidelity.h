@@ -29,8 +29,8 @@ struct PlaceFidelity {
 struct ApexMark {
     double errorX_m = 0.0;
     double errorY_m = 0.0;
-    double radius_m = 0.0;   ///< radius of the sphere
-    bool inContact = false;  ///< the sphere was in contact when it was marked
+    double radius_m = 0.0;  ///< radius of the sphere
+    bool inContact = false; ///< the sphere was in contact when it was marked
     /// Drawn from the observer model for planning: nothing was rendered and nobody felt anything.
     bool planned = false;
 };
@@ -38,8 +38,8 @@ struct ApexMark {
 /// Further facts that a run in a window knows about a trial. Absent in scripted runs and in trials of earlier
 /// versions.
 struct TrialCircumstances {
-    std::string language; ///< language of the participant: "en"
-    std::string masking;  ///< kMasking...: the sound heard during the trial
+    std::string language;                    ///< language of the participant: "en"
+    std::string masking;                     ///< kMasking...: the sound heard during the trial
     std::optional<std::uint64_t> answerTick; ///< tick of the session at the first key or click of the answer
 
     static constexpr const char* kMaskingNoise = "pink_noise";
@@ -47,7 +47,7 @@ struct TrialCircumstances {
     static constexpr const char* kMaskingOff = "off";
     /// There is no sound output, so nothing was heard.
     static constexpr const char* kMaskingSilent = "no_output";
-    static constexpr const char* kMaskingChanged = "changed";    ///< switched on or off during the trial
+    static constexpr const char* kMaskingChanged = "changed"; ///< switched on or off during the trial
     bool operator==(const TrialCircumstances&) const = default;
 };
 
@@ -63,10 +63,10 @@ struct TrialFidelity {
     /// Nothing was felt because the device renders no force. Forces are then the tissue's, and values that
     /// compare them with the requested ones are NaN.
     bool shown = false;
-    double lateTicks = kNone;       ///< fraction of the ticks
+    double lateTicks = kNone; ///< fraction of the ticks
     double worstLateness_us = kNone;
-    double saturated = kNone;       ///< fraction of the contact ticks
-    double duration_s = kNone;      ///< without pauses
+    double saturated = kNone;  ///< fraction of the contact ticks
+    double duration_s = kNone; ///< without pauses
     /// Pauses within the trial, until force was fully back; NaN in trials stored before this was measured.
     double paused_s = kNone;
     double peakForce_N = kNone;

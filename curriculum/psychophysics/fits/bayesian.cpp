@@ -82,7 +82,8 @@ Posterior forIntervals(Posterior psignifit) {
     constexpr double kNothingBelow = 0.003;
     const bool above = endsAbove(psignifit);
     if (widthBelow(psignifit.parts, psignifit.model.priors.fullWidthFrom()) > kNothingBelow) {
-        if (Posterior open = posteriorWith(psignifit.model, above ? WidthPrior::wide : WidthPrior::openBelow); endsBelow(psignifit, open)) {
+        if (Posterior open = posteriorWith(psignifit.model, above ? WidthPrior::wide : WidthPrior::openBelow);
+            endsBelow(psignifit, open)) {
             return open;
         }
     }
@@ -94,13 +95,17 @@ void warnOfPriors(FitResult& result, const std::vector<DensityGrid>& parts, cons
     constexpr double kMuch = 0.05, kDecided = 0.7;
     const FitPriors& priors = model.priors;
     if (thresholdBelow(parts, priors.low) > kMuch || thresholdBelow(parts, priors.high) < 1.0 - kMuch) {
-        result.warnings.push_back("prior_edge: the threshold may lie outside the intensities presented, where its prior ends the interval; present others");
+        result.warnings.push_back("prior_edge: the threshold may lie outside the intensities presented, "
+                                  "where its prior ends the interval; present others");
     }
     if (widthBelow(parts, priors.fullWidthTo()) < 1.0 - kMuch) {
-        result.warnings.push_back("prior_edge: the curve may be flatter than the prior of its width allows for, which ends the interval; present a wider range");
+        result.warnings.push_back("prior_edge: the curve may be flatter than the prior of its width allows "
+                                  "for, which ends the interval; present a wider range");
     }
-    if (const CurveParameters& influence = result.priorInfluence; influence.threshold > kDecided || influence.width > kDecided) {
-        result.warnings.push_back(std::string("prior_decides: answers say hardly more of the ") + (influence.threshold > kDecided ? "threshold" : "width") +
+    if (const CurveParameters& influence = result.priorInfluence;
+        influence.threshold > kDecided || influence.width > kDecided) {
+        result.warnings.push_back(std::string("prior_decides: answers say hardly more of the ") +
+                                  (influence.threshold > kDecided ? "threshold" : "width") +
                                   " than was assumed before them; its interval is that of the prior");
     }
 }
@@ -109,17 +114,27 @@ void warnOfPriors(FitResult& result, const std::vector<DensityGrid>& parts, cons
 void warnOfWidthPrior(FitResult& result, const Posterior& posterior, const FitOptions& options) {
     const FitPriors& priors = posterior.model.priors;
     if (options.widthPrior == WidthPrior::automatic && priors.ofWidth != WidthPrior::psignifit) {
-        const char* as = priors.ofWidth == WidthPrior::wide ? "steeper or flatter" : priors.openBelow() ? "steeper" : "flatter";
-        result.warnings.push_back(std::string("prior_widened: the curve may well be ") + as + " than psignifit's prior expects, so the intervals are those of a prior that "
-                                  "leaves the width open there; threshold and width themselves are psignifit's");
+        const char* as = priors.ofWidth == WidthPrior::wide ? "steeper or flatter"
+                         : priors.openBelow()               ? "steeper"
+                                                            : "flatter";
+        result.warnings.push_back(
+            std::string("prior_widened: the curve may well be ") + as +
+            " than psignifit's prior expects, so the intervals are those of a prior that "
+            "leaves the width open there; threshold and width themselves are psignifit's");
         return;
     }
     const bool above = !priors.openAbove() && endsAbove(posterior);
-    const bool below = !priors.openBelow() && options.widthPrior != WidthPrior::automatic &&
-                       endsBelow(posterior, posteriorWith(posterior.model, priors.openAbove() ? WidthPrior::wide : WidthPrior::openBelow));
+    const bool below =
+        !priors.openBelow() && options.widthPrior != WidthPrior::automatic &&
+        endsBelow(posterior, posteriorWith(posterior.model,
+                                           priors.openAbove() ? WidthPrior::wide : WidthPrior::openBelow));
     if (above || below) {
-        result.warnings.push_back(std::string("prior_edge: the curve may well be ") + (!above ? "steeper" : below ? "steeper or flatter" : "flatter") +
-                                  " than psignifit's prior expects, which then ends the interval of the width; fit with the wide prior");
+        result.warnings.push_back(std::string("prior_edge: the curve may well be ") +
+                                  (!above  ? "steeper"
+                                   : below ? "steeper or flatter"
+                                           : "flatter") +
+                                  " than psignifit's prior expects, which then ends the interval of the "
+                                  "width; fit with the wide prior");
     }
 }
 
@@ -128,7 +143,8 @@ void warnOfWidthPrior(FitResult& result, const Posterior& posterior, const FitOp
 /// less steep than that, which no answer supports.
 void beginAtStep(FitResult& result, const PosteriorModel& model, const FitOptions& options) {
     if (model.priors.openBelow() &&
-        likelihoodRatioOfStep(model.levels, model.sigmoid, model.free, model.lapse, model.guess) < chiSquareQuantileOne(options.confidence)) {
+        likelihoodRatioOfStep(model.levels, model.sigmoid, model.free, model.lapse, model.guess) <
+            chiSquareQuantileOne(options.confidence)) {
         result.ci.width.low = 0.0;
     }
 }
@@ -167,10 +183,17 @@ FitResult fitBayesian(const PsychometricData& data, const FitOptions& given) {
         return result;
     }
     const FreeParameters free = freeParameters(options);
-    const WidthPrior width = options.widthPrior == WidthPrior::automatic ? WidthPrior::psignifit : options.widthPrior;
-    const PosteriorModel model{levels, options.function, priorsFor(levels, options, result.scale, width), free, free.lapse ? 0.0 : options.lapse.value,
-                               free.guess || free.equal ? 0.0 : options.guess.value, options.overdispersion};
-    const CurveParameters mode = posteriorMode(model, modeStarts(model, DensityGrid(model, wholeSpace(model, kStarts))));
+    const WidthPrior width =
+        options.widthPrior == WidthPrior::automatic ? WidthPrior::psignifit : options.widthPrior;
+    const PosteriorModel model{levels,
+                               options.function,
+                               priorsFor(levels, options, result.scale, width),
+                               free,
+                               free.lapse ? 0.0 : options.lapse.value,
+                               free.guess || free.equal ? 0.0 : options.guess.value,
+                               options.overdispersion};
+    const CurveParameters mode =
+        posteriorMode(model, modeStarts(model, DensityGrid(model, wholeSpace(model, kStarts))));
     Posterior posterior{model, posteriorParts(model, kFine)};
     result.fitted = true;
     result.best = fromUnitAxis(mode, levels);

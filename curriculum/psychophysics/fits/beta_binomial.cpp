@@ -34,7 +34,8 @@ double logRising(double a, double c, double count) noexcept {
         return sum + count * std::log(a);
     }
     const double z = a / c;
-    return sum + count * std::log(a + count * c) + (z - 0.5) * std::log1p(count / z) - count + stirlingRest(z + count) - stirlingRest(z);
+    return sum + count * std::log(a + count * c) + (z - 0.5) * std::log1p(count / z) - count +
+           stirlingRest(z + count) - stirlingRest(z);
 }
 
 } // namespace
@@ -42,10 +43,12 @@ double logRising(double a, double c, double count) noexcept {
 double betaBinomialLog(double right, double of, double psi, double rest, double eta) noexcept {
     constexpr double kLeast = 1e-30;
     const double c = eta * eta / (1.0 - eta * eta); // 1/ν
-    return logRising(std::max(psi, kLeast), c, right) + logRising(std::max(rest, kLeast), c, of - right) - logRising(1.0, c, of);
+    return logRising(std::max(psi, kLeast), c, right) + logRising(std::max(rest, kLeast), c, of - right) -
+           logRising(1.0, c, of);
 }
 
-BetaBinomialTable::BetaBinomialTable(double right, double of, const std::vector<double>& etas, double lowest, double highest)
+BetaBinomialTable::BetaBinomialTable(double right, double of, const std::vector<double>& etas, double lowest,
+                                     double highest)
     : m_columns(etas.size()) {
     const double far = 16.0 + std::log(1.0 + of); // beyond it, ψ or 1 − ψ is effectively 0 for all the
                                                   // level's trials

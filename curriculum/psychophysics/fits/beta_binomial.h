@@ -17,7 +17,8 @@ double betaBinomialLog(double right, double of, double psi, double rest, double 
 class BetaBinomialTable {
 public:
     /// `lowest` and `highest` bound every ψ that will be asked for.
-    BetaBinomialTable(double right, double of, const std::vector<double>& etas, double lowest, double highest);
+    BetaBinomialTable(double right, double of, const std::vector<double>& etas, double lowest,
+                      double highest);
 
     /// Adds ln p for every η to sums. logit = ln(ψ/(1 − ψ)) is clamped to the table.
     void addTo(double logit, double* sums) const noexcept {
@@ -39,7 +40,7 @@ public:
 
 private:
     std::size_t m_columns;
-    double m_first = 0.0;    ///< logit of row 1
+    double m_first = 0.0; ///< logit of row 1
     double m_perStep = 0.0;
     double m_last = 0.0;
     std::size_t m_lastNode = 0;

@@ -37,7 +37,8 @@ BinomialSampler::BinomialSampler(double n, double p) {
 double BinomialSampler::draw(core::Random& random) const noexcept {
     const double u = random.uniform();
     const auto at = std::upper_bound(m_cumulative.begin(), m_cumulative.end(), u);
-    return m_first + static_cast<double>(std::min<std::ptrdiff_t>(at - m_cumulative.begin(), std::ssize(m_cumulative) - 1));
+    return m_first + static_cast<double>(
+                         std::min<std::ptrdiff_t>(at - m_cumulative.begin(), std::ssize(m_cumulative) - 1));
 }
 
 } // namespace chiron::psychophysics

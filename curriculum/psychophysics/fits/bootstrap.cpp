@@ -20,14 +20,21 @@ class Refits {
 public:
     Refits(const PreparedLevels& levels, const FitOptions& options)
         : m_levels(levels), m_sigmoid(options.function), m_free(freeParameters(options)),
-          m_lapse(m_free.lapse ? 0.0 : options.lapse.value), m_guess(m_free.guess || m_free.equal ? 0.0 : options.guess.value),
-          m_right(levels.right), m_of(levels.of) {}
+          m_lapse(m_free.lapse ? 0.0 : options.lapse.value),
+          m_guess(m_free.guess || m_free.equal ? 0.0 : options.guess.value), m_right(levels.right),
+          m_of(levels.of) {}
 
     std::vector<double>& right() noexcept { return m_right; }
     std::vector<double>& of() noexcept { return m_of; }
-    LevelsView view() const noexcept { return {m_levels.unit.data(), m_right.data(), m_of.data(), m_right.size()}; }
-    SearchResult search() const noexcept { return searchMaximum(m_sigmoid, view(), m_free, m_lapse, m_guess); }
-    CurveParameters parameters(const SearchResult& found) const noexcept { return fromUnit(found.curve, m_levels, m_sigmoid); }
+    LevelsView view() const noexcept {
+        return {m_levels.unit.data(), m_right.data(), m_of.data(), m_right.size()};
+    }
+    SearchResult search() const noexcept {
+        return searchMaximum(m_sigmoid, view(), m_free, m_lapse, m_guess);
+    }
+    CurveParameters parameters(const SearchResult& found) const noexcept {
+        return fromUnit(found.curve, m_levels, m_sigmoid);
+    }
     void draw(const std::vector<BinomialSampler>& samplers, core::Random& random) noexcept {
         for (std::size_t i = 0; i < samplers.size(); ++i) {
             m_right[i] = samplers[i].draw(random);
@@ -150,19 +157,22 @@ void addBootstrapIntervals(FitResult& result, const PreparedLevels& levels, cons
     const auto asked = static_cast<double>(options.bootstrapSamples);
     const auto had = static_cast<double>(result.draws.size());
     if (had < 0.95 * asked) {
-        result.warnings.push_back("bootstrap_failures: " + std::to_string(options.bootstrapSamples - static_cast<int>(had)) +
-                                  " of " + std::to_string(options.bootstrapSamples) +
-                                  " simulated repetitions had no threshold; the interval is too narrow");
+        result.warnings.push_back(
+            "bootstrap_failures: " + std::to_string(options.bootstrapSamples - static_cast<int>(had)) +
+            " of " + std::to_string(options.bootstrapSamples) +
+            " simulated repetitions had no threshold; the interval is too narrow");
     }
     if (had < kFewestForInterval) {
-        result.warnings.push_back("no_interval: " + std::to_string(static_cast<int>(had)) + " simulated repetitions give no interval; expected at least " +
+        result.warnings.push_back("no_interval: " + std::to_string(static_cast<int>(had)) +
+                                  " simulated repetitions give no interval; expected at least " +
                                   std::to_string(static_cast<int>(kFewestForInterval)));
         return;
     }
     const auto leftOut = leaveOneOut(levels, options);
     const auto interval = [&](Field field) { return correctedInterval(result, leftOut, field); };
     result.ci.threshold = interval(&CurveParameters::threshold);
-    result.ci.threshold = {fromScale(result.ci.threshold.low, result.scale), fromScale(result.ci.threshold.high, result.scale)};
+    result.ci.threshold = {fromScale(result.ci.threshold.low, result.scale),
+                           fromScale(result.ci.threshold.high, result.scale)};
     result.ci.width = interval(&CurveParameters::width);
     const FreeParameters free = freeParameters(options);
     if (free.lapse) {

@@ -9,7 +9,8 @@
 namespace chiron::psychophysics {
 namespace {
 
-// Stirling's series after raising x. (std::lgamma writes to a global variable, so it is not for worker threads.)
+// Stirling's series after raising x. (std::lgamma writes to a global variable, so it is not for worker
+// threads.)
 double logGamma(double x) noexcept {
     double shift = 0.0;
     while (x < 15.0) {

@@ -25,8 +25,8 @@ double thresholdAt(const FitResult& fit, double proportion, bool unscaled = fals
 /// The same for any parameter set (a bootstrap or posterior draw) with the fit's function and axis.
 double thresholdAt(const FitResult& fit, const CurveParameters& at, double proportion, bool unscaled = false);
 double slopeAt(const FitResult& fit, double x); ///< dψ/dx on the fitted axis; x in given units
-double pse(const FitResult& fit);               ///< x at which ψ = 0.5 (yes–no and comparisons; not for m-AFC)
-double jnd(const FitResult& fit);               ///< (x75 − x25)/2 of the unscaled sigmoid, given units
+double pse(const FitResult& fit); ///< x at which ψ = 0.5 (yes–no and comparisons; not for m-AFC)
+double jnd(const FitResult& fit); ///< (x75 − x25)/2 of the unscaled sigmoid, given units
 double weberFraction(const FitResult& fit, double reference); ///< jnd/reference
 
 /// Returns the central interval, over fit.draws, of any quantity computed from a parameter set (bootstrap

@@ -30,13 +30,15 @@ void addCurve(FitResult& result, const PreparedLevels& levels, const FitOptions&
         return;
     }
     constexpr double kBeyond = 0.1;
-    const double low = levels.centre - (0.5 + kBeyond) * levels.range, length = (1.0 + 2.0 * kBeyond) * levels.range;
+    const double low = levels.centre - (0.5 + kBeyond) * levels.range,
+                 length = (1.0 + 2.0 * kBeyond) * levels.range;
     const UnitCurve curve = toUnit(result.best, levels, result.function);
     std::vector<double> values;
     constexpr std::size_t kFewest = 100;
     for (int i = 0; i < options.curvePoints; ++i) {
         const double axis = low + length * i / (options.curvePoints - 1);
-        CurveSample sample{fromScale(axis, result.scale), proportionOf(result.function, curve, (axis - levels.centre) / levels.range)};
+        CurveSample sample{fromScale(axis, result.scale),
+                           proportionOf(result.function, curve, (axis - levels.centre) / levels.range)};
         if (result.draws.size() >= kFewest) {
             const FitInterval band = bandAt(result, axis, values);
             sample.low = band.low;

@@ -25,7 +25,8 @@ double standardDeviation(double low, double high, Density&& logDensity, Value&& 
     constexpr int kPieces = 2000;
     double total = 0.0, sum = 0.0, squares = 0.0;
     for (int i = 0; i < kPieces; ++i) {
-        const double x = low + (high - low) * (i + 0.5) / kPieces, mass = std::exp(logDensity(x)), v = value(x);
+        const double x = low + (high - low) * (i + 0.5) / kPieces, mass = std::exp(logDensity(x)),
+                     v = value(x);
         total += mass;
         sum += mass * v;
         squares += mass * v * v;
@@ -34,15 +35,17 @@ double standardDeviation(double low, double high, Density&& logDensity, Value&& 
 }
 
 constexpr std::pair<std::string_view, WidthPrior> kTokens[] = {{"auto", WidthPrior::automatic},
-                                                              {"psignifit", WidthPrior::psignifit},
-                                                              {"open_below", WidthPrior::openBelow},
-                                                              {"open_above", WidthPrior::openAbove},
-                                                              {"wide", WidthPrior::wide}};
+                                                               {"psignifit", WidthPrior::psignifit},
+                                                               {"open_below", WidthPrior::openBelow},
+                                                               {"open_above", WidthPrior::openAbove},
+                                                               {"wide", WidthPrior::wide}};
 
 } // namespace
 
 std::string_view widthPriorToken(WidthPrior prior) noexcept {
-    return std::find_if(std::begin(kTokens), std::end(kTokens) - 1, [prior](const auto& one) { return one.second == prior; })->first;
+    return std::find_if(std::begin(kTokens), std::end(kTokens) - 1,
+                        [prior](const auto& one) { return one.second == prior; })
+        ->first;
 }
 
 std::optional<WidthPrior> widthPriorFromToken(std::string_view token) noexcept {
@@ -56,13 +59,15 @@ std::optional<WidthPrior> widthPriorFromToken(std::string_view token) noexcept {
 
 double priorThresholdSd(const FitPriors& priors) noexcept {
     return standardDeviation(
-        priors.lowestThreshold(), priors.highestThreshold(), [&](double x) { return priors.logThreshold(x); }, [](double x) { return x; });
+        priors.lowestThreshold(), priors.highestThreshold(), [&](double x) { return priors.logThreshold(x); },
+        [](double x) { return x; });
 }
 
 double priorLogWidthSd(const FitPriors& priors) noexcept { // over ln width, where the density is multiplied
                                                            // by the width
     return standardDeviation(
-        std::log(priors.lowestWidth()), std::log(priors.largestWidth()), [&](double x) { return priors.logWidth(std::exp(x)) + x; }, [](double x) { return x; });
+        std::log(priors.lowestWidth()), std::log(priors.largestWidth()),
+        [&](double x) { return priors.logWidth(std::exp(x)) + x; }, [](double x) { return x; });
 }
 
 double priorShareSd(const FitPriors& priors, double largest) noexcept {
@@ -83,14 +88,19 @@ double FitPriors::logWidth(double width) const noexcept {
         return kImpossible;
     }
     if (width >= fullWidthTo()) {
-        return logHalfCosine(0.5 * std::numbers::pi * (width - fullWidthTo()) / (0.5 * (largestWidth() - fullWidthTo())));
+        return logHalfCosine(0.5 * std::numbers::pi * (width - fullWidthTo()) /
+                             (0.5 * (largestWidth() - fullWidthTo())));
     }
-    return width < fullWidthFrom() ? logHalfCosine(std::numbers::pi * (fullWidthFrom() - width) / spacing) : 0.0;
+    return width < fullWidthFrom() ? logHalfCosine(std::numbers::pi * (fullWidthFrom() - width) / spacing)
+                                   : 0.0;
 }
 
-double FitPriors::logShare(double share) const noexcept { return (beta - 1.0) * std::log1p(-share); }
+double FitPriors::logShare(double share) const noexcept {
+    return (beta - 1.0) * std::log1p(-share);
+}
 
-FitPriors priorsFor(const PreparedLevels& levels, const FitOptions& options, StimulusScale scale, WidthPrior width) noexcept {
+FitPriors priorsFor(const PreparedLevels& levels, const FitOptions& options, StimulusScale scale,
+                    WidthPrior width) noexcept {
     FitPriors priors;
     priors.ofWidth = width;
     priors.beta = options.betaPrior;

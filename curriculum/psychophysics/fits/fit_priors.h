@@ -23,8 +23,12 @@ struct FitPriors {
     double range() const noexcept { return high - low; }
     double lowestThreshold() const noexcept { return low - 0.5 * range(); }
     double highestThreshold() const noexcept { return high + 0.5 * range(); }
-    bool openBelow() const noexcept { return ofWidth == WidthPrior::openBelow || ofWidth == WidthPrior::wide; }
-    bool openAbove() const noexcept { return ofWidth == WidthPrior::openAbove || ofWidth == WidthPrior::wide; }
+    bool openBelow() const noexcept {
+        return ofWidth == WidthPrior::openBelow || ofWidth == WidthPrior::wide;
+    }
+    bool openAbove() const noexcept {
+        return ofWidth == WidthPrior::openAbove || ofWidth == WidthPrior::wide;
+    }
     double lowestWidth() const noexcept { return openBelow() ? 0.01 * spacing : spacing; }
     double largestWidth() const noexcept { return (openAbove() ? 9.0 : 3.0) * range(); }
     /// The prior is at its full height between these two widths.
@@ -32,7 +36,7 @@ struct FitPriors {
     double fullWidthTo() const noexcept { return (openAbove() ? 3.0 : 1.0) * range(); }
     double logThreshold(double threshold) const noexcept; ///< −∞ where impossible
     double logWidth(double width) const noexcept;
-    double logShare(double share) const noexcept;          ///< for lapse, guess or η
+    double logShare(double share) const noexcept; ///< for lapse, guess or η
 };
 /// Standard deviations of the prior alone: of the threshold, of ln width, and of a share that is at most
 /// `largest`.
@@ -40,6 +44,7 @@ double priorThresholdSd(const FitPriors& priors) noexcept;
 double priorLogWidthSd(const FitPriors& priors) noexcept;
 double priorShareSd(const FitPriors& priors, double largest) noexcept;
 
-FitPriors priorsFor(const PreparedLevels& levels, const FitOptions& options, StimulusScale scale, WidthPrior width = WidthPrior::psignifit) noexcept;
+FitPriors priorsFor(const PreparedLevels& levels, const FitOptions& options, StimulusScale scale,
+                    WidthPrior width = WidthPrior::psignifit) noexcept;
 
 } // namespace chiron::psychophysics

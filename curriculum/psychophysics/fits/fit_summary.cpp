@@ -8,7 +8,9 @@
 
 namespace chiron::psychophysics {
 
-void summarise(FitResult& result, const PreparedLevels& levels) { summarise(result, levels, toUnit(result.best, levels, result.function)); }
+void summarise(FitResult& result, const PreparedLevels& levels) {
+    summarise(result, levels, toUnit(result.best, levels, result.function));
+}
 
 void summarise(FitResult& result, const PreparedLevels& levels, const UnitCurve& curve) {
     const CurveParameters& best = result.best;
@@ -26,8 +28,10 @@ void summarise(FitResult& result, const PreparedLevels& levels, const UnitCurve&
         const double psi = curve.guess + reach * s.rise, rest = curve.lapse + reach * s.rest;
         const double right = levels.right[i], of = levels.of[i];
         const double here = levelLogLikelihood(right, of, psi, rest);
-        const double share = std::max(0.0, 2.0 * (levelLogLikelihood(right, of, right / of, (of - right) / of) - here));
-        result.levels[i] = {levels.given[i], right, of, psi, std::copysign(std::sqrt(share), right - of * psi)};
+        const double share =
+            std::max(0.0, 2.0 * (levelLogLikelihood(right, of, right / of, (of - right) / of) - here));
+        result.levels[i] = {levels.given[i], right, of, psi,
+                            std::copysign(std::sqrt(share), right - of * psi)};
         result.deviance += share;
         sum += here;
     }
@@ -45,7 +49,8 @@ std::string optionsProblem(const FitOptions& options) {
     if (!rate(options.guess) || !rate(options.lapse)) {
         return "bad_options: guess and lapse must be at least 0 and less than 1";
     }
-    const bool bothFixed = options.guess.rule == Asymptote::Rule::fixed && options.lapse.rule == Asymptote::Rule::fixed;
+    const bool bothFixed =
+        options.guess.rule == Asymptote::Rule::fixed && options.lapse.rule == Asymptote::Rule::fixed;
     if (bothFixed && !(options.guess.value + options.lapse.value < 1.0)) {
         return "bad_options: guess and lapse together must be less than 1";
     }

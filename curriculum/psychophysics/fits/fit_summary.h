@@ -8,7 +8,8 @@ namespace chiron::psychophysics {
 /// Functions for the results that maximum-likelihood and Bayesian fits have in common. `result.best` and
 /// `freeParameters` must be set.
 
-/// Copies `best` into threshold (given units), width, lapse, guess, eta; fills levels, residuals, deviance, chi-square p, log-likelihood, AIC.
+/// Copies `best` into threshold (given units), width, lapse, guess, eta; fills levels, residuals, deviance,
+/// chi-square p, log-likelihood, AIC.
 void summarise(FitResult& result, const PreparedLevels& levels);
 /// The same for the curve in the coordinates of the search: a steep curve far from 0 loses significant digits
 /// when it is written as threshold and width.

@@ -53,26 +53,26 @@ struct FitOptions {
     Asymptote lapse = Asymptote::fitted();
     std::optional<StimulusScale> scale; ///< none: the function's own scale
     double confidence = 0.95;
-    double largestAsymptote = 0.5;      ///< largest value of a free lapse or guess
-    bool profileIntervals = true;       ///< for maximum likelihood without a bootstrap: take the intervals
-                                        ///< from the profile likelihood
-    int monteCarlo = 0;                 ///< number of simulated data sets for the goodness of fit; 0: p from
-                                        ///< chi-square only
+    double largestAsymptote = 0.5; ///< largest value of a free lapse or guess
+    bool profileIntervals = true;  ///< for maximum likelihood without a bootstrap: take the intervals
+                                   ///< from the profile likelihood
+    int monteCarlo = 0;            ///< number of simulated data sets for the goodness of fit; 0: p from
+                                   ///< chi-square only
     Bootstrap bootstrap = Bootstrap::none; ///< maximum likelihood only
     int bootstrapSamples = 2000;
     std::uint64_t seed = 1;
     // Bayesian only
-    bool overdispersion = true;         ///< false: η is 0, answers are binomial
+    bool overdispersion = true; ///< false: η is 0, answers are binomial
     WidthPrior widthPrior = WidthPrior::automatic;
-    double betaPrior = 10.0;            ///< lapse, guess and η ~ Beta(1, this)
+    double betaPrior = 10.0;               ///< lapse, guess and η ~ Beta(1, this)
     std::optional<double> lowest, highest; ///< stimulus range of the priors, given units; none: that of the
                                            ///< data
     CredibleMethod credible = CredibleMethod::percentile;
     /// Number of parameter sets drawn from the posterior, for intervals of derived quantities; the band needs
     /// 1000.
     int draws = 0;
-    int curvePoints = 0;                ///< > 1: number of x at which the fitted curve and its band are
-                                        ///< computed
+    int curvePoints = 0; ///< > 1: number of x at which the fitted curve and its band are
+                         ///< computed
 };
 
 struct FitInterval {
@@ -118,18 +118,18 @@ struct FitResult {
     StimulusScale scale = StimulusScale::linear;
     /// x at which the unscaled curve is 0.5, given units (maximum-likelihood estimate or posterior mode).
     double threshold = kNotKnown;
-    double width = kNotKnown;     ///< from 5 % to 95 % of the unscaled curve, on the fitted axis
+    double width = kNotKnown; ///< from 5 % to 95 % of the unscaled curve, on the fitted axis
     double lapse = kNotKnown;
     double guess = kNotKnown;
     double eta = 0.0;
-    CurveParameters best;         ///< the same five, threshold on the fitted axis
-    CurveParameters mean;         ///< posterior mean; Bayesian only
+    CurveParameters best; ///< the same five, threshold on the fitted axis
+    CurveParameters mean; ///< posterior mean; Bayesian only
     /// Standard errors (observed information, or posterior standard deviation); fitted axis.
     CurveParameters error;
     /// Standard errors from the expected information, as Fisher scoring (glm) gives; maximum likelihood only.
     CurveParameters expectedError;
-    double thresholdWidthCovariance = kNotKnown; ///< from the observed information
-    ParameterIntervals ci;        ///< threshold in given units
+    double thresholdWidthCovariance = kNotKnown;      ///< from the observed information
+    ParameterIntervals ci;                            ///< threshold in given units
     WidthPrior intervalPrior = WidthPrior::psignifit; ///< prior of `ci`, `draws` and the band, never
                                                       ///< automatic; Bayesian only
     /// How much the prior determined the result: the posterior's standard deviation divided by the prior's
@@ -138,13 +138,13 @@ struct FitResult {
     CurveParameters priorInfluence{kNotKnown, kNotKnown, kNotKnown, kNotKnown, kNotKnown};
     double confidence = 0.95;
     double deviance = kNotKnown;
-    double pValue = kNotKnown;    ///< of the deviance: Monte Carlo if asked for, else chi-square
+    double pValue = kNotKnown; ///< of the deviance: Monte Carlo if asked for, else chi-square
     double chiSquareP = kNotKnown;
     int freeParameters = 0;
     int degreesOfFreedom = 0;
     /// Binomial log-likelihood at `best`, with the binomial coefficients of the rows as given.
     double logLikelihood = kNotKnown;
-    double logPosterior = kNotKnown;  ///< at the mode, up to a constant; Bayesian only
+    double logPosterior = kNotKnown; ///< at the mode, up to a constant; Bayesian only
     double aic = kNotKnown;
     std::vector<FittedLevel> levels;
     std::vector<CurveSample> curve;

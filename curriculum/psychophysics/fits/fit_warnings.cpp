@@ -9,13 +9,17 @@
 namespace chiron::psychophysics {
 namespace {
 
-std::string percent(double share) { return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %"; }
+std::string percent(double share) {
+    return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
+}
 
 void warnOfOneSidedAnswers(FitResult& result, const PreparedLevels& levels) {
     if (levels.totalRight == levels.total) {
-        result.warnings.push_back("all_right: every answer was right, so the threshold lies below what was presented and is not known");
+        result.warnings.push_back("all_right: every answer was right, so the threshold lies below what was "
+                                  "presented and is not known");
     } else if (levels.totalRight == 0.0) {
-        result.warnings.push_back("all_wrong: every answer was wrong, so the threshold lies above what was presented and is not known");
+        result.warnings.push_back("all_wrong: every answer was wrong, so the threshold lies above what was "
+                                  "presented and is not known");
     }
 }
 
@@ -24,13 +28,16 @@ void warnOfBounds(FitResult& result, const FitOptions& options) {
     const bool posterior = result.method == FitMethod::bayesian;
     const auto near = [](double value, double bound) { return std::abs(value - bound) < 1e-6; };
     if (free.lapse && near(result.lapse, free.largestLapse)) {
-        result.warnings.push_back("lapse_at_bound: the share of lapses is the largest allowed (" + percent(free.largestLapse) +
+        result.warnings.push_back("lapse_at_bound: the share of lapses is the largest allowed (" +
+                                  percent(free.largestLapse) +
                                   "); the participant may not have done the task");
     } else if (free.lapse && !posterior && near(result.lapse, 0.0)) {
-        result.warnings.push_back("lapse_at_bound: the share of lapses is 0, the smallest possible; its interval is one-sided");
+        result.warnings.push_back(
+            "lapse_at_bound: the share of lapses is 0, the smallest possible; its interval is one-sided");
     }
     if (free.guess && near(result.guess, free.largestGuess)) {
-        result.warnings.push_back("guess_at_bound: the share of guesses is the largest allowed (" + percent(free.largestGuess) + ")");
+        result.warnings.push_back("guess_at_bound: the share of guesses is the largest allowed (" +
+                                  percent(free.largestGuess) + ")");
     }
 }
 
@@ -40,7 +47,8 @@ void warnOfThreshold(FitResult& result, const PreparedLevels& levels) {
     const double low = levels.centre - 0.5 * levels.range, high = levels.centre + 0.5 * levels.range;
     const double threshold = result.best.threshold;
     if (!(threshold >= low && threshold <= high)) {
-        result.warnings.push_back("threshold_outside: the threshold lies outside the intensities presented; it is a guess beyond the data");
+        result.warnings.push_back("threshold_outside: the threshold lies outside the intensities presented; "
+                                  "it is a guess beyond the data");
     }
     const double reach = 1.0 - result.guess - result.lapse;
     double near = 0.0;
@@ -50,8 +58,9 @@ void warnOfThreshold(FitResult& result, const PreparedLevels& levels) {
     }
     constexpr double kFewTrials = 15.0;
     if (near < kFewTrials) {
-        result.warnings.push_back("few_trials_near_threshold: only " + std::to_string(static_cast<long long>(near)) +
-                                  " trials were where the curve rises (10 to 90 %); threshold and width are uncertain");
+        result.warnings.push_back(
+            "few_trials_near_threshold: only " + std::to_string(static_cast<long long>(near)) +
+            " trials were where the curve rises (10 to 90 %); threshold and width are uncertain");
     }
 }
 
@@ -60,16 +69,20 @@ void warnOfThreshold(FitResult& result, const PreparedLevels& levels) {
 bool mayBeStep(const FitResult& result, const PreparedLevels& levels, const FitOptions& options) {
     constexpr double kChiSquare95 = 3.841; // with one degree of freedom
     const FreeParameters free = freeParameters(options);
-    const double lapse = free.lapse ? 0.0 : options.lapse.value, guess = free.guess || free.equal ? 0.0 : options.guess.value;
+    const double lapse = free.lapse ? 0.0 : options.lapse.value,
+                 guess = free.guess || free.equal ? 0.0 : options.guess.value;
     return likelihoodRatioOfStep(levels, result.function, free, lapse, guess) < kChiSquare95;
 }
 
 void warnOfWidth(FitResult& result, const PreparedLevels& levels, const FitOptions& options) {
-    if (result.best.width < 0.5 * levels.spacing || result.ci.width.low == 0.0 || mayBeStep(result, levels, options)) {
-        result.warnings.push_back("step_function: answers may jump from guessing to right between two neighbouring intensities, or at one; "
+    if (result.best.width < 0.5 * levels.spacing || result.ci.width.low == 0.0 ||
+        mayBeStep(result, levels, options)) {
+        result.warnings.push_back("step_function: answers may jump from guessing to right between two "
+                                  "neighbouring intensities, or at one; "
                                   "the width is only known to be small (present intensities in between)");
     } else if (result.best.width > 3.0 * levels.range) {
-        result.warnings.push_back("wide: the curve rises over more than three times the range presented; the width is hardly known");
+        result.warnings.push_back("wide: the curve rises over more than three times the range presented; the "
+                                  "width is hardly known");
     }
 }
 
@@ -78,8 +91,10 @@ void warnOfWidth(FitResult& result, const PreparedLevels& levels, const FitOptio
 void warnOfSpacing(FitResult& result, const PreparedLevels& levels) {
     constexpr double kMostSpacings = 1000.0;
     if (result.method == FitMethod::bayesian && levels.range > kMostSpacings * levels.spacing) {
-        result.warnings.push_back("uneven_levels: two intensities lie closer together than a thousandth of the range presented, so the ends of the "
-                                  "intervals may be off by a twentieth of their length; intensities over decades belong on a logarithmic axis");
+        result.warnings.push_back("uneven_levels: two intensities lie closer together than a thousandth of "
+                                  "the range presented, so the ends of the "
+                                  "intervals may be off by a twentieth of their length; intensities over "
+                                  "decades belong on a logarithmic axis");
     }
 }
 
@@ -94,7 +109,8 @@ void warnOfFall(FitResult& result, const PreparedLevels& levels) {
         const double pooled = levels.totalRight / levels.total;
         const double error = std::sqrt(pooled * (1.0 - pooled) * (1.0 / below + 1.0 / above));
         if (error > 0.0 && rightBelow / below - rightAbove / above > 2.58 * error) {
-            result.warnings.push_back("not_monotone: answers get worse as the intensity grows; check that intensity and answers belong together");
+            result.warnings.push_back("not_monotone: answers get worse as the intensity grows; check that "
+                                      "intensity and answers belong together");
             return;
         }
     }
@@ -104,11 +120,14 @@ void warnOfScatter(FitResult& result, const FitOptions& options) {
     constexpr double kUnlikely = 0.01;
     if (result.pValue < kUnlikely) {
         const bool allowedFor = result.method == FitMethod::bayesian && options.overdispersion;
-        result.warnings.push_back(std::string("overdispersion: answers scatter more around the curve than chance allows (p < 0.01); the participant "
-                                              "changed during the run, or another curve is needed; ") +
-                                  (allowedFor ? "the intervals allow for the scatter" : "use the Bayesian interval"));
+        result.warnings.push_back(
+            std::string("overdispersion: answers scatter more around the curve than chance allows (p < "
+                        "0.01); the participant "
+                        "changed during the run, or another curve is needed; ") +
+            (allowedFor ? "the intervals allow for the scatter" : "use the Bayesian interval"));
     } else if (result.method == FitMethod::bayesian && result.mean.eta > 0.25) {
-        result.warnings.push_back("overdispersion: answers scatter much more around the curve than chance allows");
+        result.warnings.push_back(
+            "overdispersion: answers scatter much more around the curve than chance allows");
     }
 }
 

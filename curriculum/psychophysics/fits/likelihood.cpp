@@ -35,10 +35,12 @@ PsiDerivatives derivativesAt(const SigmoidValue& s, double unit, double reach, b
     return d;
 }
 
-void addLevel(Information& information, const PsiDerivatives& d, double right, double of, double psi, double rest) noexcept {
+void addLevel(Information& information, const PsiDerivatives& d, double right, double of, double psi,
+              double rest) noexcept {
     const double wrong = of - right;
     const double score = (right > 0.0 ? right / psi : 0.0) - (wrong > 0.0 ? wrong / rest : 0.0);
-    const double curvature = (right > 0.0 ? right / (psi * psi) : 0.0) + (wrong > 0.0 ? wrong / (rest * rest) : 0.0);
+    const double curvature =
+        (right > 0.0 ? right / (psi * psi) : 0.0) + (wrong > 0.0 ? wrong / (rest * rest) : 0.0);
     const double expected = of / (psi * rest);
     for (std::size_t i = 0; i < 4; ++i) {
         for (std::size_t j = 0; j < 4; ++j) {
@@ -96,7 +98,8 @@ double logLikelihood(Sigmoid sigmoid, const LevelsView& levels, const UnitCurve&
         double sum = 0.0;
         for (std::size_t i = 0; i < levels.size; ++i) {
             const SigmoidValue s = Shape::at(curve.alpha + curve.beta * levels.unit[i]);
-            sum += levelLogLikelihood(levels.right[i], levels.of[i], curve.guess + reach * s.rise, curve.lapse + reach * s.rest);
+            sum += levelLogLikelihood(levels.right[i], levels.of[i], curve.guess + reach * s.rise,
+                                      curve.lapse + reach * s.rest);
         }
         return sum;
     });
@@ -106,23 +109,27 @@ double saturatedLogLikelihood(const LevelsView& levels) noexcept {
     double sum = 0.0;
     for (std::size_t i = 0; i < levels.size; ++i) {
         const double share = levels.right[i] / levels.of[i];
-        sum += levelLogLikelihood(levels.right[i], levels.of[i], share, (levels.of[i] - levels.right[i]) / levels.of[i]);
+        sum += levelLogLikelihood(levels.right[i], levels.of[i], share,
+                                  (levels.of[i] - levels.right[i]) / levels.of[i]);
     }
     return sum;
 }
 
 double proportionOf(Sigmoid sigmoid, const UnitCurve& curve, double unit) noexcept {
-    return curve.guess + (1.0 - curve.guess - curve.lapse) * sigmoidAt(sigmoid, curve.alpha + curve.beta * unit).rise;
+    return curve.guess +
+           (1.0 - curve.guess - curve.lapse) * sigmoidAt(sigmoid, curve.alpha + curve.beta * unit).rise;
 }
 
-Information informationAt(Sigmoid sigmoid, const LevelsView& levels, const UnitCurve& curve, bool equal) noexcept {
+Information informationAt(Sigmoid sigmoid, const LevelsView& levels, const UnitCurve& curve,
+                          bool equal) noexcept {
     Information information;
     const double reach = 1.0 - curve.guess - curve.lapse;
     for (std::size_t i = 0; i < levels.size; ++i) {
         const SigmoidValue s = sigmoidAt(sigmoid, curve.alpha + curve.beta * levels.unit[i]);
         const double psi = std::max(curve.guess + reach * s.rise, kTiny);
         const double rest = std::max(curve.lapse + reach * s.rest, kTiny);
-        addLevel(information, derivativesAt(s, levels.unit[i], reach, equal), levels.right[i], levels.of[i], psi, rest);
+        addLevel(information, derivativesAt(s, levels.unit[i], reach, equal), levels.right[i], levels.of[i],
+                 psi, rest);
     }
     return information;
 }
@@ -136,7 +143,8 @@ bool invertPositive(const Matrix4& matrix, const std::array<bool, 4>& used, Matr
             inverse[i][j] = i == j ? 1.0 : 0.0;
         }
     }
-    for (std::size_t pivot = 0; pivot < 4; ++pivot) { // Gauss–Jordan in place; pivots of a positive definite matrix are positive
+    for (std::size_t pivot = 0; pivot < 4;
+         ++pivot) { // Gauss–Jordan in place; pivots of a positive definite matrix are positive
         const double at = left[pivot][pivot];
         const double scale = used[pivot] ? std::abs(matrix[pivot][pivot]) : 1.0;
         if (!(at > 1e-13 * scale) || !std::isfinite(at)) {
@@ -168,8 +176,8 @@ UnitCurve toUnit(const CurveParameters& at, const PreparedLevels& levels, Sigmoi
 
 CurveParameters fromUnit(const UnitCurve& curve, const PreparedLevels& levels, Sigmoid sigmoid) noexcept {
     const SigmoidUnits units = unitsOf(sigmoid);
-    return {levels.centre + levels.range * (units.middle - curve.alpha) / curve.beta, units.spread * levels.range / curve.beta, curve.lapse,
-            curve.guess, 0.0};
+    return {levels.centre + levels.range * (units.middle - curve.alpha) / curve.beta,
+            units.spread * levels.range / curve.beta, curve.lapse, curve.guess, 0.0};
 }
 
 } // namespace chiron::psychophysics

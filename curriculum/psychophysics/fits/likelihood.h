@@ -25,7 +25,10 @@ struct FreeParameters {
     bool equal = false;
     double largestLapse = 0.5;
     double largestGuess = 0.5;
-    int count() const noexcept { return static_cast<int>(alpha) + static_cast<int>(beta) + static_cast<int>(lapse) + static_cast<int>(guess); }
+    int count() const noexcept {
+        return static_cast<int>(alpha) + static_cast<int>(beta) + static_cast<int>(lapse) +
+               static_cast<int>(guess);
+    }
 };
 FreeParameters freeParameters(const FitOptions& options) noexcept;
 /// Returns the options with both asymptotes fixed if one is fixed and the other has to equal it.
@@ -56,7 +59,8 @@ struct Information {
     Matrix4 observed{};
     Matrix4 expected{};
 };
-Information informationAt(Sigmoid sigmoid, const LevelsView& levels, const UnitCurve& curve, bool equal) noexcept;
+Information informationAt(Sigmoid sigmoid, const LevelsView& levels, const UnitCurve& curve,
+                          bool equal) noexcept;
 
 /// Inverts a symmetric matrix over the rows marked in `used`; the result is zero elsewhere. Returns false if
 /// the matrix is not positive definite.

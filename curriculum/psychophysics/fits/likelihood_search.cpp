@@ -15,7 +15,8 @@ constexpr int kMostSteps = 100;
 constexpr double kLogisticSpread = 5.8888779583; ///< 2 ln 19
 
 template <class Shape, bool Ends>
-SearchResult climbShape(const LevelsView& levels, const FreeParameters& free, const UnitCurve& start, const ClimbGoal& goal) noexcept {
+SearchResult climbShape(const LevelsView& levels, const FreeParameters& free, const UnitCurve& start,
+                        const ClimbGoal& goal) noexcept {
     SearchResult result;
     result.curve = start;
     auto sums = scoring::sumsAt<Shape, Ends>(levels, start, free.equal);
@@ -55,7 +56,8 @@ UnitCurve lineStart(Sigmoid sigmoid, const LevelsView& levels, double lapse, dou
         if (!std::isfinite(u)) {
             continue;
         }
-        const double s = std::clamp(((levels.right[i] + 0.5) / (levels.of[i] + 1.0) - guess) / reach, 0.02, 0.98);
+        const double s =
+            std::clamp(((levels.right[i] + 0.5) / (levels.of[i] + 1.0) - guess) / reach, 0.02, 0.98);
         const double psi = guess + reach * s;
         const double slope = reach * s * (1.0 - s);
         const double w = levels.of[i] * slope * slope / (psi * (1.0 - psi));
@@ -75,13 +77,17 @@ UnitCurve lineStart(Sigmoid sigmoid, const LevelsView& levels, double lapse, dou
     return {units.middle + factor * level, factor * slope, lapse, guess};
 }
 
-UnitCurve stepStart(Sigmoid sigmoid, const LevelsView& levels, const StepCurve& step, double width, const FreeParameters& free) noexcept {
+UnitCurve stepStart(Sigmoid sigmoid, const LevelsView& levels, const StepCurve& step, double width,
+                    const FreeParameters& free) noexcept {
     const SigmoidUnits units = unitsOf(sigmoid);
     const double at = levels.unit[step.level];
-    const double before = step.level > 0 && std::isfinite(levels.unit[step.level - 1]) ? levels.unit[step.level - 1] : at;
+    const double before =
+        step.level > 0 && std::isfinite(levels.unit[step.level - 1]) ? levels.unit[step.level - 1] : at;
     const double beta = units.spread / width;
     const double lapse = free.lapse ? std::clamp(step.lapse, 0.005, free.largestLapse) : step.lapse;
-    const double guess = free.guess ? std::clamp(step.guess, 0.005, free.largestGuess) : free.equal ? lapse : step.guess;
+    const double guess = free.guess   ? std::clamp(step.guess, 0.005, free.largestGuess)
+                         : free.equal ? lapse
+                                      : step.guess;
     return {units.middle - beta * (step.atLevel ? at : 0.5 * (at + before)), beta, lapse, guess};
 }
 
@@ -95,12 +101,14 @@ void keepBetter(SearchResult& best, const SearchResult& other) noexcept {
 
 constexpr double kExploring = 1e-4; ///< Newton decrement at which an exploratory climb ends
 
-void explore(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, const UnitCurve& start, SearchResult& best) noexcept {
+void explore(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, const UnitCurve& start,
+             SearchResult& best) noexcept {
     keepBetter(best, climb(sigmoid, levels, free, start, {kExploring, best.logLikelihood}));
 }
 
 /// Climbs from the best few curves of a grid.
-void exploreGrid(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, SearchResult& best) noexcept {
+void exploreGrid(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free,
+                 SearchResult& best) noexcept {
     const SigmoidUnits units = unitsOf(sigmoid);
     constexpr std::size_t kKept = 5;
     std::array<std::pair<double, UnitCurve>, kKept> kept;
@@ -108,13 +116,16 @@ void exploreGrid(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters
     const bool ends = free.lapse || free.guess;
     for (const double share : {0.02, 0.3}) {
         const double lapse = free.lapse ? std::min(share, free.largestLapse) : best.curve.lapse;
-        const double guess = free.equal ? lapse : free.guess ? std::min(share, free.largestGuess) : best.curve.guess;
+        const double guess = free.equal   ? lapse
+                             : free.guess ? std::min(share, free.largestGuess)
+                                          : best.curve.guess;
         for (const double width : {0.08, 0.3, 1.2}) {
             for (const double place : {-0.5, -0.25, 0.0, 0.25, 0.5}) {
                 const double beta = units.spread / width;
                 const UnitCurve curve{units.middle - beta * place, beta, lapse, guess};
                 const double height = logLikelihood(sigmoid, levels, curve);
-                const auto worst = std::min_element(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+                const auto worst = std::min_element(
+                    kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
                 if (height > worst->first) {
                     *worst = {height, curve};
                 }
@@ -132,7 +143,8 @@ void exploreGrid(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters
 }
 
 /// Climbs that look for a second maximum.
-void exploreElsewhere(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, SearchResult& best, double flat) noexcept {
+void exploreElsewhere(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free,
+                      SearchResult& best, double flat) noexcept {
     const bool freeEnds = free.lapse || free.guess;
     const double freedom = std::max(1.0, static_cast<double>(levels.size) - free.count());
     const bool poor = best.pearson > freedom + std::sqrt(2.0 * freedom);
@@ -147,7 +159,9 @@ void exploreElsewhere(Sigmoid sigmoid, const LevelsView& levels, const FreeParam
     }
     if (freeEnds) {
         const double lapse = free.lapse ? std::min(0.12, free.largestLapse) : best.curve.lapse;
-        const double guess = free.guess ? std::min(0.12, free.largestGuess) : free.equal ? lapse : best.curve.guess;
+        const double guess = free.guess   ? std::min(0.12, free.largestGuess)
+                             : free.equal ? lapse
+                                          : best.curve.guess;
         explore(sigmoid, levels, free, lineStart(sigmoid, levels, lapse, guess), best);
     }
     if (poor || atLimit) {
@@ -172,7 +186,8 @@ constexpr double kGained = 1e-9; ///< smallest gain in log-likelihood that count
 
 /// Climbs repeatedly, because a hundred steps do not reach the end of a ridge (a wide curve, a large lapse
 /// rate).
-void climbToTheEnd(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, SearchResult& best) noexcept {
+void climbToTheEnd(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free,
+                   SearchResult& best) noexcept {
     constexpr int kMostClimbs = 30;
     for (int again = 0; again < kMostClimbs; ++again) {
         const double before = best.logLikelihood;
@@ -184,16 +199,20 @@ void climbToTheEnd(Sigmoid sigmoid, const LevelsView& levels, const FreeParamete
 }
 
 /// Climbs from the most likely positions for each width and each pair of asymptotes.
-void exploreWidely(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, double lapse, double guess, SearchResult& best) noexcept {
+void exploreWidely(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, double lapse,
+                   double guess, SearchResult& best) noexcept {
     const SigmoidUnits units = unitsOf(sigmoid);
     constexpr std::array<double, 4> shares{0.0, 0.03, 0.15, 1.0};
     for (const double lapseShare : shares) {
         for (const double guessShare : shares) {
             const double startLapse = free.lapse ? lapseShare * free.largestLapse : lapse;
-            const double startGuess = free.equal ? startLapse : free.guess ? guessShare * free.largestGuess : guess;
+            const double startGuess = free.equal   ? startLapse
+                                      : free.guess ? guessShare * free.largestGuess
+                                                   : guess;
             for (const double width : {0.03, 0.1, 0.3, 1.0, 3.0, 15.0}) {
                 const double beta = units.spread / width;
-                std::pair<double, UnitCurve> first{-std::numeric_limits<double>::infinity(), {}}, second = first;
+                std::pair<double, UnitCurve> first{-std::numeric_limits<double>::infinity(), {}},
+                    second = first;
                 for (double place = -1.0; place < 1.01; place += 0.125) {
                     const UnitCurve curve{units.middle - beta * place, beta, startLapse, startGuess};
                     if (const double height = logLikelihood(sigmoid, levels, curve); height > first.first) {
@@ -220,17 +239,23 @@ void exploreWidely(Sigmoid sigmoid, const LevelsView& levels, const FreeParamete
 
 } // namespace
 
-SearchResult climb(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, const UnitCurve& start, const ClimbGoal& goal) noexcept {
+SearchResult climb(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free,
+                   const UnitCurve& start, const ClimbGoal& goal) noexcept {
     return shapes::withShape(sigmoid, [&]<class Shape>() noexcept {
-        return free.lapse || free.guess ? climbShape<Shape, true>(levels, free, start, goal) : climbShape<Shape, false>(levels, free, start, goal);
+        return free.lapse || free.guess ? climbShape<Shape, true>(levels, free, start, goal)
+                                        : climbShape<Shape, false>(levels, free, start, goal);
     });
 }
 
-SearchResult searchMaximum(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, double lapse, double guess) noexcept {
+SearchResult searchMaximum(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free,
+                           double lapse, double guess) noexcept {
     const double startLapse = free.lapse ? std::min(0.02, free.largestLapse) : lapse;
-    const double startGuess = free.guess ? std::min(0.02, free.largestGuess) : free.equal ? startLapse : guess;
+    const double startGuess = free.guess   ? std::min(0.02, free.largestGuess)
+                              : free.equal ? startLapse
+                                           : guess;
     const bool freeEnds = free.lapse || free.guess;
-    SearchResult best = climb(sigmoid, levels, free, lineStart(sigmoid, levels, startLapse, startGuess), {freeEnds ? kExploring : kExploring * 1e-8});
+    SearchResult best = climb(sigmoid, levels, free, lineStart(sigmoid, levels, startLapse, startGuess),
+                              {freeEnds ? kExploring : kExploring * 1e-8});
     best.step = bestStep(levels, free, lapse, guess);
     const double flat = flatLogLikelihood(levels, free, lapse, guess);
     exploreElsewhere(sigmoid, levels, free, best, flat);
@@ -242,7 +267,8 @@ SearchResult searchMaximum(Sigmoid sigmoid, const LevelsView& levels, const Free
     return best;
 }
 
-SearchResult searchThoroughly(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, double lapse, double guess) noexcept {
+SearchResult searchThoroughly(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free,
+                              double lapse, double guess) noexcept {
     const SearchResult quick = searchMaximum(sigmoid, levels, free, lapse, guess);
     SearchResult best = quick;
     exploreWidely(sigmoid, levels, free, lapse, guess, best);
@@ -254,7 +280,8 @@ SearchResult searchThoroughly(Sigmoid sigmoid, const LevelsView& levels, const F
     return best;
 }
 
-double likelihoodRatioOfStep(const PreparedLevels& levels, Sigmoid sigmoid, const FreeParameters& free, double lapse, double guess) noexcept {
+double likelihoodRatioOfStep(const PreparedLevels& levels, Sigmoid sigmoid, const FreeParameters& free,
+                             double lapse, double guess) noexcept {
     const SearchResult likely = searchMaximum(sigmoid, viewOf(levels), free, lapse, guess);
     return std::max(0.0, 2.0 * (likely.logLikelihood - likely.step.logLikelihood));
 }

@@ -14,10 +14,13 @@ struct Counts {
     double wrong() const noexcept { return of - right; }
 };
 
-double share(double part, double whole, double most) noexcept { return whole > 0.0 ? std::clamp(part / whole, 0.0, most) : 0.0; }
+double share(double part, double whole, double most) noexcept {
+    return whole > 0.0 ? std::clamp(part / whole, 0.0, most) : 0.0;
+}
 
 /// Chooses the most likely lapse and guess for the answers below and above a step.
-void chooseEnds(StepCurve& step, const Counts& below, const Counts& above, const FreeParameters& free) noexcept {
+void chooseEnds(StepCurve& step, const Counts& below, const Counts& above,
+                const FreeParameters& free) noexcept {
     if (free.equal) {
         step.lapse = share(below.right + above.wrong(), below.of + above.of, free.largestLapse);
         step.guess = step.lapse;
@@ -40,7 +43,9 @@ void weigh(StepCurve& step, const Counts& below, const Counts& above, const Coun
     }
 }
 
-double saturation(Sigmoid sigmoid) noexcept { return sigmoid == Sigmoid::tdist ? 1e9 : 40.0; }
+double saturation(Sigmoid sigmoid) noexcept {
+    return sigmoid == Sigmoid::tdist ? 1e9 : 40.0;
+}
 
 double closestGap(const LevelsView& levels, std::size_t level) noexcept {
     double gap = std::numeric_limits<double>::infinity();
@@ -55,7 +60,8 @@ double closestGap(const LevelsView& levels, std::size_t level) noexcept {
 
 } // namespace
 
-StepCurve bestStep(const LevelsView& levels, const FreeParameters& free, double lapse, double guess) noexcept {
+StepCurve bestStep(const LevelsView& levels, const FreeParameters& free, double lapse,
+                   double guess) noexcept {
     Counts all;
     for (std::size_t i = 0; i < levels.size; ++i) {
         all.right += levels.right[i];
@@ -76,11 +82,13 @@ StepCurve bestStep(const LevelsView& levels, const FreeParameters& free, double 
             StepCurve step{i, atLevel, 0.0, lapse, guess, 0.0};
             chooseEnds(step, below, above, free);
             weigh(step, below, above, at);
-            const double alike = std::isfinite(best.logLikelihood) ? 1e-9 * std::max(1.0, std::abs(best.logLikelihood)) : 0.0;
+            const double alike =
+                std::isfinite(best.logLikelihood) ? 1e-9 * std::max(1.0, std::abs(best.logLikelihood)) : 0.0;
             // Of two equally likely steps, the one between levels is preferred: halfway, so that mirrored
             // data give the mirrored step.
             const bool freer = best.atLevel && !step.atLevel;
-            if (step.logLikelihood > best.logLikelihood + alike || (freer && step.logLikelihood > best.logLikelihood - alike)) {
+            if (step.logLikelihood > best.logLikelihood + alike ||
+                (freer && step.logLikelihood > best.logLikelihood - alike)) {
                 best = step;
             }
         }
@@ -90,7 +98,8 @@ StepCurve bestStep(const LevelsView& levels, const FreeParameters& free, double 
     return best;
 }
 
-double flatLogLikelihood(const LevelsView& levels, const FreeParameters& free, double lapse, double guess) noexcept {
+double flatLogLikelihood(const LevelsView& levels, const FreeParameters& free, double lapse,
+                         double guess) noexcept {
     Counts all;
     for (std::size_t i = 0; i < levels.size; ++i) {
         all.right += levels.right[i];

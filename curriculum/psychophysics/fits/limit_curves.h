@@ -9,10 +9,10 @@ namespace chiron::psychophysics {
 /// between two levels or at one of them, and no rise at all (width → ∞). Their likelihoods have closed forms,
 /// lapse and guess included.
 struct StepCurve {
-    std::size_t level = 0;    ///< level of the step; see atLevel
-    bool atLevel = false;     ///< true: at this level, which has a proportion of its own; false: between the
-                              ///< previous level and this one
-    double share = 0.0;       ///< ψ at the level itself, if atLevel
+    std::size_t level = 0; ///< level of the step; see atLevel
+    bool atLevel = false;  ///< true: at this level, which has a proportion of its own; false: between the
+                           ///< previous level and this one
+    double share = 0.0;    ///< ψ at the level itself, if atLevel
     double lapse = 0.0;
     double guess = 0.0;
     double logLikelihood = 0.0;
@@ -22,7 +22,8 @@ struct StepCurve {
 StepCurve bestStep(const LevelsView& levels, const FreeParameters& free, double lapse, double guess) noexcept;
 /// Returns the likelihood of one common proportion at all levels, clamped between guess and 1 − lapse: the
 /// supremum as width → ∞.
-double flatLogLikelihood(const LevelsView& levels, const FreeParameters& free, double lapse, double guess) noexcept;
+double flatLogLikelihood(const LevelsView& levels, const FreeParameters& free, double lapse,
+                         double guess) noexcept;
 /// Returns a curve so steep that its likelihood equals that of the step (to 1e-8; beyond the neighbouring
 /// levels S is 0 or 1 to 1e-15, for t to 1e-9).
 UnitCurve curveOf(const StepCurve& step, const LevelsView& levels, Sigmoid sigmoid) noexcept;

@@ -21,7 +21,8 @@ public:
     JointModel(std::vector<PreparedLevels> levels, const FitOptions& options, const SharedParameters& shared)
         : m_levels(std::move(levels)), m_sigmoid(options.function), m_free(freeParameters(options)),
           m_fixedLapse(options.lapse.value), m_fixedGuess(options.guess.value) {
-        const std::array<bool, kCoordinates> common{shared.threshold, shared.width, shared.lapse, shared.guess};
+        const std::array<bool, kCoordinates> common{shared.threshold, shared.width, shared.lapse,
+                                                    shared.guess};
         const std::array<bool, kCoordinates> used{true, true, m_free.lapse, m_free.guess};
         for (std::size_t c = 0; c < m_levels.size(); ++c) {
             std::array<int, kCoordinates> at{-1, -1, -1, -1};
@@ -39,8 +40,12 @@ public:
     const PreparedLevels& levels(std::size_t c) const noexcept { return m_levels[c]; }
     const FreeParameters& free() const noexcept { return m_free; }
     Sigmoid sigmoid() const noexcept { return m_sigmoid; }
-    int placeOf(std::size_t condition, std::size_t coordinate) const noexcept { return m_place[condition][coordinate]; }
-    double largest(std::size_t coordinate) const noexcept { return coordinate == kLapse ? m_free.largestLapse : m_free.largestGuess; }
+    int placeOf(std::size_t condition, std::size_t coordinate) const noexcept {
+        return m_place[condition][coordinate];
+    }
+    double largest(std::size_t coordinate) const noexcept {
+        return coordinate == kLapse ? m_free.largestLapse : m_free.largestGuess;
+    }
 
     CurveParameters parameters(const std::vector<double>& row, std::size_t c) const noexcept {
         const auto& at = m_place[c];
@@ -52,7 +57,8 @@ public:
     double logLikelihoodOf(const std::vector<double>& row) const noexcept {
         double sum = 0.0;
         for (std::size_t c = 0; c < m_levels.size(); ++c) {
-            sum += logLikelihood(m_sigmoid, viewOf(m_levels[c]), toUnit(parameters(row, c), m_levels[c], m_sigmoid));
+            sum += logLikelihood(m_sigmoid, viewOf(m_levels[c]),
+                                 toUnit(parameters(row, c), m_levels[c], m_sigmoid));
         }
         return sum;
     }
@@ -82,16 +88,22 @@ JointSums sumsAt(const JointModel& model, const std::vector<double>& row) {
         const PreparedLevels& levels = model.levels(c);
         const double reach = 1.0 - p.lapse - p.guess;
         for (std::size_t i = 0; i < levels.size(); ++i) {
-            const double z = std::isfinite(levels.axis[i]) ? units.spread * (levels.axis[i] - p.threshold) / p.width : -1e300;
+            const double z = std::isfinite(levels.axis[i])
+                                 ? units.spread * (levels.axis[i] - p.threshold) / p.width
+                                 : -1e300;
             const SigmoidValue s = sigmoidAt(model.sigmoid(), units.middle + z);
-            const double psi = std::max(p.guess + reach * s.rise, 1e-300), rest = std::max(p.lapse + reach * s.rest, 1e-300);
-            const std::array<double, kCoordinates> d{-reach * s.slope * units.spread / p.width, s.slope > 0.0 ? -reach * s.slope * z : 0.0,
+            const double psi = std::max(p.guess + reach * s.rise, 1e-300),
+                         rest = std::max(p.lapse + reach * s.rest, 1e-300);
+            const std::array<double, kCoordinates> d{-reach * s.slope * units.spread / p.width,
+                                                     s.slope > 0.0 ? -reach * s.slope * z : 0.0,
                                                      model.free().equal ? s.rest - s.rise : -s.rise, s.rest};
-            const double score = (levels.right[i] * rest - (levels.of[i] - levels.right[i]) * psi) / (psi * rest);
+            const double score =
+                (levels.right[i] * rest - (levels.of[i] - levels.right[i]) * psi) / (psi * rest);
             for (std::size_t a = 0; a < kCoordinates; ++a) {
                 for (std::size_t b = 0; b < kCoordinates && model.placeOf(c, a) >= 0; ++b) {
                     if (model.placeOf(c, b) >= 0) {
-                        sums.information[static_cast<std::size_t>(model.placeOf(c, a)) * size + static_cast<std::size_t>(model.placeOf(c, b))] +=
+                        sums.information[static_cast<std::size_t>(model.placeOf(c, a)) * size +
+                                         static_cast<std::size_t>(model.placeOf(c, b))] +=
                             levels.of[i] / (psi * rest) * d[a] * d[b];
                     }
                 }
@@ -154,7 +166,8 @@ double climbJoint(const JointModel& model, std::vector<double>& row) {
         const JointSums sums = sumsAt(model, row);
         std::vector<bool> moves(row.size(), true);
         for (std::size_t i = 0; i < row.size(); ++i) {
-            moves[i] = !isShare[i] || !((row[i] <= 0.0 && sums.gradient[i] <= 0.0) || (row[i] >= most[i] && sums.gradient[i] >= 0.0));
+            moves[i] = !isShare[i] || !((row[i] <= 0.0 && sums.gradient[i] <= 0.0) ||
+                                        (row[i] >= most[i] && sums.gradient[i] >= 0.0));
         }
         const std::vector<double> move = solved(sums, moves, damping);
         double decrement = 0.0;
@@ -183,11 +196,14 @@ std::vector<double> jointStart(const JointModel& model, const FitOptions& option
     std::vector<double> row(static_cast<std::size_t>(model.size()), 0.0), count(row.size(), 0.0);
     for (std::size_t c = 0; c < model.conditions(); ++c) {
         const PreparedLevels& levels = model.levels(c);
-        const SearchResult alone = searchMaximum(options.function, viewOf(levels), model.free(), options.lapse.value, options.guess.value);
+        const SearchResult alone = searchMaximum(options.function, viewOf(levels), model.free(),
+                                                 options.lapse.value, options.guess.value);
         CurveParameters p = fromUnit(alone.curve, levels, options.function);
         p.width = std::clamp(p.width, 0.3 * levels.spacing, 3.0 * levels.range);
-        p.threshold = std::clamp(p.threshold, levels.centre - 0.6 * levels.range, levels.centre + 0.6 * levels.range);
-        const std::array<double, kCoordinates> values{p.threshold, std::log(p.width), std::max(p.lapse, 0.01), std::max(p.guess, 0.01)};
+        p.threshold =
+            std::clamp(p.threshold, levels.centre - 0.6 * levels.range, levels.centre + 0.6 * levels.range);
+        const std::array<double, kCoordinates> values{p.threshold, std::log(p.width), std::max(p.lapse, 0.01),
+                                                      std::max(p.guess, 0.01)};
         for (std::size_t i = 0; i < kCoordinates; ++i) {
             if (const int at = model.placeOf(c, i); at >= 0) {
                 row[static_cast<std::size_t>(at)] += values[i];
@@ -203,7 +219,8 @@ std::vector<double> jointStart(const JointModel& model, const FitOptions& option
 
 } // namespace
 
-ConditionsFit fitConditions(const std::vector<PsychometricData>& conditions, const FitOptions& given, const SharedParameters& shared) {
+ConditionsFit fitConditions(const std::vector<PsychometricData>& conditions, const FitOptions& given,
+                            const SharedParameters& shared) {
     const FitOptions options = settled(given);
     ConditionsFit fit;
     if (std::string problem = optionsProblem(options); !problem.empty()) {
@@ -246,13 +263,15 @@ double proportionOf(const CurveParameters& p, double x, const FitOptions& option
 }
 
 double likelihoodRatio(const ConditionsFit& smaller, const ConditionsFit& larger) noexcept {
-    return smaller.fitted && larger.fitted ? std::max(0.0, 2.0 * (larger.logLikelihood - smaller.logLikelihood)) : kNotKnown;
+    return smaller.fitted && larger.fitted
+               ? std::max(0.0, 2.0 * (larger.logLikelihood - smaller.logLikelihood))
+               : kNotKnown;
 }
 
 /// Computes the Monte Carlo p: the share of data sets drawn from the smaller model whose likelihood ratio is
 /// at least as large.
-void simulate(ModelComparison& comparison, const std::vector<PsychometricData>& conditions, const FitOptions& options, const SharedParameters& both,
-              const SharedParameters& shared) {
+void simulate(ModelComparison& comparison, const std::vector<PsychometricData>& conditions,
+              const FitOptions& options, const SharedParameters& both, const SharedParameters& shared) {
     struct Row {
         std::size_t condition, row;
         BinomialSampler sampler;
@@ -261,7 +280,8 @@ void simulate(ModelComparison& comparison, const std::vector<PsychometricData>& 
     for (std::size_t c = 0; c < conditions.size(); ++c) {
         for (std::size_t i = 0; i < conditions[c].x.size(); ++i) {
             if (isUsableRow(conditions[c].x[i], conditions[c].k[i], conditions[c].n[i])) {
-                const double share = std::clamp(proportionOf(comparison.smaller.conditions[c], conditions[c].x[i], options), 0.0, 1.0);
+                const double share = std::clamp(
+                    proportionOf(comparison.smaller.conditions[c], conditions[c].x[i], options), 0.0, 1.0);
                 rows.push_back({c, i, BinomialSampler(conditions[c].n[i], share)});
             }
         }
@@ -273,7 +293,8 @@ void simulate(ModelComparison& comparison, const std::vector<PsychometricData>& 
         for (const Row& row : rows) {
             drawn[row.condition].k[row.row] = row.sampler.draw(random);
         }
-        const double ratio = likelihoodRatio(fitConditions(drawn, options, both), fitConditions(drawn, options, shared));
+        const double ratio =
+            likelihoodRatio(fitConditions(drawn, options, both), fitConditions(drawn, options, shared));
         comparison.simulated += std::isfinite(ratio) ? 1 : 0;
         asLarge += ratio >= comparison.likelihoodRatio - 1e-9 ? 1 : 0;
     }
@@ -282,16 +303,19 @@ void simulate(ModelComparison& comparison, const std::vector<PsychometricData>& 
 
 } // namespace
 
-ModelComparison compareConditions(const std::vector<PsychometricData>& conditions, const FitOptions& given, const SharedParameters& shared, const SharedParameters& tested) {
+ModelComparison compareConditions(const std::vector<PsychometricData>& conditions, const FitOptions& given,
+                                  const SharedParameters& shared, const SharedParameters& tested) {
     FitOptions options = settled(given);
     options.scale = options.scale.value_or(ownScale(options.function));
-    const SharedParameters both{shared.threshold || tested.threshold, shared.width || tested.width, shared.lapse || tested.lapse,
-                                shared.guess || tested.guess};
-    ModelComparison comparison{fitConditions(conditions, options, both), fitConditions(conditions, options, shared)};
+    const SharedParameters both{shared.threshold || tested.threshold, shared.width || tested.width,
+                                shared.lapse || tested.lapse, shared.guess || tested.guess};
+    ModelComparison comparison{fitConditions(conditions, options, both),
+                               fitConditions(conditions, options, shared)};
     if (comparison.smaller.fitted && comparison.larger.fitted) {
         comparison.likelihoodRatio = likelihoodRatio(comparison.smaller, comparison.larger);
         comparison.freedom = comparison.larger.freeParameters - comparison.smaller.freeParameters;
-        comparison.pValue = comparison.chiSquareP = chiSquareTail(comparison.likelihoodRatio, comparison.freedom);
+        comparison.pValue = comparison.chiSquareP =
+            chiSquareTail(comparison.likelihoodRatio, comparison.freedom);
         comparison.aicDifference = comparison.smaller.aic - comparison.larger.aic;
         if (options.monteCarlo > 0) {
             simulate(comparison, conditions, options, both, shared);

@@ -42,7 +42,8 @@ Rule gaussLegendre(std::size_t nodes) {
 /// than the largest of their values.
 double localCubic(const std::vector<double>& nodes, const std::vector<double>& values, double x) noexcept {
     const std::size_t order = std::min<std::size_t>(4, nodes.size());
-    const auto after = static_cast<std::size_t>(std::upper_bound(nodes.begin(), nodes.end(), x) - nodes.begin());
+    const auto after =
+        static_cast<std::size_t>(std::upper_bound(nodes.begin(), nodes.end(), x) - nodes.begin());
     const std::size_t first = std::min(after > order / 2 ? after - order / 2 : 0, nodes.size() - order);
     double sum = 0.0, most = values[first];
     for (std::size_t i = first; i < first + order; ++i) {
@@ -68,7 +69,9 @@ std::vector<double> QuadratureAxis::edges() const {
     return ends;
 }
 
-QuadratureAxis fixedAxis(double value) { return {{value, value}, {value}, {1.0}}; }
+QuadratureAxis fixedAxis(double value) {
+    return {{value, value}, {value}, {1.0}};
+}
 
 QuadratureAxis panelAxis(std::vector<double> breaks, std::size_t nodes) {
     const Rule rule = gaussLegendre(nodes);
@@ -83,7 +86,8 @@ QuadratureAxis panelAxis(std::vector<double> breaks, std::size_t nodes) {
     return axis;
 }
 
-std::vector<double> equalShares(const std::vector<double>& edges, const std::vector<double>& mass, std::size_t panels) {
+std::vector<double> equalShares(const std::vector<double>& edges, const std::vector<double>& mass,
+                                std::size_t panels) {
     double total = 0.0;
     for (const double one : mass) {
         total += one;
@@ -93,7 +97,8 @@ std::vector<double> equalShares(const std::vector<double>& edges, const std::vec
     double before = 0.0;
     for (std::size_t i = 0; i < mass.size(); ++i) {
         const double step = edges[i + 1] - edges[i];
-        const double share = 0.5 * step / length + (total > 0.0 ? 0.5 * mass[i] / total : 0.5 * step / length);
+        const double share =
+            0.5 * step / length + (total > 0.0 ? 0.5 * mass[i] / total : 0.5 * step / length);
         while (breaks.size() < panels && before + share >= each * static_cast<double>(breaks.size())) {
             const double part = (each * static_cast<double>(breaks.size()) - before) / share;
             breaks.push_back(edges[i] + std::clamp(part, 0.0, 1.0) * step);
@@ -104,7 +109,8 @@ std::vector<double> equalShares(const std::vector<double>& edges, const std::vec
     return breaks;
 }
 
-Marginal::Marginal(const QuadratureAxis& axis, const std::vector<double>& mass) : m_places{axis.low()}, m_cumulative{0.0} {
+Marginal::Marginal(const QuadratureAxis& axis, const std::vector<double>& mass)
+    : m_places{axis.low()}, m_cumulative{0.0} {
     constexpr double kLeast = 1e-6, kTiny = 1e-300; // relative to the highest density, and absolute
     std::vector<double> logs(mass.size());
     double highest = 0.0;
@@ -125,7 +131,8 @@ Marginal::Marginal(const QuadratureAxis& axis, const std::vector<double>& mass) 
     }
 }
 
-void Marginal::addPanel(const QuadratureAxis& axis, const std::vector<double>& logs, std::size_t panel, double held) {
+void Marginal::addPanel(const QuadratureAxis& axis, const std::vector<double>& logs, std::size_t panel,
+                        double held) {
     constexpr std::size_t kPieces = 40;
     const double from = axis.breaks[panel], step = (axis.breaks[panel + 1] - from) / kPieces;
     std::array<double, kPieces + 1> density;
@@ -138,7 +145,8 @@ void Marginal::addPanel(const QuadratureAxis& axis, const std::vector<double>& l
     for (std::size_t piece = 0; piece < kPieces; ++piece) {
         m_from.push_back(scale * density[piece]);
         m_to.push_back(scale * density[piece + 1]);
-        m_places.push_back(piece + 1 == kPieces ? axis.breaks[panel + 1] : from + step * static_cast<double>(piece + 1));
+        m_places.push_back(piece + 1 == kPieces ? axis.breaks[panel + 1]
+                                                : from + step * static_cast<double>(piece + 1));
         m_cumulative.push_back(m_cumulative.back() + 0.5 * (m_from.back() + m_to.back()) * step);
     }
 }

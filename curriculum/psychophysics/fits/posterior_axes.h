@@ -32,7 +32,8 @@ QuadratureAxis fixedAxis(double value); ///< one node of weight 1
 QuadratureAxis panelAxis(std::vector<double> breaks, std::size_t nodes);
 /// Returns the ends of panels that each contain an equal share, where half of a share is mass and half is
 /// length. `mass` is uniform within each interval of `edges`, which has one more element.
-std::vector<double> equalShares(const std::vector<double>& edges, const std::vector<double>& mass, std::size_t panels);
+std::vector<double> equalShares(const std::vector<double>& edges, const std::vector<double>& mass,
+                                std::size_t panels);
 
 /// The cumulative distribution of a marginal, interpolated from the masses of an axis' nodes by local cubics
 /// through the logarithms of its densities.
@@ -45,7 +46,8 @@ public:
     double high() const noexcept { return m_places.back(); }
 
 private:
-    void addPanel(const QuadratureAxis& axis, const std::vector<double>& logs, std::size_t panel, double held);
+    void addPanel(const QuadratureAxis& axis, const std::vector<double>& logs, std::size_t panel,
+                  double held);
     std::vector<double> m_places, m_cumulative;
     std::vector<double> m_from, m_to; ///< densities at the ends of the piece after each position
 };

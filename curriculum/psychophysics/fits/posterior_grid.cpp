@@ -20,12 +20,17 @@ struct Extent {
 
 Extent extentOf(const PosteriorModel& model, const PosteriorAxes& axes, double unit) noexcept {
     const SigmoidUnits units = unitsOf(model.sigmoid);
-    const auto end = [&](std::size_t axis, bool high) { return high ? axes.axis[axis].high() : axes.axis[axis].low(); };
+    const auto end = [&](std::size_t axis, bool high) {
+        return high ? axes.axis[axis].high() : axes.axis[axis].low();
+    };
     Extent extent;
     for (unsigned corner = 0; corner < 16; ++corner) {
-        const double threshold = end(PosteriorAxes::threshold, corner & 1u), width = std::exp(end(PosteriorAxes::logWidth, corner & 2u));
-        const double lapse = end(PosteriorAxes::lapse, corner & 4u), guess = model.free.equal ? lapse : end(PosteriorAxes::guess, corner & 8u);
-        const SigmoidValue s = sigmoidAt(model.sigmoid, units.middle + units.spread / width * (unit - threshold));
+        const double threshold = end(PosteriorAxes::threshold, corner & 1u),
+                     width = std::exp(end(PosteriorAxes::logWidth, corner & 2u));
+        const double lapse = end(PosteriorAxes::lapse, corner & 4u),
+                     guess = model.free.equal ? lapse : end(PosteriorAxes::guess, corner & 8u);
+        const SigmoidValue s =
+            sigmoidAt(model.sigmoid, units.middle + units.spread / width * (unit - threshold));
         const double reach = 1.0 - guess - lapse, psi = guess + reach * s.rise, rest = lapse + reach * s.rest;
         constexpr double kRounded = 1e-12; // below this, 1 − ψ is only a rounding error
         extent.lowest = std::min(extent.lowest, psi);
@@ -39,7 +44,8 @@ std::vector<BetaBinomialTable> tablesFor(const PosteriorModel& model, const Post
     tables.reserve(model.levels.size());
     for (std::size_t i = 0; i < model.levels.size(); ++i) {
         const Extent extent = extentOf(model, axes, model.levels.unit[i]);
-        tables.emplace_back(model.levels.right[i], model.levels.of[i], axes.axis[PosteriorAxes::eta].nodes, extent.lowest, extent.highest);
+        tables.emplace_back(model.levels.right[i], model.levels.of[i], axes.axis[PosteriorAxes::eta].nodes,
+                            extent.lowest, extent.highest);
     }
     return tables;
 }
@@ -59,12 +65,17 @@ std::vector<double> thresholdBreaks(const PosteriorModel& model, std::size_t pan
     return equalShares(edges, mass, panels);
 }
 
-std::vector<double> evenBreaks(double low, double high, std::size_t panels) { return equalShares({low, high}, {0.0}, panels); }
+std::vector<double> evenBreaks(double low, double high, std::size_t panels) {
+    return equalShares({low, high}, {0.0}, panels);
+}
 
 } // namespace
 
 const AxisSize& GridSize::operator[](std::size_t axis) const noexcept {
-    return axis == PosteriorAxes::threshold ? threshold : axis == PosteriorAxes::logWidth ? width : axis == PosteriorAxes::eta ? eta : share;
+    return axis == PosteriorAxes::threshold  ? threshold
+           : axis == PosteriorAxes::logWidth ? width
+           : axis == PosteriorAxes::eta      ? eta
+                                             : share;
 }
 
 std::size_t PosteriorAxes::cells() const noexcept {
@@ -97,12 +108,14 @@ void DensityGrid::fill(const PosteriorModel& model) {
         for (const double guessNode : axis[PosteriorAxes::guess].nodes) {
             for (const double lapse : axis[PosteriorAxes::lapse].nodes) {
                 const double guess = m_equal ? lapse : guessNode, reach = 1.0 - guess - lapse;
-                const double shares = prior + (model.free.lapse ? model.priors.logShare(lapse) : 0.0) + (model.free.guess ? model.priors.logShare(guess) : 0.0);
+                const double shares = prior + (model.free.lapse ? model.priors.logShare(lapse) : 0.0) +
+                                      (model.free.guess ? model.priors.logShare(guess) : 0.0);
                 for (std::size_t e = 0; e < etas; ++e) {
                     cell[e] = shares + model.priors.logShare(axis[PosteriorAxes::eta].nodes[e]);
                 }
                 for (std::size_t i = 0; i < levels; ++i) {
-                    tables[i].addTo(std::log((guess + reach * s[i].rise) / (lapse + reach * s[i].rest)), cell);
+                    tables[i].addTo(std::log((guess + reach * s[i].rise) / (lapse + reach * s[i].rest)),
+                                    cell);
                 }
                 cell += etas;
             }
@@ -131,8 +144,8 @@ void DensityGrid::fill(const PosteriorModel& model) {
 CurveParameters DensityGrid::parametersAt(std::size_t cell) const noexcept {
     const auto node = [&](std::size_t axis) { return m_axes.axis[axis].nodes[nodeOf(cell, axis)]; };
     const double lapse = node(PosteriorAxes::lapse);
-    return {node(PosteriorAxes::threshold), std::exp(node(PosteriorAxes::logWidth)), lapse, m_equal ? lapse : node(PosteriorAxes::guess),
-            node(PosteriorAxes::eta)};
+    return {node(PosteriorAxes::threshold), std::exp(node(PosteriorAxes::logWidth)), lapse,
+            m_equal ? lapse : node(PosteriorAxes::guess), node(PosteriorAxes::eta)};
 }
 
 Masses massesOf(const DensityGrid& grid, double reference) {
@@ -147,14 +160,16 @@ Masses massesOf(const DensityGrid& grid, double reference) {
     std::size_t cell = 0;
     for (std::size_t t = 0; t < axis[Axes::threshold].size(); ++t) {
         for (std::size_t w = 0; w < axis[Axes::logWidth].size(); ++w) {
-            const double outer = axis[Axes::threshold].weights[t] * axis[Axes::logWidth].weights[w] * std::exp(axis[Axes::logWidth].nodes[w]);
+            const double outer = axis[Axes::threshold].weights[t] * axis[Axes::logWidth].weights[w] *
+                                 std::exp(axis[Axes::logWidth].nodes[w]);
             for (std::size_t g = 0; g < axis[Axes::guess].size(); ++g) {
                 for (std::size_t l = 0; l < axis[Axes::lapse].size(); ++l) {
                     const double inner = outer * axis[Axes::guess].weights[g] * axis[Axes::lapse].weights[l];
                     double sum = 0.0;
                     for (std::size_t e = 0; e < axis[Axes::eta].size(); ++e, ++cell) {
                         const double log = grid.logs()[cell] - grid.highest();
-                        const double mass = log > -40.0 ? unit * inner * axis[Axes::eta].weights[e] * std::exp(log) : 0.0;
+                        const double mass =
+                            log > -40.0 ? unit * inner * axis[Axes::eta].weights[e] * std::exp(log) : 0.0;
                         masses.cell[cell] = mass;
                         masses.node[Axes::eta][e] += mass;
                         sum += mass;
@@ -174,11 +189,17 @@ Masses massesOf(const DensityGrid& grid, double reference) {
 PosteriorAxes wholeSpace(const PosteriorModel& model, const GridSize& size) {
     const FitPriors& priors = model.priors;
     PosteriorAxes axes;
-    const auto even = [](double low, double high, const AxisSize& cut) { return panelAxis(evenBreaks(low, high, cut.panels), cut.nodes); };
-    axes.axis[PosteriorAxes::threshold] = panelAxis(thresholdBreaks(model, size.threshold.panels), size.threshold.nodes);
-    axes.axis[PosteriorAxes::logWidth] = even(std::log(priors.lowestWidth()), std::log(priors.largestWidth()), size.width);
-    axes.axis[PosteriorAxes::guess] = model.free.guess ? even(0.0, model.free.largestGuess, size.share) : fixedAxis(model.guess);
-    axes.axis[PosteriorAxes::lapse] = model.free.lapse ? even(0.0, model.free.largestLapse, size.share) : fixedAxis(model.lapse);
+    const auto even = [](double low, double high, const AxisSize& cut) {
+        return panelAxis(evenBreaks(low, high, cut.panels), cut.nodes);
+    };
+    axes.axis[PosteriorAxes::threshold] =
+        panelAxis(thresholdBreaks(model, size.threshold.panels), size.threshold.nodes);
+    axes.axis[PosteriorAxes::logWidth] =
+        even(std::log(priors.lowestWidth()), std::log(priors.largestWidth()), size.width);
+    axes.axis[PosteriorAxes::guess] =
+        model.free.guess ? even(0.0, model.free.largestGuess, size.share) : fixedAxis(model.guess);
+    axes.axis[PosteriorAxes::lapse] =
+        model.free.lapse ? even(0.0, model.free.largestLapse, size.share) : fixedAxis(model.lapse);
     axes.axis[PosteriorAxes::eta] = model.overdispersion ? even(0.0, kMostEta, size.eta) : fixedAxis(0.0);
     return axes;
 }

@@ -28,7 +28,9 @@ public:
     const std::vector<double>& logs() const noexcept { return m_logs; }
     double highest() const noexcept { return m_highest; }
     CurveParameters parametersAt(std::size_t cell) const noexcept;
-    std::size_t nodeOf(std::size_t cell, std::size_t axis) const noexcept { return cell / m_stride[axis] % m_axes.axis[axis].size(); }
+    std::size_t nodeOf(std::size_t cell, std::size_t axis) const noexcept {
+        return cell / m_stride[axis] % m_axes.axis[axis].size();
+    }
 
 private:
     void fill(const PosteriorModel& model);

@@ -21,7 +21,8 @@ struct Corner {
 /// The searched coordinates of a model: threshold, ln width, √η, then √lapse and √guess where they are free.
 class SearchSpace {
 public:
-    explicit SearchSpace(const PosteriorModel& model) : m_model(model), m_size(3u + (model.free.lapse ? 1u : 0u) + (model.free.guess ? 1u : 0u)) {}
+    explicit SearchSpace(const PosteriorModel& model)
+        : m_model(model), m_size(3u + (model.free.lapse ? 1u : 0u) + (model.free.guess ? 1u : 0u)) {}
     std::size_t size() const noexcept { return m_size; }
 
     Place placeOf(const CurveParameters& p) const noexcept {
@@ -36,7 +37,8 @@ public:
         return place;
     }
     CurveParameters parametersAt(const Place& place) const noexcept {
-        CurveParameters p{place[0], std::exp(place[1]), m_model.lapse, m_model.guess, m_model.overdispersion ? place[2] * place[2] : 0.0};
+        CurveParameters p{place[0], std::exp(place[1]), m_model.lapse, m_model.guess,
+                          m_model.overdispersion ? place[2] * place[2] : 0.0};
         std::size_t next = 3;
         if (m_model.free.lapse) {
             p.lapse = place[next] * place[next];
@@ -45,7 +47,9 @@ public:
         p.guess = m_model.free.equal ? p.lapse : m_model.free.guess ? place[next] * place[next] : p.guess;
         return p;
     }
-    Corner weigh(const Place& place) const noexcept { return {place, m_model.logDensity(parametersAt(place))}; }
+    Corner weigh(const Place& place) const noexcept {
+        return {place, m_model.logDensity(parametersAt(place))};
+    }
 
 private:
     const PosteriorModel& m_model;
@@ -66,14 +70,16 @@ public:
 
     Corner climb(int steps) {
         for (int step = 0; step < steps; ++step) {
-            std::sort(m_corners.begin(), m_corners.end(), [](const Corner& a, const Corner& b) { return a.height > b.height; });
+            std::sort(m_corners.begin(), m_corners.end(),
+                      [](const Corner& a, const Corner& b) { return a.height > b.height; });
             const double best = m_corners.front().height;
             if (best - m_corners.back().height < 1e-11 * (1.0 + std::abs(best))) {
                 break;
             }
             advance();
         }
-        return *std::max_element(m_corners.begin(), m_corners.end(), [](const Corner& a, const Corner& b) { return a.height < b.height; });
+        return *std::max_element(m_corners.begin(), m_corners.end(),
+                                 [](const Corner& a, const Corner& b) { return a.height < b.height; });
     }
 
 private:
@@ -160,10 +166,12 @@ public:
 
     /// Returns the candidates with the highest log density that are not close to a better one.
     std::vector<CurveParameters> best(std::size_t most) {
-        std::stable_sort(m_all.begin(), m_all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+        std::stable_sort(m_all.begin(), m_all.end(),
+                         [](const auto& a, const auto& b) { return a.first > b.first; });
         std::vector<CurveParameters> chosen;
         for (const auto& [height, at] : m_all) {
-            if (std::none_of(chosen.begin(), chosen.end(), [&at = at](const CurveParameters& other) { return alike(at, other); })) {
+            if (std::none_of(chosen.begin(), chosen.end(),
+                             [&at = at](const CurveParameters& other) { return alike(at, other); })) {
                 chosen.push_back(at);
             }
             if (chosen.size() == most) {
@@ -176,8 +184,10 @@ public:
 private:
     static bool alike(const CurveParameters& a, const CurveParameters& b) noexcept {
         const double width = std::min(a.width, b.width);
-        return std::abs(a.threshold - b.threshold) < 0.4 * width && std::abs(std::log(a.width / b.width)) < 0.5 && (a.eta > 0.0) == (b.eta > 0.0) &&
-               std::abs(std::sqrt(a.lapse) - std::sqrt(b.lapse)) < 0.15 && std::abs(std::sqrt(a.guess) - std::sqrt(b.guess)) < 0.15;
+        return std::abs(a.threshold - b.threshold) < 0.4 * width &&
+               std::abs(std::log(a.width / b.width)) < 0.5 && (a.eta > 0.0) == (b.eta > 0.0) &&
+               std::abs(std::sqrt(a.lapse) - std::sqrt(b.lapse)) < 0.15 &&
+               std::abs(std::sqrt(a.guess) - std::sqrt(b.guess)) < 0.15;
     }
 
     const PosteriorModel& m_model;
@@ -210,7 +220,8 @@ void addLevels(Candidates& candidates, const PosteriorModel& model) {
     constexpr double kFew = 0.03, kMany = 0.15;
     const std::vector<double>& unit = model.levels.unit;
     const std::size_t places = 2 * unit.size() - 1, every = (places + kMostPlaces - 1) / kMostPlaces;
-    const double low = std::log(1.3 * model.priors.lowestWidth()), high = std::log(0.8 * model.priors.largestWidth());
+    const double low = std::log(1.3 * model.priors.lowestWidth()),
+                 high = std::log(0.8 * model.priors.largestWidth());
     for (std::size_t place = 0; place < places; place += every) {
         const double threshold = 0.5 * (unit[place / 2] + unit[(place + 1) / 2]);
         for (std::size_t w = 0; w < kWidths; ++w) {
@@ -244,8 +255,10 @@ CurveParameters posteriorMode(const PosteriorModel& model, const std::vector<Cur
         tops.push_back(Simplex(space, space.placeOf(start), 1.0).climb(50));
     }
     Corner best;
-    for (const auto& [keep, steps] : {std::pair<std::size_t, int>{8, 120}, {3, 200}}) { // fewer and longer climbs
-        std::stable_sort(tops.begin(), tops.end(), [](const Corner& a, const Corner& b) { return a.height > b.height; });
+    for (const auto& [keep, steps] :
+         {std::pair<std::size_t, int>{8, 120}, {3, 200}}) { // fewer and longer climbs
+        std::stable_sort(tops.begin(), tops.end(),
+                         [](const Corner& a, const Corner& b) { return a.height > b.height; });
         tops.resize(std::min(keep, tops.size()));
         for (Corner& top : tops) {
             top = Simplex(space, top.at, -0.5).climb(steps);

@@ -15,11 +15,13 @@ constexpr double kImpossible = -std::numeric_limits<double>::infinity();
 } // namespace
 
 double PosteriorModel::logDensity(const CurveParameters& at) const noexcept {
-    if (!(at.eta >= 0.0 && at.eta < kMostEta) || (free.lapse && at.lapse > free.largestLapse) || (free.guess && at.guess > free.largestGuess)) {
+    if (!(at.eta >= 0.0 && at.eta < kMostEta) || (free.lapse && at.lapse > free.largestLapse) ||
+        (free.guess && at.guess > free.largestGuess)) {
         return kImpossible;
     }
     double sum = priors.logThreshold(at.threshold) + priors.logWidth(at.width) + priors.logShare(at.eta) +
-                 (free.lapse ? priors.logShare(at.lapse) : 0.0) + (free.guess ? priors.logShare(at.guess) : 0.0);
+                 (free.lapse ? priors.logShare(at.lapse) : 0.0) +
+                 (free.guess ? priors.logShare(at.guess) : 0.0);
     if (!std::isfinite(sum)) {
         return kImpossible;
     }
@@ -27,7 +29,8 @@ double PosteriorModel::logDensity(const CurveParameters& at) const noexcept {
     const double reach = 1.0 - at.lapse - at.guess, slope = units.spread / at.width;
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const SigmoidValue s = sigmoidAt(sigmoid, units.middle + slope * (levels.unit[i] - at.threshold));
-        sum += betaBinomialLog(levels.right[i], levels.of[i], at.guess + reach * s.rise, at.lapse + reach * s.rest, at.eta);
+        sum += betaBinomialLog(levels.right[i], levels.of[i], at.guess + reach * s.rise,
+                               at.lapse + reach * s.rest, at.eta);
     }
     return sum;
 }

@@ -10,7 +10,8 @@ namespace chiron::psychophysics {
 
 inline constexpr double kMostEta = 0.999;
 
-/// The beta-binomial model of Schütt et al. (2016) for one set of levels; thresholds and widths on the unit axis.
+/// The beta-binomial model of Schütt et al. (2016) for one set of levels; thresholds and widths on the unit
+/// axis.
 struct PosteriorModel {
     const PreparedLevels& levels;
     Sigmoid sigmoid;

@@ -27,7 +27,8 @@ std::vector<Range> etaBands(const PosteriorModel& model) {
     }
     std::vector<Range> bands;
     double low = 0.0;
-    for (double end = std::sqrt(model.levels.total / squares); end < 0.8 * kMostEta; end += std::min(end, 0.2)) {
+    for (double end = std::sqrt(model.levels.total / squares); end < 0.8 * kMostEta;
+         end += std::min(end, 0.2)) {
         bands.push_back({low, end});
         low = end;
     }
@@ -49,7 +50,8 @@ std::vector<Range> widthBands(const FitPriors& priors) {
 
 /// Returns the range from the interval before the first one with relevant mass to the one after the last. The
 /// range is extended if mass is cut off at an end.
-Range matteringRange(const QuadratureAxis& axis, const std::vector<double>& mass, double total, const Range& limits) {
+Range matteringRange(const QuadratureAxis& axis, const std::vector<double>& mass, double total,
+                     const Range& limits) {
     const std::vector<double> edges = axis.edges();
     std::size_t first = 0, last = mass.size() - 1;
     for (double below = mass[first]; first < last && below < kNegligible * total; below += mass[first]) {
@@ -61,13 +63,18 @@ Range matteringRange(const QuadratureAxis& axis, const std::vector<double>& mass
     constexpr double kCut = 0.002, kFurther = 0.5; // relative to a node's own share
     const double length = axis.high() - axis.low();
     const bool cutBelow = mass.front() > kCut * total, cutAbove = mass.back() > kCut * total;
-    const double low = first > 0 ? edges[first - 1] : cutBelow ? edges.front() - kFurther * length : edges.front();
-    const double high = last + 1 < mass.size() ? edges[last + 2] : cutAbove ? edges.back() + kFurther * length : edges.back();
+    const double low = first > 0  ? edges[first - 1]
+                       : cutBelow ? edges.front() - kFurther * length
+                                  : edges.front();
+    const double high = last + 1 < mass.size() ? edges[last + 2]
+                        : cutAbove             ? edges.back() + kFurther * length
+                                               : edges.back();
     return {std::max(low, limits.low), std::min(high, limits.high)};
 }
 
 /// Returns the breaks for panels over a range, according to the masses of the axis' nodes.
-std::vector<double> breaksWithin(const QuadratureAxis& axis, const std::vector<double>& mass, const Range& range, std::size_t panels) {
+std::vector<double> breaksWithin(const QuadratureAxis& axis, const std::vector<double>& mass,
+                                 const Range& range, std::size_t panels) {
     const std::vector<double> edges = axis.edges();
     std::vector<double> kept{range.low}, held;
     for (std::size_t i = 0; i < mass.size(); ++i) {
@@ -100,7 +107,8 @@ PosteriorAxes finerAxes(const Part& part, const GridSize& fine) {
     for (std::size_t a = 0; a < PosteriorAxes::count; ++a) {
         const QuadratureAxis& axis = part.axes.axis[a];
         if (!axis.fixed()) {
-            axes.axis[a] = panelAxis(breaksWithin(axis, part.mass[a], {axis.low(), axis.high()}, fine[a].panels), fine[a].nodes);
+            axes.axis[a] = panelAxis(
+                breaksWithin(axis, part.mass[a], {axis.low(), axis.high()}, fine[a].panels), fine[a].nodes);
         }
     }
     return axes;
@@ -108,7 +116,8 @@ PosteriorAxes finerAxes(const Part& part, const GridSize& fine) {
 
 class PartSearch {
 public:
-    PartSearch(const PosteriorModel& model, const Range& logWidths, std::size_t panels) : m_model(model), m_whole(wholeSpace(model, kCoarse)) {
+    PartSearch(const PosteriorModel& model, const Range& logWidths, std::size_t panels)
+        : m_model(model), m_whole(wholeSpace(model, kCoarse)) {
         m_whole.axis[PosteriorAxes::logWidth] =
             panelAxis(equalShares({logWidths.low, logWidths.high}, {0.0}, panels), kCoarse.width.nodes);
         m_axes = m_whole;
@@ -118,7 +127,9 @@ public:
     /// density.
     Part find(const Range& etas, bool single) {
         constexpr std::size_t kEtas = 3;
-        const QuadratureAxis eta = m_model.overdispersion ? panelAxis({etas.low, etas.high}, (single ? 2 : 1) * kEtas) : fixedAxis(0.0);
+        const QuadratureAxis eta = m_model.overdispersion
+                                       ? panelAxis({etas.low, etas.high}, (single ? 2 : 1) * kEtas)
+                                       : fixedAxis(0.0);
         m_axes.axis[PosteriorAxes::eta] = m_whole.axis[PosteriorAxes::eta] = eta;
         DensityGrid grid(m_model, m_axes);
         if (m_found) {
@@ -148,11 +159,13 @@ private:
             if (axis.fixed()) {
                 continue;
             }
-            const Range limits = a == PosteriorAxes::eta ? etas : Range{m_whole.axis[a].low(), m_whole.axis[a].high()};
+            const Range limits =
+                a == PosteriorAxes::eta ? etas : Range{m_whole.axis[a].low(), m_whole.axis[a].high()};
             const Range range = matteringRange(axis, masses.node[a], masses.total, limits);
             const double before = axis.high() - axis.low(), after = range.high - range.low;
             changed = changed || after < 0.75 * before || range.low < axis.low() || range.high > axis.high();
-            next.axis[a] = panelAxis(breaksWithin(axis, masses.node[a], range, axis.breaks.size() - 1), axis.size() / (axis.breaks.size() - 1));
+            next.axis[a] = panelAxis(breaksWithin(axis, masses.node[a], range, axis.breaks.size() - 1),
+                                     axis.size() / (axis.breaks.size() - 1));
         }
         if (changed) {
             m_axes = std::move(next);
@@ -204,12 +217,14 @@ std::vector<DensityGrid> posteriorParts(const PosteriorModel& model, const GridS
     const std::vector<Range> etas = etaBands(model), widths = widthBands(model.priors);
     GridSize size = fine;
     size.eta.nodes *= etas.size() == 1 ? 2 : 1;
-    size.width.panels = widths.size() == 1 ? size.width.panels : std::max<std::size_t>(2, 2 * size.width.panels / 3);
+    size.width.panels =
+        widths.size() == 1 ? size.width.panels : std::max<std::size_t>(2, 2 * size.width.panels / 3);
     std::vector<Part> parts;
     double most = -std::numeric_limits<double>::infinity(), total = 0.0;
     const std::size_t bands = mattering(model, etas);
     for (const Range& width : widths) {
-        PartSearch search(model, width, widths.size() == 1 ? kCoarse.width.panels : (kCoarse.width.panels + 1) / 2);
+        PartSearch search(model, width,
+                          widths.size() == 1 ? kCoarse.width.panels : (kCoarse.width.panels + 1) / 2);
         for (std::size_t band = bands; band-- > 0;) {
             parts.push_back(search.find(etas[band], etas.size() == 1));
             most = std::max(most, parts.back().logMass);

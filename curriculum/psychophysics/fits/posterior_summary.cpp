@@ -44,7 +44,8 @@ Moments momentsOf(const Parts& parts, std::size_t a, bool asOnAxis = false) {
         for (std::size_t p = 0; p < parts.grids.size(); ++p) {
             const QuadratureAxis& axis = parts.grids[p].axes().axis[a];
             for (std::size_t i = 0; i < axis.size(); ++i) {
-                whole += parts.masses[p].node[a][i] / parts.total * value(a == Axes::logWidth && !asOnAxis ? std::exp(axis.nodes[i]) : axis.nodes[i]);
+                whole += parts.masses[p].node[a][i] / parts.total *
+                         value(a == Axes::logWidth && !asOnAxis ? std::exp(axis.nodes[i]) : axis.nodes[i]);
             }
         }
         return whole;
@@ -79,7 +80,9 @@ std::array<FitInterval, Axes::count> projections(const Parts& parts, double conf
             order.push_back({parts.grids[p].logs()[cell], p, cell});
         }
     }
-    std::sort(order.begin(), order.end(), [](const Cell& a, const Cell& b) { return std::tuple(-a.log, a.part, a.cell) < std::tuple(-b.log, b.part, b.cell); });
+    std::sort(order.begin(), order.end(), [](const Cell& a, const Cell& b) {
+        return std::tuple(-a.log, a.part, a.cell) < std::tuple(-b.log, b.part, b.cell);
+    });
     std::array<FitInterval, Axes::count> extent;
     double sum = 0.0;
     for (const Cell& one : order) {
@@ -97,7 +100,8 @@ std::array<FitInterval, Axes::count> projections(const Parts& parts, double conf
     return extent;
 }
 
-void setIntervals(FitResult& result, const Parts& parts, const PreparedLevels& levels, const FitOptions& options) {
+void setIntervals(FitResult& result, const Parts& parts, const PreparedLevels& levels,
+                  const FitOptions& options) {
     std::array<FitInterval, Axes::count> interval;
     if (options.credible == CredibleMethod::projection) {
         interval = projections(parts, options.confidence);
@@ -106,15 +110,19 @@ void setIntervals(FitResult& result, const Parts& parts, const PreparedLevels& l
             interval[a] = percentiles(parts, a, options.confidence);
         }
     }
-    const auto given = [&](double unit) { return fromScale(levels.centre + levels.range * unit, result.scale); };
+    const auto given = [&](double unit) {
+        return fromScale(levels.centre + levels.range * unit, result.scale);
+    };
     result.ci.threshold = {given(interval[Axes::threshold].low), given(interval[Axes::threshold].high)};
-    result.ci.width = {levels.range * std::exp(interval[Axes::logWidth].low), levels.range * std::exp(interval[Axes::logWidth].high)};
+    result.ci.width = {levels.range * std::exp(interval[Axes::logWidth].low),
+                       levels.range * std::exp(interval[Axes::logWidth].high)};
     result.ci.lapse = interval[Axes::lapse];
     result.ci.guess = freeParameters(options).equal ? interval[Axes::lapse] : interval[Axes::guess];
     result.ci.eta = interval[Axes::eta];
 }
 
-void addDraws(FitResult& result, const Parts& parts, const PreparedLevels& levels, const FitOptions& options, int draws) {
+void addDraws(FitResult& result, const Parts& parts, const PreparedLevels& levels, const FitOptions& options,
+              int draws) {
     core::Random random = core::Random::stream(options.seed, "posterior draws");
     const bool equal = freeParameters(options).equal;
     const double step = parts.total / draws;
@@ -124,7 +132,8 @@ void addDraws(FitResult& result, const Parts& parts, const PreparedLevels& level
         const DensityGrid& grid = parts.grids[p];
         std::array<std::vector<double>, Axes::count> edges;
         for (std::size_t a = 0; a < Axes::count; ++a) {
-            edges[a] = grid.axes().axis[a].fixed() ? std::vector<double>(2, grid.axes().axis[a].low()) : grid.axes().axis[a].edges();
+            edges[a] = grid.axes().axis[a].fixed() ? std::vector<double>(2, grid.axes().axis[a].low())
+                                                   : grid.axes().axis[a].edges();
         }
         for (std::size_t cell = 0; cell < parts.masses[p].cell.size(); ++cell) {
             sum += parts.masses[p].cell[cell];
@@ -134,7 +143,8 @@ void addDraws(FitResult& result, const Parts& parts, const PreparedLevels& level
                     const std::size_t node = grid.nodeOf(cell, a);
                     at[a] = edges[a][node] + random.uniform() * (edges[a][node + 1] - edges[a][node]);
                 }
-                result.draws.push_back({levels.centre + levels.range * at[Axes::threshold], levels.range * std::exp(at[Axes::logWidth]), at[Axes::lapse],
+                result.draws.push_back({levels.centre + levels.range * at[Axes::threshold],
+                                        levels.range * std::exp(at[Axes::logWidth]), at[Axes::lapse],
                                         equal ? at[Axes::lapse] : at[Axes::guess], at[Axes::eta]});
             }
         }
@@ -148,9 +158,14 @@ void setInfluence(FitResult& result, const Parts& parts, const FitPriors& priors
     CurveParameters& influence = result.priorInfluence;
     influence.threshold = momentsOf(parts, Axes::threshold).sd / priorThresholdSd(priors);
     influence.width = momentsOf(parts, Axes::logWidth, true).sd / priorLogWidthSd(priors);
-    influence.lapse = free.lapse ? momentsOf(parts, Axes::lapse).sd / priorShareSd(priors, free.largestLapse) : kNotKnown;
-    influence.guess = free.equal ? influence.lapse : free.guess ? momentsOf(parts, Axes::guess).sd / priorShareSd(priors, free.largestGuess) : kNotKnown;
-    influence.eta = options.overdispersion ? momentsOf(parts, Axes::eta).sd / priorShareSd(priors, largestEta) : kNotKnown;
+    influence.lapse =
+        free.lapse ? momentsOf(parts, Axes::lapse).sd / priorShareSd(priors, free.largestLapse) : kNotKnown;
+    influence.guess = free.equal ? influence.lapse
+                      : free.guess
+                          ? momentsOf(parts, Axes::guess).sd / priorShareSd(priors, free.largestGuess)
+                          : kNotKnown;
+    influence.eta = options.overdispersion ? momentsOf(parts, Axes::eta).sd / priorShareSd(priors, largestEta)
+                                           : kNotKnown;
 }
 
 double shareBelow(const std::vector<DensityGrid>& grids, std::size_t a, double place) {
@@ -166,15 +181,20 @@ double shareBelow(const std::vector<DensityGrid>& grids, std::size_t a, double p
 
 } // namespace
 
-void addMeans(FitResult& result, const std::vector<DensityGrid>& grids, const PreparedLevels& levels, const FitOptions& options) {
+void addMeans(FitResult& result, const std::vector<DensityGrid>& grids, const PreparedLevels& levels,
+              const FitOptions& options) {
     const Parts parts = partsOf(grids);
-    const Moments threshold = momentsOf(parts, Axes::threshold), width = momentsOf(parts, Axes::logWidth), lapse = momentsOf(parts, Axes::lapse);
-    const Moments guess = freeParameters(options).equal ? lapse : momentsOf(parts, Axes::guess), eta = momentsOf(parts, Axes::eta);
-    result.mean = {levels.centre + levels.range * threshold.mean, levels.range * width.mean, lapse.mean, guess.mean, eta.mean};
+    const Moments threshold = momentsOf(parts, Axes::threshold), width = momentsOf(parts, Axes::logWidth),
+                  lapse = momentsOf(parts, Axes::lapse);
+    const Moments guess = freeParameters(options).equal ? lapse : momentsOf(parts, Axes::guess),
+                  eta = momentsOf(parts, Axes::eta);
+    result.mean = {levels.centre + levels.range * threshold.mean, levels.range * width.mean, lapse.mean,
+                   guess.mean, eta.mean};
     result.error = {levels.range * threshold.sd, levels.range * width.sd, lapse.sd, guess.sd, eta.sd};
 }
 
-void addIntervals(FitResult& result, const std::vector<DensityGrid>& grids, const FitPriors& priors, const PreparedLevels& levels, const FitOptions& options) {
+void addIntervals(FitResult& result, const std::vector<DensityGrid>& grids, const FitPriors& priors,
+                  const PreparedLevels& levels, const FitOptions& options) {
     const Parts parts = partsOf(grids);
     setIntervals(result, parts, levels, options);
     setInfluence(result, parts, priors, options);
@@ -185,12 +205,16 @@ void addIntervals(FitResult& result, const std::vector<DensityGrid>& grids, cons
     }
 }
 
-double widthBelow(const std::vector<DensityGrid>& grids, double width) { return shareBelow(grids, Axes::logWidth, std::log(width)); }
+double widthBelow(const std::vector<DensityGrid>& grids, double width) {
+    return shareBelow(grids, Axes::logWidth, std::log(width));
+}
 
 double widthQuantile(const std::vector<DensityGrid>& grids, double share) {
     return std::exp(percentiles(partsOf(grids), Axes::logWidth, 1.0 - 2.0 * share).low);
 }
 
-double thresholdBelow(const std::vector<DensityGrid>& grids, double threshold) { return shareBelow(grids, Axes::threshold, threshold); }
+double thresholdBelow(const std::vector<DensityGrid>& grids, double threshold) {
+    return shareBelow(grids, Axes::threshold, threshold);
+}
 
 } // namespace chiron::psychophysics

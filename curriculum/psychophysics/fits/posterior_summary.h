@@ -7,10 +7,12 @@ namespace chiron::psychophysics {
 
 /// Fills mean and error of the result with the posterior's mean and standard deviation, computed from its
 /// parts.
-void addMeans(FitResult& result, const std::vector<DensityGrid>& grids, const PreparedLevels& levels, const FitOptions& options);
+void addMeans(FitResult& result, const std::vector<DensityGrid>& grids, const PreparedLevels& levels,
+              const FitOptions& options);
 
 /// Fills only intervals, draws and the influence of the prior; mean and error keep their values.
-void addIntervals(FitResult& result, const std::vector<DensityGrid>& grids, const FitPriors& priors, const PreparedLevels& levels, const FitOptions& options);
+void addIntervals(FitResult& result, const std::vector<DensityGrid>& grids, const FitPriors& priors,
+                  const PreparedLevels& levels, const FitOptions& options);
 
 /// Returns the share of the posterior whose width (threshold) on the unit axis lies below `width`
 /// (`threshold`).

@@ -17,9 +17,13 @@ struct Row {
     double axis, given, right, of;
 };
 
-bool wholeNumber(double value) noexcept { return value >= 0.0 && value < 9e15 && value == std::floor(value); }
+bool wholeNumber(double value) noexcept {
+    return value >= 0.0 && value < 9e15 && value == std::floor(value);
+}
 
-std::string countedRows(std::size_t count) { return std::to_string(count) + (count == 1 ? " row was" : " rows were"); }
+std::string countedRows(std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " row was" : " rows were");
+}
 
 /// Returns the usable rows by ascending position on the axis, and counts the others.
 std::vector<Row> usableRows(const PsychometricData& data, StimulusScale scale, PreparedLevels& levels) {
@@ -41,13 +45,17 @@ std::vector<Row> usableRows(const PsychometricData& data, StimulusScale scale, P
     }
     if (unusable > 0) {
         levels.warnings.push_back("unusable_rows: " + countedRows(unusable) +
-                                  " left out: a number is missing, infinite, negative or not whole, or more answers were right than given");
+                                  " left out: a number is missing, infinite, negative or not whole, or more "
+                                  "answers were right than given");
     }
     if (offScale > 0) {
-        levels.warnings.push_back("off_scale: " + countedRows(offScale) + " left out: a negative intensity has no logarithm");
+        levels.warnings.push_back("off_scale: " + countedRows(offScale) +
+                                  " left out: a negative intensity has no logarithm");
     }
-    if (!std::is_sorted(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.axis < b.axis; })) {
-        std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.axis < b.axis; });
+    if (!std::is_sorted(rows.begin(), rows.end(),
+                        [](const Row& a, const Row& b) { return a.axis < b.axis; })) {
+        std::stable_sort(rows.begin(), rows.end(),
+                         [](const Row& a, const Row& b) { return a.axis < b.axis; });
     }
     return rows;
 }
@@ -78,12 +86,14 @@ Row together(const std::vector<Row>& rows, std::size_t first, std::size_t last, 
 
 /// If there are more than kMostFittedLevels positions (single trials at positions of their own), merges
 /// neighbours into bins with about equal numbers of answers. Minus infinity stays separate.
-std::vector<Row> binned(const std::vector<Row>& rows, StimulusScale scale, std::vector<std::string>& warnings) {
+std::vector<Row> binned(const std::vector<Row>& rows, StimulusScale scale,
+                        std::vector<std::string>& warnings) {
     const std::size_t places = differentPlaces(rows);
     if (places <= kMostFittedLevels) {
         return rows;
     }
-    const double answers = std::accumulate(rows.begin(), rows.end(), 0.0, [](double sum, const Row& row) { return sum + row.of; });
+    const double answers = std::accumulate(rows.begin(), rows.end(), 0.0,
+                                           [](double sum, const Row& row) { return sum + row.of; });
     const double each = answers / static_cast<double>(kMostFittedLevels);
     std::vector<Row> bins;
     double before = 0.0;
@@ -97,20 +107,23 @@ std::vector<Row> binned(const std::vector<Row>& rows, StimulusScale scale, std::
         bins.push_back(together(rows, first, last, scale));
         first = last;
     }
-    warnings.push_back("binned: answers at " + std::to_string(places) + " intensities were put together into " + std::to_string(bins.size()) +
+    warnings.push_back("binned: answers at " + std::to_string(places) +
+                       " intensities were put together into " + std::to_string(bins.size()) +
                        " of about equal numbers");
     return bins;
 }
 
 double finiteRange(const std::vector<Row>& rows, double& centre) noexcept {
-    const auto first = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return std::isfinite(row.axis); });
+    const auto first =
+        std::find_if(rows.begin(), rows.end(), [](const Row& row) { return std::isfinite(row.axis); });
     if (first == rows.end()) {
         return 0.0;
     }
     const double low = first->axis, high = rows.back().axis;
     centre = low + 0.5 * (high - low);
     const double range = high - low;
-    const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
+    const double rounding =
+        8.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
     return std::isfinite(range) && range > rounding ? range : 0.0;
 }
 
@@ -122,12 +135,16 @@ void append(PreparedLevels& levels, const Row& row) {
 }
 
 void mergeRows(const std::vector<Row>& rows, PreparedLevels& levels) {
-    const double largest = rows.empty() ? 0.0 : std::max(std::isfinite(rows.front().axis) ? std::abs(rows.front().axis) : 0.0, std::abs(rows.back().axis));
+    const double largest =
+        rows.empty() ? 0.0
+                     : std::max(std::isfinite(rows.front().axis) ? std::abs(rows.front().axis) : 0.0,
+                                std::abs(rows.back().axis));
     const double same = std::max(1e-9 * levels.range, 8.0 * std::numeric_limits<double>::epsilon() * largest);
     for (const Row& row : rows) {
         levels.totalRight += row.right;
         levels.total += row.of;
-        const bool repeated = !levels.axis.empty() && (row.axis == levels.axis.back() || row.axis - levels.axis.back() <= same);
+        const bool repeated =
+            !levels.axis.empty() && (row.axis == levels.axis.back() || row.axis - levels.axis.back() <= same);
         if (repeated) {
             levels.right.back() += row.right;
             levels.of.back() += row.of;
@@ -162,7 +179,8 @@ double logFactorial(double n) noexcept {
         return table[static_cast<std::size_t>(n)];
     }
     const double inverse = 1.0 / n;
-    const double series = inverse * (1.0 / 12.0 - inverse * inverse * (1.0 / 360.0 - inverse * inverse / 1260.0));
+    const double series =
+        inverse * (1.0 / 12.0 - inverse * inverse * (1.0 / 360.0 - inverse * inverse / 1260.0));
     return (n + 0.5) * std::log(n) - n + 0.5 * std::log(2.0 * std::numbers::pi) + series;
 }
 
@@ -183,7 +201,8 @@ PreparedLevels prepareLevels(const PsychometricData& data, StimulusScale scale) 
     } else if (rows.empty()) {
         levels.warnings.push_back("no_data: there is no usable answer, so nothing was fitted");
     } else {
-        levels.warnings.push_back("one_level: all answers were given at one intensity; a curve needs at least two");
+        levels.warnings.push_back(
+            "one_level: all answers were given at one intensity; a curve needs at least two");
     }
     return levels;
 }

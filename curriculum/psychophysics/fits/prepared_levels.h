@@ -17,9 +17,9 @@ struct PreparedLevels {
     std::vector<double> unit;  ///< (axis − centre)/range
     std::vector<double> right;
     std::vector<double> of;
-    double centre = 0.0;       ///< of the finite levels, fitted axis
-    double range = 0.0;        ///< largest − smallest finite level, fitted axis; 0: no fit is possible
-    double spacing = 0.0;      ///< smallest distance between neighbours, fitted axis
+    double centre = 0.0;  ///< of the finite levels, fitted axis
+    double range = 0.0;   ///< largest − smallest finite level, fitted axis; 0: no fit is possible
+    double spacing = 0.0; ///< smallest distance between neighbours, fitted axis
     double totalRight = 0.0;
     double total = 0.0;
     double logCoefficients = 0.0; ///< Σ ln(n choose k) over the rows as given

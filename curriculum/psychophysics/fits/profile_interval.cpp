@@ -18,8 +18,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 class Profile {
 public:
     Profile(const PreparedLevels& levels, const FitOptions& options, const SearchResult& best)
-        : m_levels(levels), m_sigmoid(options.function), m_free(freeParameters(options)), m_best(best), m_units(unitsOf(options.function)),
-          m_shifted(levels.size()) {}
+        : m_levels(levels), m_sigmoid(options.function), m_free(freeParameters(options)), m_best(best),
+          m_units(unitsOf(options.function)), m_shifted(levels.size()) {}
 
     double best() const noexcept { return m_best.logLikelihood; }
 
@@ -63,7 +63,9 @@ private:
         if (m_free.lapse) {
             start.lapse = std::clamp(start.lapse, 0.005, m_free.largestLapse);
         }
-        start.guess = m_free.equal ? start.lapse : m_free.guess ? std::clamp(start.guess, 0.005, m_free.largestGuess) : start.guess;
+        start.guess = m_free.equal   ? start.lapse
+                      : m_free.guess ? std::clamp(start.guess, 0.005, m_free.largestGuess)
+                                     : start.guess;
         return start;
     }
 
@@ -77,8 +79,7 @@ private:
 
 /// Returns the position beyond `from` where `drop` crosses 0. It searches outwards by `step`, doubled each
 /// time; infinite if there is no crossing.
-template <class Drop>
-double crossing(Drop&& drop, double from, double step) {
+template <class Drop> double crossing(Drop&& drop, double from, double step) {
     double inside = from, outside = from;
     int doubling = 0;
     for (; doubling < kDoublings; ++doubling, step *= 2.0) {
@@ -91,7 +92,8 @@ double crossing(Drop&& drop, double from, double step) {
     if (doubling == kDoublings) {
         return std::copysign(kInfinite, step);
     }
-    for (int halving = 0; halving < kHalvings && std::abs(outside - inside) > 1e-9 * (1.0 + std::abs(inside)); ++halving) {
+    for (int halving = 0; halving < kHalvings && std::abs(outside - inside) > 1e-9 * (1.0 + std::abs(inside));
+         ++halving) {
         const double between = 0.5 * (inside + outside);
         (drop(between) > 0.0 ? outside : inside) = between;
     }
@@ -100,7 +102,8 @@ double crossing(Drop&& drop, double from, double step) {
 
 } // namespace
 
-ParameterIntervals profileIntervals(const PreparedLevels& levels, const FitOptions& options, const SearchResult& best) {
+ParameterIntervals profileIntervals(const PreparedLevels& levels, const FitOptions& options,
+                                    const SearchResult& best) {
     Profile profile(levels, options, best);
     const FreeParameters free = freeParameters(options);
     const int bounded = static_cast<int>(free.lapse) + static_cast<int>(free.guess);
@@ -111,13 +114,17 @@ ParameterIntervals profileIntervals(const PreparedLevels& levels, const FitOptio
     const auto thresholdDrop = [&](double at) { return profile.best() - profile.atThreshold(at) - allowed; };
     ParameterIntervals intervals;
     const auto given = [&](double unit) { return fromScale(levels.centre + levels.range * unit, scale); };
-    intervals.threshold = {given(crossing(thresholdDrop, middle, -0.03)), given(crossing(thresholdDrop, middle, 0.03))};
-    const auto widthDrop = [&](double logWidth) { return profile.best() - profile.atBeta(units.spread / std::exp(logWidth)) - allowed; };
+    intervals.threshold = {given(crossing(thresholdDrop, middle, -0.03)),
+                           given(crossing(thresholdDrop, middle, 0.03))};
+    const auto widthDrop = [&](double logWidth) {
+        return profile.best() - profile.atBeta(units.spread / std::exp(logWidth)) - allowed;
+    };
     const double least = std::log(0.05 * levels.spacing / levels.range);
     const double logWidth = std::max(std::log(units.spread / best.curve.beta), least);
     const auto widthFrom = [&](double unit) { return levels.range * std::exp(unit); };
     const bool canBeStep = best.step.logLikelihood > best.logLikelihood - allowed;
-    intervals.width = {canBeStep ? 0.0 : widthFrom(crossing(widthDrop, logWidth, -0.1)), widthFrom(crossing(widthDrop, logWidth, 0.1))};
+    intervals.width = {canBeStep ? 0.0 : widthFrom(crossing(widthDrop, logWidth, -0.1)),
+                       widthFrom(crossing(widthDrop, logWidth, 0.1))};
     return intervals;
 }
 

@@ -10,6 +10,7 @@ namespace chiron::psychophysics {
 /// chi-square quantile or, if lapse or guess is free, the chi-bar-square quantile (chi_square.h). The latter
 /// is needed because a flat curve without lapses looks like a steeper one with many, and a lapse rate cannot
 /// be negative. An end that is never reached (a step's width towards 0) is 0 or infinite.
-ParameterIntervals profileIntervals(const PreparedLevels& levels, const FitOptions& options, const SearchResult& best);
+ParameterIntervals profileIntervals(const PreparedLevels& levels, const FitOptions& options,
+                                    const SearchResult& best);
 
 } // namespace chiron::psychophysics

@@ -14,14 +14,12 @@ namespace chiron::psychophysics::scoring {
 inline constexpr double kLeastBeta = 1e-7;
 inline constexpr double kMostBeta = 1e9;
 
-template <bool Ends>
-inline constexpr std::size_t kParameters = Ends ? 4 : 2;
+template <bool Ends> inline constexpr std::size_t kParameters = Ends ? 4 : 2;
 
 template <bool Ends>
 using Triangle = std::array<std::array<double, kParameters<Ends>>, kParameters<Ends>>; ///< the lower triangle
 
-template <bool Ends>
-struct Sums {
+template <bool Ends> struct Sums {
     double logLikelihood = 0.0;
     double pearson = 0.0;
     std::array<double, kParameters<Ends>> gradient{};
@@ -48,14 +46,16 @@ Sums<Ends> sumsAt(const LevelsView& levels, const UnitCurve& curve, [[maybe_unus
         sums.pearson += excess * excess * weight / levels.of[i];
         // The terms are added separately: their sum over ψ(1 − ψ) would lose what a saturated level says
         // about the lapse rate, where 1 − ψ is below the precision of a double.
-        const double right = levels.right[i] / std::max(psi, 1e-150), wrong = (levels.of[i] - levels.right[i]) / std::max(rest, 1e-150);
+        const double right = levels.right[i] / std::max(psi, 1e-150),
+                     wrong = (levels.of[i] - levels.right[i]) / std::max(rest, 1e-150);
         const double score = right - wrong;
         std::array<double, kParameters<Ends>> d{reach * s.slope, reach * s.slope * place};
         if constexpr (Ends) {
             d[2] = equal ? s.rest - s.rise : -s.rise;
             d[3] = equal ? 0.0 : s.rest;
         }
-        const double curvature = right / std::max(psi, 1e-150) + wrong / std::max(rest, 1e-150), expected = levels.of[i] * weight;
+        const double curvature = right / std::max(psi, 1e-150) + wrong / std::max(rest, 1e-150),
+                     expected = levels.of[i] * weight;
         for (std::size_t a = 0; a < d.size(); ++a) {
             sums.gradient[a] += score * d[a];
             for (std::size_t b = 0; b <= a; ++b) {
@@ -68,7 +68,8 @@ Sums<Ends> sumsAt(const LevelsView& levels, const UnitCurve& curve, [[maybe_unus
         sums.observed[1][0] -= bend * place;
         sums.observed[1][1] -= bend * place * place;
         if constexpr (Ends) {
-            const double byLapse = (equal ? 2.0 : 1.0) * score * s.slope, byGuess = equal ? 0.0 : score * s.slope;
+            const double byLapse = (equal ? 2.0 : 1.0) * score * s.slope,
+                         byGuess = equal ? 0.0 : score * s.slope;
             sums.observed[2][0] += byLapse;
             sums.observed[2][1] += byLapse * place;
             sums.observed[3][0] += byGuess;
@@ -80,10 +81,12 @@ Sums<Ends> sumsAt(const LevelsView& levels, const UnitCurve& curve, [[maybe_unus
 
 /// Returns which parameters may move: those that are free and not pressed against a bound.
 template <bool Ends>
-std::array<bool, kParameters<Ends>> movable(const Sums<Ends>& sums, const UnitCurve& at, const FreeParameters& free) noexcept {
+std::array<bool, kParameters<Ends>> movable(const Sums<Ends>& sums, const UnitCurve& at,
+                                            const FreeParameters& free) noexcept {
     std::array<bool, kParameters<Ends>> moves{};
     moves[0] = free.alpha;
-    moves[1] = free.beta && !(at.beta <= kLeastBeta && sums.gradient[1] < 0.0) && !(at.beta >= kMostBeta && sums.gradient[1] > 0.0);
+    moves[1] = free.beta && !(at.beta <= kLeastBeta && sums.gradient[1] < 0.0) &&
+               !(at.beta >= kMostBeta && sums.gradient[1] > 0.0);
     if constexpr (Ends) {
         const auto held = [](double value, double most, double gradient) {
             return (value <= 0.0 && gradient <= 0.0) || (value >= most && gradient >= 0.0);
@@ -94,8 +97,7 @@ std::array<bool, kParameters<Ends>> movable(const Sums<Ends>& sums, const UnitCu
     return moves;
 }
 
-template <bool Ends>
-using Move = std::pair<std::array<double, kParameters<Ends>>, double>;
+template <bool Ends> using Move = std::pair<std::array<double, kParameters<Ends>>, double>;
 
 /// Solves (information + damping · its diagonal) move = gradient by Cholesky decomposition over the
 /// parameters that may move. The second result is gradient · move, the Newton decrement; it is negative if
@@ -144,7 +146,8 @@ Move<Ends> solved(const Triangle<Ends>& information, const std::array<double, kP
 
 /// Returns Newton's step if the observed information is positive definite, else Fisher's.
 template <bool Ends>
-Move<Ends> stepFrom(const Sums<Ends>& sums, const UnitCurve& at, const FreeParameters& free, double damping) noexcept {
+Move<Ends> stepFrom(const Sums<Ends>& sums, const UnitCurve& at, const FreeParameters& free,
+                    double damping) noexcept {
     const auto moves = movable<Ends>(sums, at, free);
     const Move<Ends> newton = solved<Ends>(sums.observed, sums.gradient, moves, damping);
     return newton.second >= 0.0 ? newton : solved<Ends>(sums.expected, sums.gradient, moves, damping);
@@ -158,15 +161,19 @@ inline double movedShare(double from, double by, double most) noexcept {
 }
 
 template <std::size_t Size>
-UnitCurve moved(const UnitCurve& from, const std::array<double, Size>& move, const FreeParameters& free) noexcept {
+UnitCurve moved(const UnitCurve& from, const std::array<double, Size>& move,
+                const FreeParameters& free) noexcept {
     UnitCurve to = from;
     to.alpha += move[0];
-    to.beta = std::clamp(from.beta + move[1], std::max(kLeastBeta, 0.1 * from.beta), std::min(kMostBeta, 10.0 * from.beta));
+    to.beta = std::clamp(from.beta + move[1], std::max(kLeastBeta, 0.1 * from.beta),
+                         std::min(kMostBeta, 10.0 * from.beta));
     if constexpr (Size == 4) {
         if (free.lapse) {
             to.lapse = movedShare(from.lapse, move[2], free.largestLapse);
         }
-        to.guess = free.equal ? to.lapse : free.guess ? movedShare(from.guess, move[3], free.largestGuess) : from.guess;
+        to.guess = free.equal   ? to.lapse
+                   : free.guess ? movedShare(from.guess, move[3], free.largestGuess)
+                                : from.guess;
     }
     return to;
 }

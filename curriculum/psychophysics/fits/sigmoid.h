@@ -34,8 +34,9 @@ struct SigmoidValue {
     double slope = 0.0;
     double bend = 0.0;
 };
-/// Standard forms: logistic 1/(1+e^−z); Gauss Φ(z); Gumbel (Weibull) 1−exp(−e^z); reversed Gumbel exp(−e^−z); hyperbolic secant
-/// (2/π)atan(e^(πz/2)); t with one degree of freedom (Cauchy) 1/2+atan(z)/π. z may be infinite.
+/// Standard forms: logistic 1/(1+e^−z); Gauss Φ(z); Gumbel (Weibull) 1−exp(−e^z); reversed Gumbel exp(−e^−z);
+/// hyperbolic secant (2/π)atan(e^(πz/2)); t with one degree of freedom (Cauchy) 1/2+atan(z)/π. z may be
+/// infinite.
 SigmoidValue sigmoidAt(Sigmoid sigmoid, double z) noexcept;
 /// Z at which S equals the proportion, 0 < proportion < 1.
 double sigmoidInverse(Sigmoid sigmoid, double proportion) noexcept;

@@ -29,7 +29,8 @@ struct Gauss {
     static SigmoidValue at(double z) noexcept {
         const double bounded = std::clamp(z, -kFarthest, kFarthest);
         const double smaller = 0.5 * std::erfc(std::abs(bounded) / std::numbers::sqrt2);
-        const double slope = std::exp(-0.5 * bounded * bounded) * (std::numbers::inv_sqrtpi / std::numbers::sqrt2);
+        const double slope =
+            std::exp(-0.5 * bounded * bounded) * (std::numbers::inv_sqrtpi / std::numbers::sqrt2);
         const bool up = bounded >= 0.0;
         return {up ? 1.0 - smaller : smaller, up ? smaller : 1.0 - smaller, slope, -bounded * slope};
     }
@@ -60,7 +61,8 @@ struct Hyperbolic {
         const double slope = e / (1.0 + square);
         const double steepness = 0.5 * std::numbers::pi * (1.0 - square) / (1.0 + square);
         const bool up = z >= 0.0;
-        return {up ? 1.0 - smaller : smaller, up ? smaller : 1.0 - smaller, slope, up ? -slope * steepness : slope * steepness};
+        return {up ? 1.0 - smaller : smaller, up ? smaller : 1.0 - smaller, slope,
+                up ? -slope * steepness : slope * steepness};
     }
 };
 
@@ -68,7 +70,8 @@ struct Cauchy {
     static SigmoidValue at(double z) noexcept {
         const double bounded = std::clamp(z, -1e150, 1e150);
         const double far = std::abs(bounded);
-        const double smaller = far > 1.0 ? std::atan(1.0 / far) * std::numbers::inv_pi : 0.5 - std::atan(far) * std::numbers::inv_pi;
+        const double smaller = far > 1.0 ? std::atan(1.0 / far) * std::numbers::inv_pi
+                                         : 0.5 - std::atan(far) * std::numbers::inv_pi;
         const double slope = std::numbers::inv_pi / (1.0 + bounded * bounded);
         const bool up = bounded >= 0.0;
         return {up ? 1.0 - smaller : smaller, up ? smaller : 1.0 - smaller, slope,
@@ -78,17 +81,22 @@ struct Cauchy {
 
 /// Calls `work` with the standard form as its template argument, so that the branch is outside the loops over
 /// levels.
-template <class Work>
-decltype(auto) withShape(Sigmoid sigmoid, Work&& work) {
+template <class Work> decltype(auto) withShape(Sigmoid sigmoid, Work&& work) {
     switch (sigmoid) {
-    case Sigmoid::logistic: return work.template operator()<Logistic>();
+    case Sigmoid::logistic:
+        return work.template operator()<Logistic>();
     case Sigmoid::gauss:
-    case Sigmoid::logn: return work.template operator()<Gauss>();
+    case Sigmoid::logn:
+        return work.template operator()<Gauss>();
     case Sigmoid::weibull:
-    case Sigmoid::gumbel: return work.template operator()<Gumbel>();
-    case Sigmoid::rgumbel: return work.template operator()<ReversedGumbel>();
-    case Sigmoid::hyperbolic: return work.template operator()<Hyperbolic>();
-    case Sigmoid::tdist: break;
+    case Sigmoid::gumbel:
+        return work.template operator()<Gumbel>();
+    case Sigmoid::rgumbel:
+        return work.template operator()<ReversedGumbel>();
+    case Sigmoid::hyperbolic:
+        return work.template operator()<Hyperbolic>();
+    case Sigmoid::tdist:
+        break;
     }
     return work.template operator()<Cauchy>();
 }

@@ -43,7 +43,8 @@ AdjustmentSummary summariseSettings(double reference, const std::vector<double>&
     result.pse = reference * std::pow(10.0, moments.mean);
     if (moments.count > 1) {
         const double degrees = moments.count - 1.0;
-        const double half = studentQuantile(0.975, degrees) * moments.sd / std::sqrt(static_cast<double>(moments.count));
+        const double half =
+            studentQuantile(0.975, degrees) * moments.sd / std::sqrt(static_cast<double>(moments.count));
         result.pseLow = reference * std::pow(10.0, moments.mean - half);
         result.pseHigh = reference * std::pow(10.0, moments.mean + half);
         result.sdLog10 = moments.sd;

@@ -12,8 +12,9 @@ namespace chiron::psychophysics {
 /// Summary of the method of adjustment: settings of a comparison that was to be made equal to the reference
 /// (Gescheider 1997, ch. 3), in log10 of the ratio.
 struct AdjustmentSummary {
-    int settings = 0; ///< number of settings used
-    double pse = std::numeric_limits<double>::quiet_NaN();          ///< geometric mean of the settings, SI, with its 95 % t interval
+    int settings = 0;                                      ///< number of settings used
+    double pse = std::numeric_limits<double>::quiet_NaN(); ///< geometric mean of the settings, SI, with its
+                                                           ///< 95 % t interval
     double pseLow = std::numeric_limits<double>::quiet_NaN();
     double pseHigh = std::numeric_limits<double>::quiet_NaN();
     double constantErrorLog10 = std::numeric_limits<double>::quiet_NaN(); ///< log10(PSE/reference)

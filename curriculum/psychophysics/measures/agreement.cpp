@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostStates = 200000;
 constexpr std::size_t kMostWork = 2000000; ///< number of additions: takes about a second
-constexpr std::size_t kMostPermuted = 7; ///< objects: 5,040 orders
+constexpr std::size_t kMostPermuted = 7;   ///< objects: 5,040 orders
 
 bool allFinite(const std::vector<double>& values) {
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
@@ -78,8 +78,8 @@ double exactConcordance(const std::vector<std::vector<int>>& doubledRanks) {
     }
     const double least = spread(observed) - 1e-9;
     return std::min(1.0, std::accumulate(states.begin(), states.end(), 0.0, [&](double p, const auto& state) {
-        return spread(state.first) >= least ? p + state.second : p;
-    }));
+                        return spread(state.first) >= least ? p + state.second : p;
+                    }));
 }
 
 /// Returns concordant minus discordant pairs.
@@ -106,7 +106,9 @@ double exactWithoutTies(std::size_t n, double observed) {
     const double most = 0.5 * static_cast<double>(n * (n - 1));
     double p = 0.0;
     for (std::size_t inversions = 0; inversions < share.size(); ++inversions)
-        p += std::abs(most - 2.0 * static_cast<double>(inversions)) >= std::abs(observed) - 1e-9 ? share[inversions] : 0.0;
+        p += std::abs(most - 2.0 * static_cast<double>(inversions)) >= std::abs(observed) - 1e-9
+                 ? share[inversions]
+                 : 0.0;
     return std::min(1.0, p);
 }
 
@@ -123,8 +125,8 @@ double exactWithTies(const std::vector<double>& x, std::vector<double> y, double
 
 /// Sums over groups of tied values, as needed for the variance of S.
 struct TieSums {
-    double pairs = 0.0;   ///< Σ t(t−1)/2
-    double triples = 0.0; ///< Σ t(t−1)(t−2)
+    double pairs = 0.0;    ///< Σ t(t−1)/2
+    double triples = 0.0;  ///< Σ t(t−1)(t−2)
     double variance = 0.0; ///< Σ t(t−1)(2t+5)
 };
 
@@ -132,7 +134,8 @@ TieSums tieSums(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     TieSums sums;
     for (std::size_t first = 0; first < values.size();) {
-        const auto last = static_cast<std::size_t>(std::upper_bound(values.begin(), values.end(), values[first]) - values.begin());
+        const auto last = static_cast<std::size_t>(
+            std::upper_bound(values.begin(), values.end(), values[first]) - values.begin());
         const double t = static_cast<double>(last - first);
         sums.pairs += 0.5 * t * (t - 1.0);
         sums.triples += t * (t - 1.0) * (t - 2.0);
@@ -178,7 +181,8 @@ Concordance kendallW(const std::vector<std::vector<double>>& judges) {
             ranks.back().push_back(static_cast<int>(std::lround(2.0 * rank)));
     }
     if (ranks.size() < judges.size())
-        result.warnings.push_back("left_out: " + std::to_string(judges.size() - ranks.size()) + " judges have missing values");
+        result.warnings.push_back("left_out: " + std::to_string(judges.size() - ranks.size()) +
+                                  " judges have missing values");
     result.judges = static_cast<int>(ranks.size());
     result.objects = ranks.empty() ? 0 : static_cast<int>(ranks.front().size());
     if (result.judges < 2 || result.objects < 2) {
@@ -224,7 +228,8 @@ RankCorrelation kendallTau(const std::vector<double>& x, const std::vector<doubl
     const bool tied = ta.pairs + tb.pairs > 0.0;
     result.tau = s / std::sqrt((most - ta.pairs) * (most - tb.pairs));
     result.exact = a.size() <= (tied ? 8U : 100U);
-    result.pValue = !result.exact ? normalP(s, n, ta, tb) : (tied ? exactWithTies(a, b, s) : exactWithoutTies(a.size(), s));
+    result.pValue = !result.exact ? normalP(s, n, ta, tb)
+                                  : (tied ? exactWithTies(a, b, s) : exactWithoutTies(a.size(), s));
     if (result.pairs < 5)
         result.warnings.push_back("few_pairs: only " + std::to_string(result.pairs) + " pairs");
     return result;

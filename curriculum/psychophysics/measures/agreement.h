@@ -28,7 +28,7 @@ struct Concordance {
 Concordance kendallW(const std::vector<std::vector<double>>& judges);
 
 struct RankCorrelation {
-    double tau = std::numeric_limits<double>::quiet_NaN(); ///< τ-b: equals τ-a without ties
+    double tau = std::numeric_limits<double>::quiet_NaN();    ///< τ-b: equals τ-a without ties
     double pValue = std::numeric_limits<double>::quiet_NaN(); ///< two-sided
     bool exact = false; ///< from all permutations; else normal with the variance for ties (Kendall 1970)
     int pairs = 0;      ///< number of pairs of values used

@@ -39,7 +39,9 @@ Matrix informationOf(const Function& f, const std::vector<double>& at) { // the 
     for (std::size_t i = 0; i < at.size(); ++i)
         for (std::size_t j = 0; j <= i; ++j) {
             const double s = kHessianStep;
-            h[i][j] = h[j][i] = -(moved(i, s, j, s) - moved(i, s, j, -s) - moved(i, -s, j, s) + moved(i, -s, j, -s)) / (4.0 * s * s);
+            h[i][j] = h[j][i] =
+                -(moved(i, s, j, s) - moved(i, s, j, -s) - moved(i, -s, j, s) + moved(i, -s, j, -s)) /
+                (4.0 * s * s);
         }
     return h;
 }
@@ -62,7 +64,8 @@ double stepUp(const Function& f, Maximum& best) {
             step[i] += inverse[i][j] * gradient[j];
     }
     const double longest = sizeOf(step);
-    for (double share = std::min(1.0, 2.0 / std::max(longest, 1e-300)); share * longest > 1e-10; share *= 0.5) {
+    for (double share = std::min(1.0, 2.0 / std::max(longest, 1e-300)); share * longest > 1e-10;
+         share *= 0.5) {
         std::vector<double> at = best.at;
         for (std::size_t i = 0; i < at.size(); ++i)
             at[i] += share * step[i];

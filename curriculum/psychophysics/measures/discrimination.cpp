@@ -25,14 +25,16 @@ const double kRoot6 = std::sqrt(6.0);
 double mAfc(double d, int m) {
     if (m == 2)
         return normalCumulative(d / kRoot2);
-    return integrate([=](double x) { return normalDensity(x) * std::pow(normalCumulative(x + d), m - 1); }, -kNormalTail, kNormalTail);
+    return integrate([=](double x) { return normalDensity(x) * std::pow(normalCumulative(x + d), m - 1); },
+                     -kNormalTail, kNormalTail);
 }
 
 double triangle(double d) {
     const double shift = d * std::sqrt(2.0 / 3.0);
     return 2.0 * integrate(
                      [=](double x) {
-                         return normalDensity(x) * (normalCumulative(shift - x * kRoot3) + normalCumulative(-shift - x * kRoot3));
+                         return normalDensity(x) * (normalCumulative(shift - x * kRoot3) +
+                                                    normalCumulative(-shift - x * kRoot3));
                      },
                      0.0, kNormalTail);
 }
@@ -42,8 +44,12 @@ double triangle(double d) {
 double oddity(double d) {
     const double h = 0.5 * d;
     const auto square = [](double v) { return v * v; };
-    const double above = integrate([=](double x) { return normalDensity(x + h) * square(normalCumulative(h - x)); }, 0.0, kNormalTail + h);
-    const double below = integrate([=](double x) { return normalDensity(x + h) * square(normalCumulative(x - h)); }, -kNormalTail - h, 0.0);
+    const double above =
+        integrate([=](double x) { return normalDensity(x + h) * square(normalCumulative(h - x)); }, 0.0,
+                  kNormalTail + h);
+    const double below =
+        integrate([=](double x) { return normalDensity(x + h) * square(normalCumulative(x - h)); },
+                  -kNormalTail - h, 0.0);
     return std::pow(normalCumulative(h), 3) + above + std::pow(normalCumulative(-h), 3) + below;
 }
 
@@ -149,11 +155,13 @@ std::array<double, 6> tabulatedOrderProbabilities(double d) noexcept {
     if (d < 0.0)
         return turnedRound(tabulatedOrderProbabilities(-d));
     if (!(d < kTableEnd))
-        return std::isnan(d) ? std::array<double, 6>{d, d, d, d, d, d} : std::array<double, 6>{1.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+        return std::isnan(d) ? std::array<double, 6>{d, d, d, d, d, d}
+                             : std::array<double, 6>{1.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double place = d * kTableSteps / kTableEnd;
     const auto at = static_cast<std::size_t>(place);
     const double u = place - static_cast<double>(at);
-    const std::array<double, 4> weight{-u * (u - 1.0) * (u - 2.0) / 6.0, (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0,
+    const std::array<double, 4> weight{-u * (u - 1.0) * (u - 2.0) / 6.0,
+                                       (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0,
                                        -(u + 1.0) * u * (u - 2.0) / 2.0, (u + 1.0) * u * (u - 1.0) / 6.0};
     std::array<double, 6> result{};
     for (std::size_t order = 0; order < result.size(); ++order) {

@@ -9,16 +9,16 @@ namespace chiron::psychophysics {
 /// A discrimination task together with the decision rule that turns d′ into a proportion correct (unbiased
 /// observer, equal variances).
 enum class Discrimination : std::uint8_t {
-    mAfc,                     ///< which of m is the strongest (Green & Dai 1991); m = 2: 2AFC
-    oddityDifferencing,       ///< triangle: the one farthest from the others (Ennis 1990); 0.418 at d′ = 1
+    mAfc,               ///< which of m is the strongest (Green & Dai 1991); m = 2: 2AFC
+    oddityDifferencing, ///< triangle: the one farthest from the others (Ennis 1990); 0.418 at d′ = 1
     /// Triangle: the most likely of the six arrangements (Versfeld, Dai & Green 1996); 0.447 at d′ = 1.
     oddityIndependent,
     /// Each is classified by itself, then the two are compared (Macmillan & Creelman 2005, ch. 9).
     sameDifferentIndependent,
     /// X is compared with A and B (Macmillan & Creelman 2005, eq. 9.11); duo–trio has the same function.
     abxDifferencing,
-    abxIndependent,           ///< A, B as 2AFC, X classified by itself (the same, eq. 9.9)
-    tetrad,                   ///< sorting into two groups of two (Ennis & Christensen 2014)
+    abxIndependent, ///< A, B as 2AFC, X classified by itself (the same, eq. 9.9)
+    tetrad,         ///< sorting into two groups of two (Ennis & Christensen 2014)
 };
 
 struct DiscriminationTask {

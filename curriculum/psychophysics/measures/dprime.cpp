@@ -18,29 +18,36 @@ using core::normalQuantile;
 
 constexpr long long kFewCounts = 20;
 
-bool isRate(double rate) { return rate > 0.0 && rate < 1.0; }
+bool isRate(double rate) {
+    return rate > 0.0 && rate < 1.0;
+}
 
 void warn(DPrimeEstimate& result, long long right, long long of, double chance) {
     if (of < kFewCounts)
         result.warnings.push_back("few_trials: only " + std::to_string(of) + " trials");
     if (right == of)
-        result.warnings.emplace_back("all_right: every answer was right; only a lower limit of d' can be given");
+        result.warnings.emplace_back(
+            "all_right: every answer was right; only a lower limit of d' can be given");
     else if (static_cast<double>(right) <= chance * static_cast<double>(of))
         result.warnings.emplace_back("chance: no better than guessing");
 }
 
 } // namespace
 
-std::vector<std::string> warningsOfRates(long long hits, long long ofSignal, long long falseAlarms, long long ofNoise) {
+std::vector<std::string> warningsOfRates(long long hits, long long ofSignal, long long falseAlarms,
+                                         long long ofNoise) {
     const long long yes = hits + falseAlarms;
     if (yes == 0 || yes == ofSignal + ofNoise)
-        return {"one_answer: every answer was the same; d' is what the correction makes of it, and says nothing"};
+        return {
+            "one_answer: every answer was the same; d' is what the correction makes of it, and says nothing"};
     if (hits == 0 || hits == ofSignal || falseAlarms == 0 || falseAlarms == ofNoise)
-        return {"rate_at_limit: a rate is 0 or 1; how large d' is depends on the correction, and its true value has no bound on one side"};
+        return {"rate_at_limit: a rate is 0 or 1; how large d' is depends on the correction, and its true "
+                "value has no bound on one side"};
     return {};
 }
 
-DPrimeEstimate dPrimeOfCounts(const DiscriminationTask& task, long long right, long long of, ProportionLimits limits, double level) {
+DPrimeEstimate dPrimeOfCounts(const DiscriminationTask& task, long long right, long long of,
+                              ProportionLimits limits, double level) {
     DPrimeEstimate result;
     if (of <= 0 || right < 0 || right > of) {
         result.warnings.emplace_back("no_trials: there are no usable counts");
@@ -48,8 +55,9 @@ DPrimeEstimate dPrimeOfCounts(const DiscriminationTask& task, long long right, l
     }
     const double chance = chanceOf(task);
     const double n = static_cast<double>(of);
-    const ProportionInterval interval =
-        limits == ProportionLimits::exact ? exactInterval(right, of, level) : wilsonInterval(right, of, level, true);
+    const ProportionInterval interval = limits == ProportionLimits::exact
+                                            ? exactInterval(right, of, level)
+                                            : wilsonInterval(right, of, level, true);
     result.proportion = static_cast<double>(right) / n;
     result.low = dPrimeAt(task, interval.low);
     result.high = dPrimeAt(task, interval.high);
@@ -96,20 +104,24 @@ double sameDifferentDPrime(double hitRate, double falseAlarmRate) noexcept {
     return 0.5 * (low + high);
 }
 
-DPrimeEstimate sameDifferentOfCounts(long long hits, long long ofDifferent, long long falseAlarms, long long ofSame, double level,
-                                     core::RateCorrection correction) {
+DPrimeEstimate sameDifferentOfCounts(long long hits, long long ofDifferent, long long falseAlarms,
+                                     long long ofSame, double level, core::RateCorrection correction) {
     DPrimeEstimate result;
-    if (ofDifferent <= 0 || ofSame <= 0 || hits < 0 || hits > ofDifferent || falseAlarms < 0 || falseAlarms > ofSame) {
+    if (ofDifferent <= 0 || ofSame <= 0 || hits < 0 || hits > ofDifferent || falseAlarms < 0 ||
+        falseAlarms > ofSame) {
         result.warnings.emplace_back("no_trials: both equal and different pairs are needed");
         return result;
     }
     const double more = correction == core::RateCorrection::logLinear ? 0.5 : 0.0;
-    const auto rate = [more](long long yes, long long of) { return (static_cast<double>(yes) + more) / (static_cast<double>(of) + 2.0 * more); };
+    const auto rate = [more](long long yes, long long of) {
+        return (static_cast<double>(yes) + more) / (static_cast<double>(of) + 2.0 * more);
+    };
     const double h = rate(hits, ofDifferent);
     const double f = rate(falseAlarms, ofSame);
     result.proportion = 0.5 * (h + 1.0 - f);
     if (!(h > 0.0 && h < 1.0 && f > 0.0 && f < 1.0)) {
-        result.warnings.emplace_back("no_limit: a rate is 0 or 1, so d' has no finite value without a correction");
+        result.warnings.emplace_back(
+            "no_limit: a rate is 0 or 1, so d' has no finite value without a correction");
         return result;
     }
     result.dPrime = sameDifferentDPrime(h, f);
@@ -123,7 +135,8 @@ DPrimeEstimate sameDifferentOfCounts(long long hits, long long ofDifferent, long
     }
     const double step = 1e-5 * std::min({h, f, 1.0 - h, 1.0 - f});
     const double byHit = (sameDifferentDPrime(h + step, f) - sameDifferentDPrime(h - step, f)) / (2.0 * step);
-    const double byAlarm = (sameDifferentDPrime(h, f + step) - sameDifferentDPrime(h, f - step)) / (2.0 * step);
+    const double byAlarm =
+        (sameDifferentDPrime(h, f + step) - sameDifferentDPrime(h, f - step)) / (2.0 * step);
     result.standardError = std::sqrt(byHit * byHit * h * (1.0 - h) / static_cast<double>(ofDifferent) +
                                      byAlarm * byAlarm * f * (1.0 - f) / static_cast<double>(ofSame));
     const double z = normalQuantile(0.5 * (1.0 + level));

@@ -21,8 +21,9 @@ struct DPrimeEstimate {
     /// Exact binomial: this many right answers or more by guessing.
     double pValue = std::numeric_limits<double>::quiet_NaN();
     double scoreChiSquare = std::numeric_limits<double>::quiet_NaN(); ///< (k − n p₀)²/(n p₀ (1 − p₀))
-    double scoreP = std::numeric_limits<double>::quiet_NaN(); ///< one-sided p of scoreChiSquare
-    std::vector<std::string> warnings; ///< no_trials, few_trials, chance, all_right, one_answer, rate_at_limit
+    double scoreP = std::numeric_limits<double>::quiet_NaN();         ///< one-sided p of scoreChiSquare
+    std::vector<std::string>
+        warnings; ///< no_trials, few_trials, chance, all_right, one_answer, rate_at_limit
 };
 
 /// exact: Clopper & Pearson; score: Wilson with continuity correction (as sensR's "score").
@@ -50,18 +51,21 @@ double sameDifferentDPrime(double hitRate, double falseAlarmRate) noexcept;
 /// Returns d′ from counts, with log-linear correction (Hautus 1995) or uncorrected; standard error by the
 /// delta method. Without correction the results are not finite at rates of 0 and 1 (warning no_limit). For
 /// yes–no see core/signal_detection.h.
-DPrimeEstimate sameDifferentOfCounts(long long hits, long long ofDifferent, long long falseAlarms, long long ofSame, double level = 0.95,
+DPrimeEstimate sameDifferentOfCounts(long long hits, long long ofDifferent, long long falseAlarms,
+                                     long long ofSame, double level = 0.95,
                                      core::RateCorrection correction = core::RateCorrection::logLinear);
 
 /// Returns the warnings that must accompany a d' of counts with the log-linear correction: one_answer if
 /// every answer was the same, so that d' comes from the correction alone (a silent observer with 20 trials
 /// with and 4 without the stimulus has -0.7); rate_at_limit if one rate is 0 or 1. The counts must be
 /// possible ones.
-std::vector<std::string> warningsOfRates(long long hits, long long ofSignal, long long falseAlarms, long long ofNoise);
+std::vector<std::string> warningsOfRates(long long hits, long long ofSignal, long long falseAlarms,
+                                         long long ofNoise);
 
 /// Returns the exact power of a one-sided binomial test against guessing at level α, with n trials and the
 /// true d′.
-double discriminationPower(const DiscriminationTask& task, double dPrime, int trials, double alpha = 0.05) noexcept;
+double discriminationPower(const DiscriminationTask& task, double dPrime, int trials,
+                           double alpha = 0.05) noexcept;
 /// Returns the smallest number of trials with at least that power; 0 if 100,000 are too few.
 int trialsForPower(const DiscriminationTask& task, double dPrime, double power, double alpha = 0.05) noexcept;
 

@@ -67,8 +67,7 @@ double gammaFraction(double a, double x) noexcept { // upper incomplete gamma
 }
 
 /// Returns the x in [0, 1] at which a falling function crosses zero.
-template <class Function>
-double crossing(Function&& f) noexcept {
+template <class Function> double crossing(Function&& f) noexcept {
     double low = 0.0;
     double high = 1.0;
     for (int step = 0; step < 100; ++step) {
@@ -80,15 +79,19 @@ double crossing(Function&& f) noexcept {
 
 } // namespace
 
-double logChoose(double n, double k) noexcept { return logGamma(n + 1.0) - logGamma(k + 1.0) - logGamma(n - k + 1.0); }
+double logChoose(double n, double k) noexcept {
+    return logGamma(n + 1.0) - logGamma(k + 1.0) - logGamma(n - k + 1.0);
+}
 
 double betaRegularised(double x, double a, double b) noexcept {
     if (!(a > 0.0 && b > 0.0) || std::isnan(x))
         return kNan;
     if (x <= 0.0 || x >= 1.0)
         return x <= 0.0 ? 0.0 : 1.0;
-    const double front = std::exp(logGamma(a + b) - logGamma(a) - logGamma(b) + a * std::log(x) + b * std::log1p(-x));
-    return x < (a + 1.0) / (a + b + 2.0) ? front * betaFraction(x, a, b) / a : 1.0 - front * betaFraction(1.0 - x, b, a) / b;
+    const double front =
+        std::exp(logGamma(a + b) - logGamma(a) - logGamma(b) + a * std::log(x) + b * std::log1p(-x));
+    return x < (a + 1.0) / (a + b + 2.0) ? front * betaFraction(x, a, b) / a
+                                         : 1.0 - front * betaFraction(1.0 - x, b, a) / b;
 }
 
 double gammaUpperRegularised(double a, double x) noexcept {
@@ -106,7 +109,8 @@ double binomialUpperTail(long long right, long long of, double p) noexcept {
         return kNan;
     if (right <= 0)
         return 1.0;
-    return right > of ? 0.0 : betaRegularised(p, static_cast<double>(right), static_cast<double>(of - right) + 1.0);
+    return right > of ? 0.0
+                      : betaRegularised(p, static_cast<double>(right), static_cast<double>(of - right) + 1.0);
 }
 
 double binomialLowerTail(long long right, long long of, double p) noexcept {
@@ -138,7 +142,9 @@ ProportionInterval wilsonInterval(long long right, long long of, double level, b
     return {right == 0 ? 0.0 : std::max(0.0, end(-1.0)), right == of ? 1.0 : std::min(1.0, end(1.0))};
 }
 
-double chiSquareUpperTail(double value, double degrees) noexcept { return gammaUpperRegularised(0.5 * degrees, 0.5 * value); }
+double chiSquareUpperTail(double value, double degrees) noexcept {
+    return gammaUpperRegularised(0.5 * degrees, 0.5 * value);
+}
 
 double chiSquareQuantile(double p, double degrees) noexcept {
     if (!(p > 0.0 && p < 1.0) || !(degrees > 0.0))
@@ -146,7 +152,8 @@ double chiSquareQuantile(double p, double degrees) noexcept {
     double high = degrees + 1.0;
     while (chiSquareUpperTail(high, degrees) > 1.0 - p && high < 1e300)
         high *= 2.0;
-    return high * crossing([&](double share) { return chiSquareUpperTail(share * high, degrees) - (1.0 - p); });
+    return high *
+           crossing([&](double share) { return chiSquareUpperTail(share * high, degrees) - (1.0 - p); });
 }
 
 double studentUpperTail(double t, double degrees) noexcept {

@@ -21,15 +21,18 @@ struct ProportionInterval {
 ProportionInterval exactInterval(long long right, long long of, double level = 0.95) noexcept;
 /// Returns the score interval of Wilson (1927); with `continuity` it has the correction of Newcombe (1998,
 /// method 4), as in R's prop.test.
-ProportionInterval wilsonInterval(long long right, long long of, double level = 0.95, bool continuity = false) noexcept;
+ProportionInterval wilsonInterval(long long right, long long of, double level = 0.95,
+                                  bool continuity = false) noexcept;
 
-/// Regularised incomplete beta and upper gamma function (continued fraction and series; Abramowitz & Stegun 26.5.8, 6.5.29, 6.5.31).
+/// Regularised incomplete beta and upper gamma function (continued fraction and series; Abramowitz &
+/// Stegun 26.5.8, 6.5.29, 6.5.31).
 double betaRegularised(double x, double a, double b) noexcept;
 double gammaUpperRegularised(double a, double x) noexcept;
 
 double chiSquareUpperTail(double value, double degrees) noexcept;
-double chiSquareQuantile(double p, double degrees) noexcept;          ///< x with P(X ≤ x) = p
-double studentUpperTail(double t, double degrees) noexcept;           ///< P(T > t)
-double studentQuantile(double p, double degrees) noexcept;            ///< t with P(T ≤ t) = p; normal for infinite degrees
+double chiSquareQuantile(double p, double degrees) noexcept; ///< x with P(X ≤ x) = p
+double studentUpperTail(double t, double degrees) noexcept;  ///< P(T > t)
+double studentQuantile(double p,
+                       double degrees) noexcept; ///< t with P(T ≤ t) = p; normal for infinite degrees
 
 } // namespace chiron::psychophysics

@@ -9,7 +9,8 @@ namespace chiron::psychophysics {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kWords{"sus", "nasa_tlx_raw", "nasa_tlx_weighted", "laterality_quotient"};
+constexpr std::array<std::string_view, 4> kWords{"sus", "nasa_tlx_raw", "nasa_tlx_weighted",
+                                                 "laterality_quotient"};
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kSusItems = 10;
 constexpr int kSusScale = 5;
@@ -20,7 +21,9 @@ constexpr std::size_t kHands = 5;
 
 using Items = std::vector<QuestionnaireItem>;
 
-bool isPair(const QuestionnaireItem& item) { return item.kind == QuestionnaireItem::Kind::choice && item.id.starts_with("pair_"); }
+bool isPair(const QuestionnaireItem& item) {
+    return item.kind == QuestionnaireItem::Kind::choice && item.id.starts_with("pair_");
+}
 
 double numberOf(const QuestionnaireReply& reply, const QuestionnaireItem& item) {
     const auto found = reply.numbers.find(item.id);
@@ -36,7 +39,8 @@ std::vector<const QuestionnaireItem*> scalesOf(const Items& items) {
 }
 
 /// Returns the two scales that a pair names, in its order; empty if it names none.
-std::pair<std::string, std::string> pairOf(const QuestionnaireItem& pair, const std::vector<const QuestionnaireItem*>& scales) {
+std::pair<std::string, std::string> pairOf(const QuestionnaireItem& pair,
+                                           const std::vector<const QuestionnaireItem*>& scales) {
     for (const QuestionnaireItem* a : scales)
         for (const QuestionnaireItem* b : scales)
             if (a != b && pair.id == "pair_" + a->id + "_" + b->id)
@@ -93,7 +97,8 @@ double laterality(const Items& items, const QuestionnaireReply& reply) {
     return 100.0 * (right - left) / (right + left);
 }
 
-std::string faultOf(const Items& items, bool (*good)(const QuestionnaireItem&), std::size_t count, const char* expected) {
+std::string faultOf(const Items& items, bool (*good)(const QuestionnaireItem&), std::size_t count,
+                    const char* expected) {
     const bool all = items.size() == count && std::all_of(items.begin(), items.end(), good);
     return all ? std::string() : std::string(expected);
 }
@@ -103,7 +108,9 @@ std::string workloadFault(const Items& items, bool weighted) {
     std::size_t pairs = 0;
     for (const QuestionnaireItem& item : items)
         pairs += isPair(item) && item.choices.size() == 2 && !pairOf(item, scales).first.empty() ? 1 : 0;
-    const bool rated = scales.size() == kTlxScales && std::all_of(scales.begin(), scales.end(), [](const QuestionnaireItem* scale) { return scale->scale == kTlxScale; });
+    const bool rated = scales.size() == kTlxScales &&
+                       std::all_of(scales.begin(), scales.end(),
+                                   [](const QuestionnaireItem* scale) { return scale->scale == kTlxScale; });
     const std::size_t expected = weighted ? kTlxScales * (kTlxScales - 1) / 2 : 0;
     return rated && pairs == expected && items.size() == kTlxScales + expected ? std::string()
            : weighted ? std::string("six scales of 21 steps and their 15 pairs of two choices")
@@ -114,26 +121,38 @@ std::string workloadFault(const Items& items, bool weighted) {
 
 std::optional<ScoreRule> scoreRuleOf(const std::string& word) noexcept {
     const auto found = std::find(kWords.begin(), kWords.end(), word);
-    return found == kWords.end() ? std::nullopt : std::optional(static_cast<ScoreRule>(found - kWords.begin()));
+    return found == kWords.end() ? std::nullopt
+                                 : std::optional(static_cast<ScoreRule>(found - kWords.begin()));
 }
 
 std::string scoreFault(const Questionnaire& questionnaire) {
     const auto rule = scoreRuleOf(questionnaire.score);
     if (questionnaire.score.empty() || !rule)
-        return questionnaire.score.empty() ? std::string() : std::string("sus, nasa_tlx_raw, nasa_tlx_weighted or laterality_quotient");
+        return questionnaire.score.empty()
+                   ? std::string()
+                   : std::string("sus, nasa_tlx_raw, nasa_tlx_weighted or laterality_quotient");
     switch (*rule) {
     case ScoreRule::sus:
-        return faultOf(questionnaire.items, [](const QuestionnaireItem& item) { return item.kind == QuestionnaireItem::Kind::likert && item.scale == kSusScale; }, kSusItems,
-                       "ten statements of five steps");
+        return faultOf(
+            questionnaire.items,
+            [](const QuestionnaireItem& item) {
+                return item.kind == QuestionnaireItem::Kind::likert && item.scale == kSusScale;
+            },
+            kSusItems, "ten statements of five steps");
     case ScoreRule::laterality:
-        return faultOf(questionnaire.items, [](const QuestionnaireItem& item) { return item.kind == QuestionnaireItem::Kind::choice && item.choices.size() == kHands; },
-                       questionnaire.items.size(), "activities of five choices, from always left to always right");
+        return faultOf(
+            questionnaire.items,
+            [](const QuestionnaireItem& item) {
+                return item.kind == QuestionnaireItem::Kind::choice && item.choices.size() == kHands;
+            },
+            questionnaire.items.size(), "activities of five choices, from always left to always right");
     default:
         return workloadFault(questionnaire.items, *rule == ScoreRule::weightedTlx);
     }
 }
 
-std::vector<InstrumentScore> instrumentScores(const Questionnaire& questionnaire, const QuestionnaireReply& reply) {
+std::vector<InstrumentScore> instrumentScores(const Questionnaire& questionnaire,
+                                              const QuestionnaireReply& reply) {
     const auto rule = scoreRuleOf(questionnaire.score);
     if (!rule || !scoreFault(questionnaire).empty())
         return {};

@@ -16,7 +16,7 @@ enum class ScoreRule {
     /// "sus": Brooke (1996), ten statements from 1 to 5: odd ones count as answer − 1, even ones as 5 −
     /// answer, their sum × 2.5; 0 to 100.
     sus,
-    rawTlx,     ///< "nasa_tlx_raw": the mean of the six scales, each from 0 to 100 (Hart 2006)
+    rawTlx, ///< "nasa_tlx_raw": the mean of the six scales, each from 0 to 100 (Hart 2006)
     /// "nasa_tlx_weighted": the mean weighted by how often each scale was chosen in the 15 pairs (Hart &
     /// Staveland 1988).
     weightedTlx,
@@ -38,7 +38,8 @@ struct InstrumentScore {
 /// with 21 steps, from 0 to 100 in fives; for the weights also choice items "pair_A_B" with two choices, of
 /// which choice 0 is the scale A and choice 1 the scale B. Laterality: choice items with five choices, from
 /// "always left" over "either" to "always right" (++ left, + left, + each, + right, ++ right).
-std::vector<InstrumentScore> instrumentScores(const Questionnaire& questionnaire, const QuestionnaireReply& reply);
+std::vector<InstrumentScore> instrumentScores(const Questionnaire& questionnaire,
+                                              const QuestionnaireReply& reply);
 
 /// Returns why a questionnaire cannot be scored by its rule; empty if it can, or has no rule.
 std::string scoreFault(const Questionnaire& questionnaire);

@@ -104,7 +104,8 @@ MagnitudeScale magnitudeScale(const std::vector<MagnitudeAnswer>& answers) {
     std::map<int, Logs> subjects;
     int leftOut = 0;
     for (const MagnitudeAnswer& answer : answers) {
-        if (!(answer.stimulus > 0.0 && answer.number > 0.0) || !std::isfinite(answer.stimulus) || !std::isfinite(answer.number)) {
+        if (!(answer.stimulus > 0.0 && answer.number > 0.0) || !std::isfinite(answer.stimulus) ||
+            !std::isfinite(answer.number)) {
             ++leftOut;
             continue;
         }

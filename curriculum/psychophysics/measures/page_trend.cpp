@@ -16,7 +16,8 @@ constexpr double kMostSums = 12000.0; ///< number of judges times the largest do
 
 bool isSmall(std::size_t objects, std::size_t judges) {
     const double k = static_cast<double>(objects);
-    return objects <= kMostObjects && static_cast<double>(judges) * k * (k + 1.0) * (2.0 * k + 1.0) / 3.0 <= kMostSums;
+    return objects <= kMostObjects &&
+           static_cast<double>(judges) * k * (k + 1.0) * (2.0 * k + 1.0) / 3.0 <= kMostSums;
 }
 
 /// Returns the probability of each doubled Σ j·rank, counted from 0, over all orders of one judge's ranks.
@@ -70,7 +71,8 @@ PageTrend pageTrend(const std::vector<std::vector<double>>& judges) {
     std::size_t doubledL = 0;
     double variance = 0.0;
     for (const std::vector<double>& row : judges) {
-        if (row.size() != judges.front().size() || !std::all_of(row.begin(), row.end(), [](double v) { return std::isfinite(v); }))
+        if (row.size() != judges.front().size() ||
+            !std::all_of(row.begin(), row.end(), [](double v) { return std::isfinite(v); }))
             continue;
         rows.emplace_back();
         for (const double rank : midRanks(row)) {
@@ -80,11 +82,13 @@ PageTrend pageTrend(const std::vector<std::vector<double>>& judges) {
         variance += row.size() > 1 ? varianceOf(rows.back()) : 0.0;
     }
     if (rows.size() < judges.size())
-        result.warnings.push_back("left_out: " + std::to_string(judges.size() - rows.size()) + " judges have missing values");
+        result.warnings.push_back("left_out: " + std::to_string(judges.size() - rows.size()) +
+                                  " judges have missing values");
     result.judges = static_cast<int>(rows.size());
     result.objects = rows.empty() ? 0 : static_cast<int>(rows.front().size());
     if (rows.empty() || result.objects < 2 || !(variance > 0.0)) {
-        result.warnings.emplace_back("too_few: at least one judge who ranked two objects differently is needed");
+        result.warnings.emplace_back(
+            "too_few: at least one judge who ranked two objects differently is needed");
         return result;
     }
     const double k = result.objects;
@@ -99,7 +103,8 @@ PageTrend pageTrend(const std::vector<std::vector<double>>& judges) {
 }
 
 double pageUpperTail(int objects, int judges, double l) {
-    if (objects < 2 || judges < 1 || !std::isfinite(l) || !isSmall(static_cast<std::size_t>(objects), static_cast<std::size_t>(judges)))
+    if (objects < 2 || judges < 1 || !std::isfinite(l) ||
+        !isSmall(static_cast<std::size_t>(objects), static_cast<std::size_t>(judges)))
         return std::numeric_limits<double>::quiet_NaN();
     std::vector<int> ranks;
     for (int rank = 1; rank <= objects; ++rank)

@@ -43,19 +43,23 @@ void takeWorths(WorthEstimate& result, const Maximum& best, std::size_t objects)
 
 bool isUsable(const PairCount& pair, int objects) {
     const auto isCount = [](double n) { return n >= 0.0 && std::isfinite(n); };
-    return pair.first >= 0 && pair.first < objects && pair.second >= 0 && pair.second < objects && pair.first != pair.second &&
-           isCount(pair.wins) && isCount(pair.losses) && isCount(pair.ties);
+    return pair.first >= 0 && pair.first < objects && pair.second >= 0 && pair.second < objects &&
+           pair.first != pair.second && isCount(pair.wins) && isCount(pair.losses) && isCount(pair.ties);
 }
 
-double counted(double count, double probability) { return count > 0.0 ? count * std::log(std::max(1e-300, probability)) : 0.0; }
+double counted(double count, double probability) {
+    return count > 0.0 ? count * std::log(std::max(1e-300, probability)) : 0.0;
+}
 
 double davidson(const std::vector<PairCount>& pairs, const std::vector<double>& logs, double tie) {
     double sum = 0.0;
     for (const PairCount& pair : pairs) {
-        const double difference = logs[static_cast<std::size_t>(pair.first)] - logs[static_cast<std::size_t>(pair.second)];
+        const double difference =
+            logs[static_cast<std::size_t>(pair.first)] - logs[static_cast<std::size_t>(pair.second)];
         const double up = std::exp(0.5 * difference);
         const double all = up + 1.0 / up + std::exp(tie);
-        sum += counted(pair.wins, up / all) + counted(pair.losses, 1.0 / up / all) + counted(pair.ties, std::exp(tie) / all);
+        sum += counted(pair.wins, up / all) + counted(pair.losses, 1.0 / up / all) +
+               counted(pair.ties, std::exp(tie) / all);
     }
     return sum;
 }
@@ -64,10 +68,12 @@ double raoKupper(const std::vector<PairCount>& pairs, const std::vector<double>&
     const double theta = 1.0 + std::exp(tie);
     double sum = 0.0;
     for (const PairCount& pair : pairs) {
-        const double ratio = std::exp(logs[static_cast<std::size_t>(pair.first)] - logs[static_cast<std::size_t>(pair.second)]);
+        const double ratio = std::exp(logs[static_cast<std::size_t>(pair.first)] -
+                                      logs[static_cast<std::size_t>(pair.second)]);
         const double win = ratio / (ratio + theta);
         const double loss = 1.0 / (1.0 + theta * ratio);
-        sum += counted(pair.wins, win) + counted(pair.losses, loss) + counted(pair.ties, (theta * theta - 1.0) * win * loss);
+        sum += counted(pair.wins, win) + counted(pair.losses, loss) +
+               counted(pair.ties, (theta * theta - 1.0) * win * loss);
     }
     return sum;
 }
@@ -75,9 +81,11 @@ double raoKupper(const std::vector<PairCount>& pairs, const std::vector<double>&
 /// Returns the usable pairs; empty, with a warning, if they cannot be fitted.
 std::vector<PairCount> prepare(TiedWorthEstimate& result, int objects, const std::vector<PairCount>& given) {
     std::vector<PairCount> pairs;
-    std::copy_if(given.begin(), given.end(), std::back_inserter(pairs), [&](const PairCount& p) { return isUsable(p, objects); });
+    std::copy_if(given.begin(), given.end(), std::back_inserter(pairs),
+                 [&](const PairCount& p) { return isUsable(p, objects); });
     if (pairs.size() < given.size())
-        result.warnings.push_back("left_out: " + std::to_string(given.size() - pairs.size()) + " pairs are not usable counts");
+        result.warnings.push_back("left_out: " + std::to_string(given.size() - pairs.size()) +
+                                  " pairs are not usable counts");
     if (objects < 2 || pairs.empty()) {
         result.warnings.emplace_back("no_data: there is nothing to estimate from");
         return {};
@@ -99,8 +107,9 @@ std::vector<PairCount> prepare(TiedWorthEstimate& result, int objects, const std
         return {};
     }
     if (!graph.isStronglyConnected()) {
-        result.warnings.emplace_back("not_connected: some objects never came before (or after) the others, so their worth has no "
-                                     "limit; refused");
+        result.warnings.emplace_back(
+            "not_connected: some objects never came before (or after) the others, so their worth has no "
+            "limit; refused");
         return {};
     }
     return pairs;
@@ -118,19 +127,24 @@ double mills(double z) {
 /// scale values with mean 0.
 class ProbitPairs {
 public:
-    ProbitPairs(std::size_t objects, const std::vector<Selection>& pairs) : m_wins(objects, std::vector<double>(objects, 0.0)) {
+    ProbitPairs(std::size_t objects, const std::vector<Selection>& pairs)
+        : m_wins(objects, std::vector<double>(objects, 0.0)) {
         for (const Selection& pair : pairs)
-            m_wins[static_cast<std::size_t>(pair.winner)][static_cast<std::size_t>(pair.losers.front())] += pair.count;
+            m_wins[static_cast<std::size_t>(pair.winner)][static_cast<std::size_t>(pair.losers.front())] +=
+                pair.count;
     }
 
     double value(const std::vector<double>& free) const {
         const std::vector<double> scale = centredOf(free, m_wins.size());
         double sum = 0.0;
-        forEach([&](std::size_t i, std::size_t j) { sum += counted(m_wins[i][j], core::normalCumulative(scale[i] - scale[j])); });
+        forEach([&](std::size_t i, std::size_t j) {
+            sum += counted(m_wins[i][j], core::normalCumulative(scale[i] - scale[j]));
+        });
         return sum;
     }
     /// Computes the gradient over the free values, and the negative Hessian.
-    void derivatives(const std::vector<double>& free, std::vector<double>& gradient, Matrix& information) const {
+    void derivatives(const std::vector<double>& free, std::vector<double>& gradient,
+                     Matrix& information) const {
         const std::vector<double> scale = centredOf(free, m_wins.size());
         const std::size_t n = m_wins.size();
         std::vector<double> g(n, 0.0);
@@ -225,7 +239,8 @@ TiedWorthEstimate fitTiedPairs(TieModel model, int objects, const std::vector<Pa
         return result;
     const auto likelihood = [&](const std::vector<double>& at) {
         const std::vector<double> logs = centredOf(at, n);
-        return model == TieModel::davidson ? davidson(pairs, logs, at.back()) : raoKupper(pairs, logs, at.back());
+        return model == TieModel::davidson ? davidson(pairs, logs, at.back())
+                                           : raoKupper(pairs, logs, at.back());
     };
     const Maximum best = maximise(likelihood, std::vector<double>(n, 0.0));
     takeWorths(result, best, n);
@@ -238,7 +253,8 @@ TiedWorthEstimate fitTiedPairs(TieModel model, int objects, const std::vector<Pa
 WorthEstimate fitThurstonePairs(int objects, const std::vector<Selection>& given) {
     // The usability rules for the data are those of Bradley–Terry, whose worths are also a good start.
     std::vector<Selection> pairs;
-    std::copy_if(given.begin(), given.end(), std::back_inserter(pairs), [](const Selection& pair) { return pair.losers.size() == 1; });
+    std::copy_if(given.begin(), given.end(), std::back_inserter(pairs),
+                 [](const Selection& pair) { return pair.losers.size() == 1; });
     WorthEstimate result = fitPlackettLuce(objects, pairs);
     if (pairs.size() < given.size())
         result.warnings.emplace_back("left_out: choices among more than two are not pairs");
@@ -247,7 +263,8 @@ WorthEstimate fitThurstonePairs(int objects, const std::vector<Selection>& given
     pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
                                [&](const Selection& p) {
                                    const int other = p.losers.front();
-                                   return p.winner < 0 || p.winner >= objects || other < 0 || other >= objects || p.winner == other || !(p.count > 0.0) ||
+                                   return p.winner < 0 || p.winner >= objects || other < 0 ||
+                                          other >= objects || p.winner == other || !(p.count > 0.0) ||
                                           !std::isfinite(p.count);
                                }),
                 pairs.end());
@@ -271,7 +288,8 @@ WorthEstimate fitThurstoneOrders(int objects, const std::vector<std::vector<int>
     for (const auto& [pair, count] : wins)
         pairs.push_back({pair.first, {pair.second}, count});
     WorthEstimate result = fitThurstonePairs(objects, pairs);
-    std::fill(result.standardError.begin(), result.standardError.end(), std::numeric_limits<double>::quiet_NaN());
+    std::fill(result.standardError.begin(), result.standardError.end(),
+              std::numeric_limits<double>::quiet_NaN());
     return result;
 }
 

@@ -40,7 +40,8 @@ struct WorthEstimate {
 /// Fits Plackett–Luce (for pairs: Bradley–Terry) by maximum likelihood, with minorisation–maximisation
 /// (Hunter 2004, Annals of Statistics 32:384–406) finished by Newton steps. Selections with unknown or
 /// repeated objects, or without a finite count above 0, are left out.
-WorthEstimate fitPlackettLuce(int objects, const std::vector<Selection>& selections, const WorthOptions& options = {});
+WorthEstimate fitPlackettLuce(int objects, const std::vector<Selection>& selections,
+                              const WorthOptions& options = {});
 
 /// Counts of a pair with ties: `wins` of first over second, `losses` and `ties`.
 struct PairCount {
@@ -57,7 +58,7 @@ enum class TieModel {
 };
 
 struct TiedWorthEstimate : WorthEstimate {
-    double tie = std::numeric_limits<double>::quiet_NaN(); ///< ν or θ
+    double tie = std::numeric_limits<double>::quiet_NaN();              ///< ν or θ
     double tieStandardError = std::numeric_limits<double>::quiet_NaN(); ///< of ln ν, or of ln(θ − 1)
 };
 

@@ -10,14 +10,17 @@ namespace chiron::psychophysics {
 
 namespace {
 
-std::size_t indexOf(int object) { return static_cast<std::size_t>(object); }
+std::size_t indexOf(int object) {
+    return static_cast<std::size_t>(object);
+}
 
 bool isUsable(const Selection& selection, int objects) {
     std::vector<int> set = selection.losers;
     set.push_back(selection.winner);
     std::sort(set.begin(), set.end());
-    return !selection.losers.empty() && set.front() >= 0 && set.back() < objects && std::adjacent_find(set.begin(), set.end()) == set.end() &&
-           selection.count > 0.0 && std::isfinite(selection.count);
+    return !selection.losers.empty() && set.front() >= 0 && set.back() < objects &&
+           std::adjacent_find(set.begin(), set.end()) == set.end() && selection.count > 0.0 &&
+           std::isfinite(selection.count);
 }
 
 /// Returns one over the sum of the worths in a selection.
@@ -28,8 +31,7 @@ double shareOf(const Selection& selection, const std::vector<double>& worth) {
     return 1.0 / sum;
 }
 
-template <class Function>
-void forEachOf(const Selection& selection, Function&& f) {
+template <class Function> void forEachOf(const Selection& selection, Function&& f) {
     f(indexOf(selection.winner));
     for (const int loser : selection.losers)
         f(indexOf(loser));
@@ -79,7 +81,8 @@ struct Curvature {
 
 Curvature curvatureAt(const std::vector<double>& logs, const std::vector<Selection>& selections) {
     const std::vector<double> worth = worthsOf(logs);
-    Curvature c{std::vector<double>(logs.size(), 0.0), Matrix(logs.size(), std::vector<double>(logs.size(), 0.0))};
+    Curvature c{std::vector<double>(logs.size(), 0.0),
+                Matrix(logs.size(), std::vector<double>(logs.size(), 0.0))};
     for (const Selection& selection : selections) {
         const double share = shareOf(selection, worth);
         c.gradient[indexOf(selection.winner)] += selection.count;
@@ -87,7 +90,8 @@ Curvature curvatureAt(const std::vector<double>& logs, const std::vector<Selecti
             const double p = worth[i] * share;
             c.gradient[i] -= selection.count * p;
             c.information[i][i] += selection.count * p;
-            forEachOf(selection, [&](std::size_t j) { c.information[i][j] -= selection.count * p * worth[j] * share; });
+            forEachOf(selection,
+                      [&](std::size_t j) { c.information[i][j] -= selection.count * p * worth[j] * share; });
         });
     }
     return c;
@@ -133,24 +137,29 @@ void polish(std::vector<double>& logs, const std::vector<Selection>& selections)
     }
 }
 
-void finish(WorthEstimate& result, const std::vector<Selection>& fittedTo, const std::vector<Selection>& data) {
+void finish(WorthEstimate& result, const std::vector<Selection>& fittedTo,
+            const std::vector<Selection>& data) {
     const Matrix covariance = covarianceOf(curvatureAt(result.logWorth, fittedTo).information);
     for (std::size_t i = 0; i < covariance.size(); ++i)
         result.standardError[i] = std::sqrt(std::max(0.0, covariance[i][i]));
     const std::vector<double> worth = worthsOf(result.logWorth);
     result.logLikelihood = 0.0;
     for (const Selection& selection : data)
-        result.logLikelihood += selection.count * (result.logWorth[indexOf(selection.winner)] + std::log(shareOf(selection, worth)));
+        result.logLikelihood += selection.count * (result.logWorth[indexOf(selection.winner)] +
+                                                   std::log(shareOf(selection, worth)));
     result.fitted = true;
 }
 
 /// Selects the usable data, and adds the wins of the regularisation to `all`. Returns false, with a warning,
 /// if they cannot be fitted.
-bool prepare(WorthEstimate& result, int objects, const std::vector<Selection>& given, double regularisation, std::vector<Selection>& data,
-             std::vector<Selection>& all) {
-    std::copy_if(given.begin(), given.end(), std::back_inserter(data), [&](const Selection& s) { return isUsable(s, objects); });
+bool prepare(WorthEstimate& result, int objects, const std::vector<Selection>& given, double regularisation,
+             std::vector<Selection>& data, std::vector<Selection>& all) {
+    std::copy_if(given.begin(), given.end(), std::back_inserter(data),
+                 [&](const Selection& s) { return isUsable(s, objects); });
     if (data.size() < given.size())
-        result.warnings.push_back("left_out: " + std::to_string(given.size() - data.size()) + " choices name unknown or repeated objects, or are counted by no number above zero");
+        result.warnings.push_back(
+            "left_out: " + std::to_string(given.size() - data.size()) +
+            " choices name unknown or repeated objects, or are counted by no number above zero");
     if (objects < 2 || (data.empty() && !(regularisation > 0.0))) {
         result.warnings.emplace_back("no_data: there is nothing to estimate from");
         return false;
@@ -166,10 +175,12 @@ bool prepare(WorthEstimate& result, int objects, const std::vector<Selection>& g
             for (int loser = 0; loser < objects; ++loser)
                 if (winner != loser)
                     all.push_back({winner, {loser}, regularisation});
-        result.warnings.emplace_back("regularised: wins of every object over every other were added; worths are pulled together");
+        result.warnings.emplace_back(
+            "regularised: wins of every object over every other were added; worths are pulled together");
     }
     if (!connected && !(regularisation > 0.0))
-        result.warnings.emplace_back("not_connected: some objects never came before (or after) the others, so their worth has no limit; "
+        result.warnings.emplace_back("not_connected: some objects never came before (or after) the others, "
+                                     "so their worth has no limit; "
                                      "refused: ask for regularisation or more comparisons");
     return connected || regularisation > 0.0;
 }
@@ -179,11 +190,13 @@ bool prepare(WorthEstimate& result, int objects, const std::vector<Selection>& g
 std::vector<Selection> selectionsOf(const std::vector<int>& bestFirst, double count) {
     std::vector<Selection> result;
     for (std::size_t i = 0; i + 1 < bestFirst.size(); ++i)
-        result.push_back({bestFirst[i], {bestFirst.begin() + static_cast<std::ptrdiff_t>(i) + 1, bestFirst.end()}, count});
+        result.push_back(
+            {bestFirst[i], {bestFirst.begin() + static_cast<std::ptrdiff_t>(i) + 1, bestFirst.end()}, count});
     return result;
 }
 
-WorthEstimate fitPlackettLuce(int objects, const std::vector<Selection>& selections, const WorthOptions& options) {
+WorthEstimate fitPlackettLuce(int objects, const std::vector<Selection>& selections,
+                              const WorthOptions& options) {
     WorthEstimate result;
     const std::size_t n = objects > 0 ? static_cast<std::size_t>(objects) : 0;
     result.logWorth.assign(n, std::numeric_limits<double>::quiet_NaN());

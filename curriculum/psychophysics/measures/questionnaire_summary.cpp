@@ -25,9 +25,11 @@ Answers answersOf(const QuestionnaireItem& item, const std::vector<Questionnaire
     Answers answers;
     for (const QuestionnaireReply& reply : replies) {
         const auto found = reply.numbers.find(item.id);
-        const double value = found == reply.numbers.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+        const double value =
+            found == reply.numbers.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
         const bool whole = std::floor(value) == value;
-        const bool valid = item.kind == QuestionnaireItem::Kind::likert ? whole && value >= 1.0 && value <= item.scale
+        const bool valid = item.kind == QuestionnaireItem::Kind::likert
+                               ? whole && value >= 1.0 && value <= item.scale
                            : item.kind == QuestionnaireItem::Kind::choice
                                ? whole && value >= 0.0 && value < static_cast<double>(item.choices.size())
                                : std::isfinite(value);
@@ -41,10 +43,13 @@ Answers answersOf(const QuestionnaireItem& item, const std::vector<Questionnaire
     return answers;
 }
 
-bool agrees(double value, int scale) { return 2.0 * value > scale + 1.0; }
+bool agrees(double value, int scale) {
+    return 2.0 * value > scale + 1.0;
+}
 
 int agreeing(const std::vector<double>& values, int scale) {
-    return static_cast<int>(std::count_if(values.begin(), values.end(), [=](double value) { return agrees(value, scale); }));
+    return static_cast<int>(
+        std::count_if(values.begin(), values.end(), [=](double value) { return agrees(value, scale); }));
 }
 
 /// Returns the kappa of the share who agree against the probability that this many of n would agree by a coin
@@ -108,7 +113,8 @@ NumberSummary numberOf(const QuestionnaireItem& item, const Answers& answers) {
 TextAnswers textsOf(const QuestionnaireItem& item, const std::vector<QuestionnaireReply>& replies) {
     TextAnswers result{item.id, {}};
     for (const QuestionnaireReply& reply : replies)
-        if (const auto found = reply.texts.find(item.id); found != reply.texts.end() && !found->second.empty())
+        if (const auto found = reply.texts.find(item.id);
+            found != reply.texts.end() && !found->second.empty())
             result.answers.push_back(found->second);
     return result;
 }
@@ -152,7 +158,8 @@ ConstructSummary constructOf(const std::string& name, const std::vector<LikertSu
 
 } // namespace
 
-QuestionnaireSummary summariseQuestionnaire(const Questionnaire& questionnaire, const std::vector<QuestionnaireReply>& replies) {
+QuestionnaireSummary summariseQuestionnaire(const Questionnaire& questionnaire,
+                                            const std::vector<QuestionnaireReply>& replies) {
     QuestionnaireSummary result;
     result.replies = static_cast<int>(replies.size());
     if (replies.empty())
@@ -168,8 +175,11 @@ QuestionnaireSummary summariseQuestionnaire(const Questionnaire& questionnaire, 
             result.numbers.push_back(numberOf(item, answersOf(item, replies)));
     }
     for (const LikertSummary& item : result.likert) {
-        const auto known = [&](const ConstructSummary& construct) { return construct.construct == item.construct; };
-        if (!item.construct.empty() && std::none_of(result.constructs.begin(), result.constructs.end(), known))
+        const auto known = [&](const ConstructSummary& construct) {
+            return construct.construct == item.construct;
+        };
+        if (!item.construct.empty() &&
+            std::none_of(result.constructs.begin(), result.constructs.end(), known))
             result.constructs.push_back(constructOf(item.construct, result.likert));
     }
     return result;

@@ -26,7 +26,7 @@ struct LikertSummary {
     int scale = 0;
     std::vector<int> counts; ///< of 1..scale
     int answered = 0;
-    int missing = 0;         ///< not answered, or outside 1..scale
+    int missing = 0; ///< not answered, or outside 1..scale
     double median = std::numeric_limits<double>::quiet_NaN();
     double lowerQuartile = std::numeric_limits<double>::quiet_NaN(); ///< quantiles of type 7 (R's default)
     double upperQuartile = std::numeric_limits<double>::quiet_NaN();
@@ -47,13 +47,14 @@ struct ConstructSummary {
     std::string construct;
     int items = 0;
     int answers = 0;
-    double median = std::numeric_limits<double>::quiet_NaN();  ///< of all answers, if all items have the same
-                                                               ///< scale
+    double median = std::numeric_limits<double>::quiet_NaN(); ///< of all answers, if all items have the same
+                                                              ///< scale
     double agreement = std::numeric_limits<double>::quiet_NaN(); ///< share of all answers, as above
     /// 95 % Wilson over answers, although the answers of one person are not independent.
     double agreementLow = std::numeric_limits<double>::quiet_NaN();
     double agreementHigh = std::numeric_limits<double>::quiet_NaN();
-    double contentValidityAverage = std::numeric_limits<double>::quiet_NaN();   ///< S-CVI/Ave: mean of the items' indices
+    double contentValidityAverage =
+        std::numeric_limits<double>::quiet_NaN(); ///< S-CVI/Ave: mean of the items' indices
     /// S-CVI/UA: share of the items on which all participants agree.
     double contentValidityUniversal = std::numeric_limits<double>::quiet_NaN();
 };
@@ -64,7 +65,7 @@ struct NumberSummary {
     double mean = std::numeric_limits<double>::quiet_NaN();
     double sd = std::numeric_limits<double>::quiet_NaN();
     double median = std::numeric_limits<double>::quiet_NaN();
-    std::vector<int> choiceCounts; ///< for a choice item
+    std::vector<int> choiceCounts;   ///< for a choice item
     RankCorrelation withPerformance; ///< for a number item
 };
 
@@ -82,6 +83,7 @@ struct QuestionnaireSummary {
     std::vector<std::string> warnings; ///< no_replies, few_replies
 };
 
-QuestionnaireSummary summariseQuestionnaire(const Questionnaire& questionnaire, const std::vector<QuestionnaireReply>& replies);
+QuestionnaireSummary summariseQuestionnaire(const Questionnaire& questionnaire,
+                                            const std::vector<QuestionnaireReply>& replies);
 
 } // namespace chiron::psychophysics

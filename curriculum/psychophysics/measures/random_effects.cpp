@@ -61,7 +61,8 @@ void takeIntervals(RandomEffects& result, double degrees) {
     result.low = result.mean - half;
     result.high = result.mean + half;
     if (result.subjects > 2) {
-        const double further = studentQuantile(0.975, degrees - 1.0) * std::hypot(result.tau, result.standardError);
+        const double further =
+            studentQuantile(0.975, degrees - 1.0) * std::hypot(result.tau, result.standardError);
         result.predictionLow = result.mean - further;
         result.predictionHigh = result.mean + further;
     }
@@ -75,7 +76,8 @@ double biasCorrection(const std::vector<double>& sorted, double estimate) {
     const auto below = std::lower_bound(sorted.begin(), sorted.end(), estimate) - sorted.begin();
     const auto upTo = std::upper_bound(sorted.begin(), sorted.end(), estimate) - sorted.begin();
     const double share = 0.5 * static_cast<double>(below + upTo) / static_cast<double>(sorted.size());
-    return share > 0.0 && share < 1.0 ? core::normalQuantile(share) : std::numeric_limits<double>::quiet_NaN();
+    return share > 0.0 && share < 1.0 ? core::normalQuantile(share)
+                                      : std::numeric_limits<double>::quiet_NaN();
 }
 
 double acceleration(int subjects, const std::function<double(const std::vector<int>&)>& statistic) {
@@ -134,8 +136,9 @@ RandomEffects randomEffects(const std::vector<double>& estimates, const std::vec
     return result;
 }
 
-BootstrapInterval bootstrapSubjects(int subjects, const std::function<double(const std::vector<int>&)>& statistic, std::uint64_t seed,
-                                    int samples) {
+BootstrapInterval bootstrapSubjects(int subjects,
+                                    const std::function<double(const std::vector<int>&)>& statistic,
+                                    std::uint64_t seed, int samples) {
     BootstrapInterval result;
     if (subjects < 3)
         return result;
@@ -154,7 +157,8 @@ BootstrapInterval bootstrapSubjects(int subjects, const std::function<double(con
     std::sort(values.begin(), values.end());
     result.low = result.percentileLow = quantileOf(values, 0.025);
     result.high = result.percentileHigh = quantileOf(values, 0.975);
-    const double bias = values.empty() ? std::numeric_limits<double>::quiet_NaN() : biasCorrection(values, estimate);
+    const double bias =
+        values.empty() ? std::numeric_limits<double>::quiet_NaN() : biasCorrection(values, estimate);
     const double a = acceleration(subjects, statistic);
     if (!std::isfinite(bias) || !std::isfinite(a))
         return result;

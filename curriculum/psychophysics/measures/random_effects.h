@@ -13,17 +13,18 @@ namespace chiron::psychophysics {
 struct RandomEffects {
     double mean = std::numeric_limits<double>::quiet_NaN();
     double standardError = std::numeric_limits<double>::quiet_NaN(); ///< Hartung–Knapp
-    double low = std::numeric_limits<double>::quiet_NaN();           ///< 95 %, t with k − 1 degrees of freedom
+    double low = std::numeric_limits<double>::quiet_NaN(); ///< 95 %, t with k − 1 degrees of freedom
     double high = std::numeric_limits<double>::quiet_NaN();
     /// 95 % prediction interval for a further subject's true value, k − 2 degrees of freedom.
     double predictionLow = std::numeric_limits<double>::quiet_NaN();
     double predictionHigh = std::numeric_limits<double>::quiet_NaN();
-    double tau = std::numeric_limits<double>::quiet_NaN();           ///< between subjects; REML
+    double tau = std::numeric_limits<double>::quiet_NaN(); ///< between subjects; REML
     /// Cochran's Q and its p (null hypothesis: all subjects are alike)
     double q = std::numeric_limits<double>::quiet_NaN();
     double qP = std::numeric_limits<double>::quiet_NaN();
-    double iSquared = std::numeric_limits<double>::quiet_NaN();      ///< share of the variance that is between subjects
-    double pZero = std::numeric_limits<double>::quiet_NaN();         ///< two-sided, of μ = 0
+    double iSquared =
+        std::numeric_limits<double>::quiet_NaN(); ///< share of the variance that is between subjects
+    double pZero = std::numeric_limits<double>::quiet_NaN(); ///< two-sided, of μ = 0
     int subjects = 0;
     std::vector<double> weights; ///< shares, adding up to 1
 };
@@ -42,7 +43,8 @@ struct BootstrapInterval {
     double percentileLow = std::numeric_limits<double>::quiet_NaN();
     double percentileHigh = std::numeric_limits<double>::quiet_NaN();
 };
-BootstrapInterval bootstrapSubjects(int subjects, const std::function<double(const std::vector<int>&)>& statistic, std::uint64_t seed,
-                                    int samples = 2000);
+BootstrapInterval bootstrapSubjects(int subjects,
+                                    const std::function<double(const std::vector<int>&)>& statistic,
+                                    std::uint64_t seed, int samples = 2000);
 
 } // namespace chiron::psychophysics

@@ -58,7 +58,9 @@ std::vector<std::vector<int>> ordersOf(const SaidRanks& ranks) {
     std::iota(order.begin(), order.end(), 0);
     std::vector<std::vector<int>> orders;
     do {
-        if (std::is_sorted(order.begin(), order.end(), [&](int a, int b) { return ranks[static_cast<std::size_t>(a)] > ranks[static_cast<std::size_t>(b)]; }))
+        if (std::is_sorted(order.begin(), order.end(), [&](int a, int b) {
+                return ranks[static_cast<std::size_t>(a)] > ranks[static_cast<std::size_t>(b)];
+            }))
             orders.push_back(order);
     } while (std::next_permutation(order.begin(), order.end()));
     return orders;
@@ -69,18 +71,22 @@ std::vector<PairCount> pairsOf(const std::vector<SaidRanks>& rankings) {
     std::vector<PairCount> pairs{{0, 1}, {0, 2}, {1, 2}};
     for (const SaidRanks& ranks : rankings)
         for (PairCount& pair : pairs) {
-            const double above = ranks[static_cast<std::size_t>(pair.first)] - ranks[static_cast<std::size_t>(pair.second)];
+            const double above =
+                ranks[static_cast<std::size_t>(pair.first)] - ranks[static_cast<std::size_t>(pair.second)];
             (above > 0.0 ? pair.wins : above < 0.0 ? pair.losses : pair.ties) += 1.0;
         }
     return pairs;
 }
 
-bool isTied(const SaidRanks& ranks) { return ranks[0] == ranks[1] || ranks[1] == ranks[2] || ranks[0] == ranks[2]; }
+bool isTied(const SaidRanks& ranks) {
+    return ranks[0] == ranks[1] || ranks[1] == ranks[2] || ranks[0] == ranks[2];
+}
 
 void setPairs(RankingSummary& summary, const std::vector<SaidRanks>& rankings) {
     const std::vector<PairCount> pairs = pairsOf(rankings);
     if (summary.tied > 0) {
-        const TiedWorthEstimate davidson = fitTiedPairs(TieModel::davidson, static_cast<int>(kObjects), pairs);
+        const TiedWorthEstimate davidson =
+            fitTiedPairs(TieModel::davidson, static_cast<int>(kObjects), pairs);
         summary.bradleyTerry = davidson;
         summary.davidsonTie = davidson.tie;
         return;
@@ -120,10 +126,13 @@ void setWorths(RankingSummary& summary, const std::vector<SaidRanks>& rankings) 
     std::fill(summary.thurstone.standardError.begin(), summary.thurstone.standardError.end(),
               std::numeric_limits<double>::quiet_NaN());
 }
-void setOrders(RankingSummary& summary, const std::vector<SaidRanks>& rankings, const std::vector<SaidRanks>& rows) {
+void setOrders(RankingSummary& summary, const std::vector<SaidRanks>& rankings,
+               const std::vector<SaidRanks>& rows) {
     summary.rankings = static_cast<int>(rankings.size());
     summary.judges = static_cast<int>(rows.size());
-    const auto right = std::count_if(rankings.begin(), rankings.end(), [](const SaidRanks& ranks) { return ranks[0] < ranks[1] && ranks[1] < ranks[2]; });
+    const auto right = std::count_if(rankings.begin(), rankings.end(), [](const SaidRanks& ranks) {
+        return ranks[0] < ranks[1] && ranks[1] < ranks[2];
+    });
     summary.complete = completeOrders(static_cast<int>(right), summary.rankings);
     summary.agreement = kendallW(rows);
     summary.trend = pageTrend(rows);
@@ -132,38 +141,51 @@ void setOrders(RankingSummary& summary, const std::vector<SaidRanks>& rankings, 
 }
 
 /// Sets the intervals of W and of the share of complete orders from participants drawn with replacement.
-void setIntervalsOfParticipants(RankingSummary& summary, const std::vector<std::vector<SaidRanks>>& participants, const std::vector<SaidRanks>& means) {
+void setIntervalsOfParticipants(RankingSummary& summary,
+                                const std::vector<std::vector<SaidRanks>>& participants,
+                                const std::vector<SaidRanks>& means) {
     std::vector<double> right, of, shares;
     for (const std::vector<SaidRanks>& rankings : participants) {
         if (rankings.empty())
             continue;
         of.push_back(static_cast<double>(rankings.size()));
-        right.push_back(static_cast<double>(std::count_if(rankings.begin(), rankings.end(), [](const SaidRanks& r) { return r[0] < r[1] && r[1] < r[2]; })));
+        right.push_back(
+            static_cast<double>(std::count_if(rankings.begin(), rankings.end(), [](const SaidRanks& r) {
+                return r[0] < r[1] && r[1] < r[2];
+            })));
         shares.push_back(right.back() / of.back());
     }
     const int people = static_cast<int>(means.size());
     constexpr std::uint64_t kSeed = 1; // fixed, so that the same answers give the same interval
-    const auto ofW = bootstrapSubjects(people, [&](const std::vector<int>& drawn) {
-        std::vector<SaidRanks> rows;
-        for (const int index : drawn)
-            rows.push_back(means[static_cast<std::size_t>(index)]);
-        return kendallW(rows).w;
-    }, kSeed);
+    const auto ofW = bootstrapSubjects(
+        people,
+        [&](const std::vector<int>& drawn) {
+            std::vector<SaidRanks> rows;
+            for (const int index : drawn)
+                rows.push_back(means[static_cast<std::size_t>(index)]);
+            return kendallW(rows).w;
+        },
+        kSeed);
     summary.wLow = ofW.low;
     summary.wHigh = ofW.high;
-    const auto ofShare = bootstrapSubjects(people, [&](const std::vector<int>& drawn) {
-        double all = 0.0, whole = 0.0;
-        for (const int index : drawn) {
-            all += of[static_cast<std::size_t>(index)];
-            whole += right[static_cast<std::size_t>(index)];
-        }
-        return whole / all;
-    }, kSeed);
+    const auto ofShare = bootstrapSubjects(
+        people,
+        [&](const std::vector<int>& drawn) {
+            double all = 0.0, whole = 0.0;
+            for (const int index : drawn) {
+                all += of[static_cast<std::size_t>(index)];
+                whole += right[static_cast<std::size_t>(index)];
+            }
+            return whole / all;
+        },
+        kSeed);
     summary.complete.low = ofShare.low;
     summary.complete.high = ofShare.high;
     const SampleMoments m = momentsOf(shares);
     const double error = m.sd / std::sqrt(static_cast<double>(people));
-    summary.complete.pValue = people >= 3 && error > 0.0 ? studentUpperTail((m.mean - 1.0 / 6.0) / error, people - 1.0) : std::numeric_limits<double>::quiet_NaN();
+    summary.complete.pValue = people >= 3 && error > 0.0
+                                  ? studentUpperTail((m.mean - 1.0 / 6.0) / error, people - 1.0)
+                                  : std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace
@@ -172,13 +194,15 @@ std::vector<SaidRanks> saidRanks(const std::vector<ScoredTrial>& trials) {
     std::vector<SaidRanks> said;
     for (const ScoredTrial& trial : trials) { // rankings without ties are counted in the same way in both
                                               // tasks
-        const int outcome = trial.answer >= 0 ? outcomeOf(Task::rank3Ties, trial.arrangement, trial.answer) : trial.outcome;
+        const int outcome =
+            trial.answer >= 0 ? outcomeOf(Task::rank3Ties, trial.arrangement, trial.answer) : trial.outcome;
         if (outcome < 0 || outcome >= kRankings)
             continue;
         const Ranking& given = rankings()[static_cast<std::size_t>(outcome)];
         SaidRanks ranks;
         for (const int own : given) { // tied objects share their mean rank
-            const auto below = std::count_if(given.begin(), given.end(), [own](int other) { return other < own; });
+            const auto below =
+                std::count_if(given.begin(), given.end(), [own](int other) { return other < own; });
             const auto alike = std::count(given.begin(), given.end(), own);
             ranks.push_back(static_cast<double>(below) + 0.5 * static_cast<double>(alike + 1));
         }

@@ -30,7 +30,7 @@ struct RankingSummary {
     /// For one person whose answers decided the next trial: no intervals and no p, because the trials are not
     /// independent.
     bool adaptive = false;
-    PageTrend trend;       ///< Page's L, towards the true order
+    PageTrend trend; ///< Page's L, towards the true order
     /// Mean of Kendall's τ_a with the true order (a tied pair counts 0); for a group, the mean of its
     /// participants' means.
     double tau = std::numeric_limits<double>::quiet_NaN();
@@ -42,7 +42,7 @@ struct RankingSummary {
     /// The object with most is chosen first; a ranking with ties is divided among the orders that agree with
     /// it.
     WorthEstimate plackettLuce;
-    WorthEstimate thurstone;    ///< case V, without standard errors; a tie counts half for each order
+    WorthEstimate thurstone; ///< case V, without standard errors; a tie counts half for each order
 };
 
 /// Returns the rankings among a run's scored trials, for the tasks rank3 and rank3_ties. Trials without an

@@ -74,7 +74,8 @@ double quantileOf(const std::vector<double>& sorted, double share) noexcept {
     return part > 0.0 ? sorted[below] + part * (sorted[above] - sorted[below]) : sorted[below];
 }
 
-void takeCurve(RunEstimate& result, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior) {
+void takeCurve(RunEstimate& result, Task task, const ScoredAnswers& answers,
+               const ThurstonePosterior& posterior) {
     if (answers.points.empty() || posterior.draws.empty())
         return;
     const double low = std::min(0.0, 1.1 * answers.points.front().difference);

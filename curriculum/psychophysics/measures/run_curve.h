@@ -8,7 +8,8 @@ namespace chiron::psychophysics {
 /// Fills in the fitted curve of a run with its pointwise 95 % band (over the posterior's draws), and the
 /// threshold at the run's criterion (without lapses). The curve shows, for rank3 and rank3_ties: entirely
 /// correct orders; yes_no: "yes"; same_different: "different"; other tasks: right answers.
-void takeCurve(RunEstimate& result, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior);
+void takeCurve(RunEstimate& result, Task task, const ScoredAnswers& answers,
+               const ThurstonePosterior& posterior);
 
 /// Returns the answer kind (see AnswerCount) whose probability the curve of a task shows.
 int kindOfCurve(Task task) noexcept;

@@ -17,21 +17,26 @@ namespace {
 
 constexpr double kPoorFit = 0.01;
 constexpr double kTrialsForChiSquare = 5.0; ///< per level on average; with fewer, the deviance is meaningless
-constexpr double kWorthDrawing = 0.05;  ///< a smaller chi-square p is replaced by one from simulated runs
+constexpr double kWorthDrawing = 0.05;      ///< a smaller chi-square p is replaced by one from simulated runs
 constexpr int kDraws = 1999;
-constexpr std::uint64_t kDrawSeed = 1;  ///< fixed, so that the same run gives the same p
+constexpr std::uint64_t kDrawSeed = 1; ///< fixed, so that the same run gives the same p
 /// Smallest proportion, at which one contradicting answer still has a finite deviance.
 constexpr double kSmallest = 1e-9;
 
 /// Returns whether the observer has a criterion in addition to σ.
-bool hasCriterion(Task task) { return task == Task::yesNo || task == Task::sameDifferent || task == Task::rank3Ties; }
+bool hasCriterion(Task task) {
+    return task == Task::yesNo || task == Task::sameDifferent || task == Task::rank3Ties;
+}
 
-bool saysYes(Task task) { return task == Task::yesNo || task == Task::sameDifferent; }
+bool saysYes(Task task) {
+    return task == Task::yesNo || task == Task::sameDifferent;
+}
 
 /// Returns −2 ln of the likelihood ratio of ψ to a level's own proportion.
 double devianceOf(double k, double n, double psi) {
     const double wrong = n - k;
-    return 2.0 * ((k > 0.0 ? k * std::log(k / (n * psi)) : 0.0) + (wrong > 0.0 ? wrong * std::log(wrong / (n * (1.0 - psi))) : 0.0));
+    return 2.0 * ((k > 0.0 ? k * std::log(k / (n * psi)) : 0.0) +
+                  (wrong > 0.0 ? wrong * std::log(wrong / (n * (1.0 - psi))) : 0.0));
 }
 
 /// Returns the share of runs simulated with the curve itself that deviate at least as much. Levels with few
@@ -54,12 +59,15 @@ double drawnTail(const std::vector<CurvePoint>& points, const std::vector<double
 /// Fills in how far the answers are from the Thurstone observer's own curve, from which the estimate is
 /// taken. σ and a criterion are fitted. The lapse rate is largely determined by its prior and is not counted
 /// as a fitted parameter.
-void takeGoodness(RunEstimate& result, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior) {
-    const ThurstonePoint at{posterior.medianLog10Sigma, posterior.meanLapse, std::isfinite(posterior.criterion) ? posterior.criterion : 0.0};
+void takeGoodness(RunEstimate& result, Task task, const ScoredAnswers& answers,
+                  const ThurstonePosterior& posterior) {
+    const ThurstonePoint at{posterior.medianLog10Sigma, posterior.meanLapse,
+                            std::isfinite(posterior.criterion) ? posterior.criterion : 0.0};
     std::vector<double> psi;
     double deviance = 0.0;
     for (const CurvePoint& point : answers.points) {
-        psi.push_back(std::clamp(answerProbability(task, point.difference, kindOfCurve(task), at), kSmallest, 1.0 - kSmallest));
+        psi.push_back(std::clamp(answerProbability(task, point.difference, kindOfCurve(task), at), kSmallest,
+                                 1.0 - kSmallest));
         deviance += devianceOf(point.right, point.of, psi.back());
     }
     result.deviance = deviance;
@@ -79,7 +87,9 @@ double at(const FitResult& fit, CurveParameters parameters, double threshold, do
     return thresholdAt(fit, parameters, criterion);
 }
 
-bool meet(const Interval& a, const Interval& b) { return !(a.high < b.low) && !(b.high < a.low); }
+bool meet(const Interval& a, const Interval& b) {
+    return !(a.high < b.low) && !(b.high < a.low);
+}
 
 /// Selects the warnings of the fit that are about the answers. Those about its own lapse rate and slope are
 /// dropped, because the estimate is not taken from this fit.
@@ -119,14 +129,19 @@ FitOptions freeCurveOptions(Task task, bool positive) {
     FitOptions options;
     options.function = Sigmoid::gauss;
     options.scale = positive ? StimulusScale::log10 : StimulusScale::linear;
-    options.guess = hasCriterion(task) ? Asymptote::fitted() : Asymptote::fixedAt(task == Task::rank3 ? 1.0 / 6.0 : 1.0 / answers(task));
+    options.guess = hasCriterion(task)
+                        ? Asymptote::fitted()
+                        : Asymptote::fixedAt(task == Task::rank3 ? 1.0 / 6.0 : 1.0 / answers(task));
     options.largestAsymptote = 0.3;
     return options;
 }
 
-bool isPositive(Task task, const std::vector<CurvePoint>& points) { return !points.empty() && !saysYes(task) && points.front().difference > 0.0; }
+bool isPositive(Task task, const std::vector<CurvePoint>& points) {
+    return !points.empty() && !saysYes(task) && points.front().difference > 0.0;
+}
 
-void takeFit(RunEstimate& result, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior) {
+void takeFit(RunEstimate& result, Task task, const ScoredAnswers& answers,
+             const ThurstonePosterior& posterior) {
     const bool positive = isPositive(task, answers.points);
     const PsychometricData data = curveData(answers.points, positive);
     if (data.x.size() < 2 || answers.levels < 2)
@@ -136,7 +151,8 @@ void takeFit(RunEstimate& result, Task task, const ScoredAnswers& answers, const
     if (!fit.fitted)
         return addWarnings(result, fit);
     result.fitThreshold = at(fit, fit.best, fit.threshold, result.criterion);
-    result.fitThreshold95 = {at(fit, fit.best, fit.ci.threshold.low, result.criterion), at(fit, fit.best, fit.ci.threshold.high, result.criterion)};
+    result.fitThreshold95 = {at(fit, fit.best, fit.ci.threshold.low, result.criterion),
+                             at(fit, fit.best, fit.ci.threshold.high, result.criterion)};
     addWarnings(result, fit);
 }
 

@@ -23,6 +23,7 @@ bool isPositive(Task task, const std::vector<CurvePoint>& points);
 /// chance or, for tasks with a criterion, free; on log10 D if all differences are above zero, else on D).
 /// This gives fitThreshold with its profile interval, the warnings no_rise and not_monotone, and
 /// curves_disagree if the two intervals of the threshold do not overlap.
-void takeFit(RunEstimate& result, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior);
+void takeFit(RunEstimate& result, Task task, const ScoredAnswers& answers,
+             const ThurstonePosterior& posterior);
 
 } // namespace chiron::psychophysics

@@ -41,8 +41,10 @@ double chanceOf(Task task) {
 
 void warnOfLevel(std::vector<Warning>& warnings, Task task, const ScoredAnswers& answers) {
     if (task == Task::yesNo || task == Task::sameDifferent) {
-        const bool oneAnswer = std::all_of(answers.points.begin(), answers.points.end(), [](const CurvePoint& p) { return p.right == 0; }) ||
-                               std::all_of(answers.points.begin(), answers.points.end(), [](const CurvePoint& p) { return p.right == p.of; });
+        const bool oneAnswer = std::all_of(answers.points.begin(), answers.points.end(),
+                                           [](const CurvePoint& p) { return p.right == 0; }) ||
+                               std::all_of(answers.points.begin(), answers.points.end(),
+                                           [](const CurvePoint& p) { return p.right == p.of; });
         if (oneAnswer)
             warnings.push_back({WarningKind::oneAnswer});
         return;
@@ -79,7 +81,8 @@ void warnOfPosterior(std::vector<Warning>& warnings, const ThurstonePosterior& p
 
 } // namespace
 
-void warnOfAnswers(std::vector<Warning>& warnings, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior) {
+void warnOfAnswers(std::vector<Warning>& warnings, Task task, const ScoredAnswers& answers,
+                   const ThurstonePosterior& posterior) {
     warnOfSize(warnings, answers);
     if (answers.used == 0)
         return;
@@ -98,8 +101,8 @@ void warnOfPlaces(std::vector<Warning>& warnings, Task task, const std::vector<S
     std::vector<double> expected = said, offered = said;
     double wrong = 0.0, shown = 0.0;
     for (const ScoredTrial& trial : trials) {
-        if (trial.arrangement < 0 || trial.arrangement >= static_cast<int>(arrangements(task).size()) || trial.answer < 0 ||
-            trial.answer >= places)
+        if (trial.arrangement < 0 || trial.arrangement >= static_cast<int>(arrangements(task).size()) ||
+            trial.answer < 0 || trial.answer >= places)
             continue;
         const int correct = correctAnswer(task, trial.arrangement);
         shown += 1.0;

@@ -7,7 +7,8 @@ namespace chiron::psychophysics {
 
 /// Adds what a reader of the estimate must know: about the number and spread of trials, guessing, the
 /// influence of the prior, and lapses.
-void warnOfAnswers(std::vector<Warning>& warnings, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior);
+void warnOfAnswers(std::vector<Warning>& warnings, Task task, const ScoredAnswers& answers,
+                   const ThurstonePosterior& posterior);
 
 /// Adds positionBias if wrong answers favour some positions more than chance allows (forced choices; p <
 /// 0.001 of chi-square).

@@ -19,7 +19,9 @@ struct Sorted {
     bool right = false;
 };
 
-bool isOneOf(int value, int of) { return value >= 0 && value < of; }
+bool isOneOf(int value, int of) {
+    return value >= 0 && value < of;
+}
 
 /// Sorts one usable trial; returns false for others.
 bool sortOne(Task task, const ScoredTrial& trial, Sorted& sorted) {
@@ -50,7 +52,8 @@ std::pair<double, bool> onCurve(Task task, const Sorted& answer) {
 /// Merges many distinct differences (more than a table of candidates has) into bins with equal numbers of
 /// trials.
 void putTogether(std::vector<Sorted>& sorted) {
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Sorted& a, const Sorted& b) { return a.difference < b.difference; });
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Sorted& a, const Sorted& b) { return a.difference < b.difference; });
     const std::size_t bin = (sorted.size() + kMostLevels - 1) / kMostLevels;
     for (std::size_t first = 0; first < sorted.size(); first += bin) {
         const std::size_t last = std::min(sorted.size(), first + bin);

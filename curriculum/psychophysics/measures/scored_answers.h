@@ -8,18 +8,18 @@ namespace chiron::psychophysics {
 
 /// The trials of a run, sorted for analysis.
 struct ScoredAnswers {
-    std::vector<AnswerCount> counts;  ///< by difference, then kind
+    std::vector<AnswerCount> counts; ///< by difference, then kind
     /// By difference: right answers of all (yes_no: "yes" answers; same_different: "different" answers, at 0
     /// if both objects were the same).
     std::vector<CurvePoint> points;
     int used = 0;
-    int right = 0;                    ///< correct answers
-    int leftOut = 0;                  ///< trials without a finite difference or without a possible answer
+    int right = 0;   ///< correct answers
+    int leftOut = 0; ///< trials without a finite difference or without a possible answer
     /// There are more than kMostLevels differences; they are merged into bins, each at its mean.
     bool binned = false;
-    double smallestDifference = 0.0;  ///< smallest |D| > 0 presented; 0: none
+    double smallestDifference = 0.0; ///< smallest |D| > 0 presented; 0: none
     double largestDifference = 0.0;
-    int levels = 0;                   ///< number of distinct |D| presented
+    int levels = 0; ///< number of distinct |D| presented
 };
 
 inline constexpr std::size_t kMostLevels = 256;

@@ -12,9 +12,13 @@ namespace chiron::psychophysics {
 
 namespace {
 
-double valueOf(const ScoredTrial& trial) { return trial.value.value_or(std::numeric_limits<double>::quiet_NaN()); }
+double valueOf(const ScoredTrial& trial) {
+    return trial.value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
 
-double weberOfJnd(double jndLog10) { return std::expm1(std::numbers::ln10 * jndLog10); }
+double weberOfJnd(double jndLog10) {
+    return std::expm1(std::numbers::ln10 * jndLog10);
+}
 
 } // namespace
 
@@ -41,7 +45,8 @@ void takeSettings(RunEstimate& result, const Condition& condition, const std::ve
 void takeMagnitudes(RunEstimate& result, const Condition& condition, const std::vector<ScoredTrial>& trials) {
     std::vector<MagnitudeAnswer> answers;
     for (const ScoredTrial& trial : trials)
-        answers.push_back({0, condition.stimulus.reference * std::pow(10.0, trial.difference), valueOf(trial)});
+        answers.push_back(
+            {0, condition.stimulus.reference * std::pow(10.0, trial.difference), valueOf(trial)});
     const MagnitudeScale scale = magnitudeScale(answers);
     result.method = EstimateMethod::numbersSaid;
     result.exponent = scale.exponent;

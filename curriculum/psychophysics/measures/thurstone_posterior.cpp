@@ -57,8 +57,10 @@ public:
         const double place = d * kPerUnit;
         const auto i = static_cast<std::size_t>(place);
         const double u = place - static_cast<double>(i);
-        const double value = -u * (u - 1.0) * (u - 2.0) / 6.0 * m_value[i] + (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0 * m_value[i + 1] -
-                             (u + 1.0) * u * (u - 2.0) / 2.0 * m_value[i + 2] + (u + 1.0) * u * (u - 1.0) / 6.0 * m_value[i + 3];
+        const double value = -u * (u - 1.0) * (u - 2.0) / 6.0 * m_value[i] +
+                             (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0 * m_value[i + 1] -
+                             (u + 1.0) * u * (u - 2.0) / 2.0 * m_value[i + 2] +
+                             (u + 1.0) * u * (u - 1.0) / 6.0 * m_value[i + 3];
         return std::min(1.0, value);
     }
 
@@ -84,7 +86,9 @@ double attentive(Task task, double difference, int kind, double sigma, double cr
     double yes = 0.5; // probability of the kinds that end in 1
     switch (task) {
     case Task::rank3Ties:
-        return kind == 0 ? rightOrderProbability(d, criterion) : tiedRankProbabilities(d, criterion)[static_cast<std::size_t>(std::clamp(kind, 0, kRankings - 1))];
+        return kind == 0 ? rightOrderProbability(d, criterion)
+                         : tiedRankProbabilities(
+                               d, criterion)[static_cast<std::size_t>(std::clamp(kind, 0, kRankings - 1))];
     case Task::rank3:
         return tabulatedOrderProbabilities(d)[static_cast<std::size_t>(std::clamp(kind, 0, 5))];
     case Task::twoAfc:
@@ -98,7 +102,8 @@ double attentive(Task task, double difference, int kind, double sigma, double cr
         break;
     case Task::sameDifferent: {
         const double shown = kind >= 2 ? d : 0.0;
-        yes = normalCumulative((shown - criterion) / std::numbers::sqrt2) + normalCumulative((-shown - criterion) / std::numbers::sqrt2);
+        yes = normalCumulative((shown - criterion) / std::numbers::sqrt2) +
+              normalCumulative((-shown - criterion) / std::numbers::sqrt2);
         break;
     }
     case Task::yesNo:
@@ -128,7 +133,8 @@ public:
     }
     double at(const AnswerCount& group, double sigma) const {
         if (m_ties)
-            return m_ties->at(group.difference / sigma)[static_cast<std::size_t>(std::clamp(group.kind, 0, kRankings - 1))];
+            return m_ties->at(group.difference /
+                              sigma)[static_cast<std::size_t>(std::clamp(group.kind, 0, kRankings - 1))];
         return attentive(m_task, group.difference, group.kind, sigma, m_criterion);
     }
 
@@ -154,18 +160,21 @@ void fill(Grid& grid, Task task, const std::vector<AnswerCount>& counts, const T
                 const double p = observer.at(group, sigma);
                 const double guess = guessed(task, group.kind);
                 for (std::size_t l = 0; l < grid.lapse.cells; ++l)
-                    logWeight[grid.cell(s, c) + l] += group.count * std::log(std::max(1e-300, p + grid.lapseAt(l) * (guess - p)));
+                    logWeight[grid.cell(s, c) + l] +=
+                        group.count * std::log(std::max(1e-300, p + grid.lapseAt(l) * (guess - p)));
             }
         }
     }
     for (std::size_t i = 0; i < logWeight.size(); ++i) {
         const std::size_t l = i % grid.lapse.cells;
-        logWeight[i] += kLapsePriorPower * std::log1p(-grid.lapseAt(l)) + std::log(grid.lapse.at(l)); // dλ = 2√λ d√λ
+        logWeight[i] +=
+            kLapsePriorPower * std::log1p(-grid.lapseAt(l)) + std::log(grid.lapse.at(l)); // dλ = 2√λ d√λ
         logWeight[i] += logPrior(task, prior, grid.sigma.at(i / (grid.criterion.cells * grid.lapse.cells)));
     }
     const double largest = *std::max_element(logWeight.begin(), logWeight.end());
     grid.weight.resize(logWeight.size());
-    std::transform(logWeight.begin(), logWeight.end(), grid.weight.begin(), [&](double w) { return std::exp(w - largest); });
+    std::transform(logWeight.begin(), logWeight.end(), grid.weight.begin(),
+                   [&](double w) { return std::exp(w - largest); });
 }
 
 /// Sums over all coordinates but one.
@@ -175,7 +184,8 @@ struct Marginals {
 };
 
 Marginals marginalsOf(const Grid& grid) {
-    Marginals m{std::vector<double>(grid.sigma.cells), std::vector<double>(grid.criterion.cells), std::vector<double>(grid.lapse.cells)};
+    Marginals m{std::vector<double>(grid.sigma.cells), std::vector<double>(grid.criterion.cells),
+                std::vector<double>(grid.lapse.cells)};
     for (std::size_t s = 0; s < grid.sigma.cells; ++s)
         for (std::size_t c = 0; c < grid.criterion.cells; ++c)
             for (std::size_t l = 0; l < grid.lapse.cells; ++l) {
@@ -199,7 +209,8 @@ Axis narrowed(const Axis& axis, const std::vector<double>& marginal, std::size_t
         --last;
     first -= first > 0 ? 1 : 0;
     last += last + 1 < axis.cells ? 1 : 0;
-    return {axis.low + static_cast<double>(first) * axis.width(), axis.low + static_cast<double>(last + 1) * axis.width(), cells};
+    return {axis.low + static_cast<double>(first) * axis.width(),
+            axis.low + static_cast<double>(last + 1) * axis.width(), cells};
 }
 
 double quantile(const Axis& axis, const std::vector<double>& marginal, double total, double share) {
@@ -220,13 +231,18 @@ struct Refined {
     Marginals marginals;
 };
 
-Refined refined(Refined now, Task task, const std::vector<AnswerCount>& counts, const ThurstonePrior& prior, const Grid& cells) {
-    const auto shrinks = [](const Axis& next, const Axis& last, double share) { return next.high - next.low < share * (last.high - last.low); };
+Refined refined(Refined now, Task task, const std::vector<AnswerCount>& counts, const ThurstonePrior& prior,
+                const Grid& cells) {
+    const auto shrinks = [](const Axis& next, const Axis& last, double share) {
+        return next.high - next.low < share * (last.high - last.low);
+    };
     for (int pass = 0; pass < kMostPasses; ++pass) {
-        Grid next{narrowed(now.grid.sigma, now.marginals.sigma, cells.sigma.cells), narrowed(now.grid.criterion, now.marginals.criterion, cells.criterion.cells),
-                  narrowed(now.grid.lapse, now.marginals.lapse, cells.lapse.cells), {}};
-        if (pass > 0 && !shrinks(next.sigma, now.grid.sigma, 0.3) && !shrinks(next.criterion, now.grid.criterion, 0.3) &&
-            !shrinks(next.lapse, now.grid.lapse, 0.4))
+        Grid next{narrowed(now.grid.sigma, now.marginals.sigma, cells.sigma.cells),
+                  narrowed(now.grid.criterion, now.marginals.criterion, cells.criterion.cells),
+                  narrowed(now.grid.lapse, now.marginals.lapse, cells.lapse.cells),
+                  {}};
+        if (pass > 0 && !shrinks(next.sigma, now.grid.sigma, 0.3) &&
+            !shrinks(next.criterion, now.grid.criterion, 0.3) && !shrinks(next.lapse, now.grid.lapse, 0.4))
             break;
         fill(next, task, counts, prior);
         now.marginals = marginalsOf(next);
@@ -244,7 +260,8 @@ void summarise(ThurstonePosterior& result, const Grid& grid, const Marginals& m)
     }
     result.known = true;
     result.meanLog10Sigma = sum / m.total;
-    result.sdLog10Sigma = std::sqrt(std::max(0.0, squares / m.total - result.meanLog10Sigma * result.meanLog10Sigma));
+    result.sdLog10Sigma =
+        std::sqrt(std::max(0.0, squares / m.total - result.meanLog10Sigma * result.meanLog10Sigma));
     result.medianLog10Sigma = quantile(grid.sigma, m.sigma, m.total, 0.5);
     result.lowLog10Sigma = quantile(grid.sigma, m.sigma, m.total, 0.025);
     result.highLog10Sigma = quantile(grid.sigma, m.sigma, m.total, 0.975);
@@ -285,10 +302,13 @@ double answerProbability(Task task, double difference, int kind, const Thurstone
     return p + at.lapse * (guessed(task, kind) - p);
 }
 
-ThurstonePosterior thurstonePosterior(Task task, const std::vector<AnswerCount>& counts, const ThurstonePrior& prior, int draws) {
+ThurstonePosterior thurstonePosterior(Task task, const std::vector<AnswerCount>& counts,
+                                      const ThurstonePrior& prior, int draws) {
     ThurstonePosterior result;
-    const bool answered = std::any_of(counts.begin(), counts.end(), [](const AnswerCount& group) { return group.count > 0.0; });
-    if (!answered || task == Task::adjustment || task == Task::magnitude || !(prior.highLog10Sigma > prior.lowLog10Sigma))
+    const bool answered =
+        std::any_of(counts.begin(), counts.end(), [](const AnswerCount& group) { return group.count > 0.0; });
+    if (!answered || task == Task::adjustment || task == Task::magnitude ||
+        !(prior.highLog10Sigma > prior.lowLog10Sigma))
         return result;
     const bool hasCriterion = task == Task::yesNo || task == Task::sameDifferent || task == Task::rank3Ties;
     const std::size_t criteria = task == Task::rank3Ties ? 16 : hasCriterion ? 30 : 1;

@@ -25,7 +25,8 @@ struct AnswerCount {
 struct ThurstonePrior {
     double lowLog10Sigma = -3.0;
     double highLog10Sigma = 0.0;
-    double evenUpTo = std::numeric_limits<double>::infinity(); ///< log10 of the largest difference D presented
+    double evenUpTo =
+        std::numeric_limits<double>::infinity(); ///< log10 of the largest difference D presented
     double lowCriterion = 0.0;
     double highCriterion = 0.0;
 };
@@ -48,7 +49,7 @@ struct ThurstonePosterior {
     double medianLog10Sigma = std::numeric_limits<double>::quiet_NaN();
     double meanLog10Sigma = std::numeric_limits<double>::quiet_NaN();
     double sdLog10Sigma = std::numeric_limits<double>::quiet_NaN();
-    double lowLog10Sigma = std::numeric_limits<double>::quiet_NaN();  ///< limits of the central 95 % interval
+    double lowLog10Sigma = std::numeric_limits<double>::quiet_NaN(); ///< limits of the central 95 % interval
     double highLog10Sigma = std::numeric_limits<double>::quiet_NaN();
     double meanLapse = std::numeric_limits<double>::quiet_NaN();
     double criterion = std::numeric_limits<double>::quiet_NaN(); ///< median, with its central 95 % interval
@@ -72,6 +73,7 @@ double answerProbability(Task task, double difference, int kind, const Thurstone
 /// posterior mass, repeated as long as that fills only a small part of σ, criterion or lapse. Unknown without
 /// answers, and for adjustment and magnitude. Sums are in a fixed order, so the result is deterministic. The
 /// time grows with the number of distinct (difference, kind), not with the counts.
-ThurstonePosterior thurstonePosterior(Task task, const std::vector<AnswerCount>& counts, const ThurstonePrior& prior, int draws = 400);
+ThurstonePosterior thurstonePosterior(Task task, const std::vector<AnswerCount>& counts,
+                                      const ThurstonePrior& prior, int draws = 400);
 
 } // namespace chiron::psychophysics

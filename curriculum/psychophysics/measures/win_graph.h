@@ -9,7 +9,8 @@ namespace chiron::psychophysics {
 /// object can be reached from every other (Ford 1957).
 class WinGraph {
 public:
-    explicit WinGraph(int objects) : m_beaten(static_cast<std::size_t>(objects)), m_beatenBy(m_beaten.size()) {}
+    explicit WinGraph(int objects)
+        : m_beaten(static_cast<std::size_t>(objects)), m_beatenBy(m_beaten.size()) {}
 
     void add(int winner, int loser) {
         m_beaten[static_cast<std::size_t>(winner)].push_back(loser);

@@ -23,18 +23,21 @@ struct Part {
     bool always; ///< written even if it has the default value
 };
 
-constexpr std::array<Part, 4> kParts{{{"weber", &ObserverSpec::weber, 1e-6, 100.0, "a Weber fraction from 0.000001 to 100", true},
-                                      {"lapse", &ObserverSpec::lapse, 0.0, 1.0, "a share from 0 to 1", true},
-                                      {"bias", &ObserverSpec::bias, -100.0, 100.0, "a number of internal noise sd, -100 to 100", true},
-                                      {"ties", &ObserverSpec::ties, 0.0, 100.0, "a number of internal noise sd, 0 to 100", false}}};
+constexpr std::array<Part, 4> kParts{
+    {{"weber", &ObserverSpec::weber, 1e-6, 100.0, "a Weber fraction from 0.000001 to 100", true},
+     {"lapse", &ObserverSpec::lapse, 0.0, 1.0, "a share from 0 to 1", true},
+     {"bias", &ObserverSpec::bias, -100.0, 100.0, "a number of internal noise sd, -100 to 100", true},
+     {"ties", &ObserverSpec::ties, 0.0, 100.0, "a number of internal noise sd, 0 to 100", false}}};
 
 constexpr std::string_view kTrainee = "operator:";
 
 core::Result<void> readTrainee(std::string_view name, ObserverSpec& spec) {
-    const bool word = !name.empty() && name.size() <= 32 &&
-                      std::all_of(name.begin(), name.end(), [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; });
+    const bool word = !name.empty() && name.size() <= 32 && std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || c == '_';
+    });
     if (!word)
-        return fail(ErrorCode::badInput, "observer: operator:" + std::string(name) + ": expected the name of a scripted trainee");
+        return fail(ErrorCode::badInput,
+                    "observer: operator:" + std::string(name) + ": expected the name of a scripted trainee");
     spec.trainee = std::string(name);
     return {};
 }
@@ -49,12 +52,16 @@ core::Result<void> readPart(std::string_view text, ObserverSpec& spec) {
         const std::string_view digits = text.substr(colon + 1);
         double value = 0.0;
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        if (error != std::errc{} || end != digits.data() + digits.size() || !(value >= part.lowest && value <= part.highest))
-            return fail(ErrorCode::badInput, "observer: " + std::string(text) + ": expected " + std::string(part.expected));
+        if (error != std::errc{} || end != digits.data() + digits.size() ||
+            !(value >= part.lowest && value <= part.highest))
+            return fail(ErrorCode::badInput,
+                        "observer: " + std::string(text) + ": expected " + std::string(part.expected));
         spec.*part.value = value;
         return {};
     }
-    return fail(ErrorCode::badInput, "observer: \"" + std::string(text) + "\": expected weber:W, lapse:L, bias:B, ties:T or operator:NAME, separated by commas");
+    return fail(ErrorCode::badInput,
+                "observer: \"" + std::string(text) +
+                    "\": expected weber:W, lapse:L, bias:B, ties:T or operator:NAME, separated by commas");
 }
 
 } // namespace
@@ -69,7 +76,8 @@ core::Result<ObserverSpec> parseObserver(std::string_view text) {
         seen = rest.substr(0, rest.find(':'));
         known = known || seen == "weber" || !spec.trainee.empty();
         if (comma == std::string_view::npos && !known)
-            return fail(ErrorCode::badInput, "observer: " + std::string(text) + ": how well it feels is missing; expected weber:W");
+            return fail(ErrorCode::badInput, "observer: " + std::string(text) +
+                                                 ": how well it feels is missing; expected weber:W");
         if (comma == std::string_view::npos)
             return spec;
         rest = rest.substr(comma + 1);
@@ -92,6 +100,8 @@ std::string observerText(const ObserverSpec& spec) {
     return text;
 }
 
-double sigmaOf(const ObserverSpec& spec) { return std::log10(1.0 + spec.weber) / kJndPerSigma; }
+double sigmaOf(const ObserverSpec& spec) {
+    return std::log10(1.0 + spec.weber) / kJndPerSigma;
+}
 
 } // namespace chiron::psychophysics

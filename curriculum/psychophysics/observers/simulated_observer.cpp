@@ -10,22 +10,27 @@ namespace chiron::psychophysics {
 
 namespace {
 
-int strongest(const std::vector<double>& felt) { return static_cast<int>(std::max_element(felt.begin(), felt.end()) - felt.begin()); }
+int strongest(const std::vector<double>& felt) {
+    return static_cast<int>(std::max_element(felt.begin(), felt.end()) - felt.begin());
+}
 
 /// Returns the perceived ranks as an answer; neighbours less than `tie` apart are equal. Of two exactly equal
 /// percepts the left one is less, unless they tie.
 int orderOf(const std::vector<double>& felt, double tie) {
     std::array<std::size_t, 3> order{0, 1, 2};
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return felt[a] < felt[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return felt[a] < felt[b]; });
     Ranking ranks{};
     for (std::size_t i = 1; i < order.size(); ++i)
-        ranks[order[i]] = static_cast<std::int8_t>(ranks[order[i - 1]] + (felt[order[i]] - felt[order[i - 1]] < tie ? 0 : 1));
+        ranks[order[i]] = static_cast<std::int8_t>(ranks[order[i - 1]] +
+                                                   (felt[order[i]] - felt[order[i - 1]] < tie ? 0 : 1));
     return rankingOf(ranks);
 }
 
 /// Returns the one of three that is not in the closest pair.
 int outside(const std::vector<double>& felt) {
-    const std::vector<double> gaps{std::abs(felt[1] - felt[2]), std::abs(felt[0] - felt[2]), std::abs(felt[0] - felt[1])};
+    const std::vector<double> gaps{std::abs(felt[1] - felt[2]), std::abs(felt[0] - felt[2]),
+                                   std::abs(felt[0] - felt[1])};
     return static_cast<int>(std::min_element(gaps.begin(), gaps.end()) - gaps.begin());
 }
 
@@ -38,7 +43,8 @@ SimulatedObserver::SimulatedObserver(const ObserverSpec& spec, std::uint64_t see
 
 std::vector<double> SimulatedObserver::feltPlaces(const std::vector<double>& log10Values) {
     std::vector<double> places(log10Values.size());
-    std::transform(log10Values.begin(), log10Values.end(), places.begin(), [this](double v) { return felt(v); });
+    std::transform(log10Values.begin(), log10Values.end(), places.begin(),
+                   [this](double v) { return felt(v); });
     return places;
 }
 

@@ -35,10 +35,10 @@ Pair withMiddle(double one, double other) noexcept {
 } // namespace
 
 std::array<double, 6> rankProbabilities(double d) noexcept {
-    const Pair one = withMiddle(-d, d);        // 0<1<2 and 2<1<0
-    const Pair zero = withMiddle(d, 2.0 * d);  // 1<0<2 and 2<0<1; by symmetry 0<2<1 and 1<2<0
+    const Pair one = withMiddle(-d, d);       // 0<1<2 and 2<1<0
+    const Pair zero = withMiddle(d, 2.0 * d); // 1<0<2 and 2<0<1; by symmetry 0<2<1 and 1<2<0
     const double total = one.lowFirst + one.highFirst + 2.0 * (zero.lowFirst + zero.highFirst);
-    return {one.lowFirst / total,  zero.lowFirst / total,  zero.lowFirst / total,
+    return {one.lowFirst / total,   zero.lowFirst / total,  zero.lowFirst / total,
             zero.highFirst / total, zero.highFirst / total, one.highFirst / total};
 }
 

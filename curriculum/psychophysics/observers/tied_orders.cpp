@@ -40,9 +40,11 @@ struct Neighbour {
 struct Felt {
     std::array<std::size_t, 4> said;
 
-    Felt(int low, int middle, int high) noexcept : said{index(low, middle, high, 1, 2), index(low, middle, high, 0, 1),
-                                                       index(low, middle, high, 1, 1), index(low, middle, high, 0, 0)} {}
-    void add(RankingProbabilities& p, double weight, const Neighbour& low, const Neighbour& high) const noexcept {
+    Felt(int low, int middle, int high) noexcept
+        : said{index(low, middle, high, 1, 2), index(low, middle, high, 0, 1), index(low, middle, high, 1, 1),
+               index(low, middle, high, 0, 0)} {}
+    void add(RankingProbabilities& p, double weight, const Neighbour& low,
+             const Neighbour& high) const noexcept {
         p[said[0]] += weight * low.farBelow * high.farAbove;
         p[said[1]] += weight * low.nearBelow * high.farAbove;
         p[said[2]] += weight * low.farBelow * high.nearAbove;
@@ -128,7 +130,8 @@ RankingProbabilities TiedOrderTable::at(double d) const noexcept {
     }
     const auto row = static_cast<std::size_t>(place);
     const double u = place - static_cast<double>(row);
-    const std::array<double, 4> weight{-u * (u - 1.0) * (u - 2.0) / 6.0, (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0,
+    const std::array<double, 4> weight{-u * (u - 1.0) * (u - 2.0) / 6.0,
+                                       (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0,
                                        -(u + 1.0) * u * (u - 2.0) / 2.0, (u + 1.0) * u * (u - 1.0) / 6.0};
     RankingProbabilities p{};
     for (std::size_t i = 0; i < p.size(); ++i) {

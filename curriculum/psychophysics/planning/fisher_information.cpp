@@ -58,11 +58,15 @@ double fisherInformation(Task task, double spacing, double lapse, bool allCorrec
     if (task == Task::adjustment)
         return 2.0;
     constexpr double kStep = 1e-3; // of ln σ, and of the tie threshold
-    const auto at = [&](double d, double threshold) { return outcomesAt(task, d, allCorrectOnly, threshold); };
+    const auto at = [&](double d, double threshold) {
+        return outcomesAt(task, d, allCorrectOnly, threshold);
+    };
     const std::vector<double> here = at(spacing, tie);
-    const std::vector<double> wider = at(spacing * std::exp(-kStep), tie), narrower = at(spacing * std::exp(kStep), tie);
+    const std::vector<double> wider = at(spacing * std::exp(-kStep), tie),
+                              narrower = at(spacing * std::exp(kStep), tie);
     const bool ties = task == Task::rank3Ties;
-    const std::vector<double> more = ties ? at(spacing, tie + kStep) : here, fewer = ties ? at(spacing, std::max(0.0, tie - kStep)) : here;
+    const std::vector<double> more = ties ? at(spacing, tie + kStep) : here,
+                              fewer = ties ? at(spacing, std::max(0.0, tie - kStep)) : here;
     const double threshold = tie + kStep - std::max(0.0, tie - kStep);
     double information = 0.0, ofTie = 0.0, shared = 0.0;
     for (std::size_t r = 0; r < here.size(); ++r) {

@@ -13,11 +13,12 @@ namespace chiron::psychophysics {
 /// `allCorrectOnly`: rank3 scored as right or wrong. `tie`: for rank3_ties, percepts nearer than this many σ
 /// are called equal. This threshold has to be estimated from the same answers, and the result is the
 /// information about ln σ that then remains.
-double fisherInformation(Task task, double spacing, double lapse, bool allCorrectOnly = false, double tie = 0.5);
+double fisherInformation(Task task, double spacing, double lapse, bool allCorrectOnly = false,
+                         double tie = 0.5);
 
 struct BestSpacing {
-    double spacing = 0.0;     ///< D/σ
-    double information = 0.0; ///< per trial, at this spacing
+    double spacing = 0.0;            ///< D/σ
+    double information = 0.0;        ///< per trial, at this spacing
     double trialsFor10Percent = 0.0; ///< for a standard error of 10 % of the JND
 };
 BestSpacing bestSpacing(Task task, double lapse, bool allCorrectOnly = false, double tie = 0.5);

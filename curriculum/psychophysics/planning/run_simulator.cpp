@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t kMostTrials = 10'000;
 
 /// Runs one trial at a candidate: draws the arrangement and asks the observer.
-ScoredTrial present(const Condition& condition, int candidate, SimulatedObserver& observer, core::Random& random) {
+ScoredTrial present(const Condition& condition, int candidate, SimulatedObserver& observer,
+                    core::Random& random) {
     const std::vector<double>& differences = condition.stimulus.differences;
     ScoredTrial trial;
     trial.difference = differences[static_cast<std::size_t>(candidate)];
@@ -26,7 +27,9 @@ ScoredTrial present(const Condition& condition, int candidate, SimulatedObserver
     for (const int multiple : arrangements(condition.task)[static_cast<std::size_t>(trial.arrangement)])
         places.push_back(multiple * trial.difference);
     if (condition.task == Task::adjustment)
-        trial.value = condition.stimulus.reference * std::pow(10.0, observer.adjust(std::min(differences.front(), -1.0), std::max(differences.back(), 1.0)));
+        trial.value =
+            condition.stimulus.reference * std::pow(10.0, observer.adjust(std::min(differences.front(), -1.0),
+                                                                          std::max(differences.back(), 1.0)));
     else if (condition.task == Task::magnitude)
         trial.value = observer.magnitude(trial.difference);
     trial.answer = observer.answer(condition.task, places);
@@ -40,7 +43,9 @@ int scoredOutcome(Task task, int outcome, int outcomesOfProcedure) noexcept {
     return ranksThree(task) && outcomesOfProcedure == 2 ? (outcome == 0 ? 1 : 0) : outcome;
 }
 
-double differenceOf(ProcedureScale scale, double x) noexcept { return scale == ProcedureScale::logDifference ? std::pow(10.0, x) : x; }
+double differenceOf(ProcedureScale scale, double x) noexcept {
+    return scale == ProcedureScale::logDifference ? std::pow(10.0, x) : x;
+}
 
 double scaledDifference(ProcedureScale scale, double difference) noexcept {
     if (scale == ProcedureScale::difference)
@@ -49,8 +54,10 @@ double scaledDifference(ProcedureScale scale, double difference) noexcept {
 }
 
 int nearestCandidate(const std::vector<double>& candidates, double difference) noexcept {
-    const auto nearest = std::min_element(candidates.begin(), candidates.end(),
-                                          [difference](double a, double b) { return std::abs(a - difference) < std::abs(b - difference); });
+    const auto nearest =
+        std::min_element(candidates.begin(), candidates.end(), [difference](double a, double b) {
+            return std::abs(a - difference) < std::abs(b - difference);
+        });
     return nearest == candidates.end() ? -1 : static_cast<int>(nearest - candidates.begin());
 }
 
@@ -62,7 +69,8 @@ core::Result<RunSimulator> RunSimulator::make(const Condition& condition) {
     if (condition.procedures.empty())
         return fail(ErrorCode::badInput, "condition " + condition.id + ": procedures: expected at least one");
     if (condition.stimulus.differences.empty())
-        return fail(ErrorCode::badInput, "condition " + condition.id + ": differences: expected at least one");
+        return fail(ErrorCode::badInput,
+                    "condition " + condition.id + ": differences: expected at least one");
     RunSimulator simulator;
     simulator.m_condition = condition;
     for (const ProcedureSpec& spec : condition.procedures) {
@@ -90,11 +98,13 @@ std::vector<ScoredTrial> RunSimulator::run(const ObserverSpec& spec, std::uint64
         const int chosen = running[random.below(running.size())];
         Procedure& procedure = *procedures[static_cast<std::size_t>(chosen)];
         const double wanted = differenceOf(m_condition.scale, procedure.next().stimulus[0]);
-        ScoredTrial trial = present(m_condition, nearestCandidate(m_condition.stimulus.differences, wanted), observer, random);
+        ScoredTrial trial = present(m_condition, nearestCandidate(m_condition.stimulus.differences, wanted),
+                                    observer, random);
         trial.procedure = chosen;
         trials.push_back(trial);
         if (showsDifference(m_condition.task, trial.arrangement) &&
-            !procedure.record(scoredOutcome(m_condition.task, trial.outcome, procedure.outcomes()), {scaledDifference(m_condition.scale, trial.difference)}))
+            !procedure.record(scoredOutcome(m_condition.task, trial.outcome, procedure.outcomes()),
+                              {scaledDifference(m_condition.scale, trial.difference)}))
             break; // the answer is impossible for every observer of the procedure's grid
     }
     return trials;

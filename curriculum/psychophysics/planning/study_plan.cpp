@@ -22,7 +22,8 @@ constexpr double kSecondsAnAnswer = 2.0;
 /// The exercise's scripted operators take 20 to 33 s (modules/exercises/sphere_apex/operators).
 constexpr double kSecondsAnApex = 25.0;
 
-void summarise(ConditionPlan& plan, const std::vector<double>& offs, std::vector<double> webers, const std::vector<double>& trials, int covered) {
+void summarise(ConditionPlan& plan, const std::vector<double>& offs, std::vector<double> webers,
+               const std::vector<double>& trials, int covered) {
     const SampleMoments ofTrials = momentsOf(trials), ofOffs = momentsOf(offs);
     plan.meanTrials = ofTrials.mean;
     plan.trialsError = ofTrials.sd / std::sqrt(static_cast<double>(trials.size()));
@@ -42,7 +43,8 @@ void summarise(ConditionPlan& plan, const std::vector<double>& offs, std::vector
     plan.weber90 = quantileOf(webers, 0.9);
 }
 
-void simulate(ConditionPlan& plan, const Condition& condition, const ObserverSpec& observer, std::uint64_t seed) {
+void simulate(ConditionPlan& plan, const Condition& condition, const ObserverSpec& observer,
+              std::uint64_t seed) {
     const auto simulator = RunSimulator::make(condition);
     if (!simulator) {
         plan.warnings.push_back({WarningKind::notSimulated, 0, 0, simulator.error().message});
@@ -76,15 +78,22 @@ template <class Function> double integral(Function f, double end, int pieces) {
     return sum * end / pieces / 3.0;
 }
 
-double phi(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
+double phi(double z) {
+    return 0.5 * std::erfc(-z / std::sqrt(2.0));
+}
 
 /// Returns P(T ≤ t) of the noncentral t, that is, a normal variable over the root of a chi-square divided by
 /// its degrees of freedom, integrated over that root.
 double noncentralT(double t, int freedom, double shift) {
-    const double logScale = std::log(2.0) + 0.5 * freedom * std::log(0.5 * freedom) - core::logGamma(0.5 * freedom);
+    const double logScale =
+        std::log(2.0) + 0.5 * freedom * std::log(0.5 * freedom) - core::logGamma(0.5 * freedom);
     const double end = 1.0 + 10.0 / std::sqrt(static_cast<double>(freedom));
     return integral(
-        [&](double s) { return s > 0.0 ? phi(t * s - shift) * std::exp(logScale + (freedom - 1) * std::log(s) - 0.5 * freedom * s * s) : (freedom == 1 ? phi(-shift) * std::exp(logScale) : 0.0); },
+        [&](double s) {
+            return s > 0.0 ? phi(t * s - shift) *
+                                 std::exp(logScale + (freedom - 1) * std::log(s) - 0.5 * freedom * s * s)
+                           : (freedom == 1 ? phi(-shift) * std::exp(logScale) : 0.0);
+        },
         end, 2000);
 }
 
@@ -100,27 +109,35 @@ double criticalT(double alpha, int freedom) {
 } // namespace
 
 double minutesOf(const Condition& condition, const TrialRules& rules, double trials) {
-    double exploring = condition.stimulus.attribute == Attribute::apex ? kSecondsAnApex : kSecondsAnObject * placesOf(condition.task);
+    double exploring = condition.stimulus.attribute == Attribute::apex
+                           ? kSecondsAnApex
+                           : kSecondsAnObject * placesOf(condition.task);
     if (rules.exploreLimit_s > 0.0)
         exploring = std::min(exploring, rules.exploreLimit_s);
     const double one = exploring + kSecondsAnAnswer + rules.betweenTrials_s;
-    const double breaks = rules.breakEvery > 0 ? std::floor(std::max(trials - 1.0, 0.0) / rules.breakEvery) * rules.breakAtLeast_s : 0.0;
+    const double breaks = rules.breakEvery > 0 ? std::floor(std::max(trials - 1.0, 0.0) / rules.breakEvery) *
+                                                     rules.breakAtLeast_s
+                                               : 0.0;
     return ((trials + rules.practiceTrials) * one + breaks) / 60.0;
 }
 
-ConditionPlan planCondition(const Condition& condition, const TrialRules& rules, const ObserverSpec& observer, int runs, std::uint64_t seed) {
+ConditionPlan planCondition(const Condition& condition, const TrialRules& rules, const ObserverSpec& observer,
+                            int runs, std::uint64_t seed) {
     ConditionPlan plan;
     plan.runs = std::max(runs, 0);
     const BestSpacing best = bestSpacing(condition.task, observer.lapse, false, observer.ties);
     plan.fisherPerTrial = best.information;
     plan.bestSpacing = best.spacing;
-    if (const int row = nearestCandidate(condition.stimulus.differences, best.spacing * sigmaOf(observer)); row >= 0)
+    if (const int row = nearestCandidate(condition.stimulus.differences, best.spacing * sigmaOf(observer));
+        row >= 0)
         plan.bestDifference = condition.stimulus.differences[static_cast<std::size_t>(row)];
     if (plan.runs > 0)
         simulate(plan, condition, observer, core::Random::mix(seed, "condition " + condition.id));
     plan.minutes = minutesOf(condition, rules, plan.meanTrials);
-    plan.minutesError = 0.5 * (minutesOf(condition, rules, plan.meanTrials + plan.trialsError) - minutesOf(condition, rules, plan.meanTrials - plan.trialsError));
-    if (!condition.stimulus.differences.empty() && condition.stimulus.differences.back() < 0.7 * best.spacing * sigmaOf(observer))
+    plan.minutesError = 0.5 * (minutesOf(condition, rules, plan.meanTrials + plan.trialsError) -
+                               minutesOf(condition, rules, plan.meanTrials - plan.trialsError));
+    if (!condition.stimulus.differences.empty() &&
+        condition.stimulus.differences.back() < 0.7 * best.spacing * sigmaOf(observer))
         plan.warnings.push_back({WarningKind::differencesTooSmall});
     if (plan.withoutEstimate > 0)
         plan.warnings.push_back({WarningKind::runsWithoutEstimate, plan.withoutEstimate, plan.runs});
@@ -132,14 +149,16 @@ double power(const PowerQuestion& question) {
     if (n < 2)
         return 0.0;
     const double runs = 2.0 * question.runSdLog10 * question.runSdLog10;
-    const double people = question.paired ? question.effectSdLog10 * question.effectSdLog10 : 2.0 * question.personSdLog10 * question.personSdLog10;
+    const double people = question.paired ? question.effectSdLog10 * question.effectSdLog10
+                                          : 2.0 * question.personSdLog10 * question.personSdLog10;
     const double sd = std::sqrt(runs + people);
     if (!(sd > 0.0))
         return question.differenceLog10 != 0.0 ? 1.0 : question.alpha;
     const int freedom = question.paired ? n - 1 : 2 * (n - 1);
     const double shift = std::abs(question.differenceLog10) / sd * std::sqrt(static_cast<double>(n));
     const double critical = criticalT(question.alpha, freedom);
-    return std::clamp(1.0 - noncentralT(critical, freedom, shift) + noncentralT(-critical, freedom, shift), 0.0, 1.0);
+    return std::clamp(1.0 - noncentralT(critical, freedom, shift) + noncentralT(-critical, freedom, shift),
+                      0.0, 1.0);
 }
 
 int participantsFor(PowerQuestion question, double wantedPower) {

@@ -15,21 +15,24 @@ namespace chiron::psychophysics {
 /// Expectations for one condition, from simulated observers without rendering (real observers add the noise
 /// of exploration).
 struct ConditionPlan {
-    int runs = 0;        ///< number of simulated runs
-    int withoutEstimate = 0; ///< of these, runs without a Weber fraction
+    int runs = 0;                                                ///< number of simulated runs
+    int withoutEstimate = 0;                                     ///< of these, runs without a Weber fraction
     double biasLog10 = std::numeric_limits<double>::quiet_NaN(); ///< mean of log10(estimated/true JND)
     double sdLog10 = std::numeric_limits<double>::quiet_NaN();   ///< standard deviation of the same between
                                                                  ///< runs
     double coverage = std::numeric_limits<double>::quiet_NaN();  ///< share of the 95 % intervals that contain
                                                                  ///< the true Weber fraction
-    double meanTrials = 0.0; ///< scored trials per run
+    double meanTrials = 0.0;                                     ///< scored trials per run
     /// Monte Carlo standard errors of the five values above and below, due to the limited number of simulated
     /// runs. The error of the coverage follows Agresti & Coull 1998.
-    double biasError = std::numeric_limits<double>::quiet_NaN(), sdError = std::numeric_limits<double>::quiet_NaN();
-    double coverageError = std::numeric_limits<double>::quiet_NaN(), trialsError = std::numeric_limits<double>::quiet_NaN();
+    double biasError = std::numeric_limits<double>::quiet_NaN(),
+           sdError = std::numeric_limits<double>::quiet_NaN();
+    double coverageError = std::numeric_limits<double>::quiet_NaN(),
+           trialsError = std::numeric_limits<double>::quiet_NaN();
     double minutesError = std::numeric_limits<double>::quiet_NaN();
     /// Quantiles of the estimated Weber fraction over the runs: 10 %, 50 % and 90 %.
-    double weber10 = std::numeric_limits<double>::quiet_NaN(), weber50 = std::numeric_limits<double>::quiet_NaN();
+    double weber10 = std::numeric_limits<double>::quiet_NaN(),
+           weber50 = std::numeric_limits<double>::quiet_NaN();
     double weber90 = std::numeric_limits<double>::quiet_NaN();
     /// Per run, with practice and breaks, at 4 s per object (25 s per apex) and 2 s per answer.
     double minutes = 0.0;
@@ -46,7 +49,8 @@ double minutesOf(const Condition& condition, const TrialRules& rules, double tri
 
 /// Plans a condition. `runs`: 0 for the analytic part only. Each condition has its own random numbers, from
 /// its id and the seed. It never fails: `warnings` say what cannot be simulated.
-ConditionPlan planCondition(const Condition& condition, const TrialRules& rules, const ObserverSpec& observer, int runs, std::uint64_t seed);
+ConditionPlan planCondition(const Condition& condition, const TrialRules& rules, const ObserverSpec& observer,
+                            int runs, std::uint64_t seed);
 
 /// Describes a comparison of JNDs between two conditions (each participant does both) or between two groups.
 struct PowerQuestion {
@@ -55,8 +59,8 @@ struct PowerQuestion {
     double personSdLog10 = 0.15;  ///< between people
     double effectSdLog10 = 0.05;  ///< of the difference itself, between people (paired only)
     bool paired = true;
-    int participants = 12;        ///< paired: people; otherwise: people in each group
-    double alpha = 0.05;          ///< two-sided
+    int participants = 12; ///< paired: people; otherwise: people in each group
+    double alpha = 0.05;   ///< two-sided
 };
 
 /// Returns the probability that a two-sided t-test of log10 JNDs finds the difference: exact (noncentral t),

@@ -15,7 +15,9 @@ using Half = double __attribute__((vector_size(kHalf * sizeof(double))));
 using FloatHalf = float __attribute__((vector_size(kHalf * sizeof(float))));
 using FloatLanes = float __attribute__((vector_size(kLanes * sizeof(float))));
 
-inline __attribute__((always_inline)) void load(const double* from, Half& to) { std::memcpy(&to, from, sizeof to); }
+inline __attribute__((always_inline)) void load(const double* from, Half& to) {
+    std::memcpy(&to, from, sizeof to);
+}
 
 inline __attribute__((always_inline)) void load(const float* from, Half& to) {
     FloatHalf narrow;
@@ -30,7 +32,8 @@ inline __attribute__((always_inline)) double total(const Half& low, const Half& 
 
 /// Two sets of running sums hide the latency of the additions; they are combined at the end.
 template <class B>
-inline __attribute__((always_inline)) double sumOfBlocks(const double* a, B value, const std::uint32_t* blocks, std::size_t count) {
+inline __attribute__((always_inline)) double sumOfBlocks(const double* a, B value,
+                                                         const std::uint32_t* blocks, std::size_t count) {
     Half sums[4]{};
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t first = static_cast<std::size_t>(blocks[i]) * kBlock;
@@ -47,7 +50,8 @@ inline __attribute__((always_inline)) double sumOfBlocks(const double* a, B valu
 }
 
 /// Sums the four eighths of a block in single precision, then the blocks in double precision.
-inline __attribute__((always_inline)) double roughSumOfBlocks(const float* a, const float* b, const std::uint32_t* blocks, std::size_t count) {
+inline __attribute__((always_inline)) double
+roughSumOfBlocks(const float* a, const float* b, const std::uint32_t* blocks, std::size_t count) {
     Half low{};
     Half high{};
     for (std::size_t i = 0; i < count; ++i) {
@@ -66,22 +70,26 @@ inline __attribute__((always_inline)) double roughSumOfBlocks(const float* a, co
     return total(low, high);
 }
 
-#define CHIRON_KERNELS(target, name)                                                                                              \
-    target double name##Double(const double* a, const double* b, const std::uint32_t* blocks, std::size_t count) {                \
-        return sumOfBlocks(a, [b](std::size_t i, Half& q) __attribute__((always_inline)) { load(b + i, q); }, blocks, count);    \
-    }                                                                                                                             \
-    target double name##Rough(const float* a, const float* b, const std::uint32_t* blocks, std::size_t count) {                   \
-        return roughSumOfBlocks(a, b, blocks, count);                                                                             \
-    }                                                                                                                             \
-    target double name##Split(const double* a, const float* high, const float* low, const std::uint32_t* blocks,                  \
-                              std::size_t count) {                                                                                \
-        const auto both = [high, low](std::size_t i, Half& q) __attribute__((always_inline)) {                                   \
-            Half rest;                                                                                                           \
-            load(high + i, q);                                                                                                    \
-            load(low + i, rest);                                                                                                  \
-            q += rest;                                                                                                            \
-        };                                                                                                                        \
-        return sumOfBlocks(a, both, blocks, count);                                                                               \
+#define CHIRON_KERNELS(target, name)                                                                         \
+    target double name##Double(const double* a, const double* b, const std::uint32_t* blocks,                \
+                               std::size_t count) {                                                          \
+        return sumOfBlocks(                                                                                  \
+            a, [b](std::size_t i, Half & q) __attribute__((always_inline)) { load(b + i, q); }, blocks,      \
+            count);                                                                                          \
+    }                                                                                                        \
+    target double name##Rough(const float* a, const float* b, const std::uint32_t* blocks,                   \
+                              std::size_t count) {                                                           \
+        return roughSumOfBlocks(a, b, blocks, count);                                                        \
+    }                                                                                                        \
+    target double name##Split(const double* a, const float* high, const float* low,                          \
+                              const std::uint32_t* blocks, std::size_t count) {                              \
+        const auto both = [ high, low ](std::size_t i, Half & q) __attribute__((always_inline)) {            \
+            Half rest;                                                                                       \
+            load(high + i, q);                                                                               \
+            load(low + i, rest);                                                                             \
+            q += rest;                                                                                       \
+        };                                                                                                   \
+        return sumOfBlocks(a, both, blocks, count);                                                          \
     }
 
 #if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
@@ -93,7 +101,8 @@ CHIRON_KERNELS(, plain)
 struct Kernels {
     double (*ofDouble)(const double*, const double*, const std::uint32_t*, std::size_t) = plainDouble;
     double (*rough)(const float*, const float*, const std::uint32_t*, std::size_t) = plainRough;
-    double (*ofSplit)(const double*, const float*, const float*, const std::uint32_t*, std::size_t) = plainSplit;
+    double (*ofSplit)(const double*, const float*, const float*, const std::uint32_t*,
+                      std::size_t) = plainSplit;
 };
 
 const Kernels& kernels() noexcept {

@@ -14,7 +14,9 @@ inline constexpr std::size_t kLanes = 8;
 /// Granularity with which numbers are skipped.
 inline constexpr std::size_t kBlock = 32;
 
-constexpr std::size_t padded(std::size_t count) noexcept { return (count + kBlock - 1) / kBlock * kBlock; }
+constexpr std::size_t padded(std::size_t count) noexcept {
+    return (count + kBlock - 1) / kBlock * kBlock;
+}
 
 /// Indices of the blocks of kBlock numbers that are worth summing.
 using ActiveBlocks = std::vector<std::uint32_t>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "psychophysics/procedures/constant_stimuli.h"
 #include "core/marked_texts.h"
+#include "psychophysics/procedures/constant_stimuli.h"
 #include "psychophysics/procedures/procedure_kind.h"
 #include "psychophysics/procedures/usual_levels.h"
 
@@ -13,28 +13,47 @@ namespace {
 std::vector<Parameter> constantRows() {
     using Spec = ConstantSpec;
     return {
-        rowOf(&Spec::repeats, {.key = "repeats", .minimum = 1, .maximum = 1e6, .description = "presentations of each level.",
-                               .title = QT_TRANSLATE_NOOP("Procedures", "Trials per level"),
-                               .meaning = QT_TRANSLATE_NOOP("Procedures", "Each level is presented so often."),
-                               .sensible = SensibleRange{1, 10000, 20}}),
-        rowOf(&Spec::shuffled, {.key = "shuffled", .description = "in blocks of one of each level, shuffled; false: in the order given.",
-                                .title = QT_TRANSLATE_NOOP("Procedures", "In random order"),
-                                .meaning = QT_TRANSLATE_NOOP("Procedures", "Levels come in random blocks of one of each; else in the order of the table.")}),
-        rowOf(&Spec::levels, {.key = "levels", .unit = "x", .quantity = Quantity::level, .minimum = -kUnbounded, .fewest = 1, .most = 65536,
-                              .description = "the levels.", .inTable = true,
-                              .title = QT_TRANSLATE_NOOP("Procedures", "Levels"),
-                              .meaning = QT_TRANSLATE_NOOP("Procedures", "What is presented. Levels must lie within the table of differences.")})};
+        rowOf(&Spec::repeats,
+              {.key = "repeats",
+               .minimum = 1,
+               .maximum = 1e6,
+               .description = "presentations of each level.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Trials per level"),
+               .meaning = QT_TRANSLATE_NOOP("Procedures", "Each level is presented so often."),
+               .sensible = SensibleRange{1, 10000, 20}}),
+        rowOf(&Spec::shuffled,
+              {.key = "shuffled",
+               .description = "in blocks of one of each level, shuffled; false: in the order given.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "In random order"),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures",
+                   "Levels come in random blocks of one of each; else in the order of the table.")}),
+        rowOf(&Spec::levels,
+              {.key = "levels",
+               .unit = "x",
+               .quantity = Quantity::level,
+               .minimum = -kUnbounded,
+               .fewest = 1,
+               .most = 65536,
+               .description = "the levels.",
+               .inTable = true,
+               .title = QT_TRANSLATE_NOOP("Procedures", "Levels"),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures", "What is presented. Levels must lie within the table of differences.")})};
 }
 
 class ConstantKind final : public ProcedureKindOf<ConstantSpec> {
 public:
     ConstantKind()
-        : ProcedureKindOf({QT_TRANSLATE_NOOP("Procedures", "Constant stimuli"),
-                           QT_TRANSLATE_NOOP("Procedures", "Presents every difference equally often, in random order. Measures the whole curve, but needs many trials.")},
-                          constantRows()) {}
+        : ProcedureKindOf(
+              {QT_TRANSLATE_NOOP("Procedures", "Constant stimuli"),
+               QT_TRANSLATE_NOOP("Procedures", "Presents every difference equally often, in random order. "
+                                               "Measures the whole curve, but needs many trials.")},
+              constantRows()) {}
 
     core::Result<ProcedureFactory> factory(const ProcedureSpec& spec) const override {
-        return checkedFactory([of = ours(spec)](std::uint64_t seed) { return ConstantStimuli::make(of, seed); });
+        return checkedFactory(
+            [of = ours(spec)](std::uint64_t seed) { return ConstantStimuli::make(of, seed); });
     }
 
     ProcedureSpec usual(const Condition& condition) const override {

@@ -34,12 +34,14 @@ std::vector<Point> risingProportions(const std::vector<RecordedTrial>& log) {
     std::vector<Point> pools; // x: number of points in the pool
     for (const auto& [x, count] : counts) {
         points.push_back({x, 0.0, 0.0});
-        pools.push_back({1.0, static_cast<double>(count.first) / count.second, static_cast<double>(count.second)});
+        pools.push_back(
+            {1.0, static_cast<double>(count.first) / count.second, static_cast<double>(count.second)});
         while (pools.size() > 1 && pools[pools.size() - 2].proportion > pools.back().proportion) {
             const Point last = pools.back();
             pools.pop_back();
             Point& before = pools.back();
-            before.proportion = (before.proportion * before.weight + last.proportion * last.weight) / (before.weight + last.weight);
+            before.proportion = (before.proportion * before.weight + last.proportion * last.weight) /
+                                (before.weight + last.weight);
             before.weight += last.weight;
             before.x += last.x;
         }
@@ -56,7 +58,8 @@ std::vector<Point> risingProportions(const std::vector<RecordedTrial>& log) {
 /// number if there is no crossing.
 double crossing(const std::vector<Point>& points, double proportion) {
     const auto between = [&](std::size_t i) {
-        return points[i - 1].x + (points[i].x - points[i - 1].x) * (proportion - points[i - 1].proportion) / (points[i].proportion - points[i - 1].proportion);
+        return points[i - 1].x + (points[i].x - points[i - 1].x) * (proportion - points[i - 1].proportion) /
+                                     (points[i].proportion - points[i - 1].proportion);
     };
     double reached = kNan, left = kNan;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -73,7 +76,8 @@ double crossing(const std::vector<Point>& points, double proportion) {
 } // namespace
 
 core::Result<std::unique_ptr<Procedure>> ConstantStimuli::make(const ConstantSpec& spec, std::uint64_t seed) {
-    if (spec.levels.empty() || !std::all_of(spec.levels.begin(), spec.levels.end(), [](double x) { return std::isfinite(x); }))
+    if (spec.levels.empty() ||
+        !std::all_of(spec.levels.begin(), spec.levels.end(), [](double x) { return std::isfinite(x); }))
         return fail(ErrorCode::badInput, "levels: expected finite numbers, at least one");
     if (spec.repeats < 1 || static_cast<std::size_t>(spec.repeats) > kMostTrials / spec.levels.size())
         return fail(ErrorCode::badInput, "repeats: expected at least 1, and at most a million trials in all");

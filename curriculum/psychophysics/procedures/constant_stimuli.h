@@ -30,9 +30,10 @@ public:
 
 private:
     std::vector<double> m_levels;
-    std::vector<int> m_queue; ///< rows of m_levels in the order of presentation; the first m_log.size() are done
+    std::vector<int>
+        m_queue; ///< rows of m_levels in the order of presentation; the first m_log.size() are done
     std::vector<RecordedTrial> m_log;
-    core::Random m_random;    ///< for the positions to which spoiled trials move
+    core::Random m_random; ///< for the positions to which spoiled trials move
 };
 
 } // namespace chiron::psychophysics

@@ -55,11 +55,13 @@ core::Result<void> Descending::take(const RecordedTrial& trial) {
 
 ProcedureEstimate Descending::estimate() const {
     ProcedureEstimate estimate;
-    estimate.method = "legacy descending rule, last level passed: overestimates the 75 % JND by 0.17-0.51 log10 units";
+    estimate.method =
+        "legacy descending rule, last level passed: overestimates the 75 % JND by 0.17-0.51 log10 units";
     estimate.known = m_passed >= 0;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     if (estimate.known)
-        estimate.parameters = {{"threshold", m_spec.levels[static_cast<std::size_t>(m_passed)], 0.0, nan, nan}};
+        estimate.parameters = {
+            {"threshold", m_spec.levels[static_cast<std::size_t>(m_passed)], 0.0, nan, nan}};
     return estimate;
 }
 

@@ -27,7 +27,7 @@ private:
     std::size_t m_row = 0; ///< of the level now presented
     int m_trialsHere = 0;
     int m_rightHere = 0;
-    int m_passed = -1;     ///< row of the last level passed
+    int m_passed = -1; ///< row of the last level passed
     bool m_ended = false;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "psychophysics/procedures/descending.h"
 #include "core/marked_texts.h"
+#include "psychophysics/procedures/descending.h"
 #include "psychophysics/procedures/procedure_kind.h"
 #include "psychophysics/procedures/usual_levels.h"
 
@@ -13,25 +13,45 @@ namespace {
 std::vector<Parameter> descendingRows() {
     using Spec = DescendingSpec;
     return {
-        rowOf(&Spec::repeats, {.key = "repeats", .minimum = 1, .maximum = 1e6, .description = "presentations of a level before it is judged.",
+        rowOf(&Spec::repeats, {.key = "repeats",
+                               .minimum = 1,
+                               .maximum = 1e6,
+                               .description = "presentations of a level before it is judged.",
                                .title = QT_TRANSLATE_NOOP("Procedures", "Presentations per level"),
-                               .meaning = QT_TRANSLATE_NOOP("Procedures", "Each level is presented so often before it is decided."),
+                               .meaning = QT_TRANSLATE_NOOP(
+                                   "Procedures", "Each level is presented so often before it is decided."),
                                .sensible = SensibleRange{1, 100, 3}}),
-        rowOf(&Spec::passes, {.key = "passes", .minimum = 1, .maximum = 1e6, .description = "right answers of a level's presentations that are needed to go on.",
-                              .title = QT_TRANSLATE_NOOP("Procedures", "Right answers to go on"),
-                              .meaning = QT_TRANSLATE_NOOP("Procedures", "With fewer right answers at a level the run ends there."),
-                              .sensible = SensibleRange{1, 100, 2}}),
-        rowOf(&Spec::levels, {.key = "levels", .unit = "x", .quantity = Quantity::level, .minimum = -kUnbounded, .fewest = 1, .most = 65536,
-                              .description = "the levels, largest first.", .inTable = true,
-                              .title = QT_TRANSLATE_NOOP("Procedures", "Levels"),
-                              .meaning = QT_TRANSLATE_NOOP("Procedures", "What is presented, from the largest to the smallest difference.")})};
+        rowOf(&Spec::passes,
+              {.key = "passes",
+               .minimum = 1,
+               .maximum = 1e6,
+               .description = "right answers of a level's presentations that are needed to go on.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Right answers to go on"),
+               .meaning =
+                   QT_TRANSLATE_NOOP("Procedures", "With fewer right answers at a level the run ends there."),
+               .sensible = SensibleRange{1, 100, 2}}),
+        rowOf(&Spec::levels,
+              {.key = "levels",
+               .unit = "x",
+               .quantity = Quantity::level,
+               .minimum = -kUnbounded,
+               .fewest = 1,
+               .most = 65536,
+               .description = "the levels, largest first.",
+               .inTable = true,
+               .title = QT_TRANSLATE_NOOP("Procedures", "Levels"),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures", "What is presented, from the largest to the smallest difference.")})};
 }
 
 class DescendingKind final : public ProcedureKindOf<DescendingSpec> {
 public:
     DescendingKind()
         : ProcedureKindOf({QT_TRANSLATE_NOOP("Procedures", "Descending ranking (legacy)"),
-                           QT_TRANSLATE_NOOP("Procedures", "The difference shrinks until an answer is wrong. The resulting JND is 1.5 to 3 times too large; for replications only."), true},
+                           QT_TRANSLATE_NOOP("Procedures",
+                                             "The difference shrinks until an answer is wrong. The resulting "
+                                             "JND is 1.5 to 3 times too large; for replications only."),
+                           true},
                           descendingRows()) {}
 
     core::Result<ProcedureFactory> factory(const ProcedureSpec& spec) const override {

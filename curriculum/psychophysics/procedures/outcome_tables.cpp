@@ -11,7 +11,9 @@ using core::fail;
 
 namespace {
 
-double xLogX(double x) noexcept { return x > 0.0 ? x * std::log(x) : 0.0; }
+double xLogX(double x) noexcept {
+    return x > 0.0 ? x * std::log(x) : 0.0;
+}
 
 class GeneralTables final : public OutcomeTables {
 public:
@@ -45,7 +47,9 @@ public:
     }
 
     void likelihood(std::size_t stimulus, int outcome, std::vector<double>& to) const override {
-        const auto from = m_likelihood.begin() + static_cast<std::ptrdiff_t>((static_cast<std::size_t>(outcome) * m_stimuli + stimulus) * m_row);
+        const auto from =
+            m_likelihood.begin() +
+            static_cast<std::ptrdiff_t>((static_cast<std::size_t>(outcome) * m_stimuli + stimulus) * m_row);
         to.assign(from, from + static_cast<std::ptrdiff_t>(m_row));
     }
 
@@ -76,7 +80,9 @@ BestStimulus bestOf(std::vector<double> gains, const Rows& excluded) {
     return best;
 }
 
-BestStimulus OutcomeTables::best(const PosteriorGrid& posterior, const Rows& excluded) const { return bestOf(gains(posterior), excluded); }
+BestStimulus OutcomeTables::best(const PosteriorGrid& posterior, const Rows& excluded) const {
+    return bestOf(gains(posterior), excluded);
+}
 
 std::vector<double> OutcomeTables::marginalGains(const PosteriorGrid& posterior) const {
     const std::vector<double>& p = posterior.probability();
@@ -102,8 +108,8 @@ std::vector<double> OutcomeTables::marginalGains(const PosteriorGrid& posterior)
     return gains;
 }
 
-core::Result<std::shared_ptr<const OutcomeTables>> generalTables(const std::vector<std::vector<std::vector<double>>>& probabilities,
-                                                                 const PosteriorGrid& grid) {
+core::Result<std::shared_ptr<const OutcomeTables>>
+generalTables(const std::vector<std::vector<std::vector<double>>>& probabilities, const PosteriorGrid& grid) {
     const auto bad = [](const std::string& what) { return fail(ErrorCode::badInput, "table: " + what); };
     if (probabilities.size() < 2 || probabilities.front().empty())
         return bad("expected at least two outcomes and one stimulus");
@@ -123,8 +129,8 @@ core::Result<std::shared_ptr<const OutcomeTables>> generalTables(const std::vect
                 sum += outcome[x][c];
             }
             if (std::abs(sum - 1.0) > 1e-9)
-                return bad("stimulus " + std::to_string(x) + ", cell " + std::to_string(c) + ": probabilities sum to " +
-                           std::to_string(sum) + ": expected 1");
+                return bad("stimulus " + std::to_string(x) + ", cell " + std::to_string(c) +
+                           ": probabilities sum to " + std::to_string(sum) + ": expected 1");
         }
     return std::make_shared<GeneralTables>(probabilities, grid.cells());
 }

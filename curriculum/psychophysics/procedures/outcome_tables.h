@@ -12,9 +12,9 @@ namespace chiron::psychophysics {
 
 /// The stimulus after which the least entropy is expected.
 struct BestStimulus {
-    int index = -1;      ///< lowest index among the stimuli within kEntropyTie of the minimum
-    double gain = 0.0;   ///< minimum of the expected entropy after the trial minus the entropy now (nats, at
-                         ///< most 0)
+    int index = -1;    ///< lowest index among the stimuli within kEntropyTie of the minimum
+    double gain = 0.0; ///< minimum of the expected entropy after the trial minus the entropy now (nats, at
+                       ///< most 0)
     double margin = std::numeric_limits<double>::quiet_NaN(); ///< second smallest value minus the smallest
 };
 using Rows = std::span<const int>; ///< rows of the grid of stimuli, ascending
@@ -53,11 +53,12 @@ BestStimulus bestOf(std::vector<double> gains, const Rows& excluded);
 /// function, in its order.
 /// Errors: badInput (asymptotes outside 0..1, or a function value that is not a number).
 core::Result<std::shared_ptr<const OutcomeTables>> psychometricTables(const PsychometricFunction& function,
-                                                                      const std::vector<Stimulus>& stimuli, const PosteriorGrid& grid);
+                                                                      const std::vector<Stimulus>& stimuli,
+                                                                      const PosteriorGrid& grid);
 
 /// Makes tables for any outcomes: [outcome][stimulus][cell], with the cells in the grid's order.
 /// Errors: badInput (sizes, negative values, sums that are not 1).
-core::Result<std::shared_ptr<const OutcomeTables>> generalTables(const std::vector<std::vector<std::vector<double>>>& probabilities,
-                                                                 const PosteriorGrid& grid);
+core::Result<std::shared_ptr<const OutcomeTables>>
+generalTables(const std::vector<std::vector<std::vector<double>>>& probabilities, const PosteriorGrid& grid);
 
 } // namespace chiron::psychophysics

@@ -19,7 +19,9 @@ template <class Member> Parameter stopRow(const RuleOf& rule, Member StopRule::*
         ProcedureSpec copy = spec; // `rule` needs a specification that is not const
         return rule(copy).*member;
     };
-    row.set = [rule, member](ProcedureSpec& spec, const ParameterValue& value) { rule(spec).*member = std::get<Member>(value); };
+    row.set = [rule, member](ProcedureSpec& spec, const ParameterValue& value) {
+        rule(spec).*member = std::get<Member>(value);
+    };
     return row;
 }
 
@@ -36,12 +38,15 @@ struct RangeCheck {
     std::string one(double value, const std::string& place) const {
         if (value >= row.minimum && value <= row.maximum)
             return {};
-        return std::string(row.key) + place + ": " + shortNumber(value) + ": expected " + shortNumber(row.minimum) + " to " + shortNumber(row.maximum);
+        return std::string(row.key) + place + ": " + shortNumber(value) + ": expected " +
+               shortNumber(row.minimum) + " to " + shortNumber(row.maximum);
     }
     std::string operator()(double value) const { return one(value, {}); }
     std::string operator()(int value) const { return one(value, {}); }
     std::string operator()(std::uint64_t value) const { return one(static_cast<double>(value), {}); }
-    std::string operator()(const std::optional<double>& value) const { return value ? one(*value, {}) : std::string(); }
+    std::string operator()(const std::optional<double>& value) const {
+        return value ? one(*value, {}) : std::string();
+    }
     std::string operator()(const std::string& value) const {
         for (const ParameterWord& word : row.words)
             if (word.word == value)
@@ -51,7 +56,8 @@ struct RangeCheck {
     std::string operator()(const std::vector<double>& values) const {
         const auto count = static_cast<int>(values.size());
         if (count < row.fewest || count > row.most)
-            return std::string(row.key) + ": " + std::to_string(count) + " numbers: expected " + std::to_string(row.fewest) + " to " + std::to_string(row.most);
+            return std::string(row.key) + ": " + std::to_string(count) + " numbers: expected " +
+                   std::to_string(row.fewest) + " to " + std::to_string(row.most);
         for (std::size_t i = 0; i < values.size(); ++i)
             if (std::string fault = one(values[i], "[" + std::to_string(i) + "]"); !fault.empty())
                 return fault;
@@ -65,38 +71,61 @@ struct RangeCheck {
 
 std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(ProcedureSpec&)> rule) {
     std::vector<Parameter> rows;
-    rows.push_back(stopRow(rule, &StopRule::trials,
-                           {.key = "trials", .maximum = kMostTrialsOfStop, .description = "at most so many scored trials.",
-                            .title = QT_TRANSLATE_NOOP("Procedures", "Maximum trials"),
-                            .meaning = QT_TRANSLATE_NOOP("Procedures", "The run ends after so many trials at the latest."),
-                            .sensible = SensibleRange{0, 100000}}));
-    Parameter reversals{.key = "reversals", .maximum = kMostTrialsOfStop, .description = "so many reversals.", .ignored = !has.reversals};
+    rows.push_back(stopRow(
+        rule, &StopRule::trials,
+        {.key = "trials",
+         .maximum = kMostTrialsOfStop,
+         .description = "at most so many scored trials.",
+         .title = QT_TRANSLATE_NOOP("Procedures", "Maximum trials"),
+         .meaning = QT_TRANSLATE_NOOP("Procedures", "The run ends after so many trials at the latest."),
+         .sensible = SensibleRange{0, 100000}}));
+    Parameter reversals{.key = "reversals",
+                        .maximum = kMostTrialsOfStop,
+                        .description = "so many reversals.",
+                        .ignored = !has.reversals};
     if (has.asksReversals) {
         reversals.title = QT_TRANSLATE_NOOP("Procedures", "Reversals until stop");
-        reversals.meaning = QT_TRANSLATE_NOOP("Procedures", "The run ends once the direction has changed so often; 0: the trials alone end it.");
+        reversals.meaning = QT_TRANSLATE_NOOP(
+            "Procedures",
+            "The run ends once the direction has changed so often; 0: the trials alone end it.");
         reversals.sensible = SensibleRange{0, 100, 12};
     }
     rows.push_back(stopRow(rule, &StopRule::reversals, reversals));
-    Parameter fewest{.key = "minimum_trials", .maximum = kMostTrialsOfStop, .description = "never before so many; at most as many as trials.", .noMoreThan = "trials"};
-    Parameter sd{.key = "sd", .unit = "x", .quantity = has.sd, .description = "posterior sd of the first parameter at most.", .ignored = !has.precision};
+    Parameter fewest{.key = "minimum_trials",
+                     .maximum = kMostTrialsOfStop,
+                     .description = "never before so many; at most as many as trials.",
+                     .noMoreThan = "trials"};
+    Parameter sd{.key = "sd",
+                 .unit = "x",
+                 .quantity = has.sd,
+                 .description = "posterior sd of the first parameter at most.",
+                 .ignored = !has.precision};
     if (has.precision) {
         fewest.title = QT_TRANSLATE_NOOP("Procedures", "Minimum trials");
-        fewest.meaning = QT_TRANSLATE_NOOP("Procedures", "The run does not end earlier, however sure the estimate is.");
+        fewest.meaning =
+            QT_TRANSLATE_NOOP("Procedures", "The run does not end earlier, however sure the estimate is.");
         fewest.sensible = SensibleRange{0, 100000, 20};
         sd.title = QT_TRANSLATE_NOOP("Procedures", "Stop when known within");
-        sd.meaning = QT_TRANSLATE_NOOP("Procedures", "The run ends once the threshold is known within this difference (one standard deviation).");
+        sd.meaning = QT_TRANSLATE_NOOP(
+            "Procedures",
+            "The run ends once the threshold is known within this difference (one standard deviation).");
         sd.meaningOfFactor =
-            QT_TRANSLATE_NOOP("Procedures", "The run ends once the threshold is known within this factor (one standard deviation). Usually × 1.15.");
+            QT_TRANSLATE_NOOP("Procedures", "The run ends once the threshold is known within this factor "
+                                            "(one standard deviation). Usually × 1.15.");
         sd.zero = QT_TRANSLATE_NOOP("Procedures", "never");
         sd.fieldOfFactor = FieldRange{1.0, 100.0, 3, 0.01};
     }
     rows.push_back(stopRow(rule, &StopRule::minimumTrials, fewest));
     rows.push_back(stopRow(rule, &StopRule::sd, sd));
     rows.push_back(stopRow(rule, &StopRule::reversalsAndTrials,
-                           {.key = "reversals_and_trials", .description = "trials and reversals must both be reached.", .ignored = !has.reversalsAndTrials}));
+                           {.key = "reversals_and_trials",
+                            .description = "trials and reversals must both be reached.",
+                            .ignored = !has.reversalsAndTrials}));
     return rows;
 }
 
-std::string rangeFault(const Parameter& row, const ParameterValue& value) { return std::visit(RangeCheck{row}, value); }
+std::string rangeFault(const Parameter& row, const ParameterValue& value) {
+    return std::visit(RangeCheck{row}, value);
+}
 
 } // namespace chiron::psychophysics

@@ -18,8 +18,9 @@ namespace chiron::psychophysics {
 struct Condition;
 
 /// The types that a parameter can have. An optional number may be left out.
-using ParameterValue = std::variant<double, int, bool, std::uint64_t, std::string, std::optional<double>, std::vector<double>, StimulusGrids,
-                                    std::vector<ParameterGrid>, OutcomeProbabilities>;
+using ParameterValue =
+    std::variant<double, int, bool, std::uint64_t, std::string, std::optional<double>, std::vector<double>,
+                 StimulusGrids, std::vector<ParameterGrid>, OutcomeProbabilities>;
 
 /// What the numbers of a parameter mean, so that a user interface can show them in familiar units.
 enum class Quantity : std::uint8_t {
@@ -57,14 +58,14 @@ constexpr double kUnbounded = 1e9; ///< stands for "any number" in the limits of
 /// Describes one parameter of a procedure. The JSON reader and writer, the schema with its range checks,
 /// forms and reports are all generated from such rows.
 struct Parameter {
-    std::string_view key{};            ///< in JSON
-    std::string_view object{};         ///< key of the object that contains it ("stop"); empty: the procedure
-                                       ///< itself
-    std::string_view unit = "1";       ///< as in the schema: "1", "x", "1/x", "log10", ...
+    std::string_view key{};      ///< in JSON
+    std::string_view object{};   ///< key of the object that contains it ("stop"); empty: the procedure
+                                 ///< itself
+    std::string_view unit = "1"; ///< as in the schema: "1", "x", "1/x", "log10", ...
     Quantity quantity = Quantity::plain;
-    double minimum = 0.0;              ///< of the number, or of each number in a list
+    double minimum = 0.0; ///< of the number, or of each number in a list
     double maximum = kUnbounded;
-    int fewest = 0;                    ///< for a list: number of items
+    int fewest = 0; ///< for a list: number of items
     int most = 1000;
     std::vector<ParameterWord> words{}; ///< for a text: the allowed words
     /// One sentence for the schema, which itself adds kinds and default. Plain English, not translated.
@@ -75,7 +76,7 @@ struct Parameter {
     std::string_view byDefault{};
     /// Key of the sibling row whose value this one must not exceed, if that value is above 0.
     std::string_view noMoreThan{};
-    bool ignored = false;              ///< read and kept, but without effect for this kind of procedure
+    bool ignored = false; ///< read and kept, but without effect for this kind of procedure
     /// Values must lie within the condition's table of differences, because they are presented.
     bool inTable = false;
 
@@ -87,7 +88,7 @@ struct Parameter {
     std::string_view zero{};            ///< name of the smallest value ("never"); empty: shown as a number
     std::string_view change{};          ///< name of a change for undo; empty: a change of the procedure
     std::optional<SensibleRange> sensible{};
-    std::optional<FieldRange> field{};  ///< empty: as its quantity prescribes
+    std::optional<FieldRange> field{};         ///< empty: as its quantity prescribes
     std::optional<FieldRange> fieldOfFactor{}; ///< used where distances on x are factors; empty: as field
     bool (*applies)(const ProcedureSpec& spec) = nullptr; ///< whether it is asked for now; null: always
     /// Whether distances are not in the unit of x and are therefore shown as stored; null: never.
@@ -108,7 +109,9 @@ struct Parameter {
 /// Returns the row of one member of a specification.
 template <class Spec, class Member> Parameter rowOf(Member Spec::*member, Parameter row) {
     row.get = [member](const ProcedureSpec& spec) -> ParameterValue { return std::get<Spec>(spec).*member; };
-    row.set = [member](ProcedureSpec& spec, const ParameterValue& value) { std::get<Spec>(spec).*member = std::get<Member>(value); };
+    row.set = [member](ProcedureSpec& spec, const ParameterValue& value) {
+        std::get<Spec>(spec).*member = std::get<Member>(value);
+    };
     return row;
 }
 
@@ -126,7 +129,8 @@ struct StopRows {
 std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(ProcedureSpec&)> rule);
 
 template <class Spec> void addStopRows(std::vector<Parameter>& rows, const StopRows& has) {
-    for (Parameter& row : stopRows(has, [](ProcedureSpec& spec) -> StopRule& { return std::get<Spec>(spec).stop; }))
+    for (Parameter& row :
+         stopRows(has, [](ProcedureSpec& spec) -> StopRule& { return std::get<Spec>(spec).stop; }))
         rows.push_back(std::move(row));
 }
 

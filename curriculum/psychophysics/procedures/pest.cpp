@@ -18,12 +18,15 @@ core::Result<std::unique_ptr<Procedure>> Pest::make(const PestSpec& spec) {
         return bad("target: expected a proportion between 0 and 1");
     if (!(spec.waldDeviation > 0.0) || !std::isfinite(spec.waldDeviation))
         return bad("wald_deviation: expected a positive number");
-    if (!(spec.smallestStep > 0.0 && spec.smallestStep <= spec.step && spec.step <= spec.largestStep && std::isfinite(spec.largestStep)))
+    if (!(spec.smallestStep > 0.0 && spec.smallestStep <= spec.step && spec.step <= spec.largestStep &&
+          std::isfinite(spec.largestStep)))
         return bad("smallest_step, step, largest_step: expected positive numbers, ascending");
     return std::make_unique<Pest>(spec);
 }
 
-Pest::Pest(const PestSpec& spec) : m_spec(spec) { restart(); }
+Pest::Pest(const PestSpec& spec) : m_spec(spec) {
+    restart();
+}
 
 void Pest::restart() {
     m_level = m_spec.start;
@@ -43,7 +46,8 @@ core::Result<void> Pest::take(const RecordedTrial& trial) {
     m_rightHere += trial.outcome;
     const double excess = m_rightHere - m_trialsHere * m_spec.target;
     // Allows for rounding, so that a deviation that is just reached is not exceeded.
-    const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * (m_spec.waldDeviation + m_trialsHere);
+    const double rounding =
+        8.0 * std::numeric_limits<double>::epsilon() * (m_spec.waldDeviation + m_trialsHere);
     if (excess > m_spec.waldDeviation + rounding)
         step(-1);
     else if (excess < -m_spec.waldDeviation - rounding)

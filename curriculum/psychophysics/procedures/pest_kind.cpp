@@ -11,29 +11,67 @@ namespace {
 std::vector<Parameter> pestRows() {
     using Spec = PestSpec;
     std::vector<Parameter> rows{
-        rowOf(&Spec::start, {.key = "start", .unit = "x", .quantity = Quantity::level, .minimum = -kUnbounded,
-                             .description = "the first level, from minimum to maximum.",
-                             .title = QT_TRANSLATE_NOOP("Procedures", "First difference"),
-                             .meaning = QT_TRANSLATE_NOOP("Procedures", "Where the run begins: large enough to be felt by everybody.")}),
-        rowOf(&Spec::target, {.key = "target", .quantity = Quantity::share, .maximum = 1, .description = "proportion right that the threshold is defined by.",
-                              .title = QT_TRANSLATE_NOOP("Procedures", "Right answers aimed at"),
-                              .meaning = QT_TRANSLATE_NOOP("Procedures", "The run looks for the difference at which so many answers are right."),
-                              .sensible = SensibleRange{0, 100, 75}}),
-        rowOf(&Spec::waldDeviation, {.key = "wald_deviation", .maximum = 1000, .description = "a step once right answers are off by more than this.",
+        rowOf(&Spec::start,
+              {.key = "start",
+               .unit = "x",
+               .quantity = Quantity::level,
+               .minimum = -kUnbounded,
+               .description = "the first level, from minimum to maximum.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "First difference"),
+               .meaning = QT_TRANSLATE_NOOP("Procedures",
+                                            "Where the run begins: large enough to be felt by everybody.")}),
+        rowOf(&Spec::target,
+              {.key = "target",
+               .quantity = Quantity::share,
+               .maximum = 1,
+               .description = "proportion right that the threshold is defined by.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Right answers aimed at"),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures", "The run looks for the difference at which so many answers are right."),
+               .sensible = SensibleRange{0, 100, 75}}),
+        rowOf(&Spec::waldDeviation, {.key = "wald_deviation",
+                                     .maximum = 1000,
+                                     .description = "a step once right answers are off by more than this.",
                                      .title = QT_TRANSLATE_NOOP("Procedures", "Deviation tolerated"),
-                                     .meaning = QT_TRANSLATE_NOOP("Procedures", "How many answers more or fewer than expected end a level: larger values take longer and are surer."),
-                                     .sensible = SensibleRange{0.1, 10, 1}, .field = FieldRange{0.1, 10, 2, 0.1}}),
-        rowOf(&Spec::step, {.key = "step", .unit = "x", .quantity = Quantity::spread, .description = "first step.",
-                            .title = QT_TRANSLATE_NOOP("Procedures", "First step"),
-                            .meaning = QT_TRANSLATE_NOOP("Procedures", "How far the difference changes at first.")}),
-        rowOf(&Spec::smallestStep, {.key = "smallest_step", .unit = "x", .quantity = Quantity::spread, .description = "a step no larger than this is the last.",
-                                    .title = QT_TRANSLATE_NOOP("Procedures", "Smallest step"),
-                                    .meaning = QT_TRANSLATE_NOOP("Procedures", "The run ends when a step would be as small as this.")}),
-        rowOf(&Spec::largestStep, {.key = "largest_step", .unit = "x", .quantity = Quantity::spread, .description = "steps double up to this.",
-                                   .title = QT_TRANSLATE_NOOP("Procedures", "Largest step"),
-                                   .meaning = QT_TRANSLATE_NOOP("Procedures", "Steps never grow beyond this.")}),
-        rowOf(&Spec::minimum, {.key = "minimum", .unit = "x", .quantity = Quantity::level, .minimum = -kUnbounded, .description = "never presented below.", .byDefault = "none"}),
-        rowOf(&Spec::maximum, {.key = "maximum", .unit = "x", .quantity = Quantity::level, .minimum = -kUnbounded, .description = "never presented above.", .byDefault = "none"})};
+                                     .meaning = QT_TRANSLATE_NOOP(
+                                         "Procedures", "How many answers more or fewer than expected end a "
+                                                       "level: larger values take longer and are surer."),
+                                     .sensible = SensibleRange{0.1, 10, 1},
+                                     .field = FieldRange{0.1, 10, 2, 0.1}}),
+        rowOf(&Spec::step,
+              {.key = "step",
+               .unit = "x",
+               .quantity = Quantity::spread,
+               .description = "first step.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "First step"),
+               .meaning = QT_TRANSLATE_NOOP("Procedures", "How far the difference changes at first.")}),
+        rowOf(&Spec::smallestStep,
+              {.key = "smallest_step",
+               .unit = "x",
+               .quantity = Quantity::spread,
+               .description = "a step no larger than this is the last.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Smallest step"),
+               .meaning =
+                   QT_TRANSLATE_NOOP("Procedures", "The run ends when a step would be as small as this.")}),
+        rowOf(&Spec::largestStep,
+              {.key = "largest_step",
+               .unit = "x",
+               .quantity = Quantity::spread,
+               .description = "steps double up to this.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Largest step"),
+               .meaning = QT_TRANSLATE_NOOP("Procedures", "Steps never grow beyond this.")}),
+        rowOf(&Spec::minimum, {.key = "minimum",
+                               .unit = "x",
+                               .quantity = Quantity::level,
+                               .minimum = -kUnbounded,
+                               .description = "never presented below.",
+                               .byDefault = "none"}),
+        rowOf(&Spec::maximum, {.key = "maximum",
+                               .unit = "x",
+                               .quantity = Quantity::level,
+                               .minimum = -kUnbounded,
+                               .description = "never presented above.",
+                               .byDefault = "none"})};
     addStopRows<Spec>(rows, {.reversals = true});
     return rows;
 }
@@ -41,9 +79,11 @@ std::vector<Parameter> pestRows() {
 class PestKind final : public ProcedureKindOf<PestSpec> {
 public:
     PestKind()
-        : ProcedureKindOf({QT_TRANSLATE_NOOP("Procedures", "PEST"),
-                           QT_TRANSLATE_NOOP("Procedures", "A sequential test halves and doubles the steps. For replications only.")},
-                          pestRows()) {}
+        : ProcedureKindOf(
+              {QT_TRANSLATE_NOOP("Procedures", "PEST"),
+               QT_TRANSLATE_NOOP("Procedures",
+                                 "A sequential test halves and doubles the steps. For replications only.")},
+              pestRows()) {}
 
     core::Result<ProcedureFactory> factory(const ProcedureSpec& spec) const override {
         return checkedFactory([of = ours(spec)](std::uint64_t) { return Pest::make(of); });

@@ -13,13 +13,15 @@ using core::fail;
 
 namespace {
 
-constexpr double kNegligible = 1e-17;       ///< for a block, in full sums
+constexpr double kNegligible = 1e-17; ///< for a block, in full sums
 /// For all omitted blocks together, in the selection of what to sum in full.
 constexpr double kRoughlyNegligible = 1e-7;
 constexpr std::size_t kMostCells = 4'000'000;
 
 core::Result<void> check(const ParameterGrid& grid) {
-    const auto bad = [&grid](const char* what) { return fail(ErrorCode::badInput, "parameters: " + grid.name + ": " + what); };
+    const auto bad = [&grid](const char* what) {
+        return fail(ErrorCode::badInput, "parameters: " + grid.name + ": " + what);
+    };
     if (grid.values.empty())
         return bad("expected at least one value");
     if (!std::all_of(grid.values.begin(), grid.values.end(), [](double v) { return std::isfinite(v); }))
@@ -67,7 +69,8 @@ core::Result<PosteriorGrid> PosteriorGrid::make(const std::vector<ParameterGrid>
     for (const ParameterGrid& parameter : parameters) {
         CHIRON_TRY(check(parameter));
         if (parameter.values.size() > kMostCells / grid.m_cells)
-            return fail(ErrorCode::badInput, "parameters: more than " + std::to_string(kMostCells) + " cells: expected fewer");
+            return fail(ErrorCode::badInput,
+                        "parameters: more than " + std::to_string(kMostCells) + " cells: expected fewer");
         grid.m_cells *= parameter.values.size();
     }
     grid.m_strides.resize(parameters.size());
@@ -81,7 +84,8 @@ core::Result<PosteriorGrid> PosteriorGrid::make(const std::vector<ParameterGrid>
         if (nuisance)
             grid.m_nuisanceCells = stride;
     }
-    if (!std::any_of(parameters.begin(), parameters.end(), [](const ParameterGrid& p) { return !p.nuisance; }))
+    if (!std::any_of(parameters.begin(), parameters.end(),
+                     [](const ParameterGrid& p) { return !p.nuisance; }))
         return fail(ErrorCode::badInput, "parameters: expected at least one that is no nuisance");
     grid.m_prior.assign(padded(grid.m_cells), 0.0);
     for (std::size_t cell = 0; cell < grid.m_cells; ++cell) {
@@ -93,7 +97,8 @@ core::Result<PosteriorGrid> PosteriorGrid::make(const std::vector<ParameterGrid>
     }
     const double sum = blockedSum(grid.m_prior.data(), grid.m_prior.size());
     if (!(sum > 0.0) || !std::isfinite(sum))
-        return fail(ErrorCode::badInput, "parameters: priors whose product is out of range: expected scales near 1");
+        return fail(ErrorCode::badInput,
+                    "parameters: priors whose product is out of range: expected scales near 1");
     for (double& p : grid.m_prior)
         p /= sum;
     grid.restart();
@@ -101,7 +106,8 @@ core::Result<PosteriorGrid> PosteriorGrid::make(const std::vector<ParameterGrid>
 }
 
 bool PosteriorGrid::hasNuisance() const noexcept {
-    return std::any_of(m_parameters.begin(), m_parameters.end(), [](const ParameterGrid& p) { return p.nuisance; });
+    return std::any_of(m_parameters.begin(), m_parameters.end(),
+                       [](const ParameterGrid& p) { return p.nuisance; });
 }
 
 void PosteriorGrid::restart() {
@@ -127,7 +133,8 @@ void PosteriorGrid::findActive() {
     m_active.clear();
     m_roughlyActive.clear();
     m_roughlyLeftOut = 0.0;
-    const double small = kRoughlyNegligible * static_cast<double>(kBlock) / static_cast<double>(m_probability.size());
+    const double small =
+        kRoughlyNegligible * static_cast<double>(kBlock) / static_cast<double>(m_probability.size());
     for (std::size_t first = 0; first < m_probability.size(); first += kBlock) {
         const double sum = blockedSum(&m_probability[first], kBlock);
         const auto block = static_cast<std::uint32_t>(first / kBlock);
@@ -150,7 +157,9 @@ std::vector<double> PosteriorGrid::marginal(std::size_t k) const {
     return sums;
 }
 
-double PosteriorGrid::sd(std::size_t k) const { return estimate(k).sd; }
+double PosteriorGrid::sd(std::size_t k) const {
+    return estimate(k).sd;
+}
 
 NamedEstimate PosteriorGrid::estimate(std::size_t k) const {
     const std::vector<double> p = marginal(k);
@@ -165,10 +174,18 @@ NamedEstimate PosteriorGrid::estimate(std::size_t k) const {
     for (std::size_t i = 0; i < p.size(); ++i)
         bars.emplace_back(values[i], p[i]);
     std::sort(bars.begin(), bars.end());
-    const double least = kAtGridEdge * std::max_element(bars.begin(), bars.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->second;
-    const bool low = bars.size() > 2 && bars.front().second >= least, high = bars.size() > 2 && bars.back().second >= least;
-    const int edge = low && high ? (bars.front().second > bars.back().second ? -1 : 1) : low ? -1 : high ? 1 : 0;
-    return {m_parameters[k].name, mean, std::sqrt(variance), quantile(bars, 0.025), quantile(bars, 0.975), value(k, mode()), edge};
+    const double least =
+        kAtGridEdge * std::max_element(bars.begin(), bars.end(), [](const auto& a, const auto& b) {
+                          return a.second < b.second;
+                      })->second;
+    const bool low = bars.size() > 2 && bars.front().second >= least,
+               high = bars.size() > 2 && bars.back().second >= least;
+    const int edge = low && high ? (bars.front().second > bars.back().second ? -1 : 1)
+                     : low       ? -1
+                     : high      ? 1
+                                 : 0;
+    return {m_parameters[k].name, mean, std::sqrt(variance), quantile(bars, 0.025), quantile(bars, 0.975),
+            value(k, mode()),     edge};
 }
 
 double PosteriorGrid::entropy() const {
@@ -183,8 +200,10 @@ double PosteriorGrid::entropy() const {
 }
 
 std::size_t PosteriorGrid::mode() const {
-    return static_cast<std::size_t>(std::max_element(m_probability.begin(), m_probability.begin() + static_cast<std::ptrdiff_t>(m_cells)) -
-                                    m_probability.begin());
+    return static_cast<std::size_t>(
+        std::max_element(m_probability.begin(),
+                         m_probability.begin() + static_cast<std::ptrdiff_t>(m_cells)) -
+        m_probability.begin());
 }
 
 } // namespace chiron::psychophysics

@@ -25,8 +25,12 @@ public:
     /// Number of neighbouring cells that differ only in nuisance parameters; 1 if there are none.
     std::size_t nuisanceCells() const noexcept { return m_nuisanceCells; }
     bool hasNuisance() const noexcept;
-    std::size_t indexOf(std::size_t k, std::size_t cell) const noexcept { return cell / m_strides[k] % m_parameters[k].values.size(); }
-    double value(std::size_t k, std::size_t cell) const noexcept { return m_parameters[k].values[indexOf(k, cell)]; }
+    std::size_t indexOf(std::size_t k, std::size_t cell) const noexcept {
+        return cell / m_strides[k] % m_parameters[k].values.size();
+    }
+    double value(std::size_t k, std::size_t cell) const noexcept {
+        return m_parameters[k].values[indexOf(k, cell)];
+    }
 
     const std::vector<double>& probability() const noexcept { return m_probability; } ///< padded
     /// Blocks with a cell above 1e-17. All other blocks together change no entropy by 1e-11 (for grids below
@@ -47,8 +51,8 @@ public:
     /// their neighbours).
     NamedEstimate estimate(std::size_t k) const;
     double sd(std::size_t k) const;
-    double entropy() const;           ///< nats, over the parameters that are not nuisance parameters
-    std::size_t mode() const;         ///< the most probable cell; the lowest of equally probable ones
+    double entropy() const;   ///< nats, over the parameters that are not nuisance parameters
+    std::size_t mode() const; ///< the most probable cell; the lowest of equally probable ones
 
 private:
     void findActive();

@@ -25,8 +25,8 @@ struct Choice {
 struct NamedEstimate {
     std::string name; ///< "threshold", "log10_sigma", "slope", "lapse", ...
     double mean = 0.0;
-    double sd = 0.0;      ///< 0 if the procedure has none
-    double low = 0.0;     ///< of the central 95 % interval; NaN if there is none
+    double sd = 0.0;  ///< 0 if the procedure has none
+    double low = 0.0; ///< of the central 95 % interval; NaN if there is none
     double high = 0.0;
     double mode = std::numeric_limits<double>::quiet_NaN(); ///< of the joint posterior, if there is one
     /// −1, +1: the lower or upper end of the grid cuts off the posterior (its density there is at least 0.147

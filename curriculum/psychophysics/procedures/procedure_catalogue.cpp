@@ -16,7 +16,8 @@ template <std::size_t... Place> std::vector<const ProcedureKind*> kindsOfAll(std
 } // namespace
 
 const std::vector<const ProcedureKind*>& procedureKinds() {
-    static const std::vector<const ProcedureKind*> kinds = kindsOfAll(std::make_index_sequence<std::variant_size_v<ProcedureSpec>>());
+    static const std::vector<const ProcedureKind*> kinds =
+        kindsOfAll(std::make_index_sequence<std::variant_size_v<ProcedureSpec>>());
     return kinds;
 }
 
@@ -52,8 +53,9 @@ std::vector<std::string> kindsFor(Task task) {
     for (const ProcedureKind* kind : procedureKinds())
         if (kind->recommended(task) > 0)
             offered.push_back(kind);
-    std::stable_sort(offered.begin(), offered.end(),
-                     [task](const ProcedureKind* a, const ProcedureKind* b) { return a->recommended(task) > b->recommended(task); });
+    std::stable_sort(offered.begin(), offered.end(), [task](const ProcedureKind* a, const ProcedureKind* b) {
+        return a->recommended(task) > b->recommended(task);
+    });
     std::vector<std::string> ids;
     for (const ProcedureKind* kind : offered)
         ids.emplace_back(kind->id());
@@ -71,7 +73,9 @@ std::string_view kindOf(const ProcedureSpec& spec) noexcept {
     return std::visit([](const auto& of) { return of.kKind; }, spec);
 }
 
-core::Result<ProcedureFactory> procedureFactory(const ProcedureSpec& spec) { return kindFor(spec).factory(spec); }
+core::Result<ProcedureFactory> procedureFactory(const ProcedureSpec& spec) {
+    return kindFor(spec).factory(spec);
+}
 
 core::Result<std::unique_ptr<Procedure>> makeProcedure(const ProcedureSpec& spec, std::uint64_t seed) {
     const auto factory = procedureFactory(spec);

@@ -31,7 +31,8 @@ public:
         bool legacy = false;      ///< for replications only: shown with a warning
     };
 
-    ProcedureKind(std::string_view id, Words words, std::vector<Parameter> rows) : m_id(id), m_words(words), m_rows(std::move(rows)) {}
+    ProcedureKind(std::string_view id, Words words, std::vector<Parameter> rows)
+        : m_id(id), m_words(words), m_rows(std::move(rows)) {}
     ProcedureKind(const ProcedureKind&) = delete;
     ProcedureKind& operator=(const ProcedureKind&) = delete;
     virtual ~ProcedureKind() = default;
@@ -73,7 +74,7 @@ public:
         static_cast<void>(spec);
         return false;
     }
-    virtual int trialsAtMost(const ProcedureSpec& spec) const = 0;     ///< 0: no limit
+    virtual int trialsAtMost(const ProcedureSpec& spec) const = 0; ///< 0: no limit
     /// Makes a run about this long; false: its rule does not allow that.
     virtual bool endAfter(ProcedureSpec& spec, int trials) const = 0;
 
@@ -86,7 +87,8 @@ private:
 /// A kind whose runs end by its StopRule or, without one, after at most levels × repeats trials.
 template <class Spec> class ProcedureKindOf : public ProcedureKind {
 public:
-    ProcedureKindOf(Words words, std::vector<Parameter> rows) : ProcedureKind(Spec::kKind, words, std::move(rows)) {}
+    ProcedureKindOf(Words words, std::vector<Parameter> rows)
+        : ProcedureKind(Spec::kKind, words, std::move(rows)) {}
     ProcedureSpec defaults() const final { return Spec{}; }
     int trialsAtMost(const ProcedureSpec& spec) const override {
         if constexpr (requires(const Spec& of) { of.stop; })
@@ -115,8 +117,12 @@ template <class Make> core::Result<ProcedureFactory> checkedFactory(Make make) {
 }
 
 /// Returns whether a task's answers are right or wrong, so that procedures with two outcomes can use them.
-constexpr bool isRightOrWrong(Task task) noexcept { return !ranksThree(task) && task != Task::adjustment && task != Task::magnitude; }
+constexpr bool isRightOrWrong(Task task) noexcept {
+    return !ranksThree(task) && task != Task::adjustment && task != Task::magnitude;
+}
 /// Returns whether one of several objects has to be found.
-constexpr bool isForcedChoice(Task task) noexcept { return task == Task::twoAfc || task == Task::threeAfc || task == Task::oddity; }
+constexpr bool isForcedChoice(Task task) noexcept {
+    return task == Task::twoAfc || task == Task::threeAfc || task == Task::oddity;
+}
 
 } // namespace chiron::psychophysics

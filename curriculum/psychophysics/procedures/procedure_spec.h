@@ -22,14 +22,8 @@ namespace chiron::psychophysics {
 /// The specification of a procedure. The list of alternatives is the catalogue of procedures, one line each:
 /// a specification's kKind is the procedure's id, and its kind() describes it (procedure_kind.h). "x" is the
 /// procedure's own unit (in a study, log10 of the difference D, or D).
-using ProcedureSpec = std::variant<
-    StaircaseSpec,
-    PestSpec,
-    ConstantSpec,
-    DescendingSpec,
-    QuestSpec,
-    QuestPlusSpec,
-    Rank3Spec>;
+using ProcedureSpec =
+    std::variant<StaircaseSpec, PestSpec, ConstantSpec, DescendingSpec, QuestSpec, QuestPlusSpec, Rank3Spec>;
 
 /// Returns the procedure's id as in content and exports: its specification's kKind.
 std::string_view kindOf(const ProcedureSpec& spec) noexcept;

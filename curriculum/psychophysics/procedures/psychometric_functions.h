@@ -10,16 +10,16 @@ namespace chiron::psychophysics {
 /// asymptotes follow from guess and lapse rates.
 struct PsychometricFunction {
     std::string_view name;
-    std::string_view formula;                ///< of F, for documentation
-    std::vector<std::string_view> stimuli;   ///< names of its stimulus dimensions
-    std::vector<std::string_view> shape;     ///< names of the parameters of F, in order
+    std::string_view formula;              ///< of F, for documentation
+    std::vector<std::string_view> stimuli; ///< names of its stimulus dimensions
+    std::vector<std::string_view> shape;   ///< names of the parameters of F, in order
     /// The parameters after those of the shape. guessLapse: lower_asymptote and lapse_rate, ψ = γ + (1-γ-λ)F.
     /// symmetricLapse: lapse_rate only, ψ = λ + (1-2λ)F.
     enum class Asymptotes { guessLapse, symmetricLapse } asymptotes = Asymptotes::guessLapse;
     double (*f)(const double* x, const double* shape) = nullptr;
-    bool positiveStimulus = false;           ///< F is defined only for x > 0 and threshold > 0
+    bool positiveStimulus = false; ///< F is defined only for x > 0 and threshold > 0
 
-    std::vector<std::string_view> parameters() const; ///< all, in order
+    std::vector<std::string_view> parameters() const;     ///< all, in order
     double base(const double* asymptotes) const noexcept; ///< a, from the parameters after those of the shape
     double scale(const double* asymptotes) const noexcept; ///< b
 };

@@ -11,7 +11,9 @@ using core::fail;
 
 namespace {
 
-double xLogX(double x) noexcept { return x > 0.0 ? x * std::log(x) : 0.0; }
+double xLogX(double x) noexcept {
+    return x > 0.0 ? x * std::log(x) : 0.0;
+}
 
 /// A function's parameters in a grid's cells: ψ(x, cell) = base[cell] + scale[cell] F(x, shape[cell]).
 struct Cells {
@@ -50,15 +52,18 @@ Cells cellsOf(const PsychometricFunction& function, const PosteriorGrid& grid) {
 /// and so show which stimuli can be among the best two; only those are summed in full.
 class PsychometricTables final : public OutcomeTables {
 public:
-    PsychometricTables(const PsychometricFunction& function, const std::vector<Stimulus>& stimuli, const PosteriorGrid& grid)
+    PsychometricTables(const PsychometricFunction& function, const std::vector<Stimulus>& stimuli,
+                       const PosteriorGrid& grid)
         : m_cells(cellsOf(function, grid)), m_stimuli(stimuli.size()), m_row(m_cells.base.size()),
-          m_shapes(padded(m_cells.shapes.size())), m_inner(grid.cells() / m_cells.shapes.size()), m_f(m_stimuli * m_shapes, 0.0),
-          m_roughF(m_stimuli * m_shapes, 0.0F), m_high(m_stimuli * m_row, 0.0F), m_low(m_stimuli * m_row, 0.0F) {
+          m_shapes(padded(m_cells.shapes.size())), m_inner(grid.cells() / m_cells.shapes.size()),
+          m_f(m_stimuli * m_shapes, 0.0), m_roughF(m_stimuli * m_shapes, 0.0F),
+          m_high(m_stimuli * m_row, 0.0F), m_low(m_stimuli * m_row, 0.0F) {
         for (std::size_t x = 0; x < m_stimuli; ++x) {
             double* f = &m_f[x * m_shapes];
             for (std::size_t s = 0; s < m_cells.shapes.size(); ++s)
                 f[s] = function.f(stimuli[x].data(), m_cells.shapes[s].data());
-            std::transform(f, f + m_shapes, &m_roughF[x * m_shapes], [](double value) { return static_cast<float>(value); });
+            std::transform(f, f + m_shapes, &m_roughF[x * m_shapes],
+                           [](double value) { return static_cast<float>(value); });
             for (std::size_t c = 0; c < grid.cells(); ++c) {
                 const double p = probability(x, c);
                 const double m = xLogX(p) + xLogX(1.0 - p);
@@ -148,9 +153,11 @@ private:
     }
 
     double gain(const PosteriorGrid& posterior, const Shapes& shapes, std::size_t x) const {
-        const double one = std::min(shapes.base + blockedDot(shapes.weight.data(), &m_f[x * m_shapes], shapes.active), 1.0);
+        const double one =
+            std::min(shapes.base + blockedDot(shapes.weight.data(), &m_f[x * m_shapes], shapes.active), 1.0);
         return xLogX(one) + xLogX(1.0 - one) -
-               blockedDot(posterior.probability().data(), &m_high[x * m_row], &m_low[x * m_row], posterior.active());
+               blockedDot(posterior.probability().data(), &m_high[x * m_row], &m_low[x * m_row],
+                          posterior.active());
     }
 
     /// Bounds every gain, in single precision and without the nearly impossible cells. M lies in -ln 2..0. P
@@ -162,8 +169,11 @@ private:
         const double error = kRoughError + posterior.roughlyLeftOut();
         std::vector<Bounds> bounds(m_stimuli);
         for (std::size_t x = 0; x < m_stimuli; ++x) {
-            const double one = std::clamp(shapes.base + roughDot(weight.data(), &m_roughF[x * m_shapes], shapes.active), error, 1.0 - error);
-            const double gain = xLogX(one) + xLogX(1.0 - one) - roughDot(p.data(), &m_high[x * m_row], posterior.roughlyActive());
+            const double one =
+                std::clamp(shapes.base + roughDot(weight.data(), &m_roughF[x * m_shapes], shapes.active),
+                           error, 1.0 - error);
+            const double gain = xLogX(one) + xLogX(1.0 - one) -
+                                roughDot(p.data(), &m_high[x * m_row], posterior.roughlyActive());
             const double off = 2.0 * error * (std::abs(std::log(one / (1.0 - one))) + 2.0);
             bounds[x] = {gain - off, gain + off};
         }
@@ -172,20 +182,23 @@ private:
 
     Cells m_cells;
     std::size_t m_stimuli;
-    std::size_t m_row;    ///< cells, padded
-    std::size_t m_shapes; ///< padded
-    std::size_t m_inner;  ///< cells per shape
-    std::vector<double> m_f;            ///< F: [stimulus][shape]
+    std::size_t m_row;       ///< cells, padded
+    std::size_t m_shapes;    ///< padded
+    std::size_t m_inner;     ///< cells per shape
+    std::vector<double> m_f; ///< F: [stimulus][shape]
     std::vector<float> m_roughF;
-    std::vector<float> m_high, m_low;   ///< M, [stimulus][cell], is their sum
+    std::vector<float> m_high, m_low; ///< M, [stimulus][cell], is their sum
 };
 
 /// Checks that the grid lies where F is defined, for functions that are not defined everywhere.
 core::Result<void> checkShape(const PsychometricFunction& function, const PosteriorGrid& grid) {
     for (std::size_t k = 0; k < function.shape.size(); ++k)
         for (const double value : grid.parameter(k).values)
-            if (!(value > 0.0) && (function.shape[k] == "sd" || (function.positiveStimulus && function.shape[k] == "threshold")))
-                return fail(ErrorCode::badInput, "parameters: " + grid.parameter(k).name + ": expected values above 0 with the function " + std::string(function.name));
+            if (!(value > 0.0) && (function.shape[k] == "sd" ||
+                                   (function.positiveStimulus && function.shape[k] == "threshold")))
+                return fail(ErrorCode::badInput, "parameters: " + grid.parameter(k).name +
+                                                     ": expected values above 0 with the function " +
+                                                     std::string(function.name));
     return {};
 }
 
@@ -194,24 +207,31 @@ core::Result<void> checkAsymptotes(const PsychometricFunction& function, const P
     for (std::size_t k = function.shape.size(); k < grid.parameters(); ++k) {
         const std::vector<double>& values = grid.parameter(k).values;
         if (std::any_of(values.begin(), values.end(), [](double a) { return a < 0.0 || a > 1.0; }))
-            return fail(ErrorCode::badInput, "parameters: " + grid.parameter(k).name + ": expected values in 0..1");
+            return fail(ErrorCode::badInput,
+                        "parameters: " + grid.parameter(k).name + ": expected values in 0..1");
         highest.push_back(*std::max_element(values.begin(), values.end()));
     }
     if (function.scale(highest.data()) >= 0.0)
         return {};
-    return fail(ErrorCode::badInput, highest.size() > 1 ? "parameters: lapse_rate: expected values that come to at most 1 with those of lower_asymptote"
-                                                        : "parameters: lapse_rate: expected values of at most 0.5");
+    return fail(
+        ErrorCode::badInput,
+        highest.size() > 1
+            ? "parameters: lapse_rate: expected values that come to at most 1 with those of lower_asymptote"
+            : "parameters: lapse_rate: expected values of at most 0.5");
 }
 
 } // namespace
 
 core::Result<std::shared_ptr<const OutcomeTables>> psychometricTables(const PsychometricFunction& function,
-                                                                      const std::vector<Stimulus>& stimuli, const PosteriorGrid& grid) {
+                                                                      const std::vector<Stimulus>& stimuli,
+                                                                      const PosteriorGrid& grid) {
     CHIRON_TRY(checkShape(function, grid));
     CHIRON_TRY(checkAsymptotes(function, grid));
     auto tables = std::make_shared<PsychometricTables>(function, stimuli, grid);
     if (!tables->finite())
-        return fail(ErrorCode::badInput, "function: " + std::string(function.name) + ": expected one that is a probability for all parameters and stimuli");
+        return fail(ErrorCode::badInput,
+                    "function: " + std::string(function.name) +
+                        ": expected one that is a probability for all parameters and stimuli");
     return tables;
 }
 

@@ -35,8 +35,10 @@ core::Result<void> check(const QuestSpec& spec) {
     const double upper = 1.0 - spec.lapse * (1.0 - spec.guess);
     const double nearest = 1e-9 * (upper - spec.guess); // equal to an asymptote, except for rounding
     if (!(spec.target > spec.guess + nearest && spec.target < upper - nearest))
-        return fail(ErrorCode::badInput, "target: expected a proportion above guess, " + digits(spec.guess) + ", and below 1 - lapse (1 - guess), " + digits(upper));
-    if (!(spec.grain > 0.0) || !(spec.range > 0.0) || !(spec.range / spec.grain <= 1e6) || !(spec.range / spec.grain >= 2.0))
+        return fail(ErrorCode::badInput, "target: expected a proportion above guess, " + digits(spec.guess) +
+                                             ", and below 1 - lapse (1 - guess), " + digits(upper));
+    if (!(spec.grain > 0.0) || !(spec.range > 0.0) || !(spec.range / spec.grain <= 1e6) ||
+        !(spec.range / spec.grain >= 2.0))
         return bad("grain, range: expected positive numbers, range 2 to 1e6 times the grain");
     if (spec.method != "quantile" && spec.method != "mean" && spec.method != "mode")
         return bad("method: expected quantile, mean or mode");
@@ -56,7 +58,8 @@ double questEpsilon(double target, double slope, double guess, double lapse) noe
 
 double optimalQuantileOrder(double low, double high) noexcept {
     constexpr double kTiny = 1e-14; // keeps logarithms finite
-    const double e = high * std::log(high + kTiny) - low * std::log(low + kTiny) + (1.0 - high + kTiny) * std::log(1.0 - high + kTiny) -
+    const double e = high * std::log(high + kTiny) - low * std::log(low + kTiny) +
+                     (1.0 - high + kTiny) * std::log(1.0 - high + kTiny) -
                      (1.0 - low + kTiny) * std::log(1.0 - low + kTiny);
     return (1.0 / (1.0 + std::exp(e / (low - high))) - low) / (high - low);
 }
@@ -81,7 +84,8 @@ Quest::Quest(QuestSpec spec) : m_spec(std::move(spec)) {
 void Quest::tabulate(double epsilon) {
     const double range = (1.0 - m_spec.lapse) * (1.0 - m_spec.guess); // between the asymptotes
     for (std::size_t i = 0; i < m_right.size(); ++i) {
-        const double hazard = std::pow(10.0, m_spec.slope * ((static_cast<double>(i) - 2.0 * m_half) * m_spec.grain + epsilon));
+        const double hazard =
+            std::pow(10.0, m_spec.slope * ((static_cast<double>(i) - 2.0 * m_half) * m_spec.grain + epsilon));
         m_right[i] = m_spec.guess - range * std::expm1(-hazard);
         m_wrong[i] = m_spec.lapse * (1.0 - m_spec.guess) + range * std::exp(-hazard);
     }
@@ -131,7 +135,8 @@ Choice Quest::next() const {
 
 core::Result<void> Quest::take(const RecordedTrial& trial) {
     // A stimulus beyond the grid counts as lying at its end.
-    const double offset = std::clamp(std::nearbyint((trial.presented[0] - m_spec.priorMean) / m_spec.grain), -m_half, m_half);
+    const double offset =
+        std::clamp(std::nearbyint((trial.presented[0] - m_spec.priorMean) / m_spec.grain), -m_half, m_half);
     std::vector<double> pdf = m_pdf;
     double sum = 0.0;
     for (std::size_t i = 0; i < pdf.size(); ++i) {
@@ -139,8 +144,9 @@ core::Result<void> Quest::take(const RecordedTrial& trial) {
         sum += pdf[i] *= trial.outcome == 1 ? m_right[at] : m_wrong[at];
     }
     if (!(sum > 0.0))
-        return fail(ErrorCode::badInput, "outcome " + std::to_string(trial.outcome) +
-                                             ": impossible at this stimulus for every threshold: expected a lapse above 0");
+        return fail(ErrorCode::badInput,
+                    "outcome " + std::to_string(trial.outcome) +
+                        ": impossible at this stimulus for every threshold: expected a lapse above 0");
     for (double& p : pdf)
         p /= sum;
     m_pdf = std::move(pdf);
@@ -155,7 +161,8 @@ double Quest::mean() const {
 }
 
 double Quest::mode() const {
-    return m_spec.priorMean + x(static_cast<std::size_t>(std::max_element(m_pdf.begin(), m_pdf.end()) - m_pdf.begin()));
+    return m_spec.priorMean +
+           x(static_cast<std::size_t>(std::max_element(m_pdf.begin(), m_pdf.end()) - m_pdf.begin()));
 }
 
 double Quest::sd() const {
@@ -177,7 +184,8 @@ double Quest::quantile(double order) const {
         if (p == lastP)
             continue;
         if (p >= wanted)
-            return m_spec.priorMean + (lastP > 0.0 ? lastX + (x(i) - lastX) * (wanted - lastP) / (p - lastP) : x(i));
+            return m_spec.priorMean +
+                   (lastP > 0.0 ? lastX + (x(i) - lastX) * (wanted - lastP) / (p - lastP) : x(i));
         lastP = p;
         lastX = x(i);
     }
@@ -200,14 +208,18 @@ std::pair<double, double> Quest::intervalWithOpenSlope() const {
         const double slope = m_spec.slope * std::pow(kReach, 2.0 * k / (kSlopes - 1) - 1.0);
         const double epsilon = questEpsilon(m_spec.target, slope, m_spec.guess, m_spec.lapse);
         for (std::size_t i = 0; i < right.size(); ++i) {
-            const double hazard = std::pow(10.0, slope * ((static_cast<double>(i) - 2.0 * m_half) * m_spec.grain + (std::isfinite(epsilon) ? epsilon : 0.0)));
+            const double hazard =
+                std::pow(10.0, slope * ((static_cast<double>(i) - 2.0 * m_half) * m_spec.grain +
+                                        (std::isfinite(epsilon) ? epsilon : 0.0)));
             right[i] = std::log(std::max(m_spec.guess - range * std::expm1(-hazard), 1e-300));
-            wrong[i] = std::log(std::max(m_spec.lapse * (1.0 - m_spec.guess) + range * std::exp(-hazard), 1e-300));
+            wrong[i] =
+                std::log(std::max(m_spec.lapse * (1.0 - m_spec.guess) + range * std::exp(-hazard), 1e-300));
         }
         for (std::size_t i = 0; i < m_pdf.size(); ++i)
             row[i] = -0.5 * std::pow(x(i) / m_spec.priorSd, 2);
         for (const RecordedTrial& trial : log()) {
-            const double offset = std::clamp(std::nearbyint((trial.presented[0] - m_spec.priorMean) / m_spec.grain), -m_half, m_half);
+            const double offset = std::clamp(
+                std::nearbyint((trial.presented[0] - m_spec.priorMean) / m_spec.grain), -m_half, m_half);
             const std::vector<double>& table = trial.outcome == 1 ? right : wrong;
             for (std::size_t i = 0; i < m_pdf.size(); ++i)
                 row[i] += table[static_cast<std::size_t>(offset + 3.0 * m_half - static_cast<double>(i))];
@@ -227,8 +239,11 @@ std::pair<double, double> Quest::intervalWithOpenSlope() const {
         };
         slopes.push_back({std::log(total) + most, below(0.025), below(0.975)});
     }
-    const double best = std::max_element(slopes.begin(), slopes.end(), [](const Own& a, const Own& b) { return a.logEvidence < b.logEvidence; })->logEvidence;
-    std::pair<double, double> interval{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    const double best = std::max_element(slopes.begin(), slopes.end(), [](const Own& a, const Own& b) {
+                            return a.logEvidence < b.logEvidence;
+                        })->logEvidence;
+    std::pair<double, double> interval{std::numeric_limits<double>::infinity(),
+                                       -std::numeric_limits<double>::infinity()};
     for (const Own& own : slopes)
         if (own.logEvidence >= best + std::log(kAtGridEdge)) {
             interval.first = std::min(interval.first, own.low);
@@ -238,14 +253,16 @@ std::pair<double, double> Quest::intervalWithOpenSlope() const {
 }
 
 bool Quest::done() const noexcept {
-    return stopped(m_spec.stop, trials(), 0, m_spec.stop.sd > 0.0 ? std::optional<double>(sd()) : std::nullopt);
+    return stopped(m_spec.stop, trials(), 0,
+                   m_spec.stop.sd > 0.0 ? std::optional<double>(sd()) : std::nullopt);
 }
 
 ProcedureEstimate Quest::estimate() const {
     ProcedureEstimate estimate;
     estimate.known = trials() > 0;
     estimate.method = "posterior mean (QUEST)";
-    const auto [low, high] = estimate.known ? intervalWithOpenSlope() : std::pair(quantile(0.025), quantile(0.975));
+    const auto [low, high] =
+        estimate.known ? intervalWithOpenSlope() : std::pair(quantile(0.025), quantile(0.975));
     const double least = kAtGridEdge * *std::max_element(m_pdf.begin(), m_pdf.end());
     const int edge = m_pdf.front() >= least ? -1 : m_pdf.back() >= least ? 1 : 0;
     estimate.parameters = {{"threshold", mean(), sd(), low, high, mode(), edge}};
@@ -253,7 +270,8 @@ ProcedureEstimate Quest::estimate() const {
         return estimate;
     warnOfGridEdges(estimate, 1);
     if (high - low > 1.1 * (quantile(0.975) - quantile(0.025)))
-        estimate.warnings.push_back("slope_assumed: mean and sd take the slope for known; the interval leaves it open and is wider");
+        estimate.warnings.push_back(
+            "slope_assumed: mean and sd take the slope for known; the interval leaves it open and is wider");
     return estimate;
 }
 

@@ -54,7 +54,7 @@ private:
     double x(std::size_t i) const noexcept { return (static_cast<double>(i) - m_half) * m_spec.grain; }
 
     QuestSpec m_spec;
-    double m_half = 0.0;         ///< number of grid points on either side of the prior mean
+    double m_half = 0.0; ///< number of grid points on either side of the prior mean
     double m_order = 0.5;
     std::vector<double> m_right; ///< p(right), indexed by (stimulus - threshold)/grain + 2 m_half
     std::vector<double> m_wrong; ///< p(wrong), accurate even where it is tiny

@@ -11,42 +11,94 @@ namespace {
 std::vector<Parameter> questRows() {
     using Spec = QuestSpec;
     std::vector<Parameter> rows{
-        rowOf(&Spec::priorMean, {.key = "prior_mean", .unit = "x", .quantity = Quantity::level, .minimum = -kUnbounded,
-                                 .description = "guess of the threshold, where the first trial is.",
-                                 .title = QT_TRANSLATE_NOOP("Procedures", "Expected threshold"),
-                                 .meaning = QT_TRANSLATE_NOOP("Procedures", "Where the threshold is expected before the first answer.")}),
-        rowOf(&Spec::priorSd, {.key = "prior_sd", .unit = "x", .quantity = Quantity::spread, .description = "sd of that guess.",
-                               .title = QT_TRANSLATE_NOOP("Procedures", "Uncertainty of it"),
-                               .meaning = QT_TRANSLATE_NOOP("Procedures", "How far off the expectation may be (one standard deviation)."),
-                               .meaningOfFactor = QT_TRANSLATE_NOOP("Procedures", "How far off the expectation may be (one standard deviation). Usually × 3.")}),
-        rowOf(&Spec::target, {.key = "target", .quantity = Quantity::share, .maximum = 1,
-                              .description = "proportion right that the threshold is defined by, above guess and below 1 - lapse (1 - guess).",
+        rowOf(&Spec::priorMean,
+              {.key = "prior_mean",
+               .unit = "x",
+               .quantity = Quantity::level,
+               .minimum = -kUnbounded,
+               .description = "guess of the threshold, where the first trial is.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Expected threshold"),
+               .meaning = QT_TRANSLATE_NOOP("Procedures",
+                                            "Where the threshold is expected before the first answer.")}),
+        rowOf(
+            &Spec::priorSd,
+            {.key = "prior_sd",
+             .unit = "x",
+             .quantity = Quantity::spread,
+             .description = "sd of that guess.",
+             .title = QT_TRANSLATE_NOOP("Procedures", "Uncertainty of it"),
+             .meaning = QT_TRANSLATE_NOOP("Procedures",
+                                          "How far off the expectation may be (one standard deviation)."),
+             .meaningOfFactor = QT_TRANSLATE_NOOP(
+                 "Procedures", "How far off the expectation may be (one standard deviation). Usually × 3.")}),
+        rowOf(&Spec::target, {.key = "target",
+                              .quantity = Quantity::share,
+                              .maximum = 1,
+                              .description = "proportion right that the threshold is defined by, above guess "
+                                             "and below 1 - lapse (1 - guess).",
                               .title = QT_TRANSLATE_NOOP("Procedures", "Right answers aimed at"),
-                              .meaning = QT_TRANSLATE_NOOP("Procedures", "The threshold is where so many answers are right."),
+                              .meaning = QT_TRANSLATE_NOOP(
+                                  "Procedures", "The threshold is where so many answers are right."),
                               .sensible = SensibleRange{0, 100, 82}}),
-        rowOf(&Spec::slope, {.key = "slope", .unit = "1/x", .maximum = 1e6, .description = "beta of the Weibull function.",
-                             .title = QT_TRANSLATE_NOOP("Procedures", "Slope β"),
-                             .meaning = QT_TRANSLATE_NOOP("Procedures", "How steeply right answers grow with the difference; it is assumed, not measured."),
-                             .sensible = SensibleRange{0.1, 50, 3.5}, .field = FieldRange{0.1, 50, 2, 0.1}}),
-        rowOf(&Spec::lapse, {.key = "lapse", .quantity = Quantity::share, .maximum = 1, .description = "delta, share of trials answered blindly.",
+        rowOf(&Spec::slope,
+              {.key = "slope",
+               .unit = "1/x",
+               .maximum = 1e6,
+               .description = "beta of the Weibull function.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Slope β"),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures",
+                   "How steeply right answers grow with the difference; it is assumed, not measured."),
+               .sensible = SensibleRange{0.1, 50, 3.5},
+               .field = FieldRange{0.1, 50, 2, 0.1}}),
+        rowOf(&Spec::lapse, {.key = "lapse",
+                             .quantity = Quantity::share,
+                             .maximum = 1,
+                             .description = "delta, share of trials answered blindly.",
                              .title = QT_TRANSLATE_NOOP("Procedures", "Lapses"),
-                             .meaning = QT_TRANSLATE_NOOP("Procedures", "Answers that are wrong although the difference is felt."),
+                             .meaning = QT_TRANSLATE_NOOP(
+                                 "Procedures", "Answers that are wrong although the difference is felt."),
                              .sensible = SensibleRange{0, 100, 1}}),
-        rowOf(&Spec::guess, {.key = "guess", .quantity = Quantity::share, .maximum = 1, .description = "gamma, proportion right without any signal.",
-                             .title = QT_TRANSLATE_NOOP("Procedures", "Right by guessing"),
-                             .meaning = QT_TRANSLATE_NOOP("Procedures", "Answers that are right without feeling anything: 50 % of two alternatives."),
-                             .sensible = SensibleRange{0, 100}}),
-        rowOf(&Spec::method, {.key = "method",
-                              .words = {{"quantile", QT_TRANSLATE_NOOP("Procedures", "Quantile")},
-                                        {"mean", QT_TRANSLATE_NOOP("Procedures", "Mean")},
-                                        {"mode", QT_TRANSLATE_NOOP("Procedures", "Mode")}},
-                              .description = "where to test: the optimal quantile, mean or mode of the posterior.",
-                              .title = QT_TRANSLATE_NOOP("Procedures", "Place trials at"),
-                              .meaning = QT_TRANSLATE_NOOP("Procedures", "Which point of what is known is asked next; the quantile is the most efficient.")}),
-        rowOf(&Spec::grain, {.key = "grain", .unit = "x", .quantity = Quantity::spread, .description = "spacing of the grid of thresholds."}),
-        rowOf(&Spec::range, {.key = "range", .unit = "x", .quantity = Quantity::spread, .description = "width of the grid of thresholds, around prior_mean."}),
-        rowOf(&Spec::minimum, {.key = "minimum", .unit = "x", .quantity = Quantity::level, .minimum = -kUnbounded, .description = "never presented below.", .byDefault = "none"}),
-        rowOf(&Spec::maximum, {.key = "maximum", .unit = "x", .quantity = Quantity::level, .minimum = -kUnbounded, .description = "never presented above.", .byDefault = "none"})};
+        rowOf(
+            &Spec::guess,
+            {.key = "guess",
+             .quantity = Quantity::share,
+             .maximum = 1,
+             .description = "gamma, proportion right without any signal.",
+             .title = QT_TRANSLATE_NOOP("Procedures", "Right by guessing"),
+             .meaning = QT_TRANSLATE_NOOP(
+                 "Procedures", "Answers that are right without feeling anything: 50 % of two alternatives."),
+             .sensible = SensibleRange{0, 100}}),
+        rowOf(&Spec::method,
+              {.key = "method",
+               .words = {{"quantile", QT_TRANSLATE_NOOP("Procedures", "Quantile")},
+                         {"mean", QT_TRANSLATE_NOOP("Procedures", "Mean")},
+                         {"mode", QT_TRANSLATE_NOOP("Procedures", "Mode")}},
+               .description = "where to test: the optimal quantile, mean or mode of the posterior.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Place trials at"),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures",
+                   "Which point of what is known is asked next; the quantile is the most efficient.")}),
+        rowOf(&Spec::grain, {.key = "grain",
+                             .unit = "x",
+                             .quantity = Quantity::spread,
+                             .description = "spacing of the grid of thresholds."}),
+        rowOf(&Spec::range, {.key = "range",
+                             .unit = "x",
+                             .quantity = Quantity::spread,
+                             .description = "width of the grid of thresholds, around prior_mean."}),
+        rowOf(&Spec::minimum, {.key = "minimum",
+                               .unit = "x",
+                               .quantity = Quantity::level,
+                               .minimum = -kUnbounded,
+                               .description = "never presented below.",
+                               .byDefault = "none"}),
+        rowOf(&Spec::maximum, {.key = "maximum",
+                               .unit = "x",
+                               .quantity = Quantity::level,
+                               .minimum = -kUnbounded,
+                               .description = "never presented above.",
+                               .byDefault = "none"})};
     addStopRows<Spec>(rows, {.precision = true});
     return rows;
 }
@@ -54,7 +106,9 @@ std::vector<Parameter> questRows() {
 class QuestKind final : public ProcedureKindOf<QuestSpec> {
 public:
     QuestKind()
-        : ProcedureKindOf({QT_TRANSLATE_NOOP("Procedures", "QUEST"), QT_TRANSLATE_NOOP("Procedures", "Bayesian; places each trial where the threshold probably is.")},
+        : ProcedureKindOf({QT_TRANSLATE_NOOP("Procedures", "QUEST"),
+                           QT_TRANSLATE_NOOP("Procedures",
+                                             "Bayesian; places each trial where the threshold probably is.")},
                           questRows()) {}
 
     core::Result<ProcedureFactory> factory(const ProcedureSpec& spec) const override {
@@ -72,7 +126,9 @@ public:
     }
 
     bool drives(Task task) const override { return isRightOrWrong(task); }
-    int recommended(Task task) const override { return isForcedChoice(task) ? 3 : isRightOrWrong(task) ? 2 : 0; }
+    int recommended(Task task) const override {
+        return isForcedChoice(task) ? 3 : isRightOrWrong(task) ? 2 : 0;
+    }
 };
 
 } // namespace

@@ -46,7 +46,8 @@ Choice QuestPlus::choose() const {
     choice.entropyMargin = best.margin;
     // The draw depends only on the trial's number, so that taking back or resuming changes nothing.
     if (m_model->catchShare > 0.0 &&
-        core::Random::stream(m_seed, "quest_plus.catch." + std::to_string(m_taken)).uniform() < m_model->catchShare) {
+        core::Random::stream(m_seed, "quest_plus.catch." + std::to_string(m_taken)).uniform() <
+            m_model->catchShare) {
         choice.candidate = m_model->easiest;
         choice.entropyMargin = std::numeric_limits<double>::quiet_NaN();
     }
@@ -54,9 +55,13 @@ Choice QuestPlus::choose() const {
     return choice;
 }
 
-double QuestPlus::expectedEntropy() const { return m_posterior.entropy() + m_model->tables->best(m_posterior, {}).gain; }
+double QuestPlus::expectedEntropy() const {
+    return m_posterior.entropy() + m_model->tables->best(m_posterior, {}).gain;
+}
 
-bool QuestPlus::done() const noexcept { return stopped(m_model->stop, trials(), 0, m_sd); }
+bool QuestPlus::done() const noexcept {
+    return stopped(m_model->stop, trials(), 0, m_sd);
+}
 
 /// Returns the grid's row of a stimulus; -1 if there is none.
 int QuestPlus::candidateOf(const Stimulus& presented) const {
@@ -87,7 +92,8 @@ int QuestPlus::nearestTo(const Stimulus& presented) const {
     const std::vector<Stimulus>& grid = m_model->stimuli;
     std::vector<double> range(presented.size());
     for (std::size_t i = 0; i < range.size(); ++i) {
-        const auto [low, high] = std::minmax_element(grid.begin(), grid.end(), [i](const Stimulus& a, const Stimulus& b) { return a[i] < b[i]; });
+        const auto [low, high] = std::minmax_element(
+            grid.begin(), grid.end(), [i](const Stimulus& a, const Stimulus& b) { return a[i] < b[i]; });
         range[i] = (*high)[i] > (*low)[i] ? (*high)[i] - (*low)[i] : 1.0;
     }
     const auto distance = [&](const Stimulus& s) {
@@ -97,7 +103,9 @@ int QuestPlus::nearestTo(const Stimulus& presented) const {
         return sum;
     };
     return static_cast<int>(
-        std::min_element(grid.begin(), grid.end(), [&](const Stimulus& a, const Stimulus& b) { return distance(a) < distance(b); }) - grid.begin());
+        std::min_element(grid.begin(), grid.end(),
+                         [&](const Stimulus& a, const Stimulus& b) { return distance(a) < distance(b); }) -
+        grid.begin());
 }
 
 core::Result<std::vector<double>> QuestPlus::likelihoodOf(const RecordedTrial& trial, int candidate) const {
@@ -119,9 +127,11 @@ core::Result<void> QuestPlus::take(const RecordedTrial& trial) {
     const auto likelihood = likelihoodOf(trial, candidate);
     CHIRON_TRY(likelihood);
     if (!m_posterior.update(*likelihood))
-        return fail(ErrorCode::badInput, "outcome " + std::to_string(trial.outcome) +
-                                             ": impossible at this stimulus for all parameters of the grid: expected a grid with a "
-                                             "lapse rate above 0, or another outcome");
+        return fail(
+            ErrorCode::badInput,
+            "outcome " + std::to_string(trial.outcome) +
+                ": impossible at this stimulus for all parameters of the grid: expected a grid with a "
+                "lapse rate above 0, or another outcome");
     // A rounded stimulus counts as the row that it represents.
     int row = candidate >= 0 ? candidate : nearestTo(trial.presented);
     if (m_model->repeatLimit > 0)
@@ -147,9 +157,12 @@ ProcedureEstimate QuestPlus::estimate() const {
     return estimate;
 }
 
-core::Result<ProcedureFactory> factoryOfModel(const core::Result<std::shared_ptr<const QuestPlusModel>>& model, const std::string& purpose) {
+core::Result<ProcedureFactory>
+factoryOfModel(const core::Result<std::shared_ptr<const QuestPlusModel>>& model, const std::string& purpose) {
     CHIRON_TRY(model);
-    return [shared = *model, purpose](std::uint64_t seed) { return std::make_unique<QuestPlus>(shared, core::Random::mix(seed, purpose)); };
+    return [shared = *model, purpose](std::uint64_t seed) {
+        return std::make_unique<QuestPlus>(shared, core::Random::mix(seed, purpose));
+    };
 }
 
 } // namespace chiron::psychophysics

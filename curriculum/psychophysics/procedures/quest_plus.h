@@ -11,7 +11,7 @@ namespace chiron::psychophysics {
 
 /// The parts that all runs of one QUEST+ specification share. Made once and never changed.
 struct QuestPlusModel {
-    std::string id;                         ///< kind and version
+    std::string id; ///< kind and version
     std::vector<Stimulus> stimuli;
     PosteriorGrid prior;
     std::shared_ptr<const OutcomeTables> tables;
@@ -67,12 +67,13 @@ private:
     int m_taken = 0;
     int m_lastCandidate = -1; ///< with a limit of repeats: the first of the rows with the same stimulus
     int m_sameInARow = 0;
-    double m_sd = 0.0; ///< of the first parameter, if the run can stop by it
+    double m_sd = 0.0;                      ///< of the first parameter, if the run can stop by it
     mutable std::optional<Choice> m_choice; ///< cached until the next outcome
 };
 
 /// Returns a factory of runs that share one model. `purpose` names the stream of their random numbers.
 /// Errors: that of the model.
-core::Result<ProcedureFactory> factoryOfModel(const core::Result<std::shared_ptr<const QuestPlusModel>>& model, const std::string& purpose);
+core::Result<ProcedureFactory>
+factoryOfModel(const core::Result<std::shared_ptr<const QuestPlusModel>>& model, const std::string& purpose);
 
 } // namespace chiron::psychophysics

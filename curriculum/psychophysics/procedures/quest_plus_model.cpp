@@ -21,10 +21,12 @@ core::Result<std::vector<Stimulus>> stimuliOf(const QuestPlusSpec& spec) {
         return fail(ErrorCode::badInput, "stimuli: expected at least one dimension");
     std::vector<Stimulus> stimuli{{}};
     for (const auto& [name, values] : spec.stimuli) {
-        if (values.empty() || !std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
+        if (values.empty() ||
+            !std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
             return fail(ErrorCode::badInput, "stimuli: " + name + ": expected finite numbers, at least one");
         if (values.size() > kMostStimuli / stimuli.size())
-            return fail(ErrorCode::badInput, "stimuli: more than " + std::to_string(kMostStimuli) + ": expected fewer");
+            return fail(ErrorCode::badInput,
+                        "stimuli: more than " + std::to_string(kMostStimuli) + ": expected fewer");
         std::vector<Stimulus> longer;
         for (const Stimulus& head : stimuli)
             for (const double value : values) {
@@ -37,17 +39,23 @@ core::Result<std::vector<Stimulus>> stimuliOf(const QuestPlusSpec& spec) {
 }
 
 /// Returns the parameters in the function's order, independent of the order given.
-core::Result<std::vector<ParameterGrid>> ordered(const std::vector<ParameterGrid>& given, const std::vector<std::string_view>& names) {
+core::Result<std::vector<ParameterGrid>> ordered(const std::vector<ParameterGrid>& given,
+                                                 const std::vector<std::string_view>& names) {
     std::vector<ParameterGrid> inOrder;
     for (const std::string_view name : names) {
-        const auto found = std::find_if(given.begin(), given.end(), [name](const ParameterGrid& p) { return p.name == name; });
+        const auto found = std::find_if(given.begin(), given.end(),
+                                        [name](const ParameterGrid& p) { return p.name == name; });
         if (found == given.end())
-            return fail(ErrorCode::badInput, "parameters: " + std::string(name) + " is missing: expected a grid for every parameter of the function");
+            return fail(ErrorCode::badInput,
+                        "parameters: " + std::string(name) +
+                            " is missing: expected a grid for every parameter of the function");
         inOrder.push_back(*found);
     }
     for (const ParameterGrid& p : given)
         if (std::find(names.begin(), names.end(), p.name) == names.end())
-            return fail(ErrorCode::badInput, "parameters: " + p.name + ": not a parameter of this function: expected only those it has");
+            return fail(ErrorCode::badInput,
+                        "parameters: " + p.name +
+                            ": not a parameter of this function: expected only those it has");
     if (given.size() != names.size())
         return fail(ErrorCode::badInput, "parameters: one is given twice: expected each once");
     return inOrder;
@@ -55,20 +63,24 @@ core::Result<std::vector<ParameterGrid>> ordered(const std::vector<ParameterGrid
 
 /// Returns for each dimension of the function its index among the given dimensions, by name if there is more
 /// than one.
-core::Result<std::vector<std::size_t>> placesOf(const QuestPlusSpec& spec, const PsychometricFunction& function) {
+core::Result<std::vector<std::size_t>> placesOf(const QuestPlusSpec& spec,
+                                                const PsychometricFunction& function) {
     const std::vector<std::string_view>& names = function.stimuli;
     std::string expected;
     for (const std::string_view name : names)
         expected += (expected.empty() ? "" : ", ") + std::string(name);
     if (spec.stimuli.size() != names.size())
-        return fail(ErrorCode::badInput, "stimuli: expected " + std::to_string(names.size()) + " dimensions (" + expected + ")");
+        return fail(ErrorCode::badInput,
+                    "stimuli: expected " + std::to_string(names.size()) + " dimensions (" + expected + ")");
     if (names.size() == 1)
         return std::vector<std::size_t>{0};
     std::vector<std::size_t> places;
     for (const std::string_view name : names) {
-        const auto found = std::find_if(spec.stimuli.begin(), spec.stimuli.end(), [name](const auto& dimension) { return dimension.first == name; });
+        const auto found = std::find_if(spec.stimuli.begin(), spec.stimuli.end(),
+                                        [name](const auto& dimension) { return dimension.first == name; });
         if (found == spec.stimuli.end())
-            return fail(ErrorCode::badInput, "stimuli: " + std::string(name) + " is missing; expected " + expected);
+            return fail(ErrorCode::badInput,
+                        "stimuli: " + std::string(name) + " is missing; expected " + expected);
         places.push_back(static_cast<std::size_t>(found - spec.stimuli.begin()));
     }
     return places;
@@ -125,7 +137,8 @@ core::Result<void> addFunction(QuestPlusModel& model, const QuestPlusSpec& spec)
     auto prior = PosteriorGrid::make(*parameters);
     CHIRON_TRY(prior);
     if (prior->cells() > kMostEntries / model.stimuli.size())
-        return fail(ErrorCode::badInput, "parameters: cells times stimuli more than " + std::to_string(kMostEntries) + ": expected fewer");
+        return fail(ErrorCode::badInput, "parameters: cells times stimuli more than " +
+                                             std::to_string(kMostEntries) + ": expected fewer");
     std::vector<Stimulus> stimuli;
     for (const Stimulus& given : model.stimuli)
         stimuli.push_back(arranged(given, *places));
@@ -133,21 +146,25 @@ core::Result<void> addFunction(QuestPlusModel& model, const QuestPlusSpec& spec)
     CHIRON_TRY(tables);
     model.prior = std::move(*prior);
     model.tables = std::move(*tables);
-    model.tablesAt = [function, grid = model.prior, order = *places](const Stimulus& x) { return psychometricTables(*function, {arranged(x, order)}, grid); };
+    model.tablesAt = [function, grid = model.prior, order = *places](const Stimulus& x) {
+        return psychometricTables(*function, {arranged(x, order)}, grid);
+    };
     return {};
 }
 
 core::Result<void> addTable(QuestPlusModel& model, const QuestPlusSpec& spec) {
     auto prior = PosteriorGrid::make(spec.parameters);
     CHIRON_TRY(prior);
-    if (!std::is_partitioned(spec.parameters.begin(), spec.parameters.end(), [](const ParameterGrid& p) { return !p.nuisance; }))
+    if (!std::is_partitioned(spec.parameters.begin(), spec.parameters.end(),
+                             [](const ParameterGrid& p) { return !p.nuisance; }))
         return fail(ErrorCode::badInput, "parameters: expected those that are a nuisance last, with a table");
     if (static_cast<int>(spec.table.size()) != spec.outcomes || spec.outcomes < 2)
         return fail(ErrorCode::badInput, "table: expected as many outcomes as outcomes says, at least 2");
     auto tables = generalTables(spec.table, *prior);
     CHIRON_TRY(tables);
     if ((*tables)->stimuli() != model.stimuli.size())
-        return fail(ErrorCode::badInput, "table: expected " + std::to_string(model.stimuli.size()) + " stimuli");
+        return fail(ErrorCode::badInput,
+                    "table: expected " + std::to_string(model.stimuli.size()) + " stimuli");
     model.prior = std::move(*prior);
     model.tables = std::move(*tables);
     return {};

@@ -35,10 +35,10 @@ struct QuestPlusSpec {
     StimulusGrids stimuli;
     std::vector<ParameterGrid> parameters; ///< in the function's own order
     int outcomes = 2;
-    int repeatLimit = 0;         ///< > 0: the same stimulus at most this many times in a row
-    double catchEvery = 0.0;     ///< > 0: share of catch trials at the easiest stimulus
+    int repeatLimit = 0;     ///< > 0: the same stimulus at most this many times in a row
+    double catchEvery = 0.0; ///< > 0: share of catch trials at the easiest stimulus
     StopRule stop{.trials = 64};
-    std::uint64_t seed = 1;      ///< for the catch trials
+    std::uint64_t seed = 1;     ///< for the catch trials
     OutcomeProbabilities table; ///< function "table": [outcome][stimulus][parameter cell]
 };
 

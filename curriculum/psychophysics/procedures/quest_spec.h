@@ -18,9 +18,9 @@ struct QuestSpec {
     double priorMean = 0.0;
     double priorSd = 0.5;
     double target = 0.82;
-    double slope = 3.5;   ///< β
-    double lapse = 0.01;  ///< δ
-    double guess = 0.5;   ///< γ
+    double slope = 3.5;  ///< β
+    double lapse = 0.01; ///< δ
+    double guess = 0.5;  ///< γ
     double grain = 0.01;
     double range = 5.0;
     std::string method = "quantile"; ///< test at quantile (Pelli's optimal), mean or mode

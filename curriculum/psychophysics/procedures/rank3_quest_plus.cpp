@@ -22,17 +22,20 @@ using Table = std::vector<std::vector<std::vector<double>>>;
 
 core::Result<void> check(const Rank3Spec& spec) {
     const auto bad = [](const char* what) { return fail(ErrorCode::badInput, what); };
-    if (spec.differences.empty() ||
-        !std::all_of(spec.differences.begin(), spec.differences.end(), [](double d) { return std::isfinite(d) && d > 0.0; }))
+    if (spec.differences.empty() || !std::all_of(spec.differences.begin(), spec.differences.end(),
+                                                 [](double d) { return std::isfinite(d) && d > 0.0; }))
         return bad("differences: expected positive numbers (log10 of a ratio), at least one");
-    if (!std::all_of(spec.log10Sigma.begin(), spec.log10Sigma.end(), [](double s) { return std::abs(s) < 20.0; }))
+    if (!std::all_of(spec.log10Sigma.begin(), spec.log10Sigma.end(),
+                     [](double s) { return std::abs(s) < 20.0; }))
         return bad("log10_sigma: expected finite numbers within 20 of 0");
-    if (spec.lapse.empty() || !std::all_of(spec.lapse.begin(), spec.lapse.end(), [](double l) { return l >= 0.0 && l < 1.0; }))
+    if (spec.lapse.empty() ||
+        !std::all_of(spec.lapse.begin(), spec.lapse.end(), [](double l) { return l >= 0.0 && l < 1.0; }))
         return bad("lapse_rates: expected shares from 0 to below 1, at least one");
     if (spec.stop.trials <= 0 && !(spec.stop.sd > 0.0))
         return bad("stop: expected trials or sd");
-    if (spec.allowTies && (spec.tieThresholds.empty() || !std::all_of(spec.tieThresholds.begin(), spec.tieThresholds.end(),
-                                                                     [](double tie) { return tie > 0.0 && tie <= kMostTie; })))
+    if (spec.allowTies &&
+        (spec.tieThresholds.empty() || !std::all_of(spec.tieThresholds.begin(), spec.tieThresholds.end(),
+                                                    [](double tie) { return tie > 0.0 && tie <= kMostTie; })))
         return bad("tie_thresholds: expected positive numbers (in sigma) up to 20, at least one");
     if (spec.repeatLimit < 0)
         return bad("repeat_limit: expected at least 0");
@@ -61,7 +64,8 @@ private:
 
 /// Fills in the probabilities of one difference for every cell: log10 σ outermost, then the tie threshold if
 /// there is one, then λ.
-void fill(Table& table, std::size_t row, double difference, const Rank3Spec& spec, const Observers& observers) {
+void fill(Table& table, std::size_t row, double difference, const Rank3Spec& spec,
+          const Observers& observers) {
     std::size_t cell = 0;
     for (const double log10Sigma : spec.log10Sigma)
         for (std::size_t which = 0; which < observers.count(); ++which) {
@@ -74,9 +78,11 @@ void fill(Table& table, std::size_t row, double difference, const Rank3Spec& spe
         }
 }
 
-core::Result<std::shared_ptr<const OutcomeTables>> tablesOf(const std::vector<double>& differences, const Rank3Spec& spec,
-                                                           const Observers& observers, const PosteriorGrid& grid) {
-    Table table(static_cast<std::size_t>(observers.outcomes()), std::vector<std::vector<double>>(differences.size(), std::vector<double>(grid.cells())));
+core::Result<std::shared_ptr<const OutcomeTables>> tablesOf(const std::vector<double>& differences,
+                                                            const Rank3Spec& spec, const Observers& observers,
+                                                            const PosteriorGrid& grid) {
+    Table table(static_cast<std::size_t>(observers.outcomes()),
+                std::vector<std::vector<double>>(differences.size(), std::vector<double>(grid.cells())));
     for (std::size_t row = 0; row < differences.size(); ++row)
         fill(table, row, differences[row], spec, observers);
     return generalTables(table, grid);
@@ -97,10 +103,14 @@ std::vector<double> defaultLog10Sigma(const std::vector<double>& differences) {
 /// in already.
 core::Result<void> checkSize(const Rank3Spec& spec) {
     std::size_t most = kMostTableEntries / spec.differences.size();
-    for (const std::size_t factor : {spec.log10Sigma.size(), spec.lapse.size(), spec.allowTies ? 2 * spec.tieThresholds.size() : 1}) // 13 outcomes, not six
+    for (const std::size_t factor :
+         {spec.log10Sigma.size(), spec.lapse.size(),
+          spec.allowTies ? 2 * spec.tieThresholds.size() : 1}) // 13 outcomes, not six
         most /= factor;
     if (most == 0)
-        return fail(ErrorCode::badInput, "differences: times log10_sigma, lapse_rates and tie_thresholds more than " + std::to_string(kMostTableEntries) + ": expected fewer");
+        return fail(ErrorCode::badInput,
+                    "differences: times log10_sigma, lapse_rates and tie_thresholds more than " +
+                        std::to_string(kMostTableEntries) + ": expected fewer");
     return {};
 }
 
@@ -115,7 +125,8 @@ core::Result<Checked> checked(Rank3Spec spec) {
     if (spec.log10Sigma.empty())
         spec.log10Sigma = defaultLog10Sigma(spec.differences);
     CHIRON_TRY(checkSize(spec));
-    std::vector<ParameterGrid> axes{{"log10_sigma", spec.log10Sigma, {}, false}, {"lapse", spec.lapse, {}, false}};
+    std::vector<ParameterGrid> axes{{"log10_sigma", spec.log10Sigma, {}, false},
+                                    {"lapse", spec.lapse, {}, false}};
     if (spec.allowTies)
         axes.insert(axes.begin() + 1, {"tie_threshold", spec.tieThresholds, {}, false});
     auto prior = PosteriorGrid::make(axes);
@@ -143,7 +154,9 @@ core::Result<std::shared_ptr<const QuestPlusModel>> rank3Model(const Rank3Spec& 
         model->stimuli.push_back({difference});
     model->prior = std::move(good->prior);
     model->tables = std::move(*tables);
-    model->tablesAt = [spec, observers, grid = model->prior](const Stimulus& x) { return tablesOf(x, spec, observers, grid); };
+    model->tablesAt = [spec, observers, grid = model->prior](const Stimulus& x) {
+        return tablesOf(x, spec, observers, grid);
+    };
     model->stop = spec.stop;
     limitRepeats(*model, spec.repeatLimit);
     return model;

@@ -20,7 +20,7 @@ struct Rank3Spec {
     /// Grid; empty: from a tenth of the smallest difference to three times the largest, 0.05 apart.
     std::vector<double> log10Sigma;
     std::vector<double> lapse{0.0, 0.02, 0.05, 0.1}; ///< JSON: lapse_rates
-    bool allowTies = false; ///< neighbours may be called equal (task rank3_ties)
+    bool allowTies = false;                          ///< neighbours may be called equal (task rank3_ties)
     /// With ties: grid of the perceived difference, in σ, below which objects are called equal.
     std::vector<double> tieThresholds{0.25, 0.5, 1.0, 1.5};
     StopRule stop{.trials = 80, .minimumTrials = 20, .sd = 0.06};

@@ -39,7 +39,8 @@ core::Result<void> check(const StaircaseSpec& spec) {
         return bad("step_ratio: expected 0 or a positive number up to 1e100");
     if (spec.minimum && spec.maximum && *spec.minimum > *spec.maximum)
         return bad("minimum: expected at most the maximum");
-    if (spec.truncate && ((spec.minimum && spec.start < *spec.minimum) || (spec.maximum && spec.start > *spec.maximum)))
+    if (spec.truncate &&
+        ((spec.minimum && spec.start < *spec.minimum) || (spec.maximum && spec.start > *spec.maximum)))
         return bad("start: expected a number from minimum to maximum, where levels are truncated");
     if (spec.stepType != StaircaseSpec::StepType::linear && spec.start <= 0.0)
         return bad("start: expected a positive number for steps of type log or db");
@@ -71,7 +72,9 @@ core::Result<std::unique_ptr<Procedure>> Staircase::make(const StaircaseSpec& sp
     return std::make_unique<Staircase>(spec);
 }
 
-Staircase::Staircase(StaircaseSpec spec) : m_spec(std::move(spec)) { restart(); }
+Staircase::Staircase(StaircaseSpec spec) : m_spec(std::move(spec)) {
+    restart();
+}
 
 void Staircase::restart() {
     m_level = m_spec.start;

@@ -27,63 +27,130 @@ Parameter stepTypeRow() {
     return row;
 }
 
-bool hasLogarithmicSteps(const ProcedureSpec& spec) { return std::get<StaircaseSpec>(spec).stepType != StaircaseSpec::StepType::linear; }
-bool listsStepsDown(const ProcedureSpec& spec) { return std::get<StaircaseSpec>(spec).stepRatio <= 0.0; }
+bool hasLogarithmicSteps(const ProcedureSpec& spec) {
+    return std::get<StaircaseSpec>(spec).stepType != StaircaseSpec::StepType::linear;
+}
+bool listsStepsDown(const ProcedureSpec& spec) {
+    return std::get<StaircaseSpec>(spec).stepRatio <= 0.0;
+}
 
 std::vector<Parameter> staircaseRows() {
     using Spec = StaircaseSpec;
     std::vector<Parameter> rows{
-        rowOf(&Spec::start, {.key = "start", .unit = "x", .quantity = Quantity::level, .minimum = -kUnbounded,
-                             .description = "the first level, from minimum to maximum where truncate is true.",
-                             .title = QT_TRANSLATE_NOOP("Procedures", "First difference"),
-                             .meaning = QT_TRANSLATE_NOOP("Procedures", "Where the run begins: large enough to be felt by everybody. It must lie in the table of differences.")}),
-        rowOf(&Spec::down, {.key = "down", .minimum = 1, .maximum = 100, .description = "consecutive right answers before a step down.",
-                            .title = QT_TRANSLATE_NOOP("Procedures", "Right answers for a step down"),
-                            .meaning = QT_TRANSLATE_NOOP("Procedures", "So many right answers in succession make the next trial harder; 3 converge at about 80 % right."),
-                            .sensible = SensibleRange{1, 10, 3}}),
-        rowOf(&Spec::up, {.key = "up", .minimum = 1, .maximum = 100, .description = "consecutive wrong answers before a step up.",
-                          .title = QT_TRANSLATE_NOOP("Procedures", "Wrong answers for a step up"),
-                          .meaning = QT_TRANSLATE_NOOP("Procedures", "So many wrong answers in succession make the next trial easier."),
-                          .sensible = SensibleRange{1, 10, 1}}),
-        rowOf(&Spec::stepRatio, {.key = "step_ratio", .quantity = Quantity::share, .maximum = 1000,
-                                 .description = "above 0, a step down is the step up times this (Garcia-Perez 1998: 0.2845, 0.5488, 0.7393, 0.8415 for down 1 to 4; "
-                                                "Kaernbach 1991: down 1, p = 1/(1+ratio)).",
-                                 .title = QT_TRANSLATE_NOOP("Procedures", "Step down as a share of a step up"),
-                                 .meaning = QT_TRANSLATE_NOOP("Procedures", "Steps down are usually smaller than steps up, so that the run converges: 73.93 % for three right answers (García-Pérez 1998)."),
-                                 .zero = QT_TRANSLATE_NOOP("Procedures", "as listed"),
-                                 .field = FieldRange{0, 1000, 2, 1}}),
-        rowOf(&Spec::estimateReversals, {.key = "estimate_reversals", .minimum = 2, .maximum = 10000, .description = "the estimate is the mean of so many last reversals, made even.",
-                                         .title = QT_TRANSLATE_NOOP("Procedures", "Reversals averaged"),
-                                         .meaning = QT_TRANSLATE_NOOP("Procedures", "The staircase's own estimate is the mean of so many last reversals; the fit uses all trials."),
-                                         .sensible = SensibleRange{2, 100, 6}})};
+        rowOf(&Spec::start,
+              {.key = "start",
+               .unit = "x",
+               .quantity = Quantity::level,
+               .minimum = -kUnbounded,
+               .description = "the first level, from minimum to maximum where truncate is true.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "First difference"),
+               .meaning =
+                   QT_TRANSLATE_NOOP("Procedures", "Where the run begins: large enough to be felt by "
+                                                   "everybody. It must lie in the table of differences.")}),
+        rowOf(&Spec::down,
+              {.key = "down",
+               .minimum = 1,
+               .maximum = 100,
+               .description = "consecutive right answers before a step down.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Right answers for a step down"),
+               .meaning = QT_TRANSLATE_NOOP("Procedures", "So many right answers in succession make the next "
+                                                          "trial harder; 3 converge at about 80 % right."),
+               .sensible = SensibleRange{1, 10, 3}}),
+        rowOf(&Spec::up,
+              {.key = "up",
+               .minimum = 1,
+               .maximum = 100,
+               .description = "consecutive wrong answers before a step up.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Wrong answers for a step up"),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures", "So many wrong answers in succession make the next trial easier."),
+               .sensible = SensibleRange{1, 10, 1}}),
+        rowOf(&Spec::stepRatio,
+              {.key = "step_ratio",
+               .quantity = Quantity::share,
+               .maximum = 1000,
+               .description = "above 0, a step down is the step up times this (Garcia-Perez 1998: 0.2845, "
+                              "0.5488, 0.7393, 0.8415 for down 1 to 4; "
+                              "Kaernbach 1991: down 1, p = 1/(1+ratio)).",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Step down as a share of a step up"),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures", "Steps down are usually smaller than steps up, so that the run converges: "
+                                 "73.93 % for three right answers (García-Pérez 1998)."),
+               .zero = QT_TRANSLATE_NOOP("Procedures", "as listed"),
+               .field = FieldRange{0, 1000, 2, 1}}),
+        rowOf(&Spec::estimateReversals,
+              {.key = "estimate_reversals",
+               .minimum = 2,
+               .maximum = 10000,
+               .description = "the estimate is the mean of so many last reversals, made even.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Reversals averaged"),
+               .meaning = QT_TRANSLATE_NOOP("Procedures", "The staircase's own estimate is the mean of so "
+                                                          "many last reversals; the fit uses all trials."),
+               .sensible = SensibleRange{2, 100, 6}})};
     addStopRows<Spec>(rows, {.reversals = true, .reversalsAndTrials = true, .asksReversals = true});
     std::vector<Parameter> rest{
-        rowOf(&Spec::stepsUp, {.key = "steps_up", .unit = "x", .quantity = Quantity::spread, .minimum = 1e-12, .fewest = 1,
-                               .description = "size of steps up, by the number of reversals so far; the last one is kept.", .item = "A step.",
-                               .title = QT_TRANSLATE_NOOP("Procedures", "Steps up"),
-                               .meaning = QT_TRANSLATE_NOOP("Procedures", "One for each reversal so far; the last one is kept."),
-                               .asStored = hasLogarithmicSteps}),
-        rowOf(&Spec::stepsDown, {.key = "steps_down", .unit = "x", .quantity = Quantity::spread, .minimum = 1e-12,
-                                 .description = "the same of steps down.", .item = "A step.", .byDefault = "[]: as steps_up",
+        rowOf(&Spec::stepsUp,
+              {.key = "steps_up",
+               .unit = "x",
+               .quantity = Quantity::spread,
+               .minimum = 1e-12,
+               .fewest = 1,
+               .description = "size of steps up, by the number of reversals so far; the last one is kept.",
+               .item = "A step.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Steps up"),
+               .meaning =
+                   QT_TRANSLATE_NOOP("Procedures", "One for each reversal so far; the last one is kept."),
+               .asStored = hasLogarithmicSteps}),
+        rowOf(&Spec::stepsDown, {.key = "steps_down",
+                                 .unit = "x",
+                                 .quantity = Quantity::spread,
+                                 .minimum = 1e-12,
+                                 .description = "the same of steps down.",
+                                 .item = "A step.",
+                                 .byDefault = "[]: as steps_up",
                                  .title = QT_TRANSLATE_NOOP("Procedures", "Steps down"),
-                                 .meaning = QT_TRANSLATE_NOOP("Procedures", "One for each reversal so far; none: the same as up."),
+                                 .meaning = QT_TRANSLATE_NOOP(
+                                     "Procedures", "One for each reversal so far; none: the same as up."),
                                  .applies = listsStepsDown,
                                  .asStored = hasLogarithmicSteps}),
-        rowOf(&Spec::initialOneUpOneDown, {.key = "initial_one_up_one_down", .description = "every answer steps until the first reversal.",
-                                           .title = QT_TRANSLATE_NOOP("Procedures", "One up, one down at first"),
-                                           .meaning = QT_TRANSLATE_NOOP("Procedures", "Until the first reversal a single right answer makes it harder: the run gets near the threshold sooner.")}),
-        rowOf(&Spec::resetCounters, {.key = "reset_counters", .description = "consecutive answers are counted afresh after each step.",
-                                     .title = QT_TRANSLATE_NOOP("Procedures", "Count anew after each step"),
-                                     .meaning = QT_TRANSLATE_NOOP("Procedures", "Right and wrong answers before a step do not count for the next one.")}),
-        rowOf(&Spec::newStepAtReversal, {.key = "new_step_at_reversal", .description = "the step that makes a reversal has the new size already.",
-                                         .title = QT_TRANSLATE_NOOP("Procedures", "New step size at the reversal"),
-                                         .meaning = QT_TRANSLATE_NOOP("Procedures", "The step that makes the reversal already has the new size.")}),
-        rowOf(&Spec::truncate, {.key = "truncate", .description = "the level itself stops at minimum and maximum; false: only what is presented.",
-                                .title = QT_TRANSLATE_NOOP("Procedures", "Stay within the table"),
-                                .meaning = QT_TRANSLATE_NOOP("Procedures", "The run never asks for differences beyond the smallest and largest.")}),
+        rowOf(&Spec::initialOneUpOneDown,
+              {.key = "initial_one_up_one_down",
+               .description = "every answer steps until the first reversal.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "One up, one down at first"),
+               .meaning =
+                   QT_TRANSLATE_NOOP("Procedures", "Until the first reversal a single right answer makes it "
+                                                   "harder: the run gets near the threshold sooner.")}),
+        rowOf(&Spec::resetCounters,
+              {.key = "reset_counters",
+               .description = "consecutive answers are counted afresh after each step.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Count anew after each step"),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures", "Right and wrong answers before a step do not count for the next one.")}),
+        rowOf(&Spec::newStepAtReversal,
+              {.key = "new_step_at_reversal",
+               .description = "the step that makes a reversal has the new size already.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "New step size at the reversal"),
+               .meaning = QT_TRANSLATE_NOOP("Procedures",
+                                            "The step that makes the reversal already has the new size.")}),
+        rowOf(&Spec::truncate,
+              {.key = "truncate",
+               .description = "the level itself stops at minimum and maximum; false: only what is presented.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Stay within the table"),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures", "The run never asks for differences beyond the smallest and largest.")}),
         stepTypeRow(),
-        rowOf(&Spec::minimum, {.key = "minimum", .unit = "x", .quantity = Quantity::level, .minimum = -kUnbounded, .description = "never presented below.", .byDefault = "none"}),
-        rowOf(&Spec::maximum, {.key = "maximum", .unit = "x", .quantity = Quantity::level, .minimum = -kUnbounded, .description = "never presented above.", .byDefault = "none"})};
+        rowOf(&Spec::minimum, {.key = "minimum",
+                               .unit = "x",
+                               .quantity = Quantity::level,
+                               .minimum = -kUnbounded,
+                               .description = "never presented below.",
+                               .byDefault = "none"}),
+        rowOf(&Spec::maximum, {.key = "maximum",
+                               .unit = "x",
+                               .quantity = Quantity::level,
+                               .minimum = -kUnbounded,
+                               .description = "never presented above.",
+                               .byDefault = "none"})};
     for (Parameter& row : rest)
         rows.push_back(std::move(row));
     return rows;
@@ -93,7 +160,8 @@ class StaircaseKind final : public ProcedureKindOf<StaircaseSpec> {
 public:
     StaircaseKind()
         : ProcedureKindOf({QT_TRANSLATE_NOOP("Procedures", "Staircase (up–down)"),
-                           QT_TRANSLATE_NOOP("Procedures", "Gets harder after right answers and easier after wrong ones. Robust and easy to explain.")},
+                           QT_TRANSLATE_NOOP("Procedures", "Gets harder after right answers and easier after "
+                                                           "wrong ones. Robust and easy to explain.")},
                           staircaseRows()) {}
 
     core::Result<ProcedureFactory> factory(const ProcedureSpec& spec) const override {
@@ -113,7 +181,9 @@ public:
     }
 
     bool drives(Task task) const override { return isRightOrWrong(task); }
-    int recommended(Task task) const override { return isForcedChoice(task) ? 4 : isRightOrWrong(task) ? 1 : 0; }
+    int recommended(Task task) const override {
+        return isForcedChoice(task) ? 4 : isRightOrWrong(task) ? 1 : 0;
+    }
 };
 
 } // namespace

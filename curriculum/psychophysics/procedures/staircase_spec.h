@@ -24,14 +24,14 @@ struct StaircaseSpec {
     /// > 0: a step down is a step up times this factor (García-Pérez: 0.2845, 0.5488, 0.7393, 0.8415).
     double stepRatio = 0.0;
     enum class StepType { linear, log, db } stepType = StepType::linear; ///< x ± s; x · 10^±s; x · 10^±(s/20)
-    bool initialOneUpOneDown = true;  ///< 1-up/1-down until the first reversal
-    bool resetCounters = true;        ///< both counters, at each step
-    bool newStepAtReversal = true;    ///< the step that makes the reversal already has the new size
+    bool initialOneUpOneDown = true; ///< 1-up/1-down until the first reversal
+    bool resetCounters = true;       ///< both counters, at each step
+    bool newStepAtReversal = true;   ///< the step that makes the reversal already has the new size
     /// Limit the level itself to the range; otherwise only the presented stimulus is limited.
     bool truncate = true;
     std::optional<double> minimum;
     std::optional<double> maximum;
-    int estimateReversals = 6;        ///< mean of this many last reversals, rounded down to an even number
+    int estimateReversals = 6; ///< mean of this many last reversals, rounded down to an even number
     StopRule stop{.trials = 60};
 };
 

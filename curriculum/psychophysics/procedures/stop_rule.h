@@ -8,7 +8,7 @@ struct StopRule {
     int trials = 0;        ///< at most this many
     int minimumTrials = 0; ///< the run never ends before
     int reversals = 0;
-    double sd = 0.0;       ///< largest posterior sd of the first parameter
+    double sd = 0.0;                 ///< largest posterior sd of the first parameter
     bool reversalsAndTrials = false; ///< trials and reversals must both be reached (PsychoPy's rule)
 };
 

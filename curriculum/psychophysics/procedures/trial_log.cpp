@@ -12,10 +12,11 @@ using core::fail;
 
 core::Result<void> LoggedProcedure::record(int outcome, const Stimulus& presented) {
     if (outcome < 0 || outcome >= outcomes())
-        return fail(ErrorCode::badInput, "outcome " + std::to_string(outcome) + ": expected 0.." + std::to_string(outcomes() - 1));
+        return fail(ErrorCode::badInput,
+                    "outcome " + std::to_string(outcome) + ": expected 0.." + std::to_string(outcomes() - 1));
     if (presented.size() != dimensions())
-        return fail(ErrorCode::badInput, "stimulus of " + std::to_string(presented.size()) + " numbers: expected " +
-                                             std::to_string(dimensions()));
+        return fail(ErrorCode::badInput, "stimulus of " + std::to_string(presented.size()) +
+                                             " numbers: expected " + std::to_string(dimensions()));
     for (const double x : presented)
         if (!std::isfinite(x))
             return fail(ErrorCode::badInput, "stimulus that is not finite: expected finite numbers");
@@ -43,14 +44,16 @@ bool stopped(const StopRule& rule, int trials, int reversals, std::optional<doub
     const bool enoughTrials = rule.trials > 0 && trials >= rule.trials;
     const bool enoughReversals = rule.reversals > 0 && reversals >= rule.reversals;
     if (rule.reversalsAndTrials)
-        return (rule.trials <= 0 || enoughTrials) && (rule.reversals <= 0 || enoughReversals) && (rule.trials > 0 || rule.reversals > 0);
+        return (rule.trials <= 0 || enoughTrials) && (rule.reversals <= 0 || enoughReversals) &&
+               (rule.trials > 0 || rule.reversals > 0);
     return enoughTrials || enoughReversals || (rule.sd > 0.0 && sd && trials > 0 && *sd <= rule.sd);
 }
 
 void warnOfGridEdges(ProcedureEstimate& estimate, std::size_t most) {
     for (std::size_t k = 0; k < std::min(most, estimate.parameters.size()); ++k)
         if (const NamedEstimate& each = estimate.parameters[k]; each.edge != 0)
-            estimate.warnings.push_back("grid_edge: answers do not tell how " + std::string(each.edge < 0 ? "small" : "large") + " " + each.name +
+            estimate.warnings.push_back("grid_edge: answers do not tell how " +
+                                        std::string(each.edge < 0 ? "small" : "large") + " " + each.name +
                                         " is: its estimate and interval end with the procedure's grid");
 }
 

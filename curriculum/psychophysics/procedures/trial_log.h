@@ -38,6 +38,7 @@ private:
 
 /// Returns whether a run with this many trials and reversals is over. `sd` is that of the first parameter, if
 /// there is one.
-bool stopped(const StopRule& rule, int trials, int reversals, std::optional<double> sd = std::nullopt) noexcept;
+bool stopped(const StopRule& rule, int trials, int reversals,
+             std::optional<double> sd = std::nullopt) noexcept;
 
 } // namespace chiron::psychophysics

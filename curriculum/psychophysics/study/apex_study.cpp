@@ -30,7 +30,8 @@ Interval overMeans(const std::vector<double>& means) {
     const SampleMoments m = momentsOf(means);
     if (m.count < 2)
         return {};
-    const double half = studentQuantile(0.975, m.count - 1.0) * m.sd / std::sqrt(static_cast<double>(m.count));
+    const double half =
+        studentQuantile(0.975, m.count - 1.0) * m.sd / std::sqrt(static_cast<double>(m.count));
     return {m.mean - half, m.mean + half};
 }
 
@@ -120,23 +121,27 @@ void takeBars(ApexSummary& result, const ByParticipant& people) {
             for (const double error : axis)
                 absolutes.push_back(std::abs(error));
         const SampleMoments m = momentsOf(absolutes);
-        result.bars.push_back({participant, static_cast<int>(own.axis[0].size()), m.mean, m.sd, momentsOf(own.axis[0]).mean,
-                               momentsOf(own.axis[1]).mean});
+        result.bars.push_back({participant, static_cast<int>(own.axis[0].size()), m.mean, m.sd,
+                               momentsOf(own.axis[0]).mean, momentsOf(own.axis[1]).mean});
     }
 }
 
 void warn(ApexSummary& result) {
-    const auto leavesZeroOut = [](const Interval& interval) { return interval.low > 0.0 || interval.high < 0.0; };
+    const auto leavesZeroOut = [](const Interval& interval) {
+        return interval.low > 0.0 || interval.high < 0.0;
+    };
     if (result.participants < kFewParticipants)
         result.warnings.push_back({WarningKind::fewMarkers, result.participants});
-    if (std::any_of(result.bars.begin(), result.bars.end(), [](const ApexBar& bar) { return bar.trials < kFewTrials; }))
+    if (std::any_of(result.bars.begin(), result.bars.end(),
+                    [](const ApexBar& bar) { return bar.trials < kFewTrials; }))
         result.warnings.push_back({WarningKind::fewMarks});
     if (leavesZeroOut(result.axes[0].bias95_mm))
         result.warnings.push_back({WarningKind::biasX});
     if (leavesZeroOut(result.axes[1].bias95_mm))
         result.warnings.push_back({WarningKind::biasY});
-    const auto beyond = std::count_if(result.points.begin(), result.points.end(),
-                                      [](const ApexPoint& point) { return std::hypot(point.xPercent, point.yPercent) > 100.0; });
+    const auto beyond = std::count_if(result.points.begin(), result.points.end(), [](const ApexPoint& point) {
+        return std::hypot(point.xPercent, point.yPercent) > 100.0;
+    });
     if (beyond > 0)
         result.warnings.push_back({WarningKind::beyondRadius, static_cast<int>(beyond)});
 }
@@ -165,7 +170,8 @@ ApexSummary summariseApex(const std::vector<ApexTrial>& trials, double radius_m,
     return result;
 }
 
-std::vector<ApexTrial> simulateApex(const ApexObserver& observer, int participants, int trialsEach, double radius_m, std::uint64_t seed) {
+std::vector<ApexTrial> simulateApex(const ApexObserver& observer, int participants, int trialsEach,
+                                    double radius_m, std::uint64_t seed) {
     auto random = core::Random::stream(seed, "apex observer");
     const double within = observer.sdPercent / 100.0 * radius_m;
     const double between = observer.sdBetweenPercent / 100.0 * radius_m;
@@ -181,7 +187,8 @@ std::vector<ApexTrial> simulateApex(const ApexObserver& observer, int participan
     return trials;
 }
 
-ApexPlan planApex(const ApexObserver& observer, int participants, int trialsEach, double otherMeanPercent, int studies, std::uint64_t seed) {
+ApexPlan planApex(const ApexObserver& observer, int participants, int trialsEach, double otherMeanPercent,
+                  int studies, std::uint64_t seed) {
     ApexPlan plan;
     if (participants < 2 || trialsEach < 1 || studies < 1)
         return plan;
@@ -189,7 +196,8 @@ ApexPlan planApex(const ApexObserver& observer, int participants, int trialsEach
     int found = 0;
     for (int study = 0; study < studies; ++study) {
         ByParticipant people;
-        for (const ApexTrial& trial : simulateApex(observer, participants, trialsEach, 1.0, seed + static_cast<std::uint64_t>(study))) {
+        for (const ApexTrial& trial : simulateApex(observer, participants, trialsEach, 1.0,
+                                                   seed + static_cast<std::uint64_t>(study))) {
             people[trial.participant].axis[0].push_back(100.0 * trial.errorX_m);
             people[trial.participant].axis[1].push_back(100.0 * trial.errorY_m);
         }

@@ -33,7 +33,7 @@ struct ApexTrial {
 /// Signed error along one axis, with participants as random effect.
 struct ApexAxis {
     double bias_mm = std::numeric_limits<double>::quiet_NaN();
-    Interval bias95_mm;   ///< t interval over the participants' own means
+    Interval bias95_mm; ///< t interval over the participants' own means
     double biasPercent = std::numeric_limits<double>::quiet_NaN();
     /// For one trial of one further participant: √(within² + between²).
     double sd_mm = std::numeric_limits<double>::quiet_NaN();
@@ -65,14 +65,15 @@ struct ApexSummary {
     int trials = 0;
     int leftOut = 0;
     std::array<ApexAxis, 2> axes; ///< x, y
-    double meanAbsolutePercent = std::numeric_limits<double>::quiet_NaN(); ///< P2's mean error: |error| over axes and trials
-    double sdAbsolutePercent = std::numeric_limits<double>::quiet_NaN();   ///< P2's sd
-    Interval meanAbsolute95;      ///< t interval over the participants' own means
+    double meanAbsolutePercent =
+        std::numeric_limits<double>::quiet_NaN(); ///< P2's mean error: |error| over axes and trials
+    double sdAbsolutePercent = std::numeric_limits<double>::quiet_NaN(); ///< P2's sd
+    Interval meanAbsolute95;          ///< t interval over the participants' own means
     Interval meanAbsoluteBootstrap95; ///< BCa, with participants drawn with replacement
     double meanAbsolute_mm = std::numeric_limits<double>::quiet_NaN();
     /// To be compared with kSdOverMeanAbsolute.
     double sdOverMean = std::numeric_limits<double>::quiet_NaN();
-    double meanDistance_mm = std::numeric_limits<double>::quiet_NaN();     ///< distance in the plane
+    double meanDistance_mm = std::numeric_limits<double>::quiet_NaN(); ///< distance in the plane
     /// σ per axis of unbiased errors that would have this mean: mean·√(π/2).
     double impliedSdPercent = std::numeric_limits<double>::quiet_NaN();
     double impliedSd_mm = std::numeric_limits<double>::quiet_NaN();
@@ -90,21 +91,25 @@ ApexSummary summariseApex(const std::vector<ApexTrial>& trials, double radius_m,
 struct ApexObserver {
     /// Per axis, within a participant (from P2's mean error; 3.6 mm of 20 mm).
     double sdPercent = 17.8;
-    double sdBetweenPercent = 0.0;  ///< of the participants' own biases
+    double sdBetweenPercent = 0.0; ///< of the participants' own biases
 };
-std::vector<ApexTrial> simulateApex(const ApexObserver& observer, int participants, int trialsEach, double radius_m, std::uint64_t seed);
+std::vector<ApexTrial> simulateApex(const ApexObserver& observer, int participants, int trialsEach,
+                                    double radius_m, std::uint64_t seed);
 
 /// What a design can show: in simulated studies, the mean absolute error is tested (t over participants)
 /// against a published mean.
 struct ApexPlan {
     double meanAbsolutePercent = std::numeric_limits<double>::quiet_NaN();
-    double halfWidthPercent = std::numeric_limits<double>::quiet_NaN(); ///< mean half width of the 95 % interval
+    double halfWidthPercent =
+        std::numeric_limits<double>::quiet_NaN(); ///< mean half width of the 95 % interval
     /// Share of studies whose interval excludes the other mean.
     double power = std::numeric_limits<double>::quiet_NaN();
     /// Monte Carlo standard errors of the three values, due to the limited number of simulated studies.
-    double meanError = std::numeric_limits<double>::quiet_NaN(), halfWidthError = std::numeric_limits<double>::quiet_NaN();
+    double meanError = std::numeric_limits<double>::quiet_NaN(),
+           halfWidthError = std::numeric_limits<double>::quiet_NaN();
     double powerError = std::numeric_limits<double>::quiet_NaN(); ///< after Agresti & Coull 1998
 };
-ApexPlan planApex(const ApexObserver& observer, int participants, int trialsEach, double otherMeanPercent, int studies, std::uint64_t seed);
+ApexPlan planApex(const ApexObserver& observer, int participants, int trialsEach, double otherMeanPercent,
+                  int studies, std::uint64_t seed);
 
 } // namespace chiron::psychophysics

@@ -30,7 +30,9 @@ const std::vector<Row>& rows() {
     return table;
 }
 
-const Row& rowOf(Task task) { return rows()[static_cast<std::size_t>(task)]; }
+const Row& rowOf(Task task) {
+    return rows()[static_cast<std::size_t>(task)];
+}
 
 /// Returns the position whose object differs from both others.
 int oddPlace(const Places& places) {
@@ -51,7 +53,9 @@ int rankOutcome(const Places& truth, const Ranking& said) {
 
 } // namespace
 
-std::string_view token(Task task) noexcept { return rowOf(task).token; }
+std::string_view token(Task task) noexcept {
+    return rowOf(task).token;
+}
 
 std::optional<Task> taskFromToken(std::string_view word) noexcept {
     for (int i = 0; i < kTasks; ++i)
@@ -61,8 +65,19 @@ std::optional<Task> taskFromToken(std::string_view word) noexcept {
 }
 
 const std::array<Ranking, kRankings>& rankings() noexcept {
-    static constexpr std::array<Ranking, kRankings> all{{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0},
-                                                         {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, 1, 1}, {1, 0, 1}, {1, 1, 0}, {0, 0, 0}}};
+    static constexpr std::array<Ranking, kRankings> all{{{0, 1, 2},
+                                                         {0, 2, 1},
+                                                         {1, 0, 2},
+                                                         {1, 2, 0},
+                                                         {2, 0, 1},
+                                                         {2, 1, 0},
+                                                         {0, 0, 1},
+                                                         {0, 1, 0},
+                                                         {1, 0, 0},
+                                                         {0, 1, 1},
+                                                         {1, 0, 1},
+                                                         {1, 1, 0},
+                                                         {0, 0, 0}}};
     return all;
 }
 
@@ -72,11 +87,17 @@ int rankingOf(const Ranking& ranks) noexcept {
     return found == all.end() ? -1 : static_cast<int>(found - all.begin());
 }
 
-const std::vector<Places>& arrangements(Task task) { return rowOf(task).arrangements; }
+const std::vector<Places>& arrangements(Task task) {
+    return rowOf(task).arrangements;
+}
 
-int answers(Task task) noexcept { return rowOf(task).answers; }
+int answers(Task task) noexcept {
+    return rowOf(task).answers;
+}
 
-int placesOf(Task task) noexcept { return static_cast<int>(rowOf(task).arrangements.front().size()); }
+int placesOf(Task task) noexcept {
+    return static_cast<int>(rowOf(task).arrangements.front().size());
+}
 
 int correctAnswer(Task task, int arrangement) noexcept {
     const Places& places = rowOf(task).arrangements[static_cast<std::size_t>(arrangement)];
@@ -102,13 +123,17 @@ int correctAnswer(Task task, int arrangement) noexcept {
 
 int outcomeOf(Task task, int arrangement, int answer) noexcept {
     const Row& row = rowOf(task);
-    if (arrangement < 0 || static_cast<std::size_t>(arrangement) >= row.arrangements.size() || answer < 0 || answer >= row.answers)
+    if (arrangement < 0 || static_cast<std::size_t>(arrangement) >= row.arrangements.size() || answer < 0 ||
+        answer >= row.answers)
         return -1;
     if (ranksThree(task))
-        return rankOutcome(row.arrangements[static_cast<std::size_t>(arrangement)], rankings()[static_cast<std::size_t>(answer)]);
+        return rankOutcome(row.arrangements[static_cast<std::size_t>(arrangement)],
+                           rankings()[static_cast<std::size_t>(answer)]);
     return answer == correctAnswer(task, arrangement) ? 1 : 0;
 }
 
-int outcomes(Task task) noexcept { return task == Task::rank3 ? kStrictRankings : task == Task::rank3Ties ? kRankings : 2; }
+int outcomes(Task task) noexcept {
+    return task == Task::rank3 ? kStrictRankings : task == Task::rank3Ties ? kRankings : 2;
+}
 
 } // namespace chiron::psychophysics

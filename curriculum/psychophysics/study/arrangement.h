@@ -18,9 +18,9 @@ enum class Task : std::uint8_t {
     sameDifferent, ///< "same_different": two objects, same or different
     /// "yes_no": whether one object is more than the reference, which was explored before.
     yesNo,
-    adjustment,    ///< "adjustment": make the comparison equal to the reference
-    magnitude,     ///< "magnitude": give each object a number
-    rank3Ties,     ///< "rank3_ties": as rank3, but neighbours may be called equal
+    adjustment, ///< "adjustment": make the comparison equal to the reference
+    magnitude,  ///< "magnitude": give each object a number
+    rank3Ties,  ///< "rank3_ties": as rank3, but neighbours may be called equal
 };
 inline constexpr int kTasks = 9;
 std::string_view token(Task task) noexcept;
@@ -39,7 +39,9 @@ using Places = std::vector<int>;
 const std::vector<Places>& arrangements(Task task);
 
 /// Returns whether the task is to put three objects in order, with or without ties.
-constexpr bool ranksThree(Task task) noexcept { return task == Task::rank3 || task == Task::rank3Ties; }
+constexpr bool ranksThree(Task task) noexcept {
+    return task == Task::rank3 || task == Task::rank3Ties;
+}
 
 /// All possible rankings of three objects: the rank of each object from 0 (least), with equal ranks for ties
 /// and no rank skipped. First come the six orders of rank3, as in arrangements(rank3); then {0,0,1}, {0,1,0},

@@ -23,13 +23,19 @@ constexpr std::array<Row, kAttributes> kRows{{
     {Attribute::apex, "apex", "m"},
 }};
 
-const Row& rowOf(Attribute attribute) noexcept { return kRows[static_cast<std::size_t>(attribute)]; }
+const Row& rowOf(Attribute attribute) noexcept {
+    return kRows[static_cast<std::size_t>(attribute)];
+}
 
 } // namespace
 
-std::string_view token(Attribute attribute) noexcept { return rowOf(attribute).token; }
+std::string_view token(Attribute attribute) noexcept {
+    return rowOf(attribute).token;
+}
 
-std::string_view unitOf(Attribute attribute) noexcept { return rowOf(attribute).unit; }
+std::string_view unitOf(Attribute attribute) noexcept {
+    return rowOf(attribute).unit;
+}
 
 std::optional<Attribute> attributeFromToken(std::string_view word) noexcept {
     for (const Row& row : kRows)

@@ -27,13 +27,15 @@ struct LogWeber {
 };
 
 bool priorMadeIt(const RunEstimate& run) {
-    return hasWarning(run.warnings, WarningKind::priorEdgeLow) || hasWarning(run.warnings, WarningKind::priorEdgeHigh);
+    return hasWarning(run.warnings, WarningKind::priorEdgeLow) ||
+           hasWarning(run.warnings, WarningKind::priorEdgeHigh);
 }
 
 bool hasWeber(const RunEstimate& run) {
     const double low = std::log10(run.weber95.low);
     const double high = std::log10(run.weber95.high);
-    return run.weber > 0.0 && std::isfinite(run.weber) && std::isfinite(low) && std::isfinite(high) && high >= low;
+    return run.weber > 0.0 && std::isfinite(run.weber) && std::isfinite(low) && std::isfinite(high) &&
+           high >= low;
 }
 
 LogWeber logWeberOf(const RunEstimate& run) {
@@ -66,10 +68,13 @@ RandomEffects effectsOf(const std::vector<LogWeber>& logs) {
     return randomEffects(y, v);
 }
 
-Interval powerOfTen(double low, double high) { return {std::pow(10.0, low), std::pow(10.0, high)}; }
+Interval powerOfTen(double low, double high) {
+    return {std::pow(10.0, low), std::pow(10.0, high)};
+}
 
 bool isSealed(const RunEstimate& run) {
-    return std::any_of(run.warnings.begin(), run.warnings.end(), [](const Warning& warning) { return warning.kind == WarningKind::sealed; });
+    return std::any_of(run.warnings.begin(), run.warnings.end(),
+                       [](const Warning& warning) { return warning.kind == WarningKind::sealed; });
 }
 
 /// Warns about the number of participants. Sealed answers are reported separately, because they are merely
@@ -95,7 +100,8 @@ void takeMean(const std::vector<double>& values, double& mean, Interval& interva
     mean = moments.mean;
     if (moments.count < 2)
         return;
-    const double half = studentQuantile(0.975, moments.count - 1.0) * moments.sd / std::sqrt(static_cast<double>(moments.count));
+    const double half = studentQuantile(0.975, moments.count - 1.0) * moments.sd /
+                        std::sqrt(static_cast<double>(moments.count));
     interval = {moments.mean - half, moments.mean + half};
 }
 
@@ -139,19 +145,22 @@ Usable usableInGroup(const RunEstimate& run) {
 
 GroupEstimate estimateGroup(const std::vector<RunEstimate>& runs, std::uint64_t seed) {
     GroupEstimate result;
-    result.method = "random effects on log10 W (REML, Hartung-Knapp interval), BCa bootstrap over participants";
+    result.method =
+        "random effects on log10 W (REML, Hartung-Knapp interval), BCa bootstrap over participants";
     std::vector<LogWeber> logs;
     double reference = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const LogWeber log = logWeberOf(runs[i]);
-        result.members.push_back({static_cast<int>(i), runs[i].weber, log.usable ? std::sqrt(log.variance) : std::nan(""), 0.0});
+        result.members.push_back(
+            {static_cast<int>(i), runs[i].weber, log.usable ? std::sqrt(log.variance) : std::nan(""), 0.0});
         if (!log.usable)
             continue;
         logs.push_back(log);
         reference = runs[i].jnd / runs[i].weber;
         result.unit = runs[i].unit;
     }
-    result.participants = static_cast<int>(std::count_if(runs.begin(), runs.end(), [](const RunEstimate& run) { return usableInGroup(run) == Usable::yes; }));
+    result.participants = static_cast<int>(std::count_if(
+        runs.begin(), runs.end(), [](const RunEstimate& run) { return usableInGroup(run) == Usable::yes; }));
     const int sealed = static_cast<int>(std::count_if(runs.begin(), runs.end(), isSealed));
     result.leftOut = static_cast<int>(runs.size()) - result.participants - sealed;
     warnOfNumber(result.warnings, result.participants, result.leftOut, sealed);
@@ -164,13 +173,15 @@ GroupEstimate estimateGroup(const std::vector<RunEstimate>& runs, std::uint64_t 
     for (GroupMember& member : result.members)
         if (std::isfinite(member.errorLog10))
             member.weight = effects.weights[used++];
-    const BootstrapInterval bootstrap =
-        bootstrapSubjects(static_cast<int>(logs.size()), [&](const std::vector<int>& drawn) { return meanOf(logs, drawn); }, seed);
+    const BootstrapInterval bootstrap = bootstrapSubjects(
+        static_cast<int>(logs.size()), [&](const std::vector<int>& drawn) { return meanOf(logs, drawn); },
+        seed);
     result.bootstrap95 = powerOfTen(bootstrap.low, bootstrap.high);
     return result;
 }
 
-ConditionComparison compareConditions(const std::vector<RunEstimate>& first, const std::vector<RunEstimate>& second, std::uint64_t seed) {
+ConditionComparison compareConditions(const std::vector<RunEstimate>& first,
+                                      const std::vector<RunEstimate>& second, std::uint64_t seed) {
     ConditionComparison result;
     std::vector<LogWeber> differences;
     const std::size_t both = std::min(first.size(), second.size());
@@ -181,7 +192,8 @@ ConditionComparison compareConditions(const std::vector<RunEstimate>& first, con
             differences.push_back({true, b.value - a.value, a.variance + b.variance});
     }
     result.participants = result.first = result.second = static_cast<int>(differences.size());
-    warnOfNumber(result.warnings, result.participants, static_cast<int>(std::max(first.size(), second.size())) - result.participants);
+    warnOfNumber(result.warnings, result.participants,
+                 static_cast<int>(std::max(first.size(), second.size())) - result.participants);
     if (differences.empty())
         return result;
     const RandomEffects effects = effectsOf(differences);
@@ -189,13 +201,14 @@ ConditionComparison compareConditions(const std::vector<RunEstimate>& first, con
     result.ratio95 = powerOfTen(effects.low, effects.high);
     result.pValue = effects.pZero;
     result.sdBetweenLog10 = effects.tau;
-    const BootstrapInterval bootstrap =
-        bootstrapSubjects(result.participants, [&](const std::vector<int>& drawn) { return meanOf(differences, drawn); }, seed);
+    const BootstrapInterval bootstrap = bootstrapSubjects(
+        result.participants, [&](const std::vector<int>& drawn) { return meanOf(differences, drawn); }, seed);
     result.bootstrap95 = powerOfTen(bootstrap.low, bootstrap.high);
     return result;
 }
 
-ConditionComparison compareGroups(const std::vector<RunEstimate>& first, const std::vector<RunEstimate>& second) {
+ConditionComparison compareGroups(const std::vector<RunEstimate>& first,
+                                  const std::vector<RunEstimate>& second) {
     ConditionComparison result;
     result.paired = false;
     const auto usable = [](const std::vector<RunEstimate>& runs) {
@@ -209,7 +222,8 @@ ConditionComparison compareGroups(const std::vector<RunEstimate>& first, const s
     result.first = static_cast<int>(a.size());
     result.second = static_cast<int>(b.size());
     result.participants = result.first + result.second;
-    warnOfNumber(result.warnings, std::min(result.first, result.second), static_cast<int>(first.size() + second.size()) - result.participants);
+    warnOfNumber(result.warnings, std::min(result.first, result.second),
+                 static_cast<int>(first.size() + second.size()) - result.participants);
     if (a.empty() || b.empty())
         return result;
     const RandomEffects x = effectsOf(a), y = effectsOf(b);
@@ -219,7 +233,8 @@ ConditionComparison compareGroups(const std::vector<RunEstimate>& first, const s
         return result;
     const double vx = x.standardError * x.standardError, vy = y.standardError * y.standardError;
     const double error = std::sqrt(vx + vy);
-    const double freedom = (vx + vy) * (vx + vy) / (vx * vx / (result.first - 1) + vy * vy / (result.second - 1));
+    const double freedom =
+        (vx + vy) * (vx + vy) / (vx * vx / (result.first - 1) + vy * vy / (result.second - 1));
     const double half = studentQuantile(0.975, freedom) * error;
     result.ratio95 = powerOfTen(difference - half, difference + half);
     result.pValue = 2.0 * studentUpperTail(std::abs(difference) / error, freedom);
@@ -231,15 +246,18 @@ void adjustHolm(const std::vector<ConditionComparison*>& comparisons) {
     for (ConditionComparison* each : comparisons)
         if (std::isfinite(each->pValue))
             tested.push_back(each);
-    std::stable_sort(tested.begin(), tested.end(), [](const auto* a, const auto* b) { return a->pValue < b->pValue; });
+    std::stable_sort(tested.begin(), tested.end(),
+                     [](const auto* a, const auto* b) { return a->pValue < b->pValue; });
     double largest = 0.0;
     for (std::size_t i = 0; i < tested.size(); ++i) {
-        largest = std::max(largest, std::min(1.0, tested[i]->pValue * static_cast<double>(tested.size() - i)));
+        largest =
+            std::max(largest, std::min(1.0, tested[i]->pValue * static_cast<double>(tested.size() - i)));
         tested[i]->pHolm = largest;
     }
 }
 
-ThresholdModels compareThresholdModels(Task first, const std::vector<RunEstimate>& firstRuns, Task second, const std::vector<RunEstimate>& secondRuns) {
+ThresholdModels compareThresholdModels(Task first, const std::vector<RunEstimate>& firstRuns, Task second,
+                                       const std::vector<RunEstimate>& secondRuns) {
     ThresholdModels result;
     if (first != second || first == Task::adjustment || first == Task::magnitude)
         return result;
@@ -247,8 +265,10 @@ ThresholdModels compareThresholdModels(Task first, const std::vector<RunEstimate
     for (std::size_t i = 0; i < std::min(firstRuns.size(), secondRuns.size()); ++i) {
         const std::vector<CurvePoint>&a = firstRuns[i].points, &b = secondRuns[i].points;
         const bool positive = isPositive(first, a) && isPositive(first, b);
-        const ModelComparison models = compareConditions({curveData(a, positive), curveData(b, positive)}, freeCurveOptions(first, positive),
-                                                         SharedParameters{.width = true, .lapse = true, .guess = true}, SharedParameters{.threshold = true});
+        const ModelComparison models = compareConditions(
+            {curveData(a, positive), curveData(b, positive)}, freeCurveOptions(first, positive),
+            SharedParameters{.width = true, .lapse = true, .guess = true},
+            SharedParameters{.threshold = true});
         if (!std::isfinite(models.likelihoodRatio))
             continue;
         ratio += models.likelihoodRatio;

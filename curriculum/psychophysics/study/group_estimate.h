@@ -20,28 +20,28 @@ Usable usableInGroup(const RunEstimate& run);
 
 /// One participant in a group estimate.
 struct GroupMember {
-    int index = 0;                ///< index among the estimates given
+    int index = 0; ///< index among the estimates given
     double weber = std::numeric_limits<double>::quiet_NaN();
     double errorLog10 = std::numeric_limits<double>::quiet_NaN(); ///< of log10 W, from its 95 % interval
-    double weight = 0.0;          ///< share in the group's mean; 0: left out
+    double weight = 0.0;                                          ///< share in the group's mean; 0: left out
 };
 
 /// Combined estimate of a condition's participants: random effects on log10 W, with the subjects drawn from a
 /// population.
 struct GroupEstimate {
     double weber = std::numeric_limits<double>::quiet_NaN(); ///< geometric mean of the population
-    Interval weber95;      ///< Hartung–Knapp
-    Interval bootstrap95;  ///< BCa, with subjects drawn with replacement
-    Interval prediction95; ///< of a further participant's W
+    Interval weber95;                                        ///< Hartung–Knapp
+    Interval bootstrap95;                                    ///< BCa, with subjects drawn with replacement
+    Interval prediction95;                                   ///< of a further participant's W
     double jnd = std::numeric_limits<double>::quiet_NaN();   ///< in `unit`, at the reference
     double sigma_log10 = std::numeric_limits<double>::quiet_NaN();
     double sdBetweenLog10 = std::numeric_limits<double>::quiet_NaN(); ///< τ, of log10 W
     double iSquared = std::numeric_limits<double>::quiet_NaN();
     /// Null hypothesis: all participants are alike.
     double heterogeneityP = std::numeric_limits<double>::quiet_NaN();
-    double pse = std::numeric_limits<double>::quiet_NaN();            ///< geometric mean over participants, t interval
+    double pse = std::numeric_limits<double>::quiet_NaN(); ///< geometric mean over participants, t interval
     Interval pse95;
-    double exponent = std::numeric_limits<double>::quiet_NaN();       ///< magnitude estimation: mean, t interval
+    double exponent = std::numeric_limits<double>::quiet_NaN(); ///< magnitude estimation: mean, t interval
     Interval exponent95;
     std::string unit;
     std::string method;
@@ -59,22 +59,24 @@ struct ConditionComparison {
     double ratio = std::numeric_limits<double>::quiet_NaN(); ///< W of the second divided by W of the first
     /// Paired: Hartung–Knapp on differences of log10 W; otherwise Welch's t on the means of the two groups.
     Interval ratio95;
-    Interval bootstrap95;  ///< BCa over participants; paired only
+    Interval bootstrap95;                                     ///< BCa over participants; paired only
     double pValue = std::numeric_limits<double>::quiet_NaN(); ///< two-sided; null hypothesis: the ratio is 1
     /// The same, adjusted for all comparisons of the study (Holm 1979); see adjustHolm.
     double pHolm = std::numeric_limits<double>::quiet_NaN();
     /// paired: of the difference between people.
     double sdBetweenLog10 = std::numeric_limits<double>::quiet_NaN();
     bool paired = true;
-    int participants = 0;  ///< paired: with both values; otherwise of both groups together
+    int participants = 0;      ///< paired: with both values; otherwise of both groups together
     int first = 0, second = 0; ///< number in each
     std::vector<Warning> warnings;
 };
 /// Compares conditions done by the same participants: runs[i] of both belong to participant i.
-ConditionComparison compareConditions(const std::vector<RunEstimate>& first, const std::vector<RunEstimate>& second, std::uint64_t seed);
+ConditionComparison compareConditions(const std::vector<RunEstimate>& first,
+                                      const std::vector<RunEstimate>& second, std::uint64_t seed);
 /// Compares groups of different participants: random effects of each, with Welch's degrees of freedom for
 /// their difference (Welch 1947).
-ConditionComparison compareGroups(const std::vector<RunEstimate>& first, const std::vector<RunEstimate>& second);
+ConditionComparison compareGroups(const std::vector<RunEstimate>& first,
+                                  const std::vector<RunEstimate>& second);
 /// Fills in pHolm of all comparisons that have a p.
 void adjustHolm(const std::vector<ConditionComparison*>& comparisons);
 
@@ -84,14 +86,15 @@ void adjustHolm(const std::vector<ConditionComparison*>& comparisons);
 /// above is about the population that they come from.
 struct ThresholdModels {
     double likelihoodRatio = std::numeric_limits<double>::quiet_NaN();
-    int freedom = 0;       ///< one per participant
+    int freedom = 0; ///< one per participant
     double pValue = std::numeric_limits<double>::quiet_NaN();
     /// AIC of one threshold minus AIC of two: above 0, two thresholds describe the answers better.
     double aicDifference = std::numeric_limits<double>::quiet_NaN();
-    int participants = 0;  ///< participants whose answers could be fitted
+    int participants = 0; ///< participants whose answers could be fitted
 };
 /// Compares the same participants, as compareConditions does. Empty if the tasks differ, or have no right or
 /// wrong answers.
-ThresholdModels compareThresholdModels(Task first, const std::vector<RunEstimate>& firstRuns, Task second, const std::vector<RunEstimate>& secondRuns);
+ThresholdModels compareThresholdModels(Task first, const std::vector<RunEstimate>& firstRuns, Task second,
+                                       const std::vector<RunEstimate>& secondRuns);
 
 } // namespace chiron::psychophysics

@@ -45,8 +45,10 @@ ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers)
             continue;
         const auto [low, high] = std::minmax_element(grid.begin(), grid.end());
         if (std::isfinite(*low) && std::isfinite(*high) && *low < *high)
-            prior.lowLog10Sigma = std::min(answers.smallestDifference > 0.0 ? prior.lowLog10Sigma : *low, *low),
-            prior.highLog10Sigma = std::max(answers.smallestDifference > 0.0 ? prior.highLog10Sigma : *high, *high);
+            prior.lowLog10Sigma =
+                std::min(answers.smallestDifference > 0.0 ? prior.lowLog10Sigma : *low, *low),
+            prior.highLog10Sigma =
+                std::max(answers.smallestDifference > 0.0 ? prior.highLog10Sigma : *high, *high);
     }
     if (condition.task == Task::sameDifferent)
         prior.highCriterion = 6.0;
@@ -66,8 +68,10 @@ ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers)
 /// two of three runs and for some never. The interval is extended to the exact interval of the proportion
 /// (Clopper & Pearson), with the posterior's mean lapse rate at the lower end and without lapses at the upper
 /// end.
-void widenToExact(ThurstonePosterior& posterior, const ThurstonePrior& prior, Task task, const ScoredAnswers& answers) {
-    if (answers.levels != 1 || (task != Task::rank3 && task != Task::twoAfc && task != Task::threeAfc && task != Task::oddity))
+void widenToExact(ThurstonePosterior& posterior, const ThurstonePrior& prior, Task task,
+                  const ScoredAnswers& answers) {
+    if (answers.levels != 1 ||
+        (task != Task::rank3 && task != Task::twoAfc && task != Task::threeAfc && task != Task::oddity))
         return;
     long long right = 0, of = 0;
     for (const CurvePoint& point : answers.points)
@@ -81,7 +85,10 @@ void widenToExact(ThurstonePosterior& posterior, const ThurstonePrior& prior, Ta
         double low = prior.lowLog10Sigma, high = prior.highLog10Sigma;
         for (int halving = 0; halving < 60; ++halving) {
             const double between = 0.5 * (low + high);
-            (answerProbability(task, answers.largestDifference, kindOfCurve(task), {between, lapse, 0.0}) > share ? low : high) = between;
+            (answerProbability(task, answers.largestDifference, kindOfCurve(task), {between, lapse, 0.0}) >
+                     share
+                 ? low
+                 : high) = between;
         }
         return 0.5 * (low + high);
     };
@@ -90,7 +97,9 @@ void widenToExact(ThurstonePosterior& posterior, const ThurstonePrior& prior, Ta
 }
 
 void takeSigma(RunEstimate& result, const ThurstonePosterior& posterior, double reference) {
-    const auto weber = [](double log10Sigma) { return std::expm1(std::log(10.0) * kJndPerSigma * std::pow(10.0, log10Sigma)); };
+    const auto weber = [](double log10Sigma) {
+        return std::expm1(std::log(10.0) * kJndPerSigma * std::pow(10.0, log10Sigma));
+    };
     result.sigma_log10 = std::pow(10.0, posterior.medianLog10Sigma);
     result.sigma95 = {std::pow(10.0, posterior.lowLog10Sigma), std::pow(10.0, posterior.highLog10Sigma)};
     result.weber = weber(posterior.medianLog10Sigma);
@@ -101,7 +110,8 @@ void takeSigma(RunEstimate& result, const ThurstonePosterior& posterior, double 
 
 void takeCriterion(RunEstimate& result, const ThurstonePosterior& posterior, double reference) {
     result.pse = reference * std::pow(10.0, posterior.criterion);
-    result.pse95 = {reference * std::pow(10.0, posterior.lowCriterion), reference * std::pow(10.0, posterior.highCriterion)};
+    result.pse95 = {reference * std::pow(10.0, posterior.lowCriterion),
+                    reference * std::pow(10.0, posterior.highCriterion)};
 }
 
 void fromAnswers(RunEstimate& result, const Condition& condition, const std::vector<ScoredTrial>& trials) {
@@ -150,7 +160,8 @@ std::string_view methodText(EstimateMethod method) {
     return {};
 }
 
-RunEstimate estimateRun(const Condition& condition, const std::vector<ScoredTrial>& trials, std::uint64_t seed) {
+RunEstimate estimateRun(const Condition& condition, const std::vector<ScoredTrial>& trials,
+                        std::uint64_t seed) {
     (void)seed; // nothing is drawn: the intervals come from the posterior, profiles and t
     RunEstimate result;
     result.criterion = condition.criterion;

@@ -19,8 +19,8 @@ struct ScoredTrial {
     int arrangement = 0;
     int answer = -1;
     int outcome = -1;
-    double difference = 0.0;      ///< D presented (log10 of the ratio)
-    std::optional<double> value;  ///< number given, or value set (SI)
+    double difference = 0.0;     ///< D presented (log10 of the ratio)
+    std::optional<double> value; ///< number given, or value set (SI)
 };
 
 struct Interval {
@@ -51,37 +51,40 @@ std::string_view methodText(EstimateMethod method);
 
 /// The estimate from one run. Values that cannot be determined are NaN, and `warnings` say why.
 struct RunEstimate {
-    double weber = std::numeric_limits<double>::quiet_NaN();      ///< ΔX/X at the criterion, 75 %-correct 2AFC equivalent
-    double jnd = std::numeric_limits<double>::quiet_NaN();        ///< in the attribute's unit, at the reference
-    double sigma_log10 = std::numeric_limits<double>::quiet_NaN();///< internal noise, log10(1+W)/0.954
+    double weber =
+        std::numeric_limits<double>::quiet_NaN(); ///< ΔX/X at the criterion, 75 %-correct 2AFC equivalent
+    double jnd = std::numeric_limits<double>::quiet_NaN(); ///< in the attribute's unit, at the reference
+    double sigma_log10 = std::numeric_limits<double>::quiet_NaN(); ///< internal noise, log10(1+W)/0.954
     Interval weber95;
     Interval sigma95;
     /// The posterior's sd of log10 σ divided by the prior's: near 0 the answers determine the estimate, near
     /// 1 the prior does.
     double priorInfluence = std::numeric_limits<double>::quiet_NaN();
-    double pse = std::numeric_limits<double>::quiet_NaN();        ///< SI, if the task has one
+    double pse = std::numeric_limits<double>::quiet_NaN(); ///< SI, if the task has one
     Interval pse95;
     double criterion = 0.75;
-    double threshold = std::numeric_limits<double>::quiet_NaN(); ///< D at which the task's own proportion correct is the criterion
+    double threshold = std::numeric_limits<double>::quiet_NaN(); ///< D at which the task's own proportion
+                                                                 ///< correct is the criterion
     Interval threshold95;
     /// The same from a free psychometric curve (fits/), for comparison.
     double fitThreshold = std::numeric_limits<double>::quiet_NaN();
     Interval fitThreshold95;
-    double lapse = std::numeric_limits<double>::quiet_NaN();     ///< share of answers that were guesses
+    double lapse = std::numeric_limits<double>::quiet_NaN(); ///< share of answers that were guesses
     /// rank3_ties: percepts nearer than this many σ are called equal.
     double tie = std::numeric_limits<double>::quiet_NaN();
     Interval tie95;
     /// Deviance of the answers from the observer's curve, if there is one, and its p.
     double deviance = std::numeric_limits<double>::quiet_NaN();
     double pValue = std::numeric_limits<double>::quiet_NaN();
-    double exponent = std::numeric_limits<double>::quiet_NaN();  ///< magnitude estimation: exponent of the
-                                                                 ///< power law
+    double exponent = std::numeric_limits<double>::quiet_NaN(); ///< magnitude estimation: exponent of the
+                                                                ///< power law
     Interval exponent95;
     std::string unit;
     EstimateMethod method = EstimateMethod::none;
     int trials = 0;
     std::vector<CurvePoint> points;
-    std::vector<double> curveDifference, curveProportion, curveLow, curveHigh; ///< fitted curve with its 95 % band
+    std::vector<double> curveDifference, curveProportion, curveLow,
+        curveHigh; ///< fitted curve with its 95 % band
     std::vector<Warning> warnings;
 };
 
@@ -89,6 +92,7 @@ struct RunEstimate {
 /// equivalent: σ = log10(1+W)/0.954), so that tasks can be compared; `threshold` is at the condition's
 /// criterion in the task itself. It never fails: a value that the data do not determine is NaN, with a
 /// warning. `seed` is for bootstraps; at present nothing is drawn.
-RunEstimate estimateRun(const Condition& condition, const std::vector<ScoredTrial>& trials, std::uint64_t seed);
+RunEstimate estimateRun(const Condition& condition, const std::vector<ScoredTrial>& trials,
+                        std::uint64_t seed);
 
 } // namespace chiron::psychophysics

@@ -25,7 +25,7 @@ enum class ProcedureScale : std::uint8_t {
 /// The stimuli of one condition. The value of an object with multiple m is reference · 10^(m D).
 struct StimulusDesign {
     Attribute attribute = Attribute::stiffness;
-    double reference = 0.0;          ///< SI, unitOf(attribute)
+    double reference = 0.0; ///< SI, unitOf(attribute)
     /// The table of candidates D, ascending, at most 4096; may be negative in tasks that take both sides.
     std::vector<double> differences;
     /// The other attributes of the objects, fixed, by name in SI (keys of content/objects: stiffness_N_per_m,
@@ -54,16 +54,16 @@ struct Condition {
 inline constexpr double kUsualProbe_N = 0.3;
 
 struct TrialRules {
-    double exploreLimit_s = 30.0;   ///< 0: none
-    double answerLimit_s = 20.0;    ///< 0: none
+    double exploreLimit_s = 30.0; ///< 0: none
+    double answerLimit_s = 20.0;  ///< 0: none
     double betweenTrials_s = 1.0;
     bool feedback = false;
-    bool maskingSound = true;       ///< pink noise, if there is a sound output
-    bool visibleObjects = true;     ///< all objects are drawn, and look alike
-    int practiceTrials = 4;         ///< at the largest difference, with feedback, never scored
-    int breakEvery = 40;            ///< trials; 0: none
+    bool maskingSound = true;   ///< pink noise, if there is a sound output
+    bool visibleObjects = true; ///< all objects are drawn, and look alike
+    int practiceTrials = 4;     ///< at the largest difference, with feedback, never scored
+    int breakEvery = 40;        ///< trials; 0: none
     double breakAtLeast_s = 30.0;
-    bool mustTouchAll = true;       ///< an answer is accepted only after every object was touched
+    bool mustTouchAll = true; ///< an answer is accepted only after every object was touched
     /// Each object must also have answered with at least this force; 0: any touch counts, as in designs of
     /// earlier versions.
     double probeAtLeast_N = 0.0;
@@ -71,13 +71,13 @@ struct TrialRules {
 
 /// A trial outside these limits is flagged, not scored, and repeated.
 struct FidelityLimits {
-    double forceErrorRms_N = 0.15;     ///< difference between commanded and measured force
-    double stiffnessError = 0.15;      ///< |rendered/commanded − 1|
-    double lateTicks = 0.01;           ///< share
-    double saturated = 0.05;           ///< share of contact ticks in which the force is at its limit
+    double forceErrorRms_N = 0.15; ///< difference between commanded and measured force
+    double stiffnessError = 0.15;  ///< |rendered/commanded − 1|
+    double lateTicks = 0.01;       ///< share
+    double saturated = 0.05;       ///< share of contact ticks in which the force is at its limit
     double peakForce_N = 4.0;
     double meanSpeed_m_per_s = 0.2;
-    int repeatsAtMost = 5;             ///< of one trial; then the run pauses and asks the experimenter
+    int repeatsAtMost = 5; ///< of one trial; then the run pauses and asks the experimenter
 };
 
 /// One question of a questionnaire.
@@ -85,11 +85,11 @@ struct QuestionnaireItem {
     std::string id;
     StudyText text;
     enum class Kind : std::uint8_t { likert, number, choice, text } kind = Kind::likert;
-    int scale = 5;                     ///< likert: 1..scale
-    StudyText low, high;               ///< likert: meaning of the two ends
+    int scale = 5;       ///< likert: 1..scale
+    StudyText low, high; ///< likert: meaning of the two ends
     std::vector<StudyText> choices;
-    std::string construct;             ///< "face", "content", "" ...: the heading under which it is
-                                       ///< summarised
+    std::string construct;              ///< "face", "content", "" ...: the heading under which it is
+                                        ///< summarised
     double lowest = 0.0, highest = 0.0; ///< number: allowed range
     bool required = true;
 };
@@ -105,7 +105,12 @@ struct Questionnaire {
     std::string score;
 };
 
-enum class OrderDesign : std::uint8_t { fixed, random, latinSquare, williams }; ///< "fixed", "random", "latin_square", "williams"
+enum class OrderDesign : std::uint8_t {
+    fixed,
+    random,
+    latinSquare,
+    williams
+}; ///< "fixed", "random", "latin_square", "williams"
 
 /// A study as it is designed, frozen and run. Its JSON is described in content/schema/study.json;
 /// catalogue/study_reader reads and writes it.
@@ -117,7 +122,7 @@ struct StudyDesign {
     /// The researcher's own sentences, if the others in `instructions` are generated from the settings; none:
     /// all sentences are the researcher's.
     std::optional<StudyText> ownInstructions;
-    StudyText consent;      ///< what participants agree to
+    StudyText consent; ///< what participants agree to
     std::vector<Condition> conditions;
     OrderDesign order = OrderDesign::williams;
     TrialRules trial;
@@ -127,8 +132,8 @@ struct StudyDesign {
     bool blindParticipant = true;   ///< no value, level or condition name on the participant's screen
     bool blindExperimenter = false; ///< conditions are shown by sealed codes until the study is unblinded
     std::uint64_t seed = 1;         ///< for orders, codes and the random streams of every run
-    std::string source;  ///< publication of the design, as it is cited; empty: not published
-    std::string ethics;  ///< who approved the study, or why no approval is needed; empty: not stated
+    std::string source;             ///< publication of the design, as it is cited; empty: not published
+    std::string ethics; ///< who approved the study, or why no approval is needed; empty: not stated
     /// Id of the study whose draft was tried with this copy; empty: this is not a pilot, and its data count.
     std::string pilotOf;
 };

@@ -13,30 +13,77 @@ namespace chiron::psychophysics {
 /// `end` and needs both: the compiler demands the English text, the test of the translations the words.
 enum class WarningKind : std::uint8_t {
     // One run of comparisons.
-    leftOutTrials, noTrials, fewTrials, noDifference, oneLevel, binned, oneAnswer, allRight, chance,
-    priorEdgeLow, priorEdgeHigh,   ///< the answers do not determine this end: the estimate comes from the
-                                   ///< prior
-    priorBoundLow, priorBoundHigh, ///< the prior determines where the interval ends
-    lapses, stepFunction, positionBias, poorFit, curvesDisagree, noRise, notMonotone, noReference,
+    leftOutTrials,
+    noTrials,
+    fewTrials,
+    noDifference,
+    oneLevel,
+    binned,
+    oneAnswer,
+    allRight,
+    chance,
+    priorEdgeLow,
+    priorEdgeHigh, ///< the answers do not determine this end: the estimate comes from the
+                   ///< prior
+    priorBoundLow,
+    priorBoundHigh, ///< the prior determines where the interval ends
+    lapses,
+    stepFunction,
+    positionBias,
+    poorFit,
+    curvesDisagree,
+    noRise,
+    notMonotone,
+    noReference,
     // Settings, and numbers given.
-    leftOutSettings, noSettings, fewSettings, noSpread, noSettingReference,
-    leftOutNumbers, noNumbers, fewNumbers, oneStimulus, fewSubjects,
+    leftOutSettings,
+    noSettings,
+    fewSettings,
+    noSpread,
+    noSettingReference,
+    leftOutNumbers,
+    noNumbers,
+    fewNumbers,
+    oneStimulus,
+    fewSubjects,
     // A group.
-    leftOutParticipants, noParticipants, oneParticipant, fewParticipants, heterogeneous,
-    withdrawn, simulatedLeftOut, simulatedOnly, notRenderedOfGroup, notRenderedRun, sealed,
+    leftOutParticipants,
+    noParticipants,
+    oneParticipant,
+    fewParticipants,
+    heterogeneous,
+    withdrawn,
+    simulatedLeftOut,
+    simulatedOnly,
+    notRenderedOfGroup,
+    notRenderedRun,
+    sealed,
     // The apex.
-    noRadius, leftOutMarks, noMarks, fewMarkers, fewMarks, biasX, biasY, beyondRadius, plannedMarks, untouchedMarks,
+    noRadius,
+    leftOutMarks,
+    noMarks,
+    fewMarkers,
+    fewMarks,
+    biasX,
+    biasY,
+    beyondRadius,
+    plannedMarks,
+    untouchedMarks,
     // A plan.
-    notSimulated, differencesTooSmall, runsWithoutEstimate,
+    notSimulated,
+    differencesTooSmall,
+    runsWithoutEstimate,
     // Force was shown, not felt.
-    shownRun, shownLeftOut, shownInGroup,
+    shownRun,
+    shownLeftOut,
+    shownInGroup,
     end, ///< not a warning: the number of kinds
 };
 
 struct Warning {
     WarningKind kind;
-    int count = 0;      ///< the number that a counting kind reports
-    int of = 0;         ///< total, for runsWithoutEstimate
+    int count = 0;        ///< the number that a counting kind reports
+    int of = 0;           ///< total, for runsWithoutEstimate
     std::string detail{}; ///< English: the reason, for notSimulated
 
     friend bool operator==(const Warning&, const Warning&) = default;

@@ -26,7 +26,8 @@ struct ForceOfFirstTool {
             const ToolTrace& tool = *trial.tool;
             for (std::size_t i = 0; i < tool.t_s.size(); ++i)
                 if (!tool.paused[i])
-                    visit(tool.tissue_N[i].norm(), i + 1 < tool.t_s.size() ? tool.t_s[i + 1] - tool.t_s[i] : 0.0);
+                    visit(tool.tissue_N[i].norm(),
+                          i + 1 < tool.t_s.size() ? tool.t_s[i + 1] - tool.t_s[i] : 0.0);
         }
     }
 };
@@ -42,12 +43,14 @@ struct LoadOfEveryTool {
                 double broke_N = 0.0;
                 for (std::size_t i = 0; i < tool.t_s.size(); ++i) {
                     const double force_N = tool.tissue_N[i].norm();
-                    const bool broken = i < tool.contact.size() && (tool.contact[i] & core::contact_bits::kThrough) != 0;
+                    const bool broken =
+                        i < tool.contact.size() && (tool.contact[i] & core::contact_bits::kThrough) != 0;
                     broke_N = broken ? std::max(broke_N, force_N) : 0.0;
                     if (tool.paused[i])
                         continue;
                     const double load_N = std::max(force_N, broke_N);
-                    visit(load_N, i + 1 < tool.t_s.size() ? tool.t_s[i + 1] - tool.t_s[i] : 0.0, broken || load_N > kContactForce_N);
+                    visit(load_N, i + 1 < tool.t_s.size() ? tool.t_s[i + 1] - tool.t_s[i] : 0.0,
+                          broken || load_N > kContactForce_N);
                 }
             }
     }
@@ -82,7 +85,8 @@ Measurement measureForceMean2(std::span<const PreparedTrial> trials) {
         impulse_Ns += touched ? load_N * held_s : 0.0;
         time_s += touched ? held_s : 0.0;
     });
-    return time_s > 0.0 ? Measurement::of(impulse_Ns / time_s) : Measurement::undefined(UndefinedReason::noContact);
+    return time_s > 0.0 ? Measurement::of(impulse_Ns / time_s)
+                        : Measurement::undefined(UndefinedReason::noContact);
 }
 
 Measurement measureForceRms(std::span<const PreparedTrial> trials) {
@@ -101,7 +105,8 @@ Measurement measureForceRms2(std::span<const PreparedTrial> trials) {
         squares_N2s += touched ? load_N * load_N * held_s : 0.0;
         time_s += touched ? held_s : 0.0;
     });
-    return time_s > 0.0 ? Measurement::of(std::sqrt(squares_N2s / time_s)) : Measurement::undefined(UndefinedReason::noContact);
+    return time_s > 0.0 ? Measurement::of(std::sqrt(squares_N2s / time_s))
+                        : Measurement::undefined(UndefinedReason::noContact);
 }
 
 Measurement measureForceP95(std::span<const PreparedTrial> trials) {
@@ -190,35 +195,41 @@ std::vector<MetricDefinition> forceMetrics() {
     rows.next({.tools = MetricTools::all,
                .definition = "Largest |f| of any tool.",
                .measure = measureForceMax<LoadOfEveryTool>});
-    rows.add({.id = "force_mean",
-              .unit = "N",
-              .wrench = MetricWrench::tissue,
-              .aggregate = Aggregate::pooled,
-              .needsForces = true,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Mean force in contact"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The mean force on the tissue while the tool touched it."),
-              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest force"),
-              .definition = "Mean of |f| over the samples above 0.02 N.",
-              .source = "models.md §6",
-              .measure = measureForceMean});
+    rows.add(
+        {.id = "force_mean",
+         .unit = "N",
+         .wrench = MetricWrench::tissue,
+         .aggregate = Aggregate::pooled,
+         .needsForces = true,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Mean force in contact"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "The mean force on the tissue while the tool touched it."),
+         .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest force"),
+         .definition = "Mean of |f| over the samples above 0.02 N.",
+         .source = "models.md §6",
+         .measure = measureForceMean});
     rows.next({.tools = MetricTools::all,
-               .definition = "Mean over time of the load |f| of every tool while it touches (over 0.02 N); broken tissue counts with the force that "
+               .definition = "Mean over time of the load |f| of every tool while it touches (over 0.02 N); "
+                             "broken tissue counts with the force that "
                              "broke it.",
                .source = "models.md §6; data.md, Range of a law",
                .measure = measureForceMean2});
-    rows.add({.id = "force_rms",
-              .unit = "N",
-              .wrench = MetricWrench::tissue,
-              .aggregate = Aggregate::pooled,
-              .needsForces = true,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Force, root mean square"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The root mean square of the force on the tissue: high forces weigh more than in the mean."),
-              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest force"),
-              .definition = "Square root of the mean of |f|^2 over all samples.",
-              .source = "models.md §6",
-              .measure = measureForceRms});
+    rows.add(
+        {.id = "force_rms",
+         .unit = "N",
+         .wrench = MetricWrench::tissue,
+         .aggregate = Aggregate::pooled,
+         .needsForces = true,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Force, root mean square"),
+         .meaning = QT_TRANSLATE_NOOP(
+             "Metrics",
+             "The root mean square of the force on the tissue: high forces weigh more than in the mean."),
+         .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest force"),
+         .definition = "Square root of the mean of |f|^2 over all samples.",
+         .source = "models.md §6",
+         .measure = measureForceRms});
     rows.next({.tools = MetricTools::all,
-               .definition = "Square root of the mean over time of the squared load |f|^2 of every tool while it touches (over 0.02 N); broken "
+               .definition = "Square root of the mean over time of the squared load |f|^2 of every tool "
+                             "while it touches (over 0.02 N); broken "
                              "tissue counts with the force that broke it.",
                .source = "models.md §6; data.md, Range of a law",
                .measure = measureForceRms2});
@@ -228,13 +239,15 @@ std::vector<MetricDefinition> forceMetrics() {
               .aggregate = Aggregate::pooled,
               .needsForces = true,
               .title = QT_TRANSLATE_NOOP("Metrics", "Force, 95th percentile"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The force on the tissue was below this for 95 % of the time."),
+              .meaning = QT_TRANSLATE_NOOP("Metrics",
+                                           "The force on the tissue was below this for 95 % of the time."),
               .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest force"),
               .definition = "95th percentile of |f| over all samples, linear between order statistics.",
               .source = "models.md §6; Hyndman & Fan 1996, definition 7",
               .measure = measureForceP95});
     rows.next({.tools = MetricTools::all,
-               .definition = "Load |f| under which 95 % of the time lies for which a tool touches (over 0.02 N); broken tissue counts with the "
+               .definition = "Load |f| under which 95 % of the time lies for which a tool touches (over 0.02 "
+                             "N); broken tissue counts with the "
                              "force that broke it.",
                .source = "models.md §6; data.md, Range of a law",
                .measure = measureForceP95Of2});
@@ -248,33 +261,40 @@ std::vector<MetricDefinition> forceMetrics() {
               .definition = "Largest |d|f|/dt| between neighbouring samples as recorded.",
               .source = "models.md §6",
               .measure = measureForcePeakRate});
-    rows.add({.id = "force_impulse_over_limit",
-              .unit = "N·s",
-              .wrench = MetricWrench::tissue,
-              .aggregate = Aggregate::sum,
-              .needsForces = true,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Impulse over the limit"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "Force times time while the force was over the limit of this level."),
-              .definition = "Integral of |f| dt while |f| is over the level's force limit, each sample held until the next.",
-              .source = "models.md §6",
-              .measure = measureForceImpulseOverLimit<ForceOfFirstTool>});
+    rows.add(
+        {.id = "force_impulse_over_limit",
+         .unit = "N·s",
+         .wrench = MetricWrench::tissue,
+         .aggregate = Aggregate::sum,
+         .needsForces = true,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Impulse over the limit"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics",
+                                      "Force times time while the force was over the limit of this level."),
+         .definition =
+             "Integral of |f| dt while |f| is over the level's force limit, each sample held until the next.",
+         .source = "models.md §6",
+         .measure = measureForceImpulseOverLimit<ForceOfFirstTool>});
     rows.next({.tools = MetricTools::all,
-               .definition = "Integral of the load |f| dt of a tool while it is over the level's force limit, all tools added; broken tissue counts "
+               .definition = "Integral of the load |f| dt of a tool while it is over the level's force "
+                             "limit, all tools added; broken tissue counts "
                              "with the force that broke it.",
                .source = "models.md §6; data.md, Range of a law",
                .measure = measureForceImpulseOverLimit<LoadOfEveryTool>});
-    rows.add({.id = "force_time_over_limit",
-              .unit = "s",
-              .wrench = MetricWrench::tissue,
-              .aggregate = Aggregate::sum,
-              .needsForces = true,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Time over the force limit"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How long the force on the tissue was over the limit of this level."),
-              .definition = "Time for which |f| is over the level's force limit, each sample held until the next.",
-              .source = "models.md §6",
-              .measure = measureForceTimeOverLimit<ForceOfFirstTool>});
+    rows.add(
+        {.id = "force_time_over_limit",
+         .unit = "s",
+         .wrench = MetricWrench::tissue,
+         .aggregate = Aggregate::sum,
+         .needsForces = true,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Time over the force limit"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics",
+                                      "How long the force on the tissue was over the limit of this level."),
+         .definition = "Time for which |f| is over the level's force limit, each sample held until the next.",
+         .source = "models.md §6",
+         .measure = measureForceTimeOverLimit<ForceOfFirstTool>});
     rows.next({.tools = MetricTools::all,
-               .definition = "Time for which the load |f| of a tool is over the level's force limit, all tools added; broken tissue counts with the "
+               .definition = "Time for which the load |f| of a tool is over the level's force limit, all "
+                             "tools added; broken tissue counts with the "
                              "force that broke it.",
                .source = "models.md §6; data.md, Range of a law",
                .measure = measureForceTimeOverLimit<LoadOfEveryTool>});

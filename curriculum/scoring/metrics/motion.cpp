@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/procedure_stage.h"
 #include "core/laparoscopy_cues.h"
+#include "core/procedure_stage.h"
 #include "core/units.h"
 #include "scoring/median.h"
 #include "scoring/metric.h"
-#include "scoring/metrics/recorded_values.h"
 #include "scoring/metrics/metric_rows.h"
+#include "scoring/metrics/recorded_values.h"
 #include "scoring/prepared_trial.h"
 #include "scoring/smoothness.h"
 
@@ -51,7 +51,8 @@ Measurement measureTime(std::span<const PreparedTrial> trials) {
             if (!tool.paused[i] && tool.t_s[i + 1] > start_s)
                 total_s += tool.t_s[i + 1] - std::max(tool.t_s[i], start_s);
     }
-    return any ? Measurement::of(total_s) : Measurement::undefined(UndefinedReason::neitherMovementNorContact);
+    return any ? Measurement::of(total_s)
+               : Measurement::undefined(UndefinedReason::neitherMovementNorContact);
 }
 
 Measurement measurePathLength(std::span<const PreparedTrial> trials) {
@@ -203,7 +204,8 @@ private:
     double m_straight_m = 0.0;
 };
 
-Measurement meanOverTrials(std::span<const PreparedTrial> trials, std::optional<double> (*percentOf)(const PreparedTrial&)) {
+Measurement meanOverTrials(std::span<const PreparedTrial> trials,
+                           std::optional<double> (*percentOf)(const PreparedTrial&)) {
     double sum_percent = 0.0;
     int counted = 0;
     for (const PreparedTrial& trial : trials)
@@ -211,12 +213,15 @@ Measurement meanOverTrials(std::span<const PreparedTrial> trials, std::optional<
             sum_percent += *percent;
             ++counted;
         }
-    return counted > 0 ? Measurement::of(sum_percent / counted) : Measurement::undefined(UndefinedReason::endsTooNear);
+    return counted > 0 ? Measurement::of(sum_percent / counted)
+                       : Measurement::undefined(UndefinedReason::endsTooNear);
 }
 
 /// In a canal this uses its stages, elsewhere version 1.
 Measurement measurePathInefficiency2(std::span<const PreparedTrial> trials) {
-    const auto inCanal = [](const PreparedTrial& trial) { return trial.tool != nullptr && trial.trial->insertion; };
+    const auto inCanal = [](const PreparedTrial& trial) {
+        return trial.tool != nullptr && trial.trial->insertion;
+    };
     if (trials.empty() || !std::all_of(trials.begin(), trials.end(), inCanal))
         return measurePathInefficiency(trials);
     return meanOverTrials(trials, [](const PreparedTrial& trial) { return StagesOfCanal(trial).percent(); });
@@ -227,7 +232,9 @@ Measurement measurePathInefficiency3(std::span<const PreparedTrial> trials) {
     const auto inSteps = [](const PreparedTrial& trial) { return quantityOf(trial, "step") != nullptr; };
     if (trials.empty() || !std::all_of(trials.begin(), trials.end(), inSteps))
         return measurePathInefficiency2(trials);
-    return meanOverTrials(trials, [](const PreparedTrial& trial) { return StepsOfTask(trial, *quantityOf(trial, "step")).percent(); });
+    return meanOverTrials(trials, [](const PreparedTrial& trial) {
+        return StepsOfTask(trial, *quantityOf(trial, "step")).percent();
+    });
 }
 
 Measurement measureSparc(std::span<const PreparedTrial> trials) {
@@ -242,49 +249,65 @@ Measurement measureLdlj(std::span<const PreparedTrial> trials) {
 
 std::vector<MetricDefinition> motionMetrics() {
     MetricRows rows;
-    rows.add({.id = "time",
-              .unit = "s",
-              .wrench = MetricWrench::tissue,
-              .aggregate = Aggregate::sum,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Time"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "From the first movement or touch of each trial to its end, added up; pauses do not count."),
-              .definition = "From the first movement (50 ms above 5 mm/s) or contact (0.02 N), whichever is earlier, to the trial's end, without "
-                            "pauses.",
-              .source = "models.md §6",
-              .measure = measureTime});
+    rows.add(
+        {.id = "time",
+         .unit = "s",
+         .wrench = MetricWrench::tissue,
+         .aggregate = Aggregate::sum,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Time"),
+         .meaning = QT_TRANSLATE_NOOP(
+             "Metrics",
+             "From the first movement or touch of each trial to its end, added up; pauses do not count."),
+         .definition = "From the first movement (50 ms above 5 mm/s) or contact (0.02 N), whichever is "
+                       "earlier, to the trial's end, without "
+                       "pauses.",
+         .source = "models.md §6",
+         .measure = measureTime});
     rows.add({.id = "path_length",
               .unit = "mm",
               .aggregate = Aggregate::sum,
               .title = QT_TRANSLATE_NOOP("Metrics", "Path length"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the tip of the tool travelled in all trials together."),
+              .meaning = QT_TRANSLATE_NOOP("Metrics",
+                                           "How far the tip of the tool travelled in all trials together."),
               .definition = "Sum of |dp| of the tool tip, low-passed at 20 Hz and at 100 Hz.",
               .source = "models.md §6",
               .measure = measurePathLength});
-    rows.add({.id = "path_inefficiency",
-              .unit = "%",
-              .title = QT_TRANSLATE_NOOP("Metrics", "Path inefficiency"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How much longer the path was than the shortest one: the straight line or, where the route bends, the route itself; "
-                                                      "the mean over the trials."),
-              .definition = "100 (L/D - 1), D the straight distance between the trial's ends; the mean over the trials where D is at least 5 mm.",
-              .source = "models.md §6",
-              .measure = measurePathInefficiency});
-    rows.next({.definition = "100 (L/D - 1). In a canal of the stages insertion and withdrawal together: L the tip's path, D its way along the "
-                             "centre-line, stages of at least 5 mm. Elsewhere D is the straight distance between the trial's ends; the mean over "
+    rows.add(
+        {.id = "path_inefficiency",
+         .unit = "%",
+         .title = QT_TRANSLATE_NOOP("Metrics", "Path inefficiency"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "How much longer the path was than the shortest one: the "
+                                                 "straight line or, where the route bends, the route itself; "
+                                                 "the mean over the trials."),
+         .definition = "100 (L/D - 1), D the straight distance between the trial's ends; the mean over the "
+                       "trials where D is at least 5 mm.",
+         .source = "models.md §6",
+         .measure = measurePathInefficiency});
+    rows.next({.definition = "100 (L/D - 1). In a canal of the stages insertion and withdrawal together: L "
+                             "the tip's path, D its way along the "
+                             "centre-line, stages of at least 5 mm. Elsewhere D is the straight distance "
+                             "between the trial's ends; the mean over "
                              "the trials where D is at least 5 mm.",
                .source = "models.md §6 and §8",
                .measure = measurePathInefficiency2});
-    rows.next({.definition = "100 (L/D - 1). In a task of recorded steps (grasp, lift, carry ...): L the tip's path and D the straight distance, "
-                             "both added up over the unbroken stretches of one step whose ends are at least 5 mm apart, without holding still. In a "
-                             "canal of the stages insertion and withdrawal together: D the tip's way along the centre-line. Elsewhere D is the "
-                             "straight distance between the trial's ends. The mean over the trials that have such a D.",
+    rows.next({.definition =
+                   "100 (L/D - 1). In a task of recorded steps (grasp, lift, carry ...): L the tip's path "
+                   "and D the straight distance, "
+                   "both added up over the unbroken stretches of one step whose ends are at least 5 mm "
+                   "apart, without holding still. In a "
+                   "canal of the stages insertion and withdrawal together: D the tip's way along the "
+                   "centre-line. Elsewhere D is the "
+                   "straight distance between the trial's ends. The mean over the trials that have such a D.",
                .measure = measurePathInefficiency3});
     rows.add({.id = "sparc",
               .unit = "",
               .direction = Direction::higherIsBetter,
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Smoothness (SPARC)"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How even the speed of each movement was, calculated from its spectrum. Closer to zero is smoother."),
-              .definition = "Median over the sub-movements (speed over 5 % of its peak for 100 ms) of their spectral arc length.",
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "How even the speed of each movement was, calculated "
+                                                      "from its spectrum. Closer to zero is smoother."),
+              .definition = "Median over the sub-movements (speed over 5 % of its peak for 100 ms) of their "
+                            "spectral arc length.",
               .source = "models.md §6; Balasubramanian et al. 2015, J NeuroEng Rehabil 12:112",
               .measure = measureSparc});
     rows.add({.id = "ldlj",
@@ -292,8 +315,10 @@ std::vector<MetricDefinition> motionMetrics() {
               .direction = Direction::higherIsBetter,
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Smoothness (LDLJ)"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How free of jerks each movement was. Closer to zero is smoother."),
-              .definition = "Median over the sub-movements (speed over 5 % of its peak for 100 ms) of their log dimensionless jerk, low-passed at "
+              .meaning = QT_TRANSLATE_NOOP(
+                  "Metrics", "How free of jerks each movement was. Closer to zero is smoother."),
+              .definition = "Median over the sub-movements (speed over 5 % of its peak for 100 ms) of their "
+                            "log dimensionless jerk, low-passed at "
                             "6 Hz.",
               .source = "models.md §6; Balasubramanian et al. 2015, J NeuroEng Rehabil 12:112",
               .measure = measureLdlj});

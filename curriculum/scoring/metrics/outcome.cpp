@@ -25,7 +25,9 @@ Measurement shareDone(std::span<const PreparedTrial> trials, std::size_t of) {
     return Measurement::of(100.0 * static_cast<double>(done) / static_cast<double>(of));
 }
 
-Measurement measureProcedureCompleted(std::span<const PreparedTrial> trials) { return shareDone(trials, trials.size()); }
+Measurement measureProcedureCompleted(std::span<const PreparedTrial> trials) {
+    return shareDone(trials, trials.size());
+}
 
 Measurement measureProcedureCompleted2(std::span<const PreparedTrial> trials) {
     const std::size_t planned = trials.empty() ? 0 : static_cast<std::size_t>(trials.front().plannedTrials);
@@ -60,7 +62,9 @@ std::size_t errorsOf(const TrialTrace& trial) {
     std::size_t count = spans.size();
     for (const ToolTrace& tool : trial.tools)
         for (const double t_s : yieldsOf(tool))
-            count += std::none_of(spans.begin(), spans.end(), [&](const CriticalSpan& span) { return span.begin_s <= t_s && t_s <= span.end_s; });
+            count += std::none_of(spans.begin(), spans.end(), [&](const CriticalSpan& span) {
+                return span.begin_s <= t_s && t_s <= span.end_s;
+            });
     return count;
 }
 
@@ -75,33 +79,45 @@ Measurement measureCriticalErrors2(std::span<const PreparedTrial> trials) {
 
 std::vector<MetricDefinition> outcomeMetrics() {
     MetricRows rows;
-    rows.add({.id = "procedure_completed",
-              .unit = "%",
-              .direction = Direction::higherIsBetter,
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Procedure completed"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How many of the trials were completed in time, with everything that the level asks for, in %."),
-              .definition = "Procedures done to their end, in % of those begun: one that time ended, or that could not be done any more, is not "
-                            "done.",
-              .source = "models.md §1.3, §2.2, §2.4; data.md",
-              .measure = measureProcedureCompleted});
-    rows.next({.definition = "Procedures done to their end, in % of those that the level asks for (of those that ended, where that is not known): "
-                             "one that time ended, that could not be done any more or that was never begun is not done.",
-               .measure = measureProcedureCompleted2});
+    rows.add(
+        {.id = "procedure_completed",
+         .unit = "%",
+         .direction = Direction::higherIsBetter,
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Procedure completed"),
+         .meaning = QT_TRANSLATE_NOOP(
+             "Metrics",
+             "How many of the trials were completed in time, with everything that the level asks for, in %."),
+         .definition = "Procedures done to their end, in % of those begun: one that time ended, or that "
+                       "could not be done any more, is not "
+                       "done.",
+         .source = "models.md §1.3, §2.2, §2.4; data.md",
+         .measure = measureProcedureCompleted});
+    rows.next(
+        {.definition =
+             "Procedures done to their end, in % of those that the level asks for (of those that ended, "
+             "where that is not known): "
+             "one that time ended, that could not be done any more or that was never begun is not done.",
+         .measure = measureProcedureCompleted2});
     rows.add({.id = "critical_errors",
               .unit = "count",
               .wrench = MetricWrench::tissue,
               .aggregate = Aggregate::pooled,
               .tools = MetricTools::all,
               .title = QT_TRANSLATE_NOOP("Metrics", "Critical errors"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How often the tissue gave way because it was pushed or turned too hard, or was pressed sideways too hard or for too "
-                                                      "long."),
-              .definition = "How often tissue gave way under an instrument or finger: the force passed the yield force of the content, or the "
+              .meaning =
+                  QT_TRANSLATE_NOOP("Metrics", "How often the tissue gave way because it was pushed or "
+                                               "turned too hard, or was pressed sideways too hard or for too "
+                                               "long."),
+              .definition = "How often tissue gave way under an instrument or finger: the force passed the "
+                            "yield force of the content, or the "
                             "torque its yield torque.",
               .source = "data.md, Range of a law",
               .measure = measureCriticalErrors});
-    rows.next({.definition = "How often tissue gave way under an instrument or finger (the force passed the yield force of the content, or the "
-                             "torque its yield torque), or was pressed aside in a canal, over the lateral limit, for more than 1 s or with more "
+    rows.next({.definition = "How often tissue gave way under an instrument or finger (the force passed the "
+                             "yield force of the content, or the "
+                             "torque its yield torque), or was pressed aside in a canal, over the lateral "
+                             "limit, for more than 1 s or with more "
                              "than 4 N.",
                .measure = measureCriticalErrors2});
     static_assert(kCriticalSpansCountFrom == 2); // the row above: playback marks critical spans from this

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scoring/metrics/recorded_values.h"
 #include "scoring/metrics/metric_rows.h"
+#include "scoring/metrics/recorded_values.h"
 
 #include <cmath>
 
@@ -28,37 +28,48 @@ Measurement rootMeanSquare(std::span<const PreparedTrial> trials, std::string_vi
             }
     }
     if (count == 0)
-        return Measurement::undefined(known ? UndefinedReason::nothingPredicted : UndefinedReason::noPrediction);
+        return Measurement::undefined(known ? UndefinedReason::nothingPredicted
+                                            : UndefinedReason::noPrediction);
     return Measurement::of(1e3 * std::sqrt(sum / static_cast<double>(count)));
 }
 
-Measurement measurePredictionError(std::span<const PreparedTrial> trials) { return rootMeanSquare(trials, "prediction_error_m"); }
-Measurement measureHeldError(std::span<const PreparedTrial> trials) { return rootMeanSquare(trials, "held_error_m"); }
+Measurement measurePredictionError(std::span<const PreparedTrial> trials) {
+    return rootMeanSquare(trials, "prediction_error_m");
+}
+Measurement measureHeldError(std::span<const PreparedTrial> trials) {
+    return rootMeanSquare(trials, "held_error_m");
+}
 
 } // namespace
 
 std::vector<MetricDefinition> predictionMetrics() {
     MetricRows rows;
-    rows.add({.id = "prediction_error_rms",
-              .unit = "mm",
-              .direction = Direction::neutral,
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Prediction error at 30 Hz"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the predicted soft surface under the tool was from the result of the slow model; this rates the simulation, "
-                                                      "not you."),
-              .definition = "How far the soft surface under the tool, as it was shown between two updates of the slow model, lay from what the "
-                            "slow model then said; RMS over the updates.",
-              .source = "P2, Haptic-Visual Graphic Integration; models.md §2.2, two rates",
-              .measure = measurePredictionError});
-    rows.add({.id = "held_error_rms",
-              .unit = "mm",
-              .direction = Direction::neutral,
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Error without prediction"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The same error if the last update had been kept instead: the difference shows what the prediction is worth."),
-              .definition = "prediction_error_rms if the last updates had been held, and blended alike, instead of predicted.",
-              .source = "P2, Haptic-Visual Graphic Integration; models.md §2.2, two rates",
-              .measure = measureHeldError});
+    rows.add(
+        {.id = "prediction_error_rms",
+         .unit = "mm",
+         .direction = Direction::neutral,
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Prediction error at 30 Hz"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the predicted soft surface under the tool was from "
+                                                 "the result of the slow model; this rates the simulation, "
+                                                 "not you."),
+         .definition = "How far the soft surface under the tool, as it was shown between two updates of the "
+                       "slow model, lay from what the "
+                       "slow model then said; RMS over the updates.",
+         .source = "P2, Haptic-Visual Graphic Integration; models.md §2.2, two rates",
+         .measure = measurePredictionError});
+    rows.add(
+        {.id = "held_error_rms",
+         .unit = "mm",
+         .direction = Direction::neutral,
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Error without prediction"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "The same error if the last update had been kept instead: "
+                                                 "the difference shows what the prediction is worth."),
+         .definition = "prediction_error_rms if the last updates had been held, and blended alike, instead "
+                       "of predicted.",
+         .source = "P2, Haptic-Visual Graphic Integration; models.md §2.2, two rates",
+         .measure = measureHeldError});
     return rows.take();
 }
 

@@ -31,9 +31,11 @@ std::optional<Measurement> forEachTorque(std::span<const PreparedTrial> trials, 
 
 Measurement measureTorqueMax(std::span<const PreparedTrial> trials) {
     double largest_Nm = -1.0;
-    if (auto why = forEachTorque(trials, [&](double torque_Nm) { largest_Nm = std::max(largest_Nm, torque_Nm); }))
+    if (auto why =
+            forEachTorque(trials, [&](double torque_Nm) { largest_Nm = std::max(largest_Nm, torque_Nm); }))
         return *why;
-    return largest_Nm < 0.0 ? Measurement::undefined(UndefinedReason::noSamples) : Measurement::of(1e3 * largest_Nm);
+    return largest_Nm < 0.0 ? Measurement::undefined(UndefinedReason::noSamples)
+                            : Measurement::of(1e3 * largest_Nm);
 }
 
 Measurement measureTorqueRms(std::span<const PreparedTrial> trials) {
@@ -58,20 +60,23 @@ std::vector<MetricDefinition> torqueMetrics() {
               .wrench = MetricWrench::tissue,
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Largest torque"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The largest torque between endoscope and tissue at any moment."),
+              .meaning = QT_TRANSLATE_NOOP("Metrics",
+                                           "The largest torque between endoscope and tissue at any moment."),
               .definition = "Largest |torque| of the tissue about the tip.",
               .source = "models.md §1.2, §6; P1 eq. 4–6",
               .measure = measureTorqueMax});
-    rows.add({.id = "torque_rms",
-              .unit = "mN·m",
-              .wrench = MetricWrench::tissue,
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Torque, root mean square"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The root mean square of the torque between endoscope and tissue."),
-              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest torque"),
-              .definition = "Square root of the mean of |torque|^2 of the tissue about the tip over all samples.",
-              .source = "models.md §1.2, §6; P1 eq. 4–6",
-              .measure = measureTorqueRms});
+    rows.add(
+        {.id = "torque_rms",
+         .unit = "mN·m",
+         .wrench = MetricWrench::tissue,
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Torque, root mean square"),
+         .meaning =
+             QT_TRANSLATE_NOOP("Metrics", "The root mean square of the torque between endoscope and tissue."),
+         .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest torque"),
+         .definition = "Square root of the mean of |torque|^2 of the tissue about the tip over all samples.",
+         .source = "models.md §1.2, §6; P1 eq. 4–6",
+         .measure = measureTorqueRms});
     return rows.take();
 }
 

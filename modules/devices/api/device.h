@@ -13,7 +13,7 @@ namespace chiron::devices {
 /// The force that the supervisor lets through to one tool. Only the loop makes it, from the supervisor's
 /// output.
 struct ForceCommand {
-    core::Wrench wrench_D;     ///< total wrench on the tool, in D, about the tip
+    core::Wrench wrench_D; ///< total wrench on the tool, in D, about the tip
     /// The part of it that overcomes the mechanism's own friction: not a tissue force, so it is left out of
     /// `measured`.
     core::Wrench compensation_D;

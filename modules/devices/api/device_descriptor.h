@@ -14,16 +14,16 @@ enum class AxisUnit { metre, radian };
 
 /// One generalised coordinate of a tool.
 struct AxisDescriptor {
-    std::string id;               ///< snake_case, e.g. "heading", "x"
+    std::string id; ///< snake_case, e.g. "heading", "x"
     AxisUnit unit = AxisUnit::metre;
-    double resolution = 1e-6;     ///< m or rad per count
-    double minimum = 0.0;         ///< m or rad
+    double resolution = 1e-6; ///< m or rad per count
+    double minimum = 0.0;     ///< m or rad
     double maximum = 0.0;
     /// Effort in N or N·m that the axis can give continuously; 0 = not actuated.
     double continuousRating = 0.0;
     /// Of the axis, as identified, N or N·m; 0 = unknown, and not compensated.
     double coulombFriction = 0.0;
-    double viscousFriction = 0.0;  ///< the same, N·s/m or N·m·s/rad
+    double viscousFriction = 0.0; ///< the same, N·s/m or N·m·s/rad
 };
 
 /// How the scores of devices are grouped: force that can be felt is never compared with force that is only
@@ -33,17 +33,17 @@ enum class DeviceClass { felt, shown };
 /// Describes what a device is and can do. It is stored with each session, and the kinematics can be made from
 /// it again.
 struct DeviceDescriptor {
-    std::string driver;     ///< catalogue id: simulated, keyboard_mouse, replay
-    std::string model;      ///< for people
-    std::string kinematics; ///< one of the ids that makeKinematics() knows
+    std::string driver;                       ///< catalogue id: simulated, keyboard_mouse, replay
+    std::string model;                        ///< for people
+    std::string kinematics;                   ///< one of the ids that makeKinematics() knows
     std::vector<double> kinematicsParameters; ///< their meaning depends on the kinematics id
     std::vector<AxisDescriptor> axes;         ///< 1..kMaxCoordinates
     double jawResolution_rad = 0.0;
     bool rendersForce = false;
     bool measuresForce = false;
-    bool inProcess = false;        ///< stepped in the tick, age 0
+    bool inProcess = false;         ///< stepped in the tick, age 0
     std::uint32_t period_us = 1000; ///< P: declared time between packets
-    double maximumForce_N = 0.0;   ///< continuous, any direction; 0 = none
+    double maximumForce_N = 0.0;    ///< continuous, any direction; 0 = none
     double maximumTorque_Nm = 0.0;
     /// b_max (models.md §0, §8): the largest total damping of this mechanism, with friction's slope,
     /// viscosity, contact damping and injected damping added up. Measured, with margin

@@ -8,8 +8,8 @@ namespace chiron::devices {
 /// Movement of an endoscope by a hand, as its picture shows it (the tool's frame T: it looks along −z, x
 /// right, y up).
 struct EndoscopeMovement {
-    double advance_m = 0.0;     ///< along the viewing direction
-    double right_m = 0.0;       ///< sideways, in the plane of the picture
+    double advance_m = 0.0; ///< along the viewing direction
+    double right_m = 0.0;   ///< sideways, in the plane of the picture
     double up_m = 0.0;
     double turnUp_rad = 0.0;    ///< the view turns upwards in the picture, about the tip
     double turnRight_rad = 0.0; ///< the view turns to the right in the picture, about the tip
@@ -26,7 +26,9 @@ public:
     /// Sets the movement per second while keys are held; all zero when they are released.
     void setRate(const EndoscopeMovement& perSecond) noexcept { setRates(toArray(perSecond)); }
 
-    static EndoscopeMovement toMovement(const Motion& m) noexcept { return {m[0], m[1], m[2], m[3], m[4], m[5]}; }
+    static EndoscopeMovement toMovement(const Motion& m) noexcept {
+        return {m[0], m[1], m[2], m[3], m[4], m[5]};
+    }
 
 private:
     static Motion toArray(const EndoscopeMovement& m) noexcept {

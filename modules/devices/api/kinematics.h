@@ -25,7 +25,8 @@ public:
                           core::Vec3& w_DT) const noexcept = 0;
     /// Returns the generalised effort per axis (N or N·m) that realises wrench_D (on the tool, in D): τ = Jᵀf
     /// by default.
-    virtual AxisValues efforts(const core::DeviceSample& sample, const core::Wrench& wrench_D) const noexcept = 0;
+    virtual AxisValues efforts(const core::DeviceSample& sample,
+                               const core::Wrench& wrench_D) const noexcept = 0;
 };
 
 } // namespace chiron::devices

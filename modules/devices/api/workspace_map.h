@@ -21,7 +21,8 @@ public:
     explicit WorkspaceMap(const WorkspaceMapping& mapping = {}) noexcept
         : m_origin(mapping.origin_m[0], mapping.origin_m[1], mapping.origin_m[2]), m_scale(mapping.scale),
           m_polar(mapping.leftHanded ? -1.0 : 1.0, 1.0, 1.0),
-          m_axial(mapping.leftHanded ? core::Vec3(1.0, -1.0, -1.0) : core::Vec3(1.0, 1.0, 1.0)), m_turned(mapping.turned()),
+          m_axial(mapping.leftHanded ? core::Vec3(1.0, -1.0, -1.0) : core::Vec3(1.0, 1.0, 1.0)),
+          m_turned(mapping.turned()),
           m_turn(core::Quat(mapping.q_WD[0], mapping.q_WD[1], mapping.q_WD[2], mapping.q_WD[3]).normalized()),
           m_R(m_turn.toRotationMatrix()) {}
 
@@ -31,9 +32,15 @@ public:
     core::Vec3 pointToD(const core::Vec3& p_WT) const noexcept {
         return m_polar.cwiseProduct(turnedBack(p_WT - m_origin)) / m_scale;
     }
-    core::Vec3 velocityToW(const core::Vec3& v_DT) const noexcept { return m_scale * turned(m_polar.cwiseProduct(v_DT)); }
-    core::Vec3 angularToW(const core::Vec3& w_DT) const noexcept { return turned(m_axial.cwiseProduct(w_DT)); }
-    core::Quat orientationToW(const core::Quat& q) const noexcept { return m_turned ? core::Quat(m_turn * reflected(q)) : reflected(q); }
+    core::Vec3 velocityToW(const core::Vec3& v_DT) const noexcept {
+        return m_scale * turned(m_polar.cwiseProduct(v_DT));
+    }
+    core::Vec3 angularToW(const core::Vec3& w_DT) const noexcept {
+        return turned(m_axial.cwiseProduct(w_DT));
+    }
+    core::Quat orientationToW(const core::Quat& q) const noexcept {
+        return m_turned ? core::Quat(m_turn * reflected(q)) : reflected(q);
+    }
     core::Quat orientationToD(const core::Quat& q) const noexcept {
         return m_turned ? reflected(core::Quat(m_turn.conjugate() * q)) : reflected(q);
     }
@@ -59,7 +66,9 @@ public:
 
 private:
     core::Vec3 turned(const core::Vec3& v) const noexcept { return m_turned ? core::Vec3(m_R * v) : v; }
-    core::Vec3 turnedBack(const core::Vec3& v) const noexcept { return m_turned ? core::Vec3(m_R.transpose() * v) : v; }
+    core::Vec3 turnedBack(const core::Vec3& v) const noexcept {
+        return m_turned ? core::Vec3(m_R.transpose() * v) : v;
+    }
     core::Quat reflected(const core::Quat& q) const noexcept {
         return {q.w(), m_axial.x() * q.x(), m_axial.y() * q.y(), m_axial.z() * q.z()};
     }

@@ -10,7 +10,9 @@ using core::Vec3;
 
 Senses::Senses(const PerceptionSettings& s, std::uint64_t seed) noexcept
     : m_settings(s), m_random(core::Random::stream(seed, "sphere_apex/senses")) {
-    const auto make = [&](double sd, double time_s) { return mechanisms::MarkovNoise(sd, time_s, kLook_s, m_random); };
+    const auto make = [&](double sd, double time_s) {
+        return mechanisms::MarkovNoise(sd, time_s, kLook_s, m_random);
+    };
     for (std::size_t i = 0; i < 3; ++i) {
         m_bias[i] = make(s.positionBiasSd_m, s.positionBiasTime_s);
         m_quick[i] = make(s.positionNoiseSd_m, s.positionNoiseTime_s);

@@ -16,8 +16,8 @@ struct GraspReachSettings {
 /// and wish share.
 struct GraspWish {
     core::Vec3 velocity_m_per_s = core::Vec3::Zero();
-    double jaw_rad = 0.0;             ///< wanted opening
-    double jawSpeed_rad_per_s = 1.0;  ///< speed of opening or closing
+    double jaw_rad = 0.0;            ///< wanted opening
+    double jawSpeed_rad_per_s = 1.0; ///< speed of opening or closing
 };
 
 /// The motor command: it turns a wished velocity into a smooth desired position and a wished opening into a

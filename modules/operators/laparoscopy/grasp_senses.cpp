@@ -8,11 +8,13 @@ namespace chiron::operators {
 
 using mechanisms::MarkovNoise;
 
-GraspSenses::GraspSenses(const GraspPerceptionSettings& s, std::size_t hand, const devices::WorkspaceMapping& place,
-                         std::uint64_t seed) noexcept
+GraspSenses::GraspSenses(const GraspPerceptionSettings& s, std::size_t hand,
+                         const devices::WorkspaceMapping& place, std::uint64_t seed) noexcept
     : m_settings(s), m_hand(hand), m_map(place), m_random(core::Random::stream(seed, "laparoscopy/senses")),
       m_senses(s.hand, seed) {
-    const auto make = [&](double sd, double time_s) { return MarkovNoise(sd, time_s, Senses::kLook_s, m_random); };
+    const auto make = [&](double sd, double time_s) {
+        return MarkovNoise(sd, time_s, Senses::kLook_s, m_random);
+    };
     m_tensionWeber = make(s.gaugeWeberFraction, s.gaugeNoiseTime_s);
     m_tensionFloor = make(s.gaugeFloorSd_N, s.gaugeNoiseTime_s);
     m_squeezeWeber = make(s.gaugeWeberFraction, s.gaugeNoiseTime_s);
@@ -33,13 +35,17 @@ bool GraspSenses::feel(const mechanisms::HandPerception& real) noexcept {
     m_percept.cues = real.cues;
     m_percept.place = m_map.pointToW(felt.place);
     m_percept.force = m_map.wrenchToW({felt.force, core::Vec3::Zero()}).force;
-    m_percept.tension_N = readBar(screen.tensionShown ? screen.tension_N : 0.0, m_tensionWeber, m_tensionFloor);
+    m_percept.tension_N =
+        readBar(screen.tensionShown ? screen.tension_N : 0.0, m_tensionWeber, m_tensionFloor);
     // The same eye reads both bars of one percept, so both readings have the same error.
-    m_percept.retraction_N = screen.retractionShown && screen.retraction_N > 0.0
-                                 ? std::max(0.0, screen.retraction_N * (1.0 + m_tensionWeber.value()) + m_tensionFloor.value())
-                                 : 0.0;
-    m_percept.squeeze_N = readBar(screen.squeezeShown ? screen.squeeze_N[m_hand] : 0.0, m_squeezeWeber, m_squeezeFloor);
-    m_percept.stretch_m = (screen.restLength_m + screen.stretch_m) * (1.0 + m_length.advance(m_random)) - screen.restLength_m;
+    m_percept.retraction_N =
+        screen.retractionShown && screen.retraction_N > 0.0
+            ? std::max(0.0, screen.retraction_N * (1.0 + m_tensionWeber.value()) + m_tensionFloor.value())
+            : 0.0;
+    m_percept.squeeze_N =
+        readBar(screen.squeezeShown ? screen.squeeze_N[m_hand] : 0.0, m_squeezeWeber, m_squeezeFloor);
+    m_percept.stretch_m =
+        (screen.restLength_m + screen.stretch_m) * (1.0 + m_length.advance(m_random)) - screen.restLength_m;
     m_percept.flattening_m = seenFlattening(screen);
     return true;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/laparoscopy_cues.h"
 #include "core/random.h"
 #include "devices/api/workspace_map.h"
 #include "mechanisms/hand_strategy.h"
 #include "mechanisms/markov_noise.h"
-#include "operators/laparoscopy/grasp_perception_settings.h"
 #include "operators/hand/senses.h"
-#include "core/laparoscopy_cues.h"
+#include "operators/laparoscopy/grasp_perception_settings.h"
 
 #include <cstdint>
 
@@ -38,8 +38,8 @@ struct GraspPercept {
 /// Thread: haptic; allocates nothing.
 class GraspSenses {
 public:
-    GraspSenses(const GraspPerceptionSettings& settings, std::size_t hand, const devices::WorkspaceMapping& place,
-                std::uint64_t seed) noexcept;
+    GraspSenses(const GraspPerceptionSettings& settings, std::size_t hand,
+                const devices::WorkspaceMapping& place, std::uint64_t seed) noexcept;
     /// Call it every tick. Returns true when a new percept is ready in percept().
     bool feel(const mechanisms::HandPerception& real) noexcept;
     const GraspPercept& percept() const noexcept { return m_percept; }
@@ -53,7 +53,8 @@ private:
     devices::WorkspaceMap m_map;
     core::Random m_random;
     Senses m_senses;
-    mechanisms::MarkovNoise m_tensionWeber, m_tensionFloor, m_squeezeWeber, m_squeezeFloor, m_length, m_thickness;
+    mechanisms::MarkovNoise m_tensionWeber, m_tensionFloor, m_squeezeWeber, m_squeezeFloor, m_length,
+        m_thickness;
     GraspPercept m_percept;
 };
 

@@ -10,7 +10,8 @@ namespace chiron::operators {
 
 /// Returns a velocity towards a goal: proportional to the remaining distance, at most `speed`. SI, in any one
 /// frame.
-inline core::Vec3 velocityTo(const core::Vec3& goal, const core::Vec3& here, double gain_per_s, double speed_m_per_s) noexcept {
+inline core::Vec3 velocityTo(const core::Vec3& goal, const core::Vec3& here, double gain_per_s,
+                             double speed_m_per_s) noexcept {
     const core::Vec3 left = goal - here;
     const double distance = left.norm();
     if (!(distance > 1e-9))

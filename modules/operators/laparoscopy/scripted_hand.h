@@ -29,8 +29,9 @@ private:
 /// Thread: haptic; allocates nothing after construction.
 class ScriptedHand final : public mechanisms::HandStrategy {
 public:
-    ScriptedHand(std::shared_ptr<SharedMind> mind, std::size_t hand, const GraspPerceptionSettings& perception,
-                 const GraspReachSettings& reach, const devices::WorkspaceMapping& place, std::uint64_t seed);
+    ScriptedHand(std::shared_ptr<SharedMind> mind, std::size_t hand,
+                 const GraspPerceptionSettings& perception, const GraspReachSettings& reach,
+                 const devices::WorkspaceMapping& place, std::uint64_t seed);
     ~ScriptedHand() override;
     mechanisms::HandIntention decide(const mechanisms::HandPerception& seen) noexcept override;
 
@@ -44,10 +45,9 @@ private:
 };
 
 /// Makes the hands in the order of the tools, each at its instrument's position. Allocates; not for the tick.
-std::vector<std::unique_ptr<mechanisms::HandStrategy>> makeHands(std::unique_ptr<LaparoscopyMind> mind,
-                                                                 const GraspPerceptionSettings& perception,
-                                                                 const GraspReachSettings& reach,
-                                                                 const std::vector<devices::WorkspaceMapping>& places,
-                                                                 std::uint64_t seed);
+std::vector<std::unique_ptr<mechanisms::HandStrategy>>
+makeHands(std::unique_ptr<LaparoscopyMind> mind, const GraspPerceptionSettings& perception,
+          const GraspReachSettings& reach, const std::vector<devices::WorkspaceMapping>& places,
+          std::uint64_t seed);
 
 } // namespace chiron::operators

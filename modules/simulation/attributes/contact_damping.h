@@ -15,7 +15,8 @@ namespace chiron::simulation {
 struct ContactDamping {
     static constexpr double kFullDepth_m = 0.0005;
 
-    static double normalForce(double elastic_N, double damping_Ns_per_m, double depth_m, double v_n) noexcept {
+    static double normalForce(double elastic_N, double damping_Ns_per_m, double depth_m,
+                              double v_n) noexcept {
         const double weight = std::min(1.0, depth_m * (1.0 / kFullDepth_m));
         return std::max(0.0, elastic_N - damping_Ns_per_m * weight * v_n);
     }

@@ -16,7 +16,8 @@ inline constexpr double kUnboundedDamping = std::numeric_limits<double>::infinit
 /// Thread: haptic; allocates nothing.
 class DampingBudget {
 public:
-    explicit constexpr DampingBudget(double most_Ns_per_m = kUnboundedDamping) noexcept : m_left_Ns_per_m(std::max(0.0, most_Ns_per_m)) {}
+    explicit constexpr DampingBudget(double most_Ns_per_m = kUnboundedDamping) noexcept
+        : m_left_Ns_per_m(std::max(0.0, most_Ns_per_m)) {}
 
     /// The share, 0..1, of a damper of `wanted_Ns_per_m` ≥ 0 that fits into `most_Ns_per_m`; exactly 1 where
     /// all of it fits.

@@ -17,8 +17,8 @@ struct HeightSample {
 /// as a micro-height), §2.3 (decoy dimple); the profile is our choice: the simplest polynomial with a
 /// continuous slope.
 struct Dimple {
-    double depth_m = 0.0;      ///< D ≥ 0; 0 = none
-    double halfWidth_m = 0.006; ///< w > 0
+    double depth_m = 0.0;                     ///< D ≥ 0; 0 = none
+    double halfWidth_m = 0.006;               ///< w > 0
     core::Vec2 centre_m = core::Vec2::Zero(); ///< x, y in W
 
     HeightSample sample(double x_m, double y_m) const noexcept {

@@ -16,8 +16,8 @@ struct Elasticity {
     static double energy(double stiffness_N_per_m, double depth_m) noexcept {
         return 0.5 * stiffness_N_per_m * depth_m * depth_m;
     }
-    static core::Vec3 force(double stiffness_N_per_m, const core::Vec2& stiffnessGradient_N_per_m2, double depth_m,
-                            const core::Vec3& depthGradient) noexcept {
+    static core::Vec3 force(double stiffness_N_per_m, const core::Vec2& stiffnessGradient_N_per_m2,
+                            double depth_m, const core::Vec3& depthGradient) noexcept {
         core::Vec3 f = -stiffness_N_per_m * depth_m * depthGradient;
         const double lateral = 0.5 * depth_m * depth_m;
         f.x() -= lateral * stiffnessGradient_N_per_m2.x();
@@ -82,8 +82,8 @@ private:
     /// 3·10⁻¹⁸.
     static double excess(double u) noexcept {
         double sum = 1.0 / 39916800.0;
-        for (const double term : {1.0 / 3628800.0, 1.0 / 362880.0, 1.0 / 40320.0, 1.0 / 5040.0, 1.0 / 720.0, 1.0 / 120.0,
-                                  1.0 / 24.0, 1.0 / 6.0, 0.5})
+        for (const double term : {1.0 / 3628800.0, 1.0 / 362880.0, 1.0 / 40320.0, 1.0 / 5040.0, 1.0 / 720.0,
+                                  1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5})
             sum = sum * u + term;
         return sum;
     }

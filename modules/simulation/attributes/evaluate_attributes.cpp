@@ -30,11 +30,13 @@ void writeSpring(const ElasticLaw& law, double x_m, std::span<double> out) noexc
     out[2] = law.slope(x_m);
 }
 
-void evaluateElasticity(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
+void evaluateElasticity(std::span<const double> p, std::span<const double> in,
+                        std::span<double> out) noexcept {
     writeSpring({p[0], 0.0}, in[0], out);
 }
 
-void evaluateStiffening(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
+void evaluateStiffening(std::span<const double> p, std::span<const double> in,
+                        std::span<double> out) noexcept {
     writeSpring({p[0], p[1]}, in[0], out);
 }
 
@@ -59,7 +61,8 @@ void evaluateMass(std::span<const double> p, std::span<const double> in, std::sp
     out[3] = Mass::energy(p[0], in[0]);
 }
 
-constexpr std::array<LawColumn, 3> kDeformationInputs{{{"depth_m", "m"}, {"held_s", "s"}, {"released_s", "s"}}};
+constexpr std::array<LawColumn, 3> kDeformationInputs{
+    {{"depth_m", "m"}, {"held_s", "s"}, {"released_s", "s"}}};
 constexpr std::array<LawColumn, 6> kDeformationOutputs{{{"force_at_once_N", "N"},
                                                         {"force_N", "N"},
                                                         {"force_steady_N", "N"},
@@ -81,7 +84,8 @@ std::string deformationProblem(std::span<const double>, std::span<const double> 
 
 /// Presses to depth_m at time 0 and holds it until held_s (force_N). The tool then stays away for released_s,
 /// after which the surface lies at surface_m.
-void evaluateDeformation(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
+void evaluateDeformation(std::span<const double> p, std::span<const double> in,
+                         std::span<double> out) noexcept {
     const Deformation::Parameters law{{p[0], p[1]}, p[2] * p[0], p[3]};
     Deformation dent;
     out[0] = dent.press(law, in[0], 0.0).force_N;
@@ -97,10 +101,13 @@ void evaluateDeformation(std::span<const double> p, std::span<const double> in, 
 
 constexpr std::array<LawColumn, 4> kViscosityInputs{
     {{"depth_m", "m"}, {"vx_m_per_s", "m/s"}, {"vy_m_per_s", "m/s"}, {"vz_m_per_s", "m/s"}}};
-constexpr std::array<LawColumn, 4> kViscosityOutputs{{{"fx_N", "N"}, {"fy_N", "N"}, {"fz_N", "N"}, {"power_W", "W"}}};
-constexpr std::array<LawParameter, 1> kViscosityParameters{{{"viscosity_Ns_per_m", "N·s/m", 1.0, 0.0, 100.0}}};
+constexpr std::array<LawColumn, 4> kViscosityOutputs{
+    {{"fx_N", "N"}, {"fy_N", "N"}, {"fz_N", "N"}, {"power_W", "W"}}};
+constexpr std::array<LawParameter, 1> kViscosityParameters{
+    {{"viscosity_Ns_per_m", "N·s/m", 1.0, 0.0, 100.0}}};
 
-void evaluateViscosity(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
+void evaluateViscosity(std::span<const double> p, std::span<const double> in,
+                       std::span<double> out) noexcept {
     const core::Vec3 v(in[1], in[2], in[3]);
     const core::Vec3 f = Viscosity::force(p[0], in[0], v);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -137,36 +144,68 @@ void evaluateTube(std::span<const double> p, std::span<const double> in, std::sp
 } // namespace
 
 core::LawDescription elasticityLaw() noexcept {
-    return {"elasticity", "linear elasticity along a line, f = -k x, U = k x^2/2; conservative", "models.md §2.2", kExtension,
-            kSpring, kElasticityParameters, &evaluateElasticity};
+    return {"elasticity",
+            "linear elasticity along a line, f = -k x, U = k x^2/2; conservative",
+            "models.md §2.2",
+            kExtension,
+            kSpring,
+            kElasticityParameters,
+            &evaluateElasticity};
 }
 
 core::LawDescription strainStiffeningLaw() noexcept {
     return {"strain-stiffening",
-            "elasticity that stiffens, f = -(k/b)(exp(bx) - 1), U = (k/b^2)(exp(bx) - 1 - bx), straight beyond bx = 20; conservative",
-            "models.md §2.2; P2, Elastic Tube Model", kExtension, kSpring, kStiffeningParameters, &evaluateStiffening};
+            "elasticity that stiffens, f = -(k/b)(exp(bx) - 1), U = (k/b^2)(exp(bx) - 1 - bx), straight "
+            "beyond bx = 20; conservative",
+            "models.md §2.2; P2, Elastic Tube Model",
+            kExtension,
+            kSpring,
+            kStiffeningParameters,
+            &evaluateStiffening};
 }
 
 core::LawDescription massLaw() noexcept {
-    return {"mass", "weight of what is lifted, f = (0, 0, -m g) in W, and with -m a; polar_weight has it by heading, pitch and depth",
-            "P2, Mass Model; models.md §2.1", kMassInputs, kMassOutputs, kMassParameters, &evaluateMass};
+    return {"mass",
+            "weight of what is lifted, f = (0, 0, -m g) in W, and with -m a; polar_weight has it by heading, "
+            "pitch and depth",
+            "P2, Mass Model; models.md §2.1",
+            kMassInputs,
+            kMassOutputs,
+            kMassParameters,
+            &evaluateMass};
 }
 
 core::LawDescription deformationLaw() noexcept {
-    return {"deformation", "a surface as a standard linear solid, f = k d + k1 (d - q), q' = (d - q)/tau; not conservative",
-            "P2, Deformation Model; models.md §2.2", kDeformationInputs, kDeformationOutputs, kDeformationParameters,
-            &evaluateDeformation, &deformationProblem};
+    return {"deformation",
+            "a surface as a standard linear solid, f = k d + k1 (d - q), q' = (d - q)/tau; not conservative",
+            "P2, Deformation Model; models.md §2.2",
+            kDeformationInputs,
+            kDeformationOutputs,
+            kDeformationParameters,
+            &evaluateDeformation,
+            &deformationProblem};
 }
 
 core::LawDescription viscosityLaw() noexcept {
-    return {"viscosity", "viscosity inside an object, f = -b min(1, d/0.5 mm) v; not conservative",
-            "P2, Viscosity; models.md §0 and §2.2", kViscosityInputs, kViscosityOutputs, kViscosityParameters,
+    return {"viscosity",
+            "viscosity inside an object, f = -b min(1, d/0.5 mm) v; not conservative",
+            "P2, Viscosity; models.md §0 and §2.2",
+            kViscosityInputs,
+            kViscosityOutputs,
+            kViscosityParameters,
             &evaluateViscosity};
 }
 
 core::LawDescription elasticTubeLaw() noexcept {
-    return {"elastic-tube", "tension and energy of a massless tube, or a segment of it, from its length; slack below its rest length; conservative",
-            "P2, Elastic Tube Model; models.md §2.4", kTubeInputs, kTubeOutputs, kTubeParameters, &evaluateTube, &tubeProblem};
+    return {"elastic-tube",
+            "tension and energy of a massless tube, or a segment of it, from its length; slack below its "
+            "rest length; conservative",
+            "P2, Elastic Tube Model; models.md §2.4",
+            kTubeInputs,
+            kTubeOutputs,
+            kTubeParameters,
+            &evaluateTube,
+            &tubeProblem};
 }
 
 } // namespace chiron::simulation

@@ -34,8 +34,13 @@ void evaluateFriction(std::span<const double> p, std::span<const double> in, std
 } // namespace
 
 core::LawDescription frictionLaw() noexcept {
-    return {"friction", "Coulomb friction regularised by velocity, F = -mu N V / sqrt(V^2 + V0^2)", "P1 eq. 1; models.md §0 and §1.2",
-            kFrictionInputs, kFrictionOutputs, kFrictionParameters, &evaluateFriction};
+    return {"friction",
+            "Coulomb friction regularised by velocity, F = -mu N V / sqrt(V^2 + V0^2)",
+            "P1 eq. 1; models.md §0 and §1.2",
+            kFrictionInputs,
+            kFrictionOutputs,
+            kFrictionParameters,
+            &evaluateFriction};
 }
 
 } // namespace chiron::simulation

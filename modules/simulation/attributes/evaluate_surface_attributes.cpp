@@ -20,13 +20,15 @@ constexpr std::array<LawColumn, 7> kRoughnessOutputs{{{"height_m", "m"},
                                                       {"fy_N", "N"},
                                                       {"fz_N", "N"},
                                                       {"energy_J", "J"}}};
-constexpr std::array<LawParameter, 4> kRoughnessParameters{{{"roughness_m", "m", 0.00004, 0.0, 0.001},
-                                                            {"wavelength_m", "m", 0.003, 0.001, 0.1},
-                                                            {"seed", "1", 1.0, 0.0, 1e9, true},
-                                                            {"stiffness_N_per_m", "N/m", 500.0, 0.0, 100000.0}}};
+constexpr std::array<LawParameter, 4> kRoughnessParameters{
+    {{"roughness_m", "m", 0.00004, 0.0, 0.001},
+     {"wavelength_m", "m", 0.003, 0.001, 0.1},
+     {"seed", "1", 1.0, 0.0, 1e9, true},
+     {"stiffness_N_per_m", "N/m", 500.0, 0.0, 100000.0}}};
 
 /// Evaluates roughness on the plane z = 0 for a tool at (px, py, −depth).
-void evaluateRoughness(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
+void evaluateRoughness(std::span<const double> p, std::span<const double> in,
+                       std::span<double> out) noexcept {
     const RoughnessSample micro =
         Roughness(p[0], p[1], static_cast<std::uint64_t>(p[2])).sample(core::Vec3(in[0], in[1], 0.0));
     out[0] = micro.height_m;
@@ -77,15 +79,25 @@ void evaluateBristle(std::span<const double> p, std::span<const double> in, std:
 
 core::LawDescription roughnessLaw() noexcept {
     return {"roughness",
-            "pseudo-random micro-height h of a plane, white up to 1/wavelength, and the force of U = k (d + h)^2/2; conservative",
-            "P2, Roughness; models.md §2.2", kRoughnessInputs, kRoughnessOutputs, kRoughnessParameters, &evaluateRoughness};
+            "pseudo-random micro-height h of a plane, white up to 1/wavelength, and the force of U = k (d + "
+            "h)^2/2; conservative",
+            "P2, Roughness; models.md §2.2",
+            kRoughnessInputs,
+            kRoughnessOutputs,
+            kRoughnessParameters,
+            &evaluateRoughness};
 }
 
 core::LawDescription bristleFrictionLaw() noexcept {
     return {"bristle-friction",
-            "one step of the clipped bristle: stretch before (0 at first contact) and displacement to force and stretch after; "
+            "one step of the clipped bristle: stretch before (0 at first contact) and displacement to force "
+            "and stretch after; "
             "not conservative",
-            "models.md §2.2", kBristleInputs, kBristleOutputs, kBristleParameters, &evaluateBristle};
+            "models.md §2.2",
+            kBristleInputs,
+            kBristleOutputs,
+            kBristleParameters,
+            &evaluateBristle};
 }
 
 } // namespace chiron::simulation

@@ -20,7 +20,9 @@ namespace chiron::simulation {
 /// formulas as published are available as `evaluate polar_weight` (mechanisms) and are never rendered. Pure.
 /// Source: P2 "Mass Model"; models.md §2.1, §2.2.
 struct Mass {
-    static core::Vec3 weight(double mass_kg) noexcept { return {0.0, 0.0, -mass_kg * core::kStandardGravity}; }
+    static core::Vec3 weight(double mass_kg) noexcept {
+        return {0.0, 0.0, -mass_kg * core::kStandardGravity};
+    }
     /// Returns −m a for the object's acceleration `acceleration_W` (m/s²). It is not conservative as a force
     /// on the tool alone, because the kinetic energy ½ m v² belongs to the balance.
     static core::Vec3 inertia(double mass_kg, const core::Vec3& acceleration_W) noexcept {

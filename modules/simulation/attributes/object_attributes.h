@@ -26,8 +26,8 @@ struct ObjectAttributes {
     double recoveryShare = 0.0;  ///< k₁/k ≥ 0: how much stiffer a quick press is than a slow one
 
     // roughness: micro-height, band-limited, fixed by its seed; U = ½ k (d + h)²
-    double roughness_m = 0.0;                ///< rms of h
-    double roughnessWavelength_m = 0.002;    ///< shortest; ≥ 1 mm
+    double roughness_m = 0.0;             ///< rms of h
+    double roughnessWavelength_m = 0.002; ///< shortest; ≥ 1 mm
     std::uint64_t roughnessSeed = 1;
 
     // friction: clipped bristle

@@ -15,8 +15,8 @@ core::Quat randomRotation(core::Random& random) noexcept {
     const double u = random.uniform();
     const double a = random.uniform(0.0, 2.0 * core::kPi);
     const double b = random.uniform(0.0, 2.0 * core::kPi);
-    return core::Quat(std::sqrt(u) * std::cos(b), std::sqrt(1.0 - u) * std::sin(a), std::sqrt(1.0 - u) * std::cos(a),
-                      std::sqrt(u) * std::sin(b));
+    return core::Quat(std::sqrt(u) * std::cos(b), std::sqrt(1.0 - u) * std::sin(a),
+                      std::sqrt(1.0 - u) * std::cos(a), std::sqrt(u) * std::sin(b));
 }
 
 } // namespace
@@ -33,7 +33,8 @@ Roughness::Roughness(double rms_m, double shortestWavelength_m, std::uint64_t se
         const double z = (static_cast<double>(i) + 0.5) / kWaves;
         const double rho = std::sqrt(1.0 - z * z);
         const double around = golden * static_cast<double>(i);
-        const core::Vec3 wave = turn * core::Vec3(rho * std::cos(around), rho * std::sin(around), z) / m_wavelength_m;
+        const core::Vec3 wave =
+            turn * core::Vec3(rho * std::cos(around), rho * std::sin(around), z) / m_wavelength_m;
         m_x[i] = wave.x();
         m_y[i] = wave.y();
         m_z[i] = wave.z();

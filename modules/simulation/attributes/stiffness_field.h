@@ -15,12 +15,13 @@ struct StiffnessSample {
 };
 
 /// Stiffness that varies over the surface: k(x,y) = k₀ (1 + a g(x,y)),
-/// g = ½ [sin(2πx/λ + φ_x) + sin(2πy/λ + φ_y)], so |g| ≤ 1. Pure. Source: models.md §0 (U = ½ k(x,y) d² keeps its lateral
-/// force −½ ∇k d²) and §2.3 ("varied stiffness"); the shape of g is our choice: smooth, band-limited to one wavelength.
+/// g = ½ [sin(2πx/λ + φ_x) + sin(2πy/λ + φ_y)], so |g| ≤ 1. Pure. Source: models.md §0 (U = ½ k(x,y) d² keeps
+/// its lateral force −½ ∇k d²) and §2.3 ("varied stiffness"); the shape of g is our choice: smooth,
+/// band-limited to one wavelength.
 struct StiffnessField {
-    double base_N_per_m = 500.0;  ///< k₀ > 0
-    double variation = 0.0;       ///< a, 0 ≤ a < 1; 0 = uniform
-    double wavelength_m = 0.030;  ///< λ > 0
+    double base_N_per_m = 500.0;               ///< k₀ > 0
+    double variation = 0.0;                    ///< a, 0 ≤ a < 1; 0 = uniform
+    double wavelength_m = 0.030;               ///< λ > 0
     core::Vec2 phase_rad = core::Vec2::Zero(); ///< φ
 
     StiffnessSample sample(double x_m, double y_m) const noexcept {

@@ -16,7 +16,9 @@ namespace chiron::simulation {
 struct Viscosity {
     static constexpr double kFullDepth_m = 0.0005;
 
-    static double weight(double depth_m) noexcept { return std::clamp(depth_m * (1.0 / kFullDepth_m), 0.0, 1.0); }
+    static double weight(double depth_m) noexcept {
+        return std::clamp(depth_m * (1.0 / kFullDepth_m), 0.0, 1.0);
+    }
     static core::Vec3 force(double viscosity_Ns_per_m, double depth_m, const core::Vec3& v) noexcept {
         return -viscosity_Ns_per_m * weight(depth_m) * v;
     }

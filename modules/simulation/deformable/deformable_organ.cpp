@@ -12,7 +12,9 @@ namespace {
 /// millimetre.
 constexpr double kStill_m = 1e-9;
 
-core::Vec3 vec(const std::array<double, 3>& a) noexcept { return {a[0], a[1], a[2]}; }
+core::Vec3 vec(const std::array<double, 3>& a) noexcept {
+    return {a[0], a[1], a[2]};
+}
 
 } // namespace
 
@@ -48,7 +50,8 @@ void DeformableOrgan::ask(std::uint64_t tick, const OrganTouches& touches) noexc
             const std::uint32_t vertex = m_mesh.triangle(touches[i].triangle).vertex[corner];
             m_shown[i] += touches[i].weights[corner] * (position(vertex) - m_mesh.position(vertex));
         }
-        m_held[i] = held.newest * displacementOf(m_blend.numbers()[0], touches[i]) + held.previous * displacementOf(m_blend.numbers()[1], touches[i]);
+        m_held[i] = held.newest * displacementOf(m_blend.numbers()[0], touches[i]) +
+                    held.previous * displacementOf(m_blend.numbers()[1], touches[i]);
     }
 }
 
@@ -114,7 +117,8 @@ core::Vec3 DeformableOrgan::normal(std::uint32_t vertex) const noexcept {
 }
 
 bool DeformableOrgan::step() noexcept {
-    return m_link.serve([this](std::uint64_t number, const Request& request) noexcept { return solve(number, request); });
+    return m_link.serve(
+        [this](std::uint64_t number, const Request& request) noexcept { return solve(number, request); });
 }
 
 DeformableOrgan::Answer DeformableOrgan::solve(std::uint64_t number, const Request& request) noexcept {

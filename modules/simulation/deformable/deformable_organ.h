@@ -21,10 +21,10 @@ namespace chiron::simulation {
 struct OrganTouch {
     bool touching = false;
     std::uint32_t triangle = 0;
-    std::array<double, 3> weights{};        ///< barycentric
-    std::array<double, 3> normal{};         ///< outward, unit
-    std::array<double, 3> p_Tool{};         ///< m, in the mesh's frame
-    double stiffness_N_per_m = 0.0;         ///< of the local model there
+    std::array<double, 3> weights{}; ///< barycentric
+    std::array<double, 3> normal{};  ///< outward, unit
+    std::array<double, 3> p_Tool{};  ///< m, in the mesh's frame
+    double stiffness_N_per_m = 0.0;  ///< of the local model there
 };
 
 using OrganTouches = std::array<OrganTouch, core::kMaxTools>;
@@ -65,13 +65,15 @@ public:
         TwoRateTiming timing;
         /// B, ticks over which an answer is blended in; at most timing.latency_ticks.
         std::uint64_t blend_ticks = 33;
-        double prediction = 0.5;        ///< γ, 0..1
+        double prediction = 0.5; ///< γ, 0..1
     };
 
     /// Copies the mesh.
     /// Errors: those of SpringNetwork::create; badInput where B > L.
-    static core::Result<std::unique_ptr<DeformableOrgan>> create(const TriangleMesh& mesh, const std::vector<bool>& anchored,
-                                                                 std::uint32_t reference, const Settings& settings);
+    static core::Result<std::unique_ptr<DeformableOrgan>> create(const TriangleMesh& mesh,
+                                                                 const std::vector<bool>& anchored,
+                                                                 std::uint32_t reference,
+                                                                 const Settings& settings);
     ~DeformableOrgan() override;
 
     /// Puts the organ at rest from this tick on, for another trial. An answer that is still pending is
@@ -92,7 +94,9 @@ public:
     const MeshTree& tree() const noexcept { return m_mesh.tree(); }
     double largestDisplacement_m() const noexcept { return m_largest_m; } ///< bound for this tick
     double elasticEnergy_J() const noexcept { return m_energy_J; }        ///< of the organ, blended, ≥ 0
-    const PredictionError& predictionError() const noexcept { return m_error; } ///< of the last answer that took effect
+    const PredictionError& predictionError() const noexcept {
+        return m_error;
+    } ///< of the last answer that took effect
 
     const TriangleMesh& restMesh() const noexcept { return m_mesh; }
     const SpringNetwork& network() const noexcept { return *m_network; } ///< only while no step runs
@@ -115,7 +119,8 @@ private:
     };
     using Link = SlowLink<Request, Answer>;
 
-    DeformableOrgan(const TriangleMesh& mesh, std::unique_ptr<SpringNetwork> network, const Settings& settings);
+    DeformableOrgan(const TriangleMesh& mesh, std::unique_ptr<SpringNetwork> network,
+                    const Settings& settings);
     Answer solve(std::uint64_t number, const Request& request) noexcept;
     void setWeights(std::uint64_t tick) noexcept;
     /// Compares the answer with the surface that was shown when it was requested.
@@ -141,7 +146,7 @@ private:
     OrganTouches m_asked{}; ///< of the last request
     /// Displacements under those touches, as shown at the request.
     std::array<core::Vec3, core::kMaxTools> m_shown{};
-    std::array<core::Vec3, core::kMaxTools> m_held{};  ///< the same without prediction
+    std::array<core::Vec3, core::kMaxTools> m_held{}; ///< the same without prediction
     PredictionError m_error;
     bool m_moves = false; ///< the surface differs from the rest shape
     bool m_blends = true;

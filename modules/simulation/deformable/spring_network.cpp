@@ -29,8 +29,7 @@ core::Vec3 SpringNetwork::displacement(std::uint32_t vertex) const noexcept {
 }
 
 /// x ← A⁻¹ x for interleaved columns, by substitution with L D Lᵀ.
-template <std::size_t Columns>
-void SpringNetwork::solve(double* x) const noexcept {
+template <std::size_t Columns> void SpringNetwork::solve(double* x) const noexcept {
     const std::size_t n = m_mass.size();
     for (std::size_t j = 0; j < n; ++j)
         for (std::uint32_t k = m_columnBegin[j]; k < m_columnBegin[j + 1]; ++k)
@@ -45,7 +44,9 @@ void SpringNetwork::solve(double* x) const noexcept {
                 x[Columns * j + c] -= m_lower[k] * x[Columns * m_row[k] + c];
 }
 
-void SpringNetwork::solveVolume() noexcept { solve<3>(m_volumeResponse.data()); }
+void SpringNetwork::solveVolume() noexcept {
+    solve<3>(m_volumeResponse.data());
+}
 
 void SpringNetwork::stiffnessTimes(const double* u, double* result) const noexcept {
     for (std::size_t i = 0; i < m_ground.size(); ++i)
@@ -120,8 +121,9 @@ void SpringNetwork::coupleContacts(std::span<Contact> contacts) noexcept {
             double moved = 0.0;
             for (std::size_t corner = 0; corner < 3; ++corner)
                 if (contacts[c].unknowns[corner] >= 0)
-                    moved += contacts[c].weights[corner] *
-                             m_columns[kContacts * static_cast<std::size_t>(contacts[c].unknowns[corner]) + r];
+                    moved +=
+                        contacts[c].weights[corner] *
+                        m_columns[kContacts * static_cast<std::size_t>(contacts[c].unknowns[corner]) + r];
             m_coupling[kContacts * c + r] = contacts[c].normal.dot(contacts[r].normal) * moved -
                                             contacts[c].volume * contacts[r].volume / m_volumeDiagonal;
         }
@@ -136,8 +138,9 @@ void SpringNetwork::solveContacts(std::span<const Contact> contacts,
             double rest = contacts[c].depth_m;
             for (std::size_t r = 0; r < contacts.size(); ++r)
                 rest -= r == c ? 0.0 : m_coupling[kContacts * c + r] * pushes[r];
-            pushes[c] = std::clamp(rest / (contacts[c].compliance + std::max(0.0, m_coupling[kContacts * c + c])), 0.0,
-                                   m_largestPush_N);
+            pushes[c] =
+                std::clamp(rest / (contacts[c].compliance + std::max(0.0, m_coupling[kContacts * c + c])),
+                           0.0, m_largestPush_N);
         }
 }
 

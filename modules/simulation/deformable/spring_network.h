@@ -28,20 +28,20 @@ struct SurfaceView {
 struct SpringNetworkParameters {
     /// K: force per depth of a lasting press on the reference vertex; 20..5000.
     double stiffness_N_per_m = 400.0;
-    double spread_m = 0.006;          ///< ℓ: how far a dent reaches around a press; 1..30 mm
-    double mass_kg = 0.030;           ///< of the moving part; 1 g..1 kg
-    double recoveryTime_s = 0.060;    ///< τ: time constant of giving way and of recovering; 0..2 s
-    double volumeKeeping = 0.7;       ///< q: share of the volume pressed in that bulges out elsewhere; 0..0.95
+    double spread_m = 0.006;       ///< ℓ: how far a dent reaches around a press; 1..30 mm
+    double mass_kg = 0.030;        ///< of the moving part; 1 g..1 kg
+    double recoveryTime_s = 0.060; ///< τ: time constant of giving way and of recovering; 0..2 s
+    double volumeKeeping = 0.7;    ///< q: share of the volume pressed in that bulges out elsewhere; 0..0.95
     /// A press moves the surface by no more than this (bone lies beyond); 1..30 mm.
     double deepest_m = 0.008;
-    double step_s = 0.033;            ///< one step of the slow model; 10..50 ms
+    double step_s = 0.033; ///< one step of the slow model; 10..50 ms
 };
 
 /// One tool at the surface, as the network feels it: a spring of the local model between the tip and the
 /// surface.
 struct NetworkPush {
     std::uint32_t triangle = 0;
-    std::array<double, 3> weights{};     ///< barycentric, ≥ 0, sum 1
+    std::array<double, 3> weights{};         ///< barycentric, ≥ 0, sum 1
     core::Vec3 normal = core::Vec3::UnitZ(); ///< outward, unit
     core::Vec3 p_Tool = core::Vec3::Zero();  ///< of the tip, m
     double stiffness_N_per_m = 500.0;        ///< k of the local model, > 0
@@ -57,7 +57,8 @@ struct NetworkPush {
 /// and the surface's point s = Σ b_j x_j: pressed by d = n·(s − p) it pushes with λ = k d in [0,
 /// K · deepest].
 ///
-///   A δ = M v/h − K u + Σ (−n λ) b + g λ_v,   A = M/h² + (1 + τ/h) K,   u⁺ = u + δ,  v⁺ = δ/h   (implicit Euler)
+///   A δ = M v/h − K u + Σ (−n λ) b + g λ_v,   A = M/h² + (1 + τ/h) K,   u⁺ = u + δ,  v⁺ = δ/h   (implicit
+///   Euler)
 ///
 /// The contact is implicit, too: λ is the push at the end of the step. A tool that rests x deep in the rest
 /// shape therefore meets the series of both springs, λ = x k K/(k + K), at any ratio of the two; the push at
@@ -78,7 +79,8 @@ public:
     /// Errors: badInput, naming the place and what was expected, on a mesh that is too large, has coordinates
     /// that are not finite or has no free vertices, an anchored reference, or parameters out of range.
     static core::Result<std::unique_ptr<SpringNetwork>> create(const SurfaceView& surface,
-                                                               const std::vector<bool>& anchored, std::uint32_t reference,
+                                                               const std::vector<bool>& anchored,
+                                                               std::uint32_t reference,
                                                                const SpringNetworkParameters& parameters);
     SpringNetwork(const SpringNetwork&) = delete;
     SpringNetwork& operator=(const SpringNetwork&) = delete;
@@ -119,16 +121,17 @@ private:
         double volume = 0.0; ///< n·(b·y): how much a press changes the volume
     };
 
-    template <std::size_t Columns>
-    void solve(double* x) const noexcept;
+    template <std::size_t Columns> void solve(double* x) const noexcept;
     void solveVolume() noexcept; ///< set-up: y ← A⁻¹ y
     void stiffnessTimes(const double* u, double* result) const noexcept;
     bool admit(const NetworkPush& push, Contact& contact) const noexcept;
     core::Vec3 at(const Contact& contact, const std::vector<double>& field) const noexcept;
     void freeStep() noexcept;
     void coupleContacts(std::span<Contact> contacts) noexcept;
-    void solveContacts(std::span<const Contact> contacts, std::array<double, core::kMaxTools>& pushes) const noexcept;
-    void finishStep(std::span<const Contact> contacts, const std::array<double, core::kMaxTools>& pushes) noexcept;
+    void solveContacts(std::span<const Contact> contacts,
+                       std::array<double, core::kMaxTools>& pushes) const noexcept;
+    void finishStep(std::span<const Contact> contacts,
+                    const std::array<double, core::kMaxTools>& pushes) noexcept;
 
     SpringNetworkParameters m_parameters;
     std::vector<core::Vec3> m_rest;
@@ -155,9 +158,9 @@ private:
     std::vector<double> m_u; ///< m
     std::vector<double> m_v; ///< m/s
     std::vector<double> m_delta;
-    std::vector<double> m_columns;                                        ///< A⁻¹ b of each contact, interleaved
+    std::vector<double> m_columns; ///< A⁻¹ b of each contact, interleaved
     std::array<double, core::kMaxTools * core::kMaxTools> m_coupling{}; ///< of the contacts
-    double m_volumeRest = 0.0;                                            ///< g·(u + free step)
+    double m_volumeRest = 0.0;                                          ///< g·(u + free step)
 };
 
 } // namespace chiron::simulation

@@ -25,8 +25,8 @@ tl::unexpected<core::Error> refuse(const std::string& why) {
 core::Result<void> checkRange(const char* key, double value, double low, double high) {
     if (value >= low && value <= high)
         return {};
-    return refuse(std::string(key) + " is " + std::to_string(value) + ", expected " + std::to_string(low) + " to " +
-                  std::to_string(high));
+    return refuse(std::string(key) + " is " + std::to_string(value) + ", expected " + std::to_string(low) +
+                  " to " + std::to_string(high));
 }
 
 core::Result<void> check(const SpringNetworkParameters& p) {
@@ -46,24 +46,28 @@ core::Result<void> check(const SpringNetworkParameters& p) {
     return {};
 }
 
-core::Result<void> check(const SurfaceView& surface, const std::vector<bool>& anchored, std::uint32_t reference) {
+core::Result<void> check(const SurfaceView& surface, const std::vector<bool>& anchored,
+                         std::uint32_t reference) {
     const std::size_t n = surface.vertices.size();
     if (n == 0 || n > SpringNetwork::kMostVertices || anchored.size() != n)
         return refuse(std::to_string(n) + " vertices and " + std::to_string(anchored.size()) +
-                      " anchors, expected as many of both, 1 to " + std::to_string(SpringNetwork::kMostVertices));
+                      " anchors, expected as many of both, 1 to " +
+                      std::to_string(SpringNetwork::kMostVertices));
     for (std::size_t i = 0; i < n; ++i)
         if (!surface.vertices[i].allFinite())
             return refuse("vertex " + std::to_string(i) + " is not a number");
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
         for (const std::uint32_t vertex : surface.triangles[t])
             if (vertex >= n)
-                return refuse("triangle " + std::to_string(t) + " names vertex " + std::to_string(vertex) + " of " +
-                              std::to_string(n));
+                return refuse("triangle " + std::to_string(t) + " names vertex " + std::to_string(vertex) +
+                              " of " + std::to_string(n));
     if (reference >= n || anchored[reference])
-        return refuse("reference vertex " + std::to_string(reference) + " is anchored or none of " + std::to_string(n));
+        return refuse("reference vertex " + std::to_string(reference) + " is anchored or none of " +
+                      std::to_string(n));
     const auto free = static_cast<std::size_t>(std::count(anchored.begin(), anchored.end(), false));
     if (free > SpringNetwork::kMostFree)
-        return refuse(std::to_string(free) + " free vertices, at most " + std::to_string(SpringNetwork::kMostFree));
+        return refuse(std::to_string(free) + " free vertices, at most " +
+                      std::to_string(SpringNetwork::kMostFree));
     return {};
 }
 
@@ -72,8 +76,8 @@ core::Result<void> check(const SurfaceView& surface, const std::vector<bool>& an
 /// Builds a network from input that has been checked.
 class SpringNetworkBuilder {
 public:
-    SpringNetworkBuilder(const SurfaceView& surface, const std::vector<bool>& anchored, std::uint32_t reference,
-                         const SpringNetworkParameters& parameters)
+    SpringNetworkBuilder(const SurfaceView& surface, const std::vector<bool>& anchored,
+                         std::uint32_t reference, const SpringNetworkParameters& parameters)
         : m_surface(surface), m_anchored(anchored), m_reference(reference), m_network(new SpringNetwork) {
         m_network->m_parameters = parameters;
         m_network->m_rest.assign(surface.vertices.begin(), surface.vertices.end());
@@ -181,7 +185,8 @@ private:
         const auto n = static_cast<Eigen::Index>(m_vertexOf.size());
         Sparse a = shape * (m_kappa * (1.0 + p.recoveryTime_s / p.step_s));
         for (Eigen::Index i = 0; i < n; ++i)
-            a.coeffRef(i, i) += p.mass_kg * m_area[m_vertexOf[static_cast<std::size_t>(i)]] / total / (p.step_s * p.step_s);
+            a.coeffRef(i, i) +=
+                p.mass_kg * m_area[m_vertexOf[static_cast<std::size_t>(i)]] / total / (p.step_s * p.step_s);
         const Solver solver(a);
         takeFactor(solver);
         takeNetwork(solver, total);
@@ -211,7 +216,8 @@ private:
         net.m_ground.assign(n, 0.0);
         net.m_volumeGradient.assign(3 * n, 0.0);
         for (std::size_t i = 0; i < n; ++i) {
-            const auto unknown = static_cast<std::size_t>(solver.permutationP().indices()[static_cast<Eigen::Index>(i)]);
+            const auto unknown =
+                static_cast<std::size_t>(solver.permutationP().indices()[static_cast<Eigen::Index>(i)]);
             const std::size_t vertex = m_vertexOf[i];
             net.m_unknownOf[vertex] = static_cast<std::int32_t>(unknown);
             net.m_mass[unknown] = net.m_parameters.mass_kg * m_area[vertex] / total;
@@ -260,10 +266,9 @@ private:
     double m_volumeCompliance = 0.0;
 };
 
-core::Result<std::unique_ptr<SpringNetwork>> SpringNetwork::create(const SurfaceView& surface,
-                                                                   const std::vector<bool>& anchored,
-                                                                   std::uint32_t reference,
-                                                                   const SpringNetworkParameters& parameters) {
+core::Result<std::unique_ptr<SpringNetwork>>
+SpringNetwork::create(const SurfaceView& surface, const std::vector<bool>& anchored, std::uint32_t reference,
+                      const SpringNetworkParameters& parameters) {
     CHIRON_TRY(check(parameters));
     CHIRON_TRY(check(surface, anchored, reference));
     auto network = SpringNetworkBuilder(surface, anchored, reference, parameters).build();

@@ -14,14 +14,16 @@ struct SurfaceDistance {
     core::Vec3 normal = core::Vec3::UnitZ();
 };
 
-/// The union of the half-space under a horizontal plane and a ball whose centre lies in that plane (models.md §2.3).
+/// The union of the half-space under a horizontal plane and a ball whose centre lies in that plane (models.md
+/// §2.3).
 ///
 /// The function gives the distance to the *boundary of the union*, with ζ = z − plane height, ρ = horizontal
 /// distance from the axis and r = √(ρ²+ζ²):
 ///   outside (ζ > 0, r > R):  min(r − R, ζ)
 ///   in the ball, ζ ≥ 0:      −(R − r),                n = (p − c)/r
 ///   ζ < 0, ρ ≥ R:            ζ,                       n = +z
-///   ζ < 0, ρ < R:            −√((R−ρ)² + ζ²),         n towards the rim circle, the nearest point of the union
+///   ζ < 0, ρ < R:            −√((R−ρ)² + ζ²),         n towards the rim circle, the nearest point of the
+///   union
 /// The distance is continuous everywhere. d·n is continuous too (inside, except on the axis below the
 /// centre, ≥ R deep), so the force k·d·n changes by at most k·max(1, R/r − 1) per metre and is the gradient
 /// of ½ k d²: loops create no energy. (The alternative "the deeper contact wins" jumps at the rim.) On the
@@ -29,8 +31,8 @@ struct SurfaceDistance {
 /// Unit: m.
 /// Frame: W.
 struct HemisphereOnPlane {
-    double radius_m = 0.020;      ///< > 0; P2: 20 mm
-    double planeHeight_m = 0.0;   ///< z in W
+    double radius_m = 0.020;                  ///< > 0; P2: 20 mm
+    double planeHeight_m = 0.0;               ///< z in W
     core::Vec2 centre_m = core::Vec2::Zero(); ///< x, y in W
 
     /// Pure; defined for every finite p. Always inlined, because a result that is passed through memory is

@@ -31,7 +31,8 @@ public:
     bool everYields() const noexcept { return m_law.force_N < std::numeric_limits<double>::infinity(); }
     std::uint8_t bits() const noexcept {
         namespace bits = core::contact_bits;
-        return static_cast<std::uint8_t>((m_yield.yielded() ? bits::kYielded : 0) | (m_yield.through() ? bits::kThrough | bits::kBeyondChecked : 0));
+        return static_cast<std::uint8_t>((m_yield.yielded() ? bits::kYielded : 0) |
+                                         (m_yield.through() ? bits::kThrough | bits::kBeyondChecked : 0));
     }
     void reset() noexcept { *this = ContactYield(m_law); } ///< the tissue is whole again
 

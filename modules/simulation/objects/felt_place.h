@@ -49,7 +49,8 @@ public:
             keepUp(place, most);
         }
         m_wasIn = m_geometric_m > 0.0;
-        m_out = place.depth_m > 0.0 ? core::Vec3(place.depth_m * place.normal) : core::Vec3(core::Vec3::Zero());
+        m_out =
+            place.depth_m > 0.0 ? core::Vec3(place.depth_m * place.normal) : core::Vec3(core::Vec3::Zero());
         m_felt_m = place.depth_m;
         return place;
     }
@@ -63,7 +64,8 @@ public:
 
 private:
     void keepUp(ContactPlace& place, double most_m) const noexcept {
-        const core::Vec3 wanted = place.depth_m > 0.0 ? core::Vec3(place.depth_m * place.normal) : core::Vec3(core::Vec3::Zero());
+        const core::Vec3 wanted =
+            place.depth_m > 0.0 ? core::Vec3(place.depth_m * place.normal) : core::Vec3(core::Vec3::Zero());
         const core::Vec3 change = wanted - m_out;
         const double length2 = change.squaredNorm();
         if (!(length2 > most_m * most_m))

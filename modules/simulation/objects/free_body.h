@@ -80,7 +80,9 @@ public:
     bool touching() const noexcept { return m_touching; }
     double mass_kg() const noexcept { return m_mass_kg; }
     double landingSpeed_m_per_s() const noexcept { return m_landing_m_per_s; } ///< speed at the last landing
-    double energy_J() const noexcept { return 0.5 * m_mass_kg * m_v.squaredNorm() + Mass::energy(m_mass_kg, m_p.z()); }
+    double energy_J() const noexcept {
+        return 0.5 * m_mass_kg * m_v.squaredNorm() + Mass::energy(m_mass_kg, m_p.z());
+    }
 
 private:
     core::Vec3 m_p = core::Vec3::Zero();

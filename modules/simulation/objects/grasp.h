@@ -28,7 +28,8 @@ enum class GraspChange : std::uint8_t { none, grasped, released };
 
 /// Decides with hysteresis when a jaw takes hold and lets go. `jaw` is its opening angle or opening, in any
 /// unit that the thresholds share:
-///   open     → held      the jaw, which has opened beyond `releaseAbove` since it was last closed, comes to `graspBelow` or less
+///   open     → held      the jaw, which has opened beyond `releaseAbove` since it was last closed, comes to
+///   `graspBelow` or less
 ///                        while the object is within reach
 ///   held     → open      the jaw opens beyond `releaseAbove`
 /// A jaw that was closed away from the object has to open first, so a closed instrument cannot spear the
@@ -104,7 +105,8 @@ struct GripLoad {
 
 /// An object with mass in a grip that may slip, described by its offset s from where it was taken and its
 /// speed u in the jaws:
-///   m u' = load − f,  ‖f‖ ≤ limit,  and f is what stops it where that is enough (Coulomb, solved for the tick: no chatter)
+///   m u' = load − f,  ‖f‖ ≤ limit,  and f is what stops it where that is enough (Coulomb, solved for the
+///   tick: no chatter)
 /// `load` is the sum of all other forces on it, seen from the jaws (m g, the bed's push, −m a of the tool).
 /// At rest with ‖load‖ ≤ limit the object stays exactly where it is, and f = load. Friction never does
 /// positive work. Deterministic. Source: Coulomb, implicit step as Moreau's time stepping; 2 μ N of two
@@ -119,7 +121,8 @@ public:
         const core::Vec3 stopping = load_N + m_velocity * (mass_kg / dt_s);
         const GripLoad grip = GripLoad::of(stopping, limit_N);
         m_slipping = grip.slips;
-        m_velocity = grip.slips ? core::Vec3(m_velocity + (load_N - grip.held) * (dt_s / mass_kg)) : core::Vec3::Zero();
+        m_velocity = grip.slips ? core::Vec3(m_velocity + (load_N - grip.held) * (dt_s / mass_kg))
+                                : core::Vec3::Zero();
         m_offset += m_velocity * dt_s;
         // When the grip holds again after a slide, it also stops the object within this tick; the tool is
         // shown the load without that jerk.

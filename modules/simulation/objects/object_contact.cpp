@@ -36,7 +36,8 @@ ObjectContactResponse ObjectContact::respond(const ContactPlace& place, double d
         const double both = m_damping_Ns_per_m + m_viscosity_Ns_per_m;
         const double fits = DampingBudget::share(both, place.mostDamping_Ns_per_m);
         out.normalForce_N = ContactDamping::normalForce(pressed.force_N * slant, fits * both, depth, leaving);
-        out.viscous = Viscosity::force(fits * m_viscosity_Ns_per_m, depth, place.velocity - leaving * out.normal);
+        out.viscous =
+            Viscosity::force(fits * m_viscosity_Ns_per_m, depth, place.velocity - leaving * out.normal);
         out.damping_Ns_per_m = fits * both * Viscosity::weight(depth);
     }
     if (m_friction > 0.0)

@@ -14,11 +14,11 @@ namespace chiron::simulation {
 /// plane or mesh. Axes are those of W. If the object moves, positions and velocities are relative to it (p_WT
 /// − p_WO), so that everything fixed to the object moves with it.
 struct ContactPlace {
-    double depth_m = 0.0;                    ///< d, signed: negative outside, needed down to −reach_m() of the contact
+    double depth_m = 0.0; ///< d, signed: negative outside, needed down to −reach_m() of the contact
     core::Vec3 normal = core::Vec3::UnitZ(); ///< n, outward, unit
     /// ∇d; −n for a true distance. A mesh's blended normal: −n too, but then not conservative.
     core::Vec3 depthGradient = -core::Vec3::UnitZ();
-    core::Vec3 foot = core::Vec3::Zero();    ///< C, the surface point under the tool: where roughness is read
+    core::Vec3 foot = core::Vec3::Zero(); ///< C, the surface point under the tool: where roughness is read
     /// How far C moves per metre of the tool's sideways motion: 1 on a plane (and a mesh's facet), R/(R − d)
     /// on a sphere.
     double footScale = 1.0;
@@ -48,7 +48,7 @@ struct ObjectContactResponse {
     double normalForce_N = 0.0;               ///< ≥ 0
     /// Energy stored in the springs, also while the surface is still recovering.
     double energy_J = 0.0;
-    double stiffness_N_per_m = 0.0;           ///< along m; 0 out of contact
+    double stiffness_N_per_m = 0.0; ///< along m; 0 out of contact
     /// The part of the tool's budget that damping and viscosity use.
     double damping_Ns_per_m = 0.0;
     /// How deep the surface lies below its rest position (for drawing).
@@ -70,9 +70,9 @@ inline void scale(ObjectContactResponse& response, double factor) noexcept {
 }
 
 /// Combines the attributes of an object on a given surface, one law for each attribute:
-///   d' = d + h(C),  m = (−∇d − s(I − nnᵀ)∇h)/‖·‖,  (F, U) = Deformation(d')            elasticity, deformation, roughness
-///   f_n = max(0, F ‖−∇d − s(I − nnᵀ)∇h‖ − (c + b) w v·m),  w = min(1, d'/0.5 mm)       damping, viscosity: never pulls
-///   f = f_n m − b w (v − (v·m) m) + friction(μ, σ₀, f_n)
+///   d' = d + h(C),  m = (−∇d − s(I − nnᵀ)∇h)/‖·‖,  (F, U) = Deformation(d')            elasticity,
+///   deformation, roughness f_n = max(0, F ‖−∇d − s(I − nnᵀ)∇h‖ − (c + b) w v·m),  w = min(1, d'/0.5 mm)
+///   damping, viscosity: never pulls f = f_n m − b w (v − (v·m) m) + friction(μ, σ₀, f_n)
 /// c and b together never exceed the contact's damping budget; where they would, both shrink by the same
 /// factor. With elasticity and roughness alone the contact is conservative: f = −∇U exactly, where ∇d is the
 /// gradient of a distance and s is C's own (sphere, plane). The other laws only take energy. The weight is
@@ -87,7 +87,8 @@ public:
 
     /// Advances by one tick of `dt_s`. Call it in every tick, also outside contact (with the signed depth, or
     /// any negative depth when far away), so that bristle and dent end as they should.
-    ObjectContactResponse respond(const ContactPlace& place, double dt_s, ObjectContactState& state) const noexcept;
+    ObjectContactResponse respond(const ContactPlace& place, double dt_s,
+                                  ObjectContactState& state) const noexcept;
 
     /// A contact may begin this far above the rest surface.
     double reach_m() const noexcept { return m_roughness.bound_m(); }

@@ -7,7 +7,8 @@
 
 namespace chiron::simulation {
 
-/// The frame of a contact (P3; models.md §3): z = S_n, x = the fibres' direction projected on the contact plane, y = z × x.
+/// The frame of a contact (P3; models.md §3): z = S_n, x = the fibres' direction projected on the contact
+/// plane, y = z × x.
 struct ContactFrame {
     core::Vec3 x{1.0, 0.0, 0.0};
     core::Vec3 y{0.0, 1.0, 0.0};
@@ -35,8 +36,8 @@ struct ContactFrame {
 /// contact point (z = depth), and `v_m_per_s` is the rate at which d grows. The normal part never pulls.
 /// Pure.
 /// Unit: N.
-inline core::Vec3 voigtForce(const core::Vec3& stiffness_N_per_m, const core::Vec3& d_m, const core::Vec3& damping_Ns_per_m,
-                             const core::Vec3& v_m_per_s) noexcept {
+inline core::Vec3 voigtForce(const core::Vec3& stiffness_N_per_m, const core::Vec3& d_m,
+                             const core::Vec3& damping_Ns_per_m, const core::Vec3& v_m_per_s) noexcept {
     core::Vec3 f = stiffness_N_per_m.cwiseProduct(d_m) + damping_Ns_per_m.cwiseProduct(v_m_per_s);
     f.z() = f.z() > 0.0 ? f.z() : 0.0;
     return f;

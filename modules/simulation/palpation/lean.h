@@ -35,8 +35,10 @@ inline double leanAngle(double lateral_N, double along_N) noexcept {
     }
     u /= by;
     const double w = u * u, w2 = w * w, w4 = w2 * w2;
-    const double low = (0.999999999999999 - 0.33333333333221343 * w) + (0.1999999997837687 - 0.14285712660659053 * w) * w2;
-    const double high = (0.11111048820585145 - 0.09089529357362555 * w) + (0.07673529098467827 - 0.06505944155503311 * w) * w2;
+    const double low =
+        (0.999999999999999 - 0.33333333333221343 * w) + (0.1999999997837687 - 0.14285712660659053 * w) * w2;
+    const double high = (0.11111048820585145 - 0.09089529357362555 * w) +
+                        (0.07673529098467827 - 0.06505944155503311 * w) * w2;
     const double top = 0.05024634245596043 - 0.025314729731942324 * w;
     const double angle = middle + u * (low + w4 * (high + w4 * top));
     return along_N < 0.0 ? 4.0 * kQuarter - angle : angle;
@@ -44,10 +46,10 @@ inline double leanAngle(double lateral_N, double along_N) noexcept {
 
 /// How the fingertip platform shows a force.
 struct Lean {
-    double angle_rad = 0.0;       ///< α, eq. 2, unlimited
-    double normalForce_N = 0.0;   ///< eq. 3, F_ext·S_n, ≥ 0, with the unlimited angle
-    core::DisplayPose display;    ///< limited
-    bool saturated = false;       ///< the limits cut the lean
+    double angle_rad = 0.0;     ///< α, eq. 2, unlimited
+    double normalForce_N = 0.0; ///< eq. 3, F_ext·S_n, ≥ 0, with the unlimited angle
+    core::DisplayPose display;  ///< limited
+    bool saturated = false;     ///< the limits cut the lean
 };
 
 /// Computes how the platform shows a force by P3's eq. 2 and 3 (models.md §3). The angle is α = atan2(‖F_t‖,
@@ -86,8 +88,8 @@ inline Lean leanOf(const core::Vec3& force, const core::Vec3& normal, const core
     out.display.roll_rad = scale * lateral.dot(xTool);
     out.display.pitch_rad = -scale * lateral.dot(normal.cross(xTool));
     const double pitch = std::abs(out.display.pitch_rad), roll = std::abs(out.display.roll_rad);
-    const double over =
-        std::max({pitch / limits.pitch_rad, roll / limits.roll_rad, std::sqrt(pitch * pitch + roll * roll) / limits.lean_rad});
+    const double over = std::max({pitch / limits.pitch_rad, roll / limits.roll_rad,
+                                  std::sqrt(pitch * pitch + roll * roll) / limits.lean_rad});
     if (over > 1.0) {
         out.saturated = true;
         out.display.pitch_rad /= over;

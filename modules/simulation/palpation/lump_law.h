@@ -9,14 +9,15 @@ namespace chiron::simulation {
 
 /// The parts of a finger's contact on which the effect of the lumps below depends.
 struct SunkContact {
-    core::Vec3 q_W = core::Vec3::Zero(); ///< q = C − λ d n = (1 − λ) C + λ p: the surface, sunk by the share λ of the depth
+    core::Vec3 q_W = core::Vec3::Zero(); ///< q = C − λ d n = (1 − λ) C + λ p: the surface, sunk by the share
+                                         ///< λ of the depth
     core::Vec3 normal{0.0, 0.0, 1.0};
     core::Mat3 follows = core::Mat3::Zero(); ///< P = ∂C/∂p, symmetric; not read where the surface is flat
-    double depth_m = 0.0;                ///< d
-    double sinkage = 0.0;                ///< λ
-    double spread2_m2 = 0.0;             ///< (5/3) a²
+    double depth_m = 0.0;                    ///< d
+    double sinkage = 0.0;                    ///< λ
+    double spread2_m2 = 0.0;                 ///< (5/3) a²
     bool flat = true;
-    double sinkageSlope_per_m = 0.0;     ///< dλ/dd; not 0 where the sinkage is bounded
+    double sinkageSlope_per_m = 0.0; ///< dλ/dd; not 0 where the sinkage is bounded
 };
 
 /// How much stiffer the tissue is because of the lumps and regions in it: U = ½ k d² (1 + gain).
@@ -42,7 +43,8 @@ constexpr double lumpStrength(double a_m, double R_m, double m) noexcept {
 /// assumption, good while the surface bends little over the lump's depth. Valid for R ≤ 0.75 h, a ≤ h/2, λ d
 /// ≤ (h − R)/2. The gradient is exact: ∂q/∂p = (1 − λ) P + λ, and d ∂n/∂p = P − (1 − n nᵀ) follows from p = C
 /// − d n, so no curvature is needed. Pure.
-inline void addLump(const SunkContact& at, const core::Vec3& centre_W, double strength_m4, StiffnessGain& sum) noexcept {
+inline void addLump(const SunkContact& at, const core::Vec3& centre_W, double strength_m4,
+                    StiffnessGain& sum) noexcept {
     const core::Vec3 r = at.q_W - centre_W;
     const double along = r.dot(at.normal);
     const double H2 = along * along + at.spread2_m2;
@@ -55,7 +57,8 @@ inline void addLump(const SunkContact& at, const core::Vec3& centre_W, double st
     const double tilting = along * d;                    // multiplies d ∇(r·n)
     // Where the sinkage is bounded, λ depends on the depth and ∂q/∂p has one more term, d λ' n nᵀ.
     if (at.sinkageSlope_per_m != 0.0)
-        sum.lateral_m2 += (d * d * d * at.sinkageSlope_per_m * base * along * (1.0 - 3.0 * H2 * inverse)) * at.normal;
+        sum.lateral_m2 +=
+            (d * d * d * at.sinkageSlope_per_m * base * along * (1.0 - 3.0 * H2 * inverse)) * at.normal;
     if (at.flat) {
         // ½ ∇S = r − (1 − λ)(r·n) n and d ∇(r·n) = λ d n, collected by r and n.
         const double byNormal = at.sinkage * d * tilting + narrowing * (1.0 - at.sinkage) * along;
@@ -93,9 +96,10 @@ inline BallContact ballContact(double distance_m, double radius_m, double stiffn
     const double s = distance_m / core_m;
     const double s3 = s * s * s;
     out.force_N = stiffness_N_per_m * out.depth_m * s * s * (3.0 - 2.0 * s);
-    const double byRadius = 0.5 - (s3 - 0.5 * s3 * s);          // ∫ₛ¹ (3s² − 2s³)
+    const double byRadius = 0.5 - (s3 - 0.5 * s3 * s);                // ∫ₛ¹ (3s² − 2s³)
     const double byPlace = 0.35 - (0.75 * s3 * s - 0.4 * s3 * s * s); // ∫ₛ¹ s (3s² − 2s³)
-    out.energy_J = stiffness_N_per_m * (0.28125 * radius_m * radius_m + core_m * (radius_m * byRadius - core_m * byPlace));
+    out.energy_J = stiffness_N_per_m *
+                   (0.28125 * radius_m * radius_m + core_m * (radius_m * byRadius - core_m * byPlace));
     return out;
 }
 

@@ -39,6 +39,8 @@ struct MapBands {
 };
 
 /// Says whether a cell in this band counts as searched.
-constexpr bool isSearched(MapBand band) noexcept { return band > MapBand::light; }
+constexpr bool isSearched(MapBand band) noexcept {
+    return band > MapBand::light;
+}
 
 } // namespace chiron::simulation

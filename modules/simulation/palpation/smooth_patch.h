@@ -16,7 +16,8 @@ struct SmoothPatch {
     Eigen::Matrix2d shape = Eigen::Matrix2d::Zero(); ///< 1/m²
     double height = 0.0;
 
-    static SmoothPatch over(const core::Vec2& centre_m, const core::Vec2& radii_m, double turn_rad, double height) noexcept {
+    static SmoothPatch over(const core::Vec2& centre_m, const core::Vec2& radii_m, double turn_rad,
+                            double height) noexcept {
         const Eigen::Matrix2d axes = Eigen::Rotation2Dd(turn_rad).toRotationMatrix();
         const Eigen::Vector2d inverse2(1.0 / (radii_m.x() * radii_m.x()), 1.0 / (radii_m.y() * radii_m.y()));
         return {centre_m, axes * inverse2.asDiagonal() * axes.transpose(), height};
@@ -34,7 +35,8 @@ struct SmoothPatch {
     }
 
     /// Adds the second derivatives as well.
-    void add(const core::Vec2& xy_m, double& value, core::Vec2& slope, Eigen::Matrix2d& curvature) const noexcept {
+    void add(const core::Vec2& xy_m, double& value, core::Vec2& slope,
+             Eigen::Matrix2d& curvature) const noexcept {
         const core::Vec2 r = xy_m - centre_m;
         const core::Vec2 half = shape * r;
         const double rest = 1.0 - r.dot(half);

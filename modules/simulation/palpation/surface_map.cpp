@@ -16,10 +16,13 @@ void SurfaceMap::clear() noexcept {
 }
 
 core::Vec2 SurfaceMap::middle_m(int column, int row) const noexcept {
-    return {m_half_m.x() * ((2.0 * column + 1.0) / kColumns - 1.0), m_half_m.y() * ((2.0 * row + 1.0) / kRows - 1.0)};
+    return {m_half_m.x() * ((2.0 * column + 1.0) / kColumns - 1.0),
+            m_half_m.y() * ((2.0 * row + 1.0) / kRows - 1.0)};
 }
 
-double SurfaceMap::coverage() const noexcept { return static_cast<double>(m_covered) / (kColumns * kRows); }
+double SurfaceMap::coverage() const noexcept {
+    return static_cast<double>(m_covered) / (kColumns * kRows);
+}
 
 void SurfaceMap::press(const core::Vec2& p_m, double normalForce_N) noexcept {
     if (!p_m.allFinite() || !(normalForce_N > 0.0))
@@ -31,7 +34,8 @@ void SurfaceMap::press(const core::Vec2& p_m, double normalForce_N) noexcept {
         return static_cast<int>(std::clamp(std::floor(offset_m / size_m), -1.0, static_cast<double>(count)));
     };
     const int left = std::max(0, cellOf(p_m.x() - m_padRadius_m + m_half_m.x(), cell.x(), kColumns));
-    const int right = std::min(kColumns - 1, cellOf(p_m.x() + m_padRadius_m + m_half_m.x(), cell.x(), kColumns));
+    const int right =
+        std::min(kColumns - 1, cellOf(p_m.x() + m_padRadius_m + m_half_m.x(), cell.x(), kColumns));
     const int low = std::max(0, cellOf(p_m.y() - m_padRadius_m + m_half_m.y(), cell.y(), kRows));
     const int high = std::min(kRows - 1, cellOf(p_m.y() + m_padRadius_m + m_half_m.y(), cell.y(), kRows));
     bool changed = false;

@@ -17,13 +17,16 @@ core::Vec3 xOf(const core::Quat& q) noexcept {
 
 /// Weight of P3's re-cast contact point: 1 up to 60° off the normal, 0 from 75° on, where a ray grazes the
 /// surface.
-double rayWeight(double cosine) noexcept { return smoothstep((cosine - 0.25) / 0.25); }
+double rayWeight(double cosine) noexcept {
+    return smoothstep((cosine - 0.25) / 0.25);
+}
 } // namespace
 
 // Parts of one tick. They are always inlined: small vectors that are passed in memory would be read back
 // before their writes complete.
 
-[[gnu::always_inline]] inline TissueContact::Meeting TissueContact::meet(const core::ToolState& tool, const SurfaceFoot& foot) const noexcept {
+[[gnu::always_inline]] inline TissueContact::Meeting
+TissueContact::meet(const core::ToolState& tool, const SurfaceFoot& foot) const noexcept {
     Meeting out{foot, foot.p_W, foot.depth_m * foot.normal, m_flatFrame};
     if (m_parameters.contact == TissueContactLaw::p3Recast) {
         const core::Vec3 ray = tool.q_WT * -core::Vec3::UnitZ();
@@ -44,7 +47,8 @@ double rayWeight(double cosine) noexcept { return smoothstep((cosine - 0.25) / 0
 
 /// Beyond the depth to which the lumps' law is valid, the contact smoothly approaches the lumps by at most
 /// another quarter of that depth. Otherwise it would pass through the lump, and the force would reverse.
-[[gnu::always_inline]] inline SunkContact TissueContact::sunk(const SurfaceFoot& foot, const core::Vec3& p_W) const noexcept {
+[[gnu::always_inline]] inline SunkContact TissueContact::sunk(const SurfaceFoot& foot,
+                                                              const core::Vec3& p_W) const noexcept {
     const double a = m_parameters.contactRadius_m;
     double lambda = m_parameters.sinkage;
     double slope = 0.0;
@@ -56,7 +60,14 @@ double rayWeight(double cosine) noexcept { return smoothstep((cosine - 0.25) / 0
         slope = lambda * (left * d - counted) / (d * d);
         lambda *= counted / d;
     }
-    return {(1.0 - lambda) * foot.p_W + lambda * p_W, foot.normal, foot.follows, d, lambda, 5.0 / 3.0 * a * a, m_surface.flat(), slope};
+    return {(1.0 - lambda) * foot.p_W + lambda * p_W,
+            foot.normal,
+            foot.follows,
+            d,
+            lambda,
+            5.0 / 3.0 * a * a,
+            m_surface.flat(),
+            slope};
 }
 
 /// From m_uprightFrom_m on, the energy changes over to one that has no centre of curvature: U = (1 − w) U + w
@@ -83,7 +94,8 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
     const double k = m_normalStiffness;
     const double upwards_m = down_m - counted_m * countedSlope * sigma;
     const core::Vec2 sideways =
-        upwards_m * over.slope - (counted_m * counted_m / ((1.0 + slope2) * (1.0 + slope2))) * (over.curvature_per_m * over.slope);
+        upwards_m * over.slope -
+        (counted_m * counted_m / ((1.0 + slope2) * (1.0 + slope2))) * (over.curvature_per_m * over.slope);
     const core::Vec3 upright = k * core::Vec3(-sideways.x(), -sideways.y(), upwards_m);
     const double energy_J = 0.5 * k * (down_m * down_m - counted_m * counted_m * sigma);
     // Bounds of the second derivatives of U₂ and of the blend: with D = δ, H and h = ‖∇z‖, ∂²U₂ ≤ k (1 + h² +
@@ -91,12 +103,17 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
     const double bent = over.curvature_per_m.norm(), steep = std::sqrt(slope2);
     // The contribution of the change of H is taken as half of the terms with H: an assumption
     // (test_tissue_reach).
-    double steepest = k * (1.0 + slope2 + 1.5 * (down_m * bent + 4.0 * counted_m * steep * bent + 4.0 * counted_m * counted_m * bent * bent));
+    double steepest =
+        k *
+        (1.0 + slope2 +
+         1.5 * (down_m * bent + 4.0 * counted_m * steep * bent + 4.0 * counted_m * counted_m * bent * bent));
     if (w < 1.0) {
         const double slope_per_m = 6.0 * x * (1.0 - x) / span;
-        steepest = std::max(steepest, elastic.stiffness_N_per_m) + 6.0 / (span * span) * std::abs(energy_J - elastic.energy_J) +
+        steepest = std::max(steepest, elastic.stiffness_N_per_m) +
+                   6.0 / (span * span) * std::abs(energy_J - elastic.energy_J) +
                    2.0 * slope_per_m * (upright - elastic.force).norm();
-        elastic.force = (1.0 - w) * elastic.force + w * upright + ((energy_J - elastic.energy_J) * slope_per_m) * foot.normal;
+        elastic.force = (1.0 - w) * elastic.force + w * upright +
+                        ((energy_J - elastic.energy_J) * slope_per_m) * foot.normal;
         elastic.energy_J += w * (energy_J - elastic.energy_J);
     } else {
         elastic.force = upright;
@@ -104,10 +121,12 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
     }
     elastic.stiffness_N_per_m = std::max(elastic.stiffness_N_per_m, steepest);
     const core::Vec3 above = core::Vec3(-over.slope.x(), -over.slope.y(), 1.0).normalized();
-    meeting.frame = ContactFrame::on(((1.0 - w) * foot.normal + w * above).normalized(), m_parameters.fibreDirection);
+    meeting.frame =
+        ContactFrame::on(((1.0 - w) * foot.normal + w * above).normalized(), m_parameters.fibreDirection);
 }
 
-[[gnu::always_inline]] inline StiffnessGain TissueContact::gainAt(const SurfaceFoot& foot, const core::Vec3& p_W) const noexcept {
+[[gnu::always_inline]] inline StiffnessGain TissueContact::gainAt(const SurfaceFoot& foot,
+                                                                  const core::Vec3& p_W) const noexcept {
     StiffnessGain sum;
     if (m_parameters.lumps != LumpLaw::secondSurface && m_lumpCount > 0) {
         const SunkContact at = sunk(foot, p_W);
@@ -126,12 +145,14 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
                 sum.bent_per_m2 += m_regionBend_per_m2[i];
         }
         sum.gain += gain;
-        sum.lateral_m2 += 0.5 * foot.depth_m * foot.depth_m * (foot.follows * core::Vec3(slope.x(), slope.y(), 0.0));
+        sum.lateral_m2 +=
+            0.5 * foot.depth_m * foot.depth_m * (foot.follows * core::Vec3(slope.x(), slope.y(), 0.0));
     }
     return sum;
 }
 
-[[gnu::always_inline]] inline TissueContact::Elastic TissueContact::pressOn(const Meeting& meeting, const core::Vec3& p_W) const noexcept {
+[[gnu::always_inline]] inline TissueContact::Elastic
+TissueContact::pressOn(const Meeting& meeting, const core::Vec3& p_W) const noexcept {
     const SurfaceFoot& foot = meeting.foot;
     const double k = m_normalStiffness;
     StiffnessGain sum = gainAt(foot, p_W);
@@ -146,7 +167,7 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
         const double share = counted_m / foot.depth_m;
         sum.lateral_m2 *= share * share;
     }
-    const double gainDepth_m = counted_m * countedSlope; // ½ d(g²)/dd
+    const double gainDepth_m = counted_m * countedSlope;    // ½ d(g²)/dd
     if (m_parameters.lumps == LumpLaw::stiffnessTimesDepth) // as published: no lateral part, no potential
         sum.lateral_m2.setZero();
     Elastic out;
@@ -156,7 +177,9 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
     // test_tissue_reach).
     const double follow = m_surface.flat() ? 1.0 : foot.follows.cwiseAbs().rowwise().sum().maxCoeff();
     out.stiffness_N_per_m = k * (1.0 + sum.gain) * std::max(1.0, follow - 1.0) +
-                            k * std::max(1.0, follow) * (4.0 * sum.lateral_m2.norm() / std::max(counted_m, 1e-9) + 0.5 * counted_m * counted_m * follow * follow * sum.bent_per_m2);
+                            k * std::max(1.0, follow) *
+                                (4.0 * sum.lateral_m2.norm() / std::max(counted_m, 1e-9) +
+                                 0.5 * counted_m * counted_m * follow * follow * sum.bent_per_m2);
     out.energy_J = 0.5 * k * (foot.depth_m * foot.depth_m + sum.gain * counted_m * counted_m);
     if (m_parameters.contact == TissueContactLaw::anchored) {
         out.force = (k * (foot.depth_m + sum.gain * gainDepth_m)) * foot.normal - k * sum.lateral_m2;
@@ -188,9 +211,12 @@ void TissueContact::addBalls(const core::Vec3& p_W, Elastic& elastic) const noex
     }
 }
 
-/// The clipped bristle of models.md §2.2 with K = diag(along, across): z ← z + Δx in the contact frame, ‖K z‖ ≤ μ f_n, f = −K z.
-[[gnu::always_inline]] inline core::Vec3 TissueContact::bristle(const core::Vec3& p_W, const ContactFrame& frame, double normalForce_N, TissueTouch& touch,
-                                  double& energy_J) const noexcept {
+/// The clipped bristle of models.md §2.2 with K = diag(along, across): z ← z + Δx in the contact frame, ‖K z‖
+/// ≤ μ f_n, f = −K z.
+[[gnu::always_inline]] inline core::Vec3 TissueContact::bristle(const core::Vec3& p_W,
+                                                                const ContactFrame& frame,
+                                                                double normalForce_N, TissueTouch& touch,
+                                                                double& energy_J) const noexcept {
     if (touch.touching) {
         const core::Vec3 moved = p_W - touch.previous_W;
         touch.stretch_m += core::Vec2(moved.dot(frame.x), moved.dot(frame.y));
@@ -201,7 +227,8 @@ void TissueContact::addBalls(const core::Vec3& p_W, Elastic& elastic) const noex
         touch.stretch_m.setZero();
         return core::Vec3::Zero();
     }
-    core::Vec2 pull(m_parameters.tangentAlong_N_per_m * touch.stretch_m.x(), m_parameters.tangentAcross_N_per_m * touch.stretch_m.y());
+    core::Vec2 pull(m_parameters.tangentAlong_N_per_m * touch.stretch_m.x(),
+                    m_parameters.tangentAcross_N_per_m * touch.stretch_m.y());
     const double limit = m_parameters.friction * normalForce_N;
     const double pull2 = pull.squaredNorm();
     if (pull2 > limit * limit) {
@@ -213,7 +240,8 @@ void TissueContact::addBalls(const core::Vec3& p_W, Elastic& elastic) const noex
     return -pull.x() * frame.x - pull.y() * frame.y;
 }
 
-[[gnu::always_inline]] inline void TissueContact::show(const core::ToolState& tool, TissueResponse& out) const noexcept {
+[[gnu::always_inline]] inline void TissueContact::show(const core::ToolState& tool,
+                                                       TissueResponse& out) const noexcept {
     const Lean lean = leanOf(out.force, out.normal, xOf(tool.q_WT));
     out.normalForce_N = lean.normalForce_N;
     out.lean_rad = lean.angle_rad;
@@ -221,14 +249,16 @@ void TissueContact::addBalls(const core::Vec3& p_W, Elastic& elastic) const noex
     out.leanSaturated = lean.saturated;
 }
 
-TissueResponse TissueContact::respond(const core::ToolState& tool, TissueTouch& touch, double mostDamping_Ns_per_m) const noexcept {
+TissueResponse TissueContact::respond(const core::ToolState& tool, TissueTouch& touch,
+                                      double mostDamping_Ns_per_m) const noexcept {
     TissueResponse out;
     out.surfacePoint = tool.p_WT;
     if (!tool.p_WT.allFinite() || !tool.v_WT.allFinite()) {
         touch.release();
         return out;
     }
-    const SurfaceFoot foot = m_surface.nearest(tool.p_WT, touch.touching ? touch.foot_m : core::Vec2(tool.p_WT.head<2>()));
+    const SurfaceFoot foot =
+        m_surface.nearest(tool.p_WT, touch.touching ? touch.foot_m : core::Vec2(tool.p_WT.head<2>()));
     out.surfacePoint = foot.p_W;
     out.normal = foot.normal;
     if (!(foot.depth_m > 0.0)) {
@@ -252,20 +282,23 @@ TissueResponse TissueContact::respond(const core::ToolState& tool, TissueTouch& 
     // follows is not damped sideways either.
     const core::Vec3& damping = m_parameters.damping_Ns_per_m;
     const double largest = damping.maxCoeff();
-    const double weight = smoothstep(foot.depth_m * m_perDampingDepth) * DampingBudget::share(largest, mostDamping_Ns_per_m);
+    const double weight =
+        smoothstep(foot.depth_m * m_perDampingDepth) * DampingBudget::share(largest, mostDamping_Ns_per_m);
     out.damping_Ns_per_m = weight * largest;
     const double pressed = elastic.force.dot(frame.z);
     const double normal = std::max(0.0, pressed - weight * damping.z() * tool.v_WT.dot(frame.z));
     const double dragging = normal < pressed ? weight * normal / pressed : weight;
     out.force = elastic.force + (normal - pressed) * frame.z -
-                (dragging * damping.x() * tool.v_WT.dot(frame.x)) * frame.x - (dragging * damping.y() * tool.v_WT.dot(frame.y)) * frame.y;
+                (dragging * damping.x() * tool.v_WT.dot(frame.x)) * frame.x -
+                (dragging * damping.y() * tool.v_WT.dot(frame.y)) * frame.y;
     out.force += bristle(tool.p_WT, frame, normal, touch, out.energy_J);
     touch.foot_m = foot.p_W.head<2>();
     show(tool, out);
     return out;
 }
 
-void TissueContact::addLumpsAcross(const core::Vec3& face_W, const core::Vec3& across, LumpsAcross& sum) const noexcept {
+void TissueContact::addLumpsAcross(const core::Vec3& face_W, const core::Vec3& across,
+                                   LumpsAcross& sum) const noexcept {
     const double spread2 = 5.0 / 3.0 * m_parameters.contactRadius_m * m_parameters.contactRadius_m;
     for (int i = 0; i < m_lumpCount; ++i) {
         const PlacedLump& lump = m_lumps[static_cast<std::size_t>(i)];

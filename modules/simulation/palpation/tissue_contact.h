@@ -41,7 +41,7 @@ struct TissueResponse {
     double lean_rad = 0.0;                        ///< α, eq. 2, unlimited
     core::DisplayPose display;                    ///< for the fingertip platform; limited
     bool leanSaturated = false;
-    double energy_J = 0.0;                        ///< U + ½ zᵀK z
+    double energy_J = 0.0; ///< U + ½ zᵀK z
     /// Largest stiffness of the contact, for the passivity credit.
     double stiffness_N_per_m = 0.0;
     /// The part of the tool's budget that the contact's damping uses.
@@ -77,7 +77,8 @@ public:
 
     /// Computes the response to one tool, whose state is `touch`. B shrinks to `mostDamping_Ns_per_m`, the
     /// tool's budget. If the tool's state is not finite, releases `touch` and returns an empty response.
-    TissueResponse respond(const core::ToolState& tool, TissueTouch& touch, double mostDamping_Ns_per_m = kUnboundedDamping) const noexcept;
+    TissueResponse respond(const core::ToolState& tool, TissueTouch& touch,
+                           double mostDamping_Ns_per_m = kUnboundedDamping) const noexcept;
 
     /// Adds the gain of all lumps for a face of the pad's radius at `face_W` that presses along `across`
     /// (length at most 1): χ as in lump_law.h, with that direction in place of the normal.
@@ -85,7 +86,9 @@ public:
 
     const TissueSurface& surface() const noexcept { return m_surface; }
     /// Stiffness that holds the finger sideways, N/m: the smaller one of along and across the fibres.
-    double tangentStiffness_N_per_m() const noexcept { return std::min(m_parameters.tangentAlong_N_per_m, m_parameters.tangentAcross_N_per_m); }
+    double tangentStiffness_N_per_m() const noexcept {
+        return std::min(m_parameters.tangentAlong_N_per_m, m_parameters.tangentAcross_N_per_m);
+    }
     /// k; computed from the layers where it is not given.
     double normalStiffness_N_per_m() const noexcept { return m_normalStiffness; }
 
@@ -103,9 +106,9 @@ private:
     };
     /// Where a finger touches. Except with P3's re-cast ray, `spring_m` is d along the normal.
     struct Meeting {
-        SurfaceFoot foot;                              ///< nearest point
-        core::Vec3 contact_W = core::Vec3::Zero();     ///< C
-        core::Vec3 spring_m = core::Vec3::Zero();      ///< C − p
+        SurfaceFoot foot;                          ///< nearest point
+        core::Vec3 contact_W = core::Vec3::Zero(); ///< C
+        core::Vec3 spring_m = core::Vec3::Zero();  ///< C − p
         ContactFrame frame;
     };
     Meeting meet(const core::ToolState& tool, const SurfaceFoot& foot) const noexcept;
@@ -114,8 +117,8 @@ private:
     void turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic& elastic) const noexcept;
     Elastic pressOn(const Meeting& meeting, const core::Vec3& p_W) const noexcept;
     void addBalls(const core::Vec3& p_W, Elastic& elastic) const noexcept;
-    core::Vec3 bristle(const core::Vec3& p_W, const ContactFrame& frame, double normalForce_N, TissueTouch& touch,
-                       double& energy_J) const noexcept;
+    core::Vec3 bristle(const core::Vec3& p_W, const ContactFrame& frame, double normalForce_N,
+                       TissueTouch& touch, double& energy_J) const noexcept;
     void show(const core::ToolState& tool, TissueResponse& out) const noexcept;
 
     TissueParameters m_parameters;
@@ -126,13 +129,14 @@ private:
     ContactFrame m_flatFrame;
     std::size_t m_regionCount = 0;
     std::array<SmoothPatch, TissueParameters::kMaxRegions> m_regions{};
-    std::array<double, TissueParameters::kMaxRegions> m_regionBend_per_m2{}; ///< largest second derivative of each region's gain
+    std::array<double, TissueParameters::kMaxRegions>
+        m_regionBend_per_m2{}; ///< largest second derivative of each region's gain
     /// The lumps' law is valid to this depth, λ d ≤ (h − R)/2; infinite without lumps.
     double m_sunkDepth_m;
     /// From here to m_uprightTo_m the law of a curved surface changes over to one without a centre of
     /// curvature.
     double m_uprightFrom_m;
-    double m_uprightTo_m;     ///< both are infinite where the surface is flat
+    double m_uprightTo_m; ///< both are infinite where the surface is flat
     int m_lumpCount = 0;
     std::array<PlacedLump, TissueParameters::kMaxLumps> m_lumps{};
 };

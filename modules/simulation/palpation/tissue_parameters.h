@@ -9,8 +9,9 @@
 
 namespace chiron::simulation {
 
-/// One elevation of a tissue's surface: z rises by height · (1 − t²)³ where t < 1, t² = (x'/rx)² + (y'/ry)² in the bump's own
-/// axes (turned by `turn_rad` about z). Twice continuously differentiable, so normals and curvature have no steps.
+/// One elevation of a tissue's surface: z rises by height · (1 − t²)³ where t < 1, t² = (x'/rx)² + (y'/ry)²
+/// in the bump's own axes (turned by `turn_rad` about z). Twice continuously differentiable, so normals and
+/// curvature have no steps.
 struct SurfaceBump {
     core::Vec2 centre_m = core::Vec2::Zero(); ///< x, y in W
     core::Vec2 radii_m{0.03, 0.03};
@@ -27,9 +28,9 @@ struct SurfaceShape {
 
 /// One layer of the tissue. Layers are listed from the surface down; the last one has no lower end.
 struct TissueLayer {
-    std::string name;          ///< "skin", "fat", ...
-    double thickness_m = 0.0;  ///< > 0; not used for the last layer
-    double modulus_Pa = 17e3;  ///< Young's modulus
+    std::string name;         ///< "skin", "fat", ...
+    double thickness_m = 0.0; ///< > 0; not used for the last layer
+    double modulus_Pa = 17e3; ///< Young's modulus
 };
 
 /// A stiff ball in the tissue. Its depth is that of its centre below the surface, along the normal there.
@@ -59,8 +60,8 @@ enum class TissueContactLaw {
 
 /// How a lump is felt.
 enum class LumpLaw {
-    inclusion,          ///< χ of models.md §3 in the potential: felt before it is touched, with its lateral force
-    secondSurface,      ///< P3: a second surface below adds its own contact force along its own normal
+    inclusion, ///< χ of models.md §3 in the potential: felt before it is touched, with its lateral force
+    secondSurface, ///< P3: a second surface below adds its own contact force along its own normal
     /// As published elsewhere: (1 + χ)·k·d along the normal, no lateral part; creates energy.
     stiffnessTimesDepth
 };
@@ -74,19 +75,19 @@ struct TissueParameters {
     SurfaceShape shape;
     std::vector<TissueLayer> layers{{"gland", 1.0, 17e3}}; ///< 1..kMaxLayers
     double poisson = 0.5;
-    double contactRadius_m = 0.005;     ///< a, of the finger's pad
-    double stiffness_N_per_m = 0.0;     ///< along the normal (P3's third of K); 0: from layers and contact radius
-    double tangentAlong_N_per_m = 800.0;  ///< K along the fibres, x of the contact frame (P3, fig. 6)
-    double tangentAcross_N_per_m = 700.0; ///< K across them
-    core::Vec3 fibreDirection{1.0, 0.0, 0.0}; ///< W; projected on the contact plane
-    double friction = 0.2;              ///< μ; limits the lateral bristle
+    double contactRadius_m = 0.005; ///< a, of the finger's pad
+    double stiffness_N_per_m = 0.0; ///< along the normal (P3's third of K); 0: from layers and contact radius
+    double tangentAlong_N_per_m = 800.0;        ///< K along the fibres, x of the contact frame (P3, fig. 6)
+    double tangentAcross_N_per_m = 700.0;       ///< K across them
+    core::Vec3 fibreDirection{1.0, 0.0, 0.0};   ///< W; projected on the contact plane
+    double friction = 0.2;                      ///< μ; limits the lateral bristle
     core::Vec3 damping_Ns_per_m{2.0, 2.0, 2.0}; ///< B along, across, normal
-    double dampingDepth_m = 0.001;      ///< damping fades in with a smoothstep over this depth
-    double sinkage = 0.25;              ///< λ: share of the depth by which the contact approaches a lump
+    double dampingDepth_m = 0.001;              ///< damping fades in with a smoothstep over this depth
+    double sinkage = 0.25; ///< λ: share of the depth by which the contact approaches a lump
     TissueContactLaw contact = TissueContactLaw::anchored;
     LumpLaw lumps = LumpLaw::inclusion;
     double secondStiffness_N_per_m = 1200.0; ///< of a lump's own surface, for LumpLaw::secondSurface
-    std::vector<StiffRegion> regions;   ///< 0..kMaxRegions: distractors
+    std::vector<StiffRegion> regions;        ///< 0..kMaxRegions: distractors
 };
 
 } // namespace chiron::simulation

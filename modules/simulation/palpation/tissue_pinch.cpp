@@ -10,10 +10,11 @@ namespace chiron::simulation {
 
 using core::Vec3;
 
-PinchResponse pinchTissue(const TissueContact& tissue, const PinchParameters& p, const core::ToolState& tool, const TissueResponse& touched,
-                          PinchTouch& touch) noexcept {
+PinchResponse pinchTissue(const TissueContact& tissue, const PinchParameters& p, const core::ToolState& tool,
+                          const TissueResponse& touched, PinchTouch& touch) noexcept {
     PinchResponse out;
-    if (!touched.inContact || !(touched.depth_m > 0.0) || !std::isfinite(tool.jaw_rad) || !tool.q_WT.coeffs().allFinite()) {
+    if (!touched.inContact || !(touched.depth_m > 0.0) || !std::isfinite(tool.jaw_rad) ||
+        !tool.q_WT.coeffs().allFinite()) {
         touch.release();
         return out;
     }
@@ -28,14 +29,16 @@ PinchResponse pinchTissue(const TissueContact& tissue, const PinchParameters& p,
         // The tool's own axes are used, because the surface's nearest point and normal change fast near its
         // centre of curvature.
         const Vec3 across = tool.q_WT * Vec3::UnitX();
-        const Vec3 middle = tool.p_WT + 0.5 * std::min(touched.depth_m, p.fullDepth_m) * (tool.q_WT * Vec3::UnitZ());
+        const Vec3 middle =
+            tool.p_WT + 0.5 * std::min(touched.depth_m, p.fullDepth_m) * (tool.q_WT * Vec3::UnitZ());
         LumpsAcross lumps;
         for (const double side : {0.5, -0.5})
             tissue.addLumpsAcross(middle + side * opening_m * across, across, lumps);
         const double gain = 0.5 * lumps.gain;
         out.force_N = half * (1.0 + gain) * share;
         out.beyondChecked = lumps.beyondChecked;
-        out.squeezeStiffness_N_per_m = half * ((1.0 + gain) * shareSlope_per_m + 0.75 * lumps.slope_per_m * share);
+        out.squeezeStiffness_N_per_m =
+            half * ((1.0 + gain) * shareSlope_per_m + 0.75 * lumps.slope_per_m * share);
     }
 
     // The hold is a spring from where the tissue was taken, limited by friction.

@@ -8,7 +8,7 @@
 namespace chiron::simulation {
 
 namespace {
-constexpr int kMostSteps = 24;           ///< three or four are usual
+constexpr int kMostSteps = 24; ///< three or four are usual
 constexpr int kMostHalvings = 20;
 constexpr double kSmallStep2_m2 = 1e-16; ///< after a last Newton step of 10 nm the error is below 1e-13 m
 constexpr double kRayStep2_m2 = 1e-26;   ///< 0.1 pm
@@ -72,7 +72,9 @@ SurfaceHeight TissueSurface::heightAt(const core::Vec2& xy_m) const noexcept {
     return out;
 }
 
-core::Vec3 TissueSurface::pointAt(const core::Vec2& xy_m) const noexcept { return {xy_m.x(), xy_m.y(), heightAt(xy_m).z_m}; }
+core::Vec3 TissueSurface::pointAt(const core::Vec2& xy_m) const noexcept {
+    return {xy_m.x(), xy_m.y(), heightAt(xy_m).z_m};
+}
 
 core::Vec3 TissueSurface::normalAt(const core::Vec2& xy_m) const noexcept {
     return upNormal(heightAt(xy_m).slope);
@@ -121,7 +123,8 @@ SurfaceFoot TissueSurface::descend(const core::Vec3& p_W, const core::Vec2& from
     return footAt(p_W, xy, at);
 }
 
-bool TissueSurface::meets(const core::Vec3& p_W, const core::Vec3& direction, core::Vec3& hit_W) const noexcept {
+bool TissueSurface::meets(const core::Vec3& p_W, const core::Vec3& direction,
+                          core::Vec3& hit_W) const noexcept {
     double along_m = 0.0;
     for (int step = 0; step < kMostSteps; ++step) {
         const core::Vec3 p = p_W + along_m * direction;
@@ -147,7 +150,8 @@ double TissueSurface::highest_m() const noexcept {
     return z_m;
 }
 
-/// Principal curvatures are the eigenvalues of G⁻¹ H/√(1 + s²), G = 1 + s sᵀ; negative ones bend towards the tissue.
+/// Principal curvatures are the eigenvalues of G⁻¹ H/√(1 + s²), G = 1 + s sᵀ; negative ones bend towards the
+/// tissue.
 void TissueSurface::measureCurvature() noexcept {
     constexpr int kSide = 81;
     double inwards = 0.0, outwards = 0.0;
@@ -155,10 +159,12 @@ void TissueSurface::measureCurvature() noexcept {
         // Half extents of the ellipse along x and y: square roots of the inverse shape's diagonal.
         const core::Vec2 half = m_bumps[i].shape.inverse().diagonal().cwiseSqrt();
         for (int n = 0; n < kSide * kSide; ++n) {
-            const core::Vec2 share(2.0 * (n % kSide) / (kSide - 1) - 1.0, 2.0 * (n / kSide) / (kSide - 1) - 1.0);
+            const core::Vec2 share(2.0 * (n % kSide) / (kSide - 1) - 1.0,
+                                   2.0 * (n / kSide) / (kSide - 1) - 1.0);
             const SurfaceHeight at = heightAt(m_bumps[i].centre_m + half.cwiseProduct(share));
             const Eigen::Matrix2d metric = Eigen::Matrix2d::Identity() + at.slope * at.slope.transpose();
-            const Eigen::Matrix2d shape = metric.inverse() * at.curvature_per_m / std::sqrt(1.0 + at.slope.squaredNorm());
+            const Eigen::Matrix2d shape =
+                metric.inverse() * at.curvature_per_m / std::sqrt(1.0 + at.slope.squaredNorm());
             const double middle = 0.5 * shape.trace();
             const double spread = std::sqrt(std::max(0.0, middle * middle - shape.determinant()));
             inwards = std::max(inwards, spread - middle);

@@ -23,7 +23,8 @@ struct SurfaceFoot {
     core::Vec3 p_W = core::Vec3::Zero();
     core::Vec3 normal{0.0, 0.0, 1.0}; ///< outward, unit
     double depth_m = 0.0;             ///< > 0 below the surface
-    /// How the foot moves with the tool, ∂p_W/∂p_WT, on the tangent plane: (1 + d·S)⁻¹ with the shape operator S.
+    /// How the foot moves with the tool, ∂p_W/∂p_WT, on the tangent plane: (1 + d·S)⁻¹ with the shape
+    /// operator S.
     core::Mat3 follows = core::Mat3::Identity();
 };
 

@@ -26,7 +26,9 @@ struct TubeLaw {
         return elastic.energy(std::clamp(x_m, 0.0, limit_m)) + beyond_m * elastic.tension(limit_m);
     }
     /// dT/dx; 0 when slack and beyond the limit.
-    double slope_N_per_m(double x_m) const noexcept { return x_m > 0.0 && x_m <= limit_m ? elastic.slope(x_m) : 0.0; }
+    double slope_N_per_m(double x_m) const noexcept {
+        return x_m > 0.0 && x_m <= limit_m ? elastic.slope(x_m) : 0.0;
+    }
 };
 
 } // namespace chiron::simulation

@@ -25,8 +25,8 @@ core::Vec3 bulgeDirection(const core::Vec3& chord, double length_m) noexcept {
 
 } // namespace
 
-SegmentPull pullOf(const TubeLaw& law, double tubeLength_m, double restLength_m, const core::Vec3& a, const core::Vec3& b,
-                   const core::Vec3& rate, double mostDamping_Ns_per_m) noexcept {
+SegmentPull pullOf(const TubeLaw& law, double tubeLength_m, double restLength_m, const core::Vec3& a,
+                   const core::Vec3& b, const core::Vec3& rate, double mostDamping_Ns_per_m) noexcept {
     SegmentPull pull;
     const core::Vec3 chord = b - a;
     const double length_m = chord.norm();
@@ -38,7 +38,8 @@ SegmentPull pullOf(const TubeLaw& law, double tubeLength_m, double restLength_m,
     const double stretching = u.dot(rate) * whole;
     const double fade = std::min(1.0, stretch_m / kTubeDampingFull_m);
     pull.stretch_m = stretch_m;
-    const double viscosity = law.viscosity_Ns_per_m * DampingBudget::share(law.viscosity_Ns_per_m * whole, mostDamping_Ns_per_m);
+    const double viscosity =
+        law.viscosity_Ns_per_m * DampingBudget::share(law.viscosity_Ns_per_m * whole, mostDamping_Ns_per_m);
     pull.tension_N = std::max(0.0, law.tension_N(stretch_m) + viscosity * fade * stretching);
     pull.damping_Ns_per_m = viscosity * whole * fade;
     pull.onFirst = pull.tension_N * u;
@@ -53,7 +54,8 @@ core::Vec3 tubePlace(const core::Vec3& a, const core::Vec3& b, double restLength
     core::Vec3 place = a + t * chord;
     const double spare2 = restLength_m * restLength_m - c2;
     if (spare2 > 0.0) {
-        place += bulgeDirection(chord, std::sqrt(c2)) * (std::sqrt(spare2) * std::sin(core::kPi * t) / core::kPi);
+        place +=
+            bulgeDirection(chord, std::sqrt(c2)) * (std::sqrt(spare2) * std::sin(core::kPi * t) / core::kPi);
         place.z() = std::max(place.z(), std::min({0.0, a.z(), b.z()}));
     }
     return place;

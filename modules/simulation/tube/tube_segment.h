@@ -11,11 +11,11 @@ namespace chiron::simulation {
 struct SegmentPull {
     /// N, W, force on the holder of the first point, towards the second; on the second: the opposite.
     core::Vec3 onFirst = core::Vec3::Zero();
-    double tension_N = 0.0;                  ///< ≥ 0, damping included
+    double tension_N = 0.0; ///< ≥ 0, damping included
     /// Stretch of the whole tube if all of it were strained like this segment; 0 when slack.
     double stretch_m = 0.0;
-    double energy_J = 0.0;                   ///< elastic
-    double stiffness_N_per_m = 0.0;          ///< tangent stiffness along the segment
+    double energy_J = 0.0;          ///< elastic
+    double stiffness_N_per_m = 0.0; ///< tangent stiffness along the segment
     /// Damping along the segment, as one end feels it while the other is at rest.
     double damping_Ns_per_m = 0.0;
 };
@@ -31,8 +31,9 @@ inline constexpr double kTubeDampingFull_m = 0.0005;
 /// equal tension add up to the whole tube, as springs k/(l/L₀) in series. `restLength_m` = l > 0,
 /// `tubeLength_m` = L₀ ≥ l. The damping c L₀/l that an end feels is at most `mostDamping_Ns_per_m`. Pure.
 /// Thread: any.
-SegmentPull pullOf(const TubeLaw& law, double tubeLength_m, double restLength_m, const core::Vec3& a, const core::Vec3& b,
-                   const core::Vec3& rate, double mostDamping_Ns_per_m = kUnboundedDamping) noexcept;
+SegmentPull pullOf(const TubeLaw& law, double tubeLength_m, double restLength_m, const core::Vec3& a,
+                   const core::Vec3& b, const core::Vec3& rate,
+                   double mostDamping_Ns_per_m = kUnboundedDamping) noexcept;
 
 /// The point at share t (0..1) of a segment where it is drawn and gripped: on the chord when taut, beside it
 /// when slack.

@@ -74,7 +74,8 @@ public:
 private:
     /// s(w)
     double blended(std::uint64_t tick) const noexcept {
-        const double w = std::min(1.0, static_cast<double>(tick - m_appliedAt) / static_cast<double>(m_blend_ticks));
+        const double w =
+            std::min(1.0, static_cast<double>(tick - m_appliedAt) / static_cast<double>(m_blend_ticks));
         return w * w * (3.0 - 2.0 * w);
     }
 

@@ -11,7 +11,7 @@ namespace chiron::simulation {
 /// How often a slow model is asked, and how long after a request its answer takes effect.
 /// Unit: executed ticks of 1 ms.
 struct TwoRateTiming {
-    std::uint64_t period_ticks = 33;  ///< least time between two requests: 30 Hz (P2); 10..34 (30-100 Hz)
+    std::uint64_t period_ticks = 33; ///< least time between two requests: 30 Hz (P2); 10..34 (30-100 Hz)
     /// L: the answer to the request of tick n is due at n + L (architecture.md, Determinism).
     std::uint64_t latency_ticks = 33;
 };
@@ -30,13 +30,14 @@ struct TwoRateTiming {
 ///
 /// `Request` and `Answer` are trivially copyable.
 /// Thread: slow model for serve(), haptic for all other functions.
-template <class Request, class Answer>
-class SlowLink {
+template <class Request, class Answer> class SlowLink {
 public:
     /// Slots for shapes: the reader uses the last three answers (AnswerBlend) while the model writes the
     /// fourth.
     static constexpr std::size_t kSlots = 4;
-    static constexpr std::size_t slotOf(std::uint64_t number) noexcept { return static_cast<std::size_t>(number % kSlots); }
+    static constexpr std::size_t slotOf(std::uint64_t number) noexcept {
+        return static_cast<std::size_t>(number % kSlots);
+    }
 
     explicit SlowLink(const TwoRateTiming& timing = {}) noexcept : m_timing(timing) {}
     SlowLink(const SlowLink&) = delete;
@@ -91,8 +92,7 @@ public:
     /// Answers the newest request if it has not been answered; `solve(number, request)` computes the answer.
     /// Returns false if there was nothing to answer.
     /// Thread: the slow model's.
-    template <class Solve>
-    bool serve(Solve&& solve) noexcept {
+    template <class Solve> bool serve(Solve&& solve) noexcept {
         Numbered<Request> newest;
         m_requests.read(newest);
         if (newest.number == m_served)
@@ -103,8 +103,7 @@ public:
     }
 
 private:
-    template <class T>
-    struct Numbered {
+    template <class T> struct Numbered {
         std::uint64_t number = 0;
         T value{};
     };

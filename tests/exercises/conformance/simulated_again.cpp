@@ -18,8 +18,10 @@ namespace {
 /// A scene whose last answer can be read.
 class HeardScene final : public simulation::IScene {
 public:
-    HeardScene(std::unique_ptr<simulation::IScene> scene, simulation::SceneOutput& heard) : m_scene(std::move(scene)), m_heard(heard) {}
-    void respond(const realtime::HapticTick& now, const simulation::SceneInput& in, simulation::SceneOutput& out) noexcept override {
+    HeardScene(std::unique_ptr<simulation::IScene> scene, simulation::SceneOutput& heard)
+        : m_scene(std::move(scene)), m_heard(heard) {}
+    void respond(const realtime::HapticTick& now, const simulation::SceneInput& in,
+                 simulation::SceneOutput& out) noexcept override {
         m_scene->respond(now, in, out);
         m_heard = out;
     }
@@ -56,7 +58,8 @@ core::Result<void> run(session::SessionView& session, const std::function<void(c
     haptics::RecordedInputs inputs;
     haptics::SafetySupervisor supervisor;
     haptics::SceneExchange scenes;
-    std::unique_ptr<simulation::IScene> scene = std::make_unique<HeardScene>((*kind)->makeScene(setup), heard);
+    std::unique_ptr<simulation::IScene> scene =
+        std::make_unique<HeardScene>((*kind)->makeScene(setup), heard);
     scenes.offer(scene);
     auto loop = haptics::HapticLoop::create({tools, inputs, supervisor, setup.safety, scenes, sink});
     CHIRON_TRY(loop);
@@ -73,7 +76,8 @@ core::Result<void> run(session::SessionView& session, const std::function<void(c
 
 } // namespace
 
-core::Result<void> simulateAgain(session::SessionView& session, const std::function<void(const TickAgain&)>& look) {
+core::Result<void> simulateAgain(session::SessionView& session,
+                                 const std::function<void(const TickAgain&)>& look) {
     core::Result<void> outcome;
     // A thread of its own: models need their floating-point environment, the caller keeps his.
     std::thread worker([&] {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every exercise has to keep to, asked of each that is shipped: its content in every language, pictures and scenes, truth, metrics and
-// gates, one score from every source, replay, bounds of force, and the screens and the report of a session. Its levels come from the catalogue,
-// so that a new exercise is asked as soon as it is listed. By default the first level of each; CHIRON_EVERY_LEVEL=1: all of them.
+// What every exercise has to keep to, asked of each that is shipped: its content in every language, pictures
+// and scenes, truth, metrics and gates, one score from every source, replay, bounds of force, and the screens
+// and the report of a session. Its levels come from the catalogue, so that a new exercise is asked as soon as
+// it is listed. By default the first level of each; CHIRON_EVERY_LEVEL=1: all of them.
 #include "catalogue/catalogue.h"
 #include "core/languages.h"
 #include "database/repositories/score_repository.h"
@@ -56,10 +57,11 @@ template <class T> T valueOf(core::Result<T> result) {
 
 /// What was seen of a session while it was simulated again.
 struct SeenAgain {
-    std::vector<haptics::DisplayState> moments; ///< as a window gets them: a trial begins, is felt most, and ends
+    std::vector<haptics::DisplayState>
+        moments; ///< as a window gets them: a trial begins, is felt most, and ends
     std::uint64_t touching_ticks = 0;
-    std::uint64_t air_ticks = 0;          ///< the scene says of no tool that it touches anything
-    std::map<QString, QString> broken;    ///< what did not hold, and where it first did not
+    std::uint64_t air_ticks = 0;       ///< the scene says of no tool that it touches anything
+    std::map<QString, QString> broken; ///< what did not hold, and where it first did not
 };
 
 /// A session of one trial, done by an operator in the name of a trainee.
@@ -81,16 +83,20 @@ public:
     }
 
     void look(const tests::TickAgain& tick) {
-        // models.md §7: nothing in free air. Of several tools none touches where the scene holds no energy and no stiffness.
+        // models.md §7: nothing in free air. Of several tools none touches where the scene holds no energy
+        // and no stiffness.
         const bool air = tick.scene.storedEnergy_J == 0.0 && tick.scene.contactStiffness_N_per_m == 0.0;
         bool touching = false;
         for (std::size_t i = 0; i < m_kinematics.size(); ++i) {
             const core::ToolFrame& tool = tick.frame.tool[i];
             const core::Wrench tissue = core::toWrench(tool.tissue);
             hold(tick, i, "what was recorded is the force of the loop, rounded",
-                 recording::roundedWrench(tool.tissue) == tick.recorded.tool[i].tissue && recording::roundedWrench(tool.commanded) == tick.recorded.tool[i].commanded);
-            hold(tick, i, "tissue answers with numbers", tissue.force.allFinite() && tissue.torque.allFinite());
-            hold(tick, i, "tissue pushes nothing in the air", !air || (tissue.force.isZero(0.0) && tissue.torque.isZero(0.0)));
+                 recording::roundedWrench(tool.tissue) == tick.recorded.tool[i].tissue &&
+                     recording::roundedWrench(tool.commanded) == tick.recorded.tool[i].commanded);
+            hold(tick, i, "tissue answers with numbers",
+                 tissue.force.allFinite() && tissue.torque.allFinite());
+            hold(tick, i, "tissue pushes nothing in the air",
+                 !air || (tissue.force.isZero(0.0) && tissue.torque.isZero(0.0)));
             holdToDevice(tick, i);
             touching = touching || !tissue.force.isZero(0.0);
         }
@@ -101,18 +107,27 @@ public:
 private:
     void hold(const tests::TickAgain& tick, std::size_t tool, const char* what, bool holds) {
         if (!holds)
-            m_seen.broken.try_emplace(QLatin1String(what), QStringLiteral("tick %1, tool %2").arg(tick.frame.header.index).arg(tool));
+            m_seen.broken.try_emplace(
+                QLatin1String(what),
+                QStringLiteral("tick %1, tool %2").arg(tick.frame.header.index).arg(tool));
     }
 
     void holdToDevice(const tests::TickAgain& tick, std::size_t i) {
         const devices::DeviceDescriptor& device = m_setup.devices[i];
         const core::Wrench commanded = core::toWrench(tick.frame.tool[i].commanded);
-        hold(tick, i, "no force beyond the device's", commanded.force.norm() <= (device.rendersForce ? device.maximumForce_N : 0.0));
-        hold(tick, i, "no torque beyond the device's", commanded.torque.norm() <= (device.rendersForce ? device.maximumTorque_Nm : 0.0));
-        const auto efforts = m_kinematics[i]->efforts(session::sampleOf(tick.recorded.tool[i]), m_maps[i].wrenchToD(commanded));
-        for (std::size_t axis = 0; axis < device.axes.size(); ++axis) // one without a motor carries what is commanded by its bearing
-            hold(tick, i, "no axis beyond its rating", device.axes[axis].continuousRating <= 0.0 || std::abs(efforts[axis]) <= device.axes[axis].continuousRating);
-        hold(tick, i, "no pad beyond the device's", tick.shown.tool[i].safeDisplay[0] <= device.maximumForce_N);
+        hold(tick, i, "no force beyond the device's",
+             commanded.force.norm() <= (device.rendersForce ? device.maximumForce_N : 0.0));
+        hold(tick, i, "no torque beyond the device's",
+             commanded.torque.norm() <= (device.rendersForce ? device.maximumTorque_Nm : 0.0));
+        const auto efforts = m_kinematics[i]->efforts(session::sampleOf(tick.recorded.tool[i]),
+                                                      m_maps[i].wrenchToD(commanded));
+        for (std::size_t axis = 0; axis < device.axes.size();
+             ++axis) // one without a motor carries what is commanded by its bearing
+            hold(tick, i, "no axis beyond its rating",
+                 device.axes[axis].continuousRating <= 0.0 ||
+                     std::abs(efforts[axis]) <= device.axes[axis].continuousRating);
+        hold(tick, i, "no pad beyond the device's",
+             tick.shown.tool[i].safeDisplay[0] <= device.maximumForce_N);
     }
 
     const session::SessionSetup& m_setup;
@@ -139,7 +154,9 @@ public:
         m_last = tick.shown;
         m_any = true;
     }
-    std::vector<haptics::DisplayState> take() const { return m_any ? std::vector{m_first, m_most, m_last} : std::vector<haptics::DisplayState>(); }
+    std::vector<haptics::DisplayState> take() const {
+        return m_any ? std::vector{m_first, m_most, m_last} : std::vector<haptics::DisplayState>();
+    }
 
 private:
     bool m_any = false;
@@ -183,9 +200,13 @@ QImage emptyFlatPicture(scene3d::SceneSetup setup, const scene3d::SceneState& st
 QStringList undefinedIn(const std::vector<scoring::MetricValue>& metrics) {
     QStringList wrong;
     for (const scoring::MetricValue& metric : metrics) {
-        const bool holds = metric.value ? std::isfinite(*metric.value) && metric.reason.empty() : scoring::undefinedOf(metric.reason).has_value();
+        const bool holds = metric.value ? std::isfinite(*metric.value) && metric.reason.empty()
+                                        : scoring::undefinedOf(metric.reason).has_value();
         if (!holds)
-            wrong << QStringLiteral("%1: %2 \"%3\"").arg(QString::fromStdString(metric.id)).arg(metric.value.value_or(NAN)).arg(QString::fromStdString(metric.reason));
+            wrong << QStringLiteral("%1: %2 \"%3\"")
+                         .arg(QString::fromStdString(metric.id))
+                         .arg(metric.value.value_or(NAN))
+                         .arg(QString::fromStdString(metric.reason));
     }
     return wrong;
 }
@@ -202,14 +223,23 @@ QStringList reasonsOf(const scoring::ScoreCard& card) {
 
 /// The first value that differs, in words.
 QString difference(const scoring::ScoreCard& a, const scoring::ScoreCard& b) {
-    const auto told = [](const scoring::MetricValue& metric) { return metric.value ? QString::number(*metric.value, 'g', 17) : QString::fromStdString(metric.reason); };
+    const auto told = [](const scoring::MetricValue& metric) {
+        return metric.value ? QString::number(*metric.value, 'g', 17) : QString::fromStdString(metric.reason);
+    };
     for (std::size_t i = 0; i < std::min(a.metrics.size(), b.metrics.size()); ++i)
         if (told(a.metrics[i]) != told(b.metrics[i]))
-            return QStringLiteral("%1: %2 and %3").arg(QString::fromStdString(a.metrics[i].id), told(a.metrics[i]), told(b.metrics[i]));
-    return QStringLiteral("%1 and %2 trials, %3 and %4 metrics").arg(a.trials.size()).arg(b.trials.size()).arg(a.metrics.size()).arg(b.metrics.size());
+            return QStringLiteral("%1: %2 and %3")
+                .arg(QString::fromStdString(a.metrics[i].id), told(a.metrics[i]), told(b.metrics[i]));
+    return QStringLiteral("%1 and %2 trials, %3 and %4 metrics")
+        .arg(a.trials.size())
+        .arg(b.trials.size())
+        .arg(a.metrics.size())
+        .arg(b.metrics.size());
 }
 
-bool isSame(const scoring::ScoreCard& a, const scoring::ScoreCard& b) { return session::sameScores(a, b) && reasonsOf(a) == reasonsOf(b); }
+bool isSame(const scoring::ScoreCard& a, const scoring::ScoreCard& b) {
+    return session::sameScores(a, b) && reasonsOf(a) == reasonsOf(b);
+}
 
 } // namespace
 
@@ -291,7 +321,8 @@ void TestConformance::addLevels() {
     for (const catalogue::Exercise& exercise : m_site->context.site().catalogue().exercises())
         for (const catalogue::ExerciseLevel& level : exercise.levels)
             if (all || level.number == 1)
-                QTest::addRow("%s %d", exercise.id.c_str(), level.number) << QString::fromStdString(exercise.id) << level.number;
+                QTest::addRow("%s %d", exercise.id.c_str(), level.number)
+                    << QString::fromStdString(exercise.id) << level.number;
 }
 
 const catalogue::Exercise& TestConformance::exercise() {
@@ -320,11 +351,13 @@ Done TestConformance::run() {
     request.level = valueOf(catalogue::withTrials(level(), 1));
     request.seed = 11;
     request.ringFolder = recording::defaultRingFolder();
-    request.station = valueOf(session::scriptedStation(kind(), request.level, hasExpert ? "expert" : names.at(0), request.seed));
+    request.station = valueOf(
+        session::scriptedStation(kind(), request.level, hasExpert ? "expert" : names.at(0), request.seed));
     request.station.operatorName.clear(); // as if by Tina's own hand
     Done done;
     done.felt = request.station.felt();
-    const session::TrainingResult result = valueOf(session::runTraining(m_site->database(), *m_tina, std::move(request)));
+    const session::TrainingResult result =
+        valueOf(session::runTraining(m_site->database(), *m_tina, std::move(request)));
     done.session = result.session;
     done.live = result.scores;
     const Stored stored = open(done.session);
@@ -368,7 +401,8 @@ void TestConformance::contentIsThereInEveryLanguage() {
     QVERIFY2(lacking.isEmpty(), qPrintable(lacking.join(QLatin1Char('\n'))));
 }
 
-/// An exercise may have none (ExerciseFace::levelFacts); those that it has are told in every language, and not in English alone.
+/// An exercise may have none (ExerciseFace::levelFacts); those that it has are told in every language, and
+/// not in English alone.
 void TestConformance::levelFactsAreToldInEveryLanguage() {
     std::optional<QStringList> english;
     for (const std::string& language : core::languageIds()) {
@@ -379,7 +413,8 @@ void TestConformance::levelFactsAreToldInEveryLanguage() {
         if (!english)
             english = facts;
         else
-            QVERIFY2(facts.size() == english->size() && (facts.isEmpty() || facts != *english), qPrintable(facts.join(QLatin1Char('\n'))));
+            QVERIFY2(facts.size() == english->size() && (facts.isEmpty() || facts != *english),
+                     qPrintable(facts.join(QLatin1Char('\n'))));
     }
 }
 
@@ -408,12 +443,17 @@ void TestConformance::gatesAreOnMetricsAndHaveAdvice() {
     QVERIFY(!level().gates.empty());
     for (const scoring::Gate& gate : level().gates) {
         const auto& metrics = level().metrics;
-        QVERIFY2(std::any_of(metrics.begin(), metrics.end(), [&](const auto& metric) { return metric.id == gate.metric; }), gate.metric.c_str());
+        QVERIFY2(std::any_of(metrics.begin(), metrics.end(),
+                             [&](const auto& metric) { return metric.id == gate.metric; }),
+                 gate.metric.c_str());
         QVERIFY2(gate.minimum || gate.maximum, gate.metric.c_str());
         QVERIFY2(!gate.minimum || !gate.maximum || *gate.minimum <= *gate.maximum, gate.metric.c_str());
         const auto& all = exercise().advice;
-        const auto advice = std::find_if(all.begin(), all.end(), [&](const catalogue::Advice& each) { return each.metric == gate.metric; });
-        const QStringList lacking = lackingIn(advice == all.end() ? catalogue::Translated() : advice->text, QString::fromStdString(gate.metric));
+        const auto advice = std::find_if(all.begin(), all.end(), [&](const catalogue::Advice& each) {
+            return each.metric == gate.metric;
+        });
+        const QStringList lacking = lackingIn(advice == all.end() ? catalogue::Translated() : advice->text,
+                                              QString::fromStdString(gate.metric));
         QVERIFY2(lacking.isEmpty(), qPrintable(lacking.join(QLatin1Char('\n'))));
     }
 }
@@ -423,7 +463,8 @@ void TestConformance::demonstrationShowsItsOwn() {
     const auto hasMetric = [this](const std::string& id) {
         const auto& levels = exercise().levels;
         return std::any_of(levels.begin(), levels.end(), [&](const catalogue::ExerciseLevel& each) {
-            return std::any_of(each.metrics.begin(), each.metrics.end(), [&](const auto& metric) { return metric.id == id; });
+            return std::any_of(each.metrics.begin(), each.metrics.end(),
+                               [&](const auto& metric) { return metric.id == id; });
         });
     };
     const session::Demonstration shown = kind().demonstration();
@@ -432,7 +473,9 @@ void TestConformance::demonstrationShowsItsOwn() {
         QVERIFY2(hasMetric(column.metric) && !column.heading.empty(), column.metric.c_str());
     const int levels = static_cast<int>(exercise().levels.size());
     if (shown.comparison)
-        QVERIFY2(hasMetric(shown.comparison->metric) && shown.comparison->level <= levels && shown.comparison->file.ends_with(".png"), shown.comparison->metric.c_str());
+        QVERIFY2(hasMetric(shown.comparison->metric) && shown.comparison->level <= levels &&
+                     shown.comparison->file.ends_with(".png"),
+                 shown.comparison->metric.c_str());
     QVERIFY(!shown.report || (shown.report->level >= 1 && shown.report->level <= levels));
 }
 
@@ -443,7 +486,8 @@ void TestConformance::operatorComesToTheEnd() {
     const auto trials = valueOf(reader.trials(done().session));
     QCOMPARE(static_cast<int>(trials.size()), kind().trialCount(stored.view->setup().level));
     for (const database::TrialRecord& trial : trials)
-        QVERIFY2(trial.marked && !trial.timedOut && trial.state == database::SessionState::completed, trial.sceneJson.c_str());
+        QVERIFY2(trial.marked && !trial.timedOut && trial.state == database::SessionState::completed,
+                 trial.sceneJson.c_str());
 }
 
 /// Whatever trial there was, its truth is known to metrics, stored beside it and drawn in playback.
@@ -458,8 +502,10 @@ void TestConformance::everyTrialHasItsTruth() {
     QCOMPARE(trace->trials.size(), trials.size());
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const scoring::TrialTrace& trial = trace->trials[i];
-        if (const auto object = surfaces->object(trial.trial)) // what is not an object (a canal) is drawn from the level alone
-            QVERIFY2(object->p_WObject.allFinite() && std::isfinite(object->radius_m), "the object lies nowhere");
+        if (const auto object = surfaces->object(
+                trial.trial)) // what is not an object (a canal) is drawn from the level alone
+            QVERIFY2(object->p_WObject.allFinite() && std::isfinite(object->radius_m),
+                     "the object lies nowhere");
         QVERIFY2(trial.apex || trial.insertion || !trial.truth.empty(), "metrics know nothing of it");
         for (const scoring::NamedValue& value : trial.truth)
             QVERIFY2(!value.id.empty() && std::isfinite(value.value), value.id.c_str());
@@ -468,7 +514,8 @@ void TestConformance::everyTrialHasItsTruth() {
         for (const scoring::NamedValue& value : trial.truth)
             QCOMPARE(json.object().value(QString::fromStdString(value.id)).toDouble(NAN), value.value);
     }
-    QVERIFY(!surfaces->object(static_cast<int>(trials.size()))); // nothing is told of a trial that is not planned
+    QVERIFY(
+        !surfaces->object(static_cast<int>(trials.size()))); // nothing is told of a trial that is not planned
 }
 
 void TestConformance::metricsAreDefinedOrSayWhyNot() {
@@ -478,14 +525,17 @@ void TestConformance::metricsAreDefinedOrSayWhyNot() {
         QCOMPARE(card.metrics[i].id, level().metrics[i].id);
         QCOMPARE(card.metrics[i].version, level().metrics[i].version);
         const auto& gates = level().gates;
-        QCOMPARE(card.metrics[i].passed.has_value(), std::any_of(gates.begin(), gates.end(), [&](const auto& gate) { return gate.metric == card.metrics[i].id; }));
+        QCOMPARE(card.metrics[i].passed.has_value(),
+                 std::any_of(gates.begin(), gates.end(),
+                             [&](const auto& gate) { return gate.metric == card.metrics[i].id; }));
     }
     QStringList wrong = undefinedIn(card.metrics);
     QVERIFY(!card.trials.empty());
     for (const auto& trial : card.trials)
         wrong += undefinedIn(trial);
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
-    QVERIFY(std::any_of(card.metrics.begin(), card.metrics.end(), [](const auto& metric) { return metric.value.has_value(); }));
+    QVERIFY(std::any_of(card.metrics.begin(), card.metrics.end(),
+                        [](const auto& metric) { return metric.value.has_value(); }));
 }
 
 void TestConformance::scoreIsTheSameLiveStoredAndExported() {
@@ -515,7 +565,8 @@ void TestConformance::replayIsIdentical() {
     const auto report = valueOf(session::replaySession(*stored.view));
     QVERIFY2(report.comparable, report.note.c_str());
     QVERIFY(report.frames > 0);
-    QVERIFY2(report.identical, qPrintable(QStringLiteral("differs from tick %1").arg(report.firstDifferentTick.value_or(0))));
+    QVERIFY2(report.identical,
+             qPrintable(QStringLiteral("differs from tick %1").arg(report.firstDifferentTick.value_or(0))));
     QCOMPARE(report.maximumDifference_N, 0.0);
 }
 
@@ -525,11 +576,14 @@ void TestConformance::forceKeepsToItsBounds() {
     for (const auto& [what, where] : seen.broken)
         broken << what + QStringLiteral(": not at ") + where;
     QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QLatin1Char('\n'))));
-    QVERIFY2(seen.touching_ticks > 0 && seen.air_ticks > 0, "of a session without contact, or without air, nothing is shown");
+    QVERIFY2(seen.touching_ticks > 0 && seen.air_ticks > 0,
+             "of a session without contact, or without air, nothing is shown");
 }
 
-/// Flat in the light and the dark theme, and in 3D where the exercise has a stage (scene_catalogue.cpp); else flat is all that there is.
-void TestConformance::isDrawn(const MakeSetup& makeSetup, std::size_t moments, const MakeState& makeState, bool moves) {
+/// Flat in the light and the dark theme, and in 3D where the exercise has a stage (scene_catalogue.cpp); else
+/// flat is all that there is.
+void TestConformance::isDrawn(const MakeSetup& makeSetup, std::size_t moments, const MakeState& makeState,
+                              bool moves) {
     QVERIFY2(moments > 0, "there is nothing to be seen");
     std::vector<QImage> inThemes;
     scene3d::SceneSetup setup;
@@ -543,7 +597,9 @@ void TestConformance::isDrawn(const MakeSetup& makeSetup, std::size_t moments, c
             const double share = differingShare(pictures.back(), emptyFlatPicture(setup, state));
             QVERIFY2(share > 0.01, qPrintable(QStringLiteral("moment %1: %2").arg(moment).arg(share)));
         }
-        QVERIFY2(!moves || std::any_of(pictures.begin(), pictures.end(), [&](const QImage& picture) { return picture != pictures.front(); }), "nothing ever moves");
+        QVERIFY2(!moves || std::any_of(pictures.begin(), pictures.end(),
+                                       [&](const QImage& picture) { return picture != pictures.front(); }),
+                 "nothing ever moves");
         inThemes.push_back(pictures.front());
     }
     QVERIFY(inThemes.at(0) != inThemes.at(1));
@@ -560,12 +616,17 @@ void TestConformance::isDrawn(const MakeSetup& makeSetup, std::size_t moments, c
 void TestConformance::liveSceneIsDrawn() {
     const session::LevelCues cues = session::cuesOf(level(), done().felt);
     const auto& shown = done().seen.moments;
-    desktop::LiveSurroundings around{.theme = m_site->context.theme(), .locale = m_site->context.locale(), .cues = cues, .report = {}, .freePointer = {}};
+    desktop::LiveSurroundings around{.theme = m_site->context.theme(),
+                                     .locale = m_site->context.locale(),
+                                     .cues = cues,
+                                     .report = {},
+                                     .freePointer = {}};
     const auto part = face().livePart(level(), std::move(around));
     QVERIFY(part);
     const std::unique_ptr<QWidget> panel(part->makePanel());
     QVERIFY(panel);
-    isDrawn([&](const desktop::Theme& theme) { return desktop::sceneSetupOf(level(), cues, theme, false); }, shown.size(),
+    isDrawn([&](const desktop::Theme& theme) { return desktop::sceneSetupOf(level(), cues, theme, false); },
+            shown.size(),
             [&](std::size_t moment) {
                 scene3d::SceneState drawn = desktop::sceneStateOf(shown[moment], cues, shown.front().now_ns);
                 const session::LiveSample sample = session::liveSampleOf(shown[moment], shown.front().now_ns);
@@ -589,11 +650,16 @@ void TestConformance::playedSceneIsDrawn() {
         times_s.insert(times_s.end(), {trial.start_s, 0.5 * (trial.start_s + trial.end_s), trial.end_s});
     isDrawn(
         [&](const desktop::Theme& theme) {
-            scene3d::SceneSetup setup = desktop::sceneSetupOf(stored.view->setup(), track->forceLimit_N, theme);
+            scene3d::SceneSetup setup =
+                desktop::sceneSetupOf(stored.view->setup(), track->forceLimit_N, theme);
             layer->setUp(setup);
             return setup;
         },
-        times_s.size(), [&](std::size_t moment) { return desktop::sceneStateAt(*track, nullptr, times_s[moment], layer.get()); }, true);
+        times_s.size(),
+        [&](std::size_t moment) {
+            return desktop::sceneStateAt(*track, nullptr, times_s[moment], layer.get());
+        },
+        true);
 }
 
 void TestConformance::screensAndReportOpen() {
@@ -608,7 +674,9 @@ void TestConformance::screensAndReportOpen() {
         opens(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(id)}});
         const QString title = face().debriefTitle();
         const auto labels = m_site->window->screen()->findChildren<QLabel*>();
-        QVERIFY2(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) { return label->text() == title; }), qPrintable(title));
+        QVERIFY2(std::any_of(labels.begin(), labels.end(),
+                             [&](const QLabel* label) { return label->text() == title; }),
+                 qPrintable(title));
         const auto part = face().readDebrief(stored.view->setup().level, *trace);
         QVERIFY2(part, part ? "" : part.error().why.message.c_str());
         QVERIFY(!*part || std::unique_ptr<QWidget>((*part)->widget(m_site->context.theme(), locale)));
@@ -616,21 +684,25 @@ void TestConformance::screensAndReportOpen() {
         const auto layer = face().playbackLayer(stored.view->setup(), *trace);
         const double middle_s = 0.5 * track->duration_s;
         QVERIFY(!layer->readout(*track, track->at(middle_s), middle_s, locale).isEmpty());
-        opens(QStringLiteral("results"), {{QStringLiteral("exercise"), QString::fromStdString(exercise().id)}, {QStringLiteral("level"), level().number}});
+        opens(QStringLiteral("results"), {{QStringLiteral("exercise"), QString::fromStdString(exercise().id)},
+                                          {QStringLiteral("level"), level().number}});
         isPrinted(id, language);
         if (QTest::currentTestFailed())
             return;
     }
 }
 
-/// The screen comes to its content, and no part of it fails; a part may be empty for good reasons, which it says.
+/// The screen comes to its content, and no part of it fails; a part may be empty for good reasons, which it
+/// says.
 void TestConformance::opens(const QString& screen, const QVariantMap& place) {
     using State = desktop::StatePanel::State;
     m_site->go(screen, place);
     const auto panels = [&] { return m_site->window->screen()->findChildren<desktop::StatePanel*>(); };
     const auto loaded = [&] {
         const auto all = panels();
-        return !all.isEmpty() && m_site->context.background().idle() && std::none_of(all.begin(), all.end(), [](const auto* panel) { return panel->state() == State::loading; });
+        return !all.isEmpty() && m_site->context.background().idle() &&
+               std::none_of(all.begin(), all.end(),
+                            [](const auto* panel) { return panel->state() == State::loading; });
     };
     QTRY_VERIFY_WITH_TIMEOUT(loaded(), kPatience_ms);
     QStringList said{screen};
@@ -644,7 +716,8 @@ void TestConformance::opens(const QString& screen, const QVariantMap& place) {
 void TestConformance::isPrinted(database::SessionId id, const std::string& language) {
     const auto connection = valueOf(m_site->database().openReader());
     report::ReportData data = valueOf(desktop::loadReport(*connection, *m_tina, id, language));
-    const QString title = desktop::exerciseTitle(m_site->context.site().catalogue(), exercise().id, QString::fromStdString(language));
+    const QString title = desktop::exerciseTitle(m_site->context.site().catalogue(), exercise().id,
+                                                 QString::fromStdString(language));
     desktop::translateReport(data, {QStringLiteral("Tina"), title, QStringLiteral("device")});
     QCOMPARE(data.metrics.size(), level().metrics.size());
     for (const auto& metric : data.metrics)

@@ -12,7 +12,8 @@ namespace chiron::tests {
 
 /// Keys go to whatever has the focus, as from a keyboard.
 inline void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-    QWidget* target = QApplication::focusWidget() ? QApplication::focusWidget() : QApplication::activeWindow();
+    QWidget* target =
+        QApplication::focusWidget() ? QApplication::focusWidget() : QApplication::activeWindow();
     QTest::keyClick(target, key, modifiers);
 }
 inline void type(const QString& text) {
@@ -51,8 +52,8 @@ inline void picture(QWidget* window, const QString& name) {
 } // namespace chiron::tests
 
 /// Nothing on this page is cut off, and every control has a name and a place in the tab order.
-#define VERIFY_READABLE(page)                                                                                                      \
-    do {                                                                                                                           \
-        const QStringList findings_ = chiron::tests::settledFindings(page);                                                        \
-        QVERIFY2(findings_.isEmpty(), qPrintable(findings_.join(QLatin1Char('\n'))));                                              \
+#define VERIFY_READABLE(page)                                                                                \
+    do {                                                                                                     \
+        const QStringList findings_ = chiron::tests::settledFindings(page);                                  \
+        QVERIFY2(findings_.isEmpty(), qPrintable(findings_.join(QLatin1Char('\n'))));                        \
     } while (false)

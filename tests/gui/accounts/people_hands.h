@@ -24,7 +24,10 @@ public:
             qFatal("the people were not listed");
         settle();
         QObject::connect(&context.messages(), &desktop::Messages::told, &context.messages(),
-                         [this](const desktop::Message& message) { told << message.text; lastAction = message.action; });
+                         [this](const desktop::Message& message) {
+                             told << message.text;
+                             lastAction = message.action;
+                         });
     }
     QTableView* table() { return find<QTableView>(QStringLiteral("people.table")); }
     /// Row of a person in the list as it is shown; -1 if not there.
@@ -34,7 +37,9 @@ public:
                 return row;
         return -1;
     }
-    QString cell(const QString& name, int column) { return table()->model()->index(rowOf(name), column).data().toString(); }
+    QString cell(const QString& name, int column) {
+        return table()->model()->index(rowOf(name), column).data().toString();
+    }
     void choose(const QString& name) { table()->selectRow(rowOf(name)); }
     void click(const char* name) { find<QPushButton>(QLatin1String(name))->click(); }
     void set(const char* field, const QString& text) { find<QLineEdit>(QLatin1String(field))->setText(text); }

@@ -25,11 +25,14 @@ public:
         logIn(person);
         find<QPushButton>(QStringLiteral("nav.account"))->click();
         settle();
-        if (!QTest::qWaitFor([this] { return panel()->state() == desktop::StatePanel::State::content; }, kPatience_ms))
+        if (!QTest::qWaitFor([this] { return panel()->state() == desktop::StatePanel::State::content; },
+                             kPatience_ms))
             qFatal("the account was not read");
     }
     desktop::StatePanel* panel() { return find<desktop::StatePanel>(QStringLiteral("account.panel")); }
-    void set(const char* field, const char* text) { find<QLineEdit>(QLatin1String(field))->setText(QString::fromUtf8(text)); }
+    void set(const char* field, const char* text) {
+        find<QLineEdit>(QLatin1String(field))->setText(QString::fromUtf8(text));
+    }
     bool isEnabled(const char* name) { return find<QPushButton>(QLatin1String(name))->isEnabled(); }
     QString notice(const char* name) { return find<desktop::NoticeArea>(QLatin1String(name))->text(); }
     void setNewPassword(const char* old, const char* fresh) {
@@ -81,17 +84,20 @@ void TestAccount::everybodyGetsThere() {
     QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("palette.field"), kPatience_ms);
     type(QStringLiteral("my account"));
     press(Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(desk.window->screen()->objectName(), QStringLiteral("screen.account"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.window->screen()->objectName(), QStringLiteral("screen.account"),
+                              kPatience_ms);
 }
 
 void TestAccount::changesTheFullName() {
     AccountDesk desk;
-    QCOMPARE(desk.find<QLineEdit>(QStringLiteral("account.full_name"))->text(), QStringLiteral("Tina Trainee"));
+    QCOMPARE(desk.find<QLineEdit>(QStringLiteral("account.full_name"))->text(),
+             QStringLiteral("Tina Trainee"));
     QVERIFY(!desk.isEnabled("account.save_name"));
     desk.set("account.full_name", "Τίνα Weiß");
     QVERIFY(desk.isEnabled("account.save_name"));
     desk.find<QPushButton>(QStringLiteral("account.save_name"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.name_notice").contains(QStringLiteral("Τίνα Weiß")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.name_notice").contains(QStringLiteral("Τίνα Weiß")),
+                             kPatience_ms);
     QVERIFY(!desk.isEnabled("account.save_name"));
     database::AccountService accounts(desk.database());
     const auto ada = desk.actor("ada");
@@ -99,7 +105,8 @@ void TestAccount::changesTheFullName() {
     QVERIFY(tina && tina->displayName == "Τίνα Weiß" && tina->name == "tina");
     QCOMPARE(accounts.earlierNames(ada, tina->id)->front().displayName, std::string("Tina Trainee"));
     desk.find<QLineEdit>(QStringLiteral("account.full_name"))->setText(QString(201, QLatin1Char('x')));
-    QVERIFY(!desk.isEnabled("account.save_name") && desk.notice("account.name_notice").contains(QStringLiteral("200")));
+    QVERIFY(!desk.isEnabled("account.save_name") &&
+            desk.notice("account.name_notice").contains(QStringLiteral("200")));
 }
 
 void TestAccount::changesThePassword() {
@@ -110,8 +117,10 @@ void TestAccount::changesThePassword() {
     QVERIFY(!desk.isEnabled("account.change_password"));
     desk.set("account.repeat", "twelve-fine-horses");
     desk.find<QPushButton>(QStringLiteral("account.change_password"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")), kPatience_ms);
-    QVERIFY(desk.find<QLineEdit>(QStringLiteral("account.old_password"))->text().isEmpty() && desk.find<QLineEdit>(QStringLiteral("account.password"))->text().isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")),
+                             kPatience_ms);
+    QVERIFY(desk.find<QLineEdit>(QStringLiteral("account.old_password"))->text().isEmpty() &&
+            desk.find<QLineEdit>(QStringLiteral("account.password"))->text().isEmpty());
     database::AccountService accounts(desk.database());
     QVERIFY(accounts.login("tina", "twelve-fine-horses").has_value());
     QVERIFY(!accounts.login("tina", kTestPassword).has_value());
@@ -122,16 +131,21 @@ void TestAccount::aWrongOldPasswordChangesNothing() {
     for (int i = 0; i < 3; ++i) {
         desk.setNewPassword("eleven-grey-horses", "twelve-fine-horses");
         desk.find<QPushButton>(QStringLiteral("account.change_password"))->click();
-        QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is wrong")), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is wrong")),
+                                 kPatience_ms);
         QVERIFY(desk.find<QLineEdit>(QStringLiteral("account.old_password"))->text().isEmpty());
     }
     // As at the login: after the third one somebody has to wait, and the button says how long.
     QVERIFY(!desk.isEnabled("account.change_password"));
-    QVERIFY(desk.find<QPushButton>(QStringLiteral("account.change_password"))->text().contains(QStringLiteral("Try again")));
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLineEdit>(QStringLiteral("account.old_password"))->isEnabled(), kPatience_ms);
+    QVERIFY(desk.find<QPushButton>(QStringLiteral("account.change_password"))
+                ->text()
+                .contains(QStringLiteral("Try again")));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLineEdit>(QStringLiteral("account.old_password"))->isEnabled(),
+                             kPatience_ms);
     desk.setNewPassword(kTestPassword, "twelve-fine-horses");
     desk.find<QPushButton>(QStringLiteral("account.change_password"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")),
+                             kPatience_ms);
 }
 
 void TestAccount::anotherPasswordIsNeeded() {
@@ -146,7 +160,8 @@ void TestAccount::theLanguageIsThePersons() {
     AccountDesk desk;
     desk.choose("de");
     QTRY_COMPARE_WITH_TIMEOUT(desk.window->screen()->title(), QStringLiteral("Mein Konto"), kPatience_ms);
-    QCOMPARE(focusName(), QStringLiteral("account.language.de")); // where it was before the screen was built anew
+    QCOMPARE(focusName(),
+             QStringLiteral("account.language.de")); // where it was before the screen was built anew
     QCOMPARE(desk.settings.language(), QStringLiteral("en"));
     QCOMPARE(QLocale().language(), QLocale::German);
     desk.context.logOut();
@@ -167,14 +182,16 @@ void TestAccount::theLanguageIsThePersons() {
 
 void TestAccount::theStationsLanguageIsOthers() {
     AccountDesk desk;
-    desk.context.setStationLanguage(QStringLiteral("el")); // as the settings screen does: she has none of her own
+    desk.context.setStationLanguage(
+        QStringLiteral("el")); // as the settings screen does: she has none of her own
     QCOMPARE(desk.settings.language(), QStringLiteral("el"));
     QVERIFY(desk.context.ownLanguage().isEmpty());
     desk.context.setOwnLanguage(QStringLiteral("de"));
     desk.context.setStationLanguage(QStringLiteral("en")); // what she chooses is what she sees
     QCOMPARE(desk.context.language(), QStringLiteral("en"));
     QCOMPARE(desk.context.ownLanguage(), QStringLiteral("en"));
-    desk.settings.setOfPerson(desk.context.actor().personId(), QStringLiteral("language"), QStringLiteral("tlh"));
+    desk.settings.setOfPerson(desk.context.actor().personId(), QStringLiteral("language"),
+                              QStringLiteral("tlh"));
     QCOMPARE(desk.context.language(), QStringLiteral("en")); // a broken setting gives the station's
 }
 
@@ -183,43 +200,58 @@ void TestAccount::enterDoesWhatHasTheFocus() {
     desk.set("account.full_name", "Tina Tester");
     desk.find<QLineEdit>(QStringLiteral("account.full_name"))->setFocus();
     press(Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.name_notice").contains(QStringLiteral("Tina Tester")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.name_notice").contains(QStringLiteral("Tina Tester")),
+                             kPatience_ms);
     desk.setNewPassword(kTestPassword, "twelve-fine-horses");
     QVERIFY(tabTo(QStringLiteral("account.change_password")));
     press(Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")),
+                             kPatience_ms);
 }
 
 /// Somebody who became an administrator: Home says so until it is done, and the code that is shown works.
 void TestAccount::anAdministratorMakesARecoveryCode() {
     DesktopFixture desk;
     database::AccountService accounts(desk.database());
-    QVERIFY(accounts.createPerson(desk.actor("ada"), {"otto", "Otto", {database::Role::admin}, kTestPassword, false}));
+    QVERIFY(accounts.createPerson(desk.actor("ada"),
+                                  {"otto", "Otto", {database::Role::admin}, kTestPassword, false}));
     desk.logIn("ada"); // has the one that was shown when the site was set up
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("home.people")), kPatience_ms);
     QVERIFY(!desk.find<QFrame>(QStringLiteral("home.recovery_code")));
     desk.logIn("otto");
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("home.make_recovery_code")), kPatience_ms);
     desk.find<QPushButton>(QStringLiteral("home.make_recovery_code"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state")) && desk.find<QLabel>(QStringLiteral("account.recovery_state"))->text().contains(QStringLiteral("none yet")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state")) &&
+                                 desk.find<QLabel>(QStringLiteral("account.recovery_state"))
+                                     ->text()
+                                     .contains(QStringLiteral("none yet")),
+                             kPatience_ms);
     QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("account.recovery"), kPatience_ms);
     desk.find<QPushButton>(QStringLiteral("account.recovery"))->click();
     auto* accept = desk.find<QPushButton>(QStringLiteral("recovery_code.accept"));
     QVERIFY(accept && !accept->isEnabled());
-    desk.find<QLineEdit>(QStringLiteral("recovery_code.password"))->setText(QStringLiteral("not the password"));
+    desk.find<QLineEdit>(QStringLiteral("recovery_code.password"))
+        ->setText(QStringLiteral("not the password"));
     accept->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("recovery_code.password.note"))->isVisible(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("recovery_code.password.note"))->isVisible(),
+                             kPatience_ms);
     QVERIFY(!desk.find<QLabel>(QStringLiteral("recovery.code")));
-    desk.find<QLineEdit>(QStringLiteral("recovery_code.password"))->setText(QString::fromLatin1(kTestPassword));
+    desk.find<QLineEdit>(QStringLiteral("recovery_code.password"))
+        ->setText(QString::fromLatin1(kTestPassword));
     accept->click();
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("recovery.code")), kPatience_ms);
     const std::string code = desk.find<QLabel>(QStringLiteral("recovery.code"))->text().toStdString();
-    QVERIFY(desk.find<QLabel>(QStringLiteral("recovery.backups"))->text().contains(QStringLiteral("no recovery code of yours")));
+    QVERIFY(desk.find<QLabel>(QStringLiteral("recovery.backups"))
+                ->text()
+                .contains(QStringLiteral("no recovery code of yours")));
     VERIFY_READABLE(desk.find<QDialog>(QStringLiteral("recovery_code")));
     desk.find<QCheckBox>(QStringLiteral("recovery.written"))->click();
     desk.find<QPushButton>(QStringLiteral("recovery.continue"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(!desk.find<QDialog>(QStringLiteral("recovery_code")), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state"))->text().contains(QStringLiteral("You have one")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state"))
+                                 ->text()
+                                 .contains(QStringLiteral("You have one")),
+                             kPatience_ms);
     desk.go(QStringLiteral("home"));
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("home.people")), kPatience_ms);
     QVERIFY(!desk.window->screen()->findChild<QFrame*>(QStringLiteral("home.recovery_code")));
@@ -230,16 +262,23 @@ void TestAccount::anAdministratorMakesARecoveryCode() {
 /// Shown once: leaving without having written it down is asked about, once.
 void TestAccount::aCodeIsNotLostByASlip() {
     AccountDesk desk("ada");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state"))->text().contains(QStringLiteral("You have one")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state"))
+                                 ->text()
+                                 .contains(QStringLiteral("You have one")),
+                             kPatience_ms);
     desk.find<QPushButton>(QStringLiteral("account.recovery"))->click();
-    desk.find<QLineEdit>(QStringLiteral("recovery_code.password"))->setText(QString::fromLatin1(kTestPassword));
+    desk.find<QLineEdit>(QStringLiteral("recovery_code.password"))
+        ->setText(QString::fromLatin1(kTestPassword));
     desk.find<QPushButton>(QStringLiteral("recovery_code.accept"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("recovery.code")), kPatience_ms);
     auto* dialog = desk.find<QDialog>(QStringLiteral("recovery_code"));
-    QVERIFY(!desk.find<QPushButton>(QStringLiteral("recovery_code.cancel"))->isVisible()); // one way out: the button that needs the tick
+    QVERIFY(!desk.find<QPushButton>(QStringLiteral("recovery_code.cancel"))
+                 ->isVisible()); // one way out: the button that needs the tick
     QVERIFY(!desk.isEnabled("recovery.continue"));
     QCOMPARE(dialog->focusWidget()->objectName(), QStringLiteral("recovery.copy"));
-    QVERIFY(desk.find<QLabel>(QStringLiteral("recovery.backups"))->text().contains(QStringLiteral("still have the earlier code")));
+    QVERIFY(desk.find<QLabel>(QStringLiteral("recovery.backups"))
+                ->text()
+                .contains(QStringLiteral("still have the earlier code")));
     QTest::keyClick(dialog, Qt::Key_Escape);
     QVERIFY(dialog->isVisible());
     QVERIFY(desk.notice("recovery_code.notice").contains(QStringLiteral("not shown again")));

@@ -35,7 +35,8 @@ public:
     EmptyStation() {
         settings.setLanguage(QStringLiteral("en"));
         desktop::applyAppearance(*qApp, context);
-        QObject::connect(&context, &desktop::AppContext::appearanceChanged, qApp, [this] { desktop::applyAppearance(*qApp, context); });
+        QObject::connect(&context, &desktop::AppContext::appearanceChanged, qApp,
+                         [this] { desktop::applyAppearance(*qApp, context); });
         window = std::make_unique<desktop::MainWindow>(context);
     }
     ~EmptyStation() {
@@ -116,8 +117,13 @@ void TestFirstStart::setUpByKeyboardThenRecover() {
 
     // Later: the password is forgotten, the code lets in, and is used up.
     station.context.logOut();
-    QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("login.site_name") && station.find<QLabel>("login.site_name")->text() == QLatin1String("Nordklinik"), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(station.find<QPushButton>("login.forgotten") && station.find<QPushButton>("login.forgotten")->isVisible(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("login.site_name") &&
+                                 station.find<QLabel>("login.site_name")->text() ==
+                                     QLatin1String("Nordklinik"),
+                             kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QPushButton>("login.forgotten") &&
+                                 station.find<QPushButton>("login.forgotten")->isVisible(),
+                             kPatience_ms);
     QTest::mouseClick(station.find<QPushButton>("login.forgotten"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(focusName() == QLatin1String("recovery.name"), kPatience_ms);
     type(QStringLiteral("ada"));
@@ -136,7 +142,8 @@ void TestFirstStart::setUpByKeyboardThenRecover() {
     QVERIFY(tabTo(QStringLiteral("recovery.continue")));
     press(Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(station.context.loggedIn(), kPatience_ms);
-    QVERIFY(database::AccountService(station.site.database()).login("ada", "twelve-finer-horses").has_value());
+    QVERIFY(
+        database::AccountService(station.site.database()).login("ada", "twelve-finer-horses").has_value());
 }
 
 void TestFirstStart::formSaysWhatIsMissing() {
@@ -181,10 +188,12 @@ void TestFirstStart::aNameThatCannotBeStoredMakesNoSite() {
 
 void TestFirstStart::siteWithoutPeopleAsksForItsAdministrator() {
     EmptyStation station;
-    QVERIFY(database::Database::create(station.file().toStdString(), cheap()).has_value()); // and closed again
+    QVERIFY(
+        database::Database::create(station.file().toStdString(), cheap()).has_value()); // and closed again
     station.show("login");
     station.context.openSite();
-    QTRY_COMPARE_WITH_TIMEOUT(station.context.navigator().current().screen, QStringLiteral("first_start"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(station.context.navigator().current().screen, QStringLiteral("first_start"),
+                              kPatience_ms);
     QVERIFY(!station.find<QPushButton>("first_start.demonstration")->isVisible());
     QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("first_start.set_up"), kPatience_ms);
     press(Qt::Key_Space);
@@ -213,10 +222,13 @@ void TestFirstStart::demonstrationIsStoppedWithoutATrace() {
     const QString file = desktop::FirstStartScreen::demonstrationFile(station.file());
     QTest::mouseClick(station.find<QPushButton>("first_start.demonstration"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(station.find<QPushButton>("state.cancel") && station.find<QPushButton>("state.cancel")->isVisible(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QPushButton>("state.cancel") &&
+                                 station.find<QPushButton>("state.cancel")->isVisible(),
+                             kPatience_ms);
     picture(station.window.get(), QStringLiteral("first_start_demonstration"));
     QTest::mouseClick(station.find<QPushButton>("state.cancel"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(station.find<QPushButton>("first_start.set_up"), kPatience_ms); // the session that runs ends early
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QPushButton>("first_start.set_up"),
+                             kPatience_ms); // the session that runs ends early
     QVERIFY(!QFile::exists(file) && !QFile::exists(file + QStringLiteral(".site")));
     QVERIFY(!station.site.exists() && !station.site.isOpen());
 }
@@ -226,14 +238,20 @@ void TestFirstStart::demonstrationOpensWithItsHint() {
     {
         database::DatabaseOptions options = cheap();
         options.demonstration = true;
-        const auto made = database::Database::create(desktop::FirstStartScreen::demonstrationFile(station.file()).toStdString(), options);
+        const auto made = database::Database::create(
+            desktop::FirstStartScreen::demonstrationFile(station.file()).toStdString(), options);
         QVERIFY(made.has_value());
-        QVERIFY(database::AccountService(**made).createFirstAdministrator("amalia", session::kDemoPassword, "Amalia Administrator").has_value());
+        QVERIFY(database::AccountService(**made)
+                    .createFirstAdministrator("amalia", session::kDemoPassword, "Amalia Administrator")
+                    .has_value());
     }
     station.show("first_start");
     QTest::mouseClick(station.find<QPushButton>("first_start.demonstration"), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(station.context.navigator().current().screen, QStringLiteral("login"), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(station.find<QListWidget>("login.people") && station.find<QListWidget>("login.people")->count() == 1, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(station.context.navigator().current().screen, QStringLiteral("login"),
+                              kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QListWidget>("login.people") &&
+                                 station.find<QListWidget>("login.people")->count() == 1,
+                             kPatience_ms);
     bool told = false;
     for (const QLabel* label : station.window->screen()->findChildren<QLabel*>())
         told = told || label->text().contains(QLatin1String(session::kDemoPassword));

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forms that come and go, against what was read and kept: how each is made, what becomes of it as it is filled in, what it hands over and
-// when, what it says while something works and where it is refused. A change that is meant is kept anew, and the difference is read in
-// review: CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/accounts/test_kept_forms
+// Forms that come and go, against what was read and kept: how each is made, what becomes of it as it is
+// filled in, what it hands over and when, what it says while something works and where it is refused. A
+// change that is meant is kept anew, and the difference is read in review: CHIRON_STORE_OUTLINES=1
+// QT_QPA_PLATFORM=offscreen build/release/tests/gui/accounts/test_kept_forms
 #include "database/accounts/account_service.h"
 #include "desktop/accounts/notice_area.h"
 #include "desktop/accounts/recovery_code_panel.h"
 #include "desktop/accounts/wait_countdown.h"
 #include "desktop/first_start/administrator_page.h"
-#include "desktop/frame/app_context.h"
 #include "desktop/first_start/site_maker.h"
+#include "desktop/frame/app_context.h"
 #include "desktop/frame/background.h"
 #include "desktop/lock/lock_cover.h"
 #include "desktop/login/login_form.h"
@@ -51,10 +52,13 @@ private slots:
     void logIn() {
         LoginForm form(m_theme);
         begin(form);
-        connect(&form, &LoginForm::submitted, &form, [this](const QString& name, const QString& password) { say(QStringLiteral("hands over %1 %2").arg(name, password)); });
+        connect(&form, &LoginForm::submitted, &form, [this](const QString& name, const QString& password) {
+            say(QStringLiteral("hands over %1 %2").arg(name, password));
+        });
         connect(&form, &LoginForm::forgotten, &form, [this] { say(QStringLiteral("forgotten")); });
         std::vector<database::LoginName> names;
-        for (const auto& [name, full] : {std::pair{"ada", "Ada Lovelace"}, {"tina", "Tina Trainee"}, {"theo", "theo"}, {"tom", ""}}) {
+        for (const auto& [name, full] :
+             {std::pair{"ada", "Ada Lovelace"}, {"tina", "Tina Trainee"}, {"theo", "theo"}, {"tom", ""}}) {
             database::LoginName each;
             each.id = static_cast<database::PersonId>(names.size()) + 1;
             each.name = name;
@@ -72,7 +76,10 @@ private slots:
             for (int i = 0; i < list->count(); ++i)
                 if (!list->item(i)->isHidden())
                     all << list->item(i)->text();
-            say(QStringLiteral("typed \"%1\", shown %2, focus on %3").arg(field->text(), all.join(QLatin1Char('/')), QApplication::focusWidget() ? QApplication::focusWidget()->objectName() : QStringLiteral("nothing")));
+            say(QStringLiteral("typed \"%1\", shown %2, focus on %3")
+                    .arg(field->text(), all.join(QLatin1Char('/')),
+                         QApplication::focusWidget() ? QApplication::focusWidget()->objectName()
+                                                     : QStringLiteral("nothing")));
         };
         shown();
         for (const char* typed : {"t", "TR", "zz", " lace ", "ti"}) {
@@ -126,7 +133,8 @@ private slots:
         window.resize(900, 700);
         window.show();
         begin(cover);
-        connect(&cover, &LockCover::submitted, &cover, [this](const QString& password) { say(QStringLiteral("hands over ") + password); });
+        connect(&cover, &LockCover::submitted, &cover,
+                [this](const QString& password) { say(QStringLiteral("hands over ") + password); });
         connect(&cover, &LockCover::switchAsked, &cover, [this] { say(QStringLiteral("switches")); });
         cover.focusFirst();
         fill(cover, "lock.password", "a word");
@@ -145,9 +153,14 @@ private slots:
     void newPassword() {
         NewPasswordPage page(m_theme, QStringLiteral("tina"));
         begin(page);
-        connect(&page, &NewPasswordPage::submitted, &page, [this](const QString& password) { say(QStringLiteral("hands over ") + password); });
+        connect(&page, &NewPasswordPage::submitted, &page,
+                [this](const QString& password) { say(QStringLiteral("hands over ") + password); });
         connect(&page, &NewPasswordPage::backAsked, &page, [this] { say(QStringLiteral("goes back")); });
-        for (const auto& [password, again] : {std::pair{"short", "short"}, {"aaaaaaaaaaaaaaaa", "aaaaaaaaaaaaaaaa"}, {"tina", "tina"}, {"a good long word", "another one"}, {"a good long word", "a good long word"}}) {
+        for (const auto& [password, again] : {std::pair{"short", "short"},
+                                              {"aaaaaaaaaaaaaaaa", "aaaaaaaaaaaaaaaa"},
+                                              {"tina", "tina"},
+                                              {"a good long word", "another one"},
+                                              {"a good long word", "a good long word"}}) {
             fill(page, "change.password", password);
             fill(page, "change.repeat", again);
             click(page, "change.save");
@@ -168,7 +181,10 @@ private slots:
     void recovery() {
         RecoveryPage page(m_theme, QStringLiteral("ada"));
         begin(page);
-        connect(&page, &RecoveryPage::submitted, &page, [this](const QString& name, const QString& code, const QString& password) { say(QStringLiteral("hands over %1 %2 %3").arg(name, code, password)); });
+        connect(&page, &RecoveryPage::submitted, &page,
+                [this](const QString& name, const QString& code, const QString& password) {
+                    say(QStringLiteral("hands over %1 %2 %3").arg(name, code, password));
+                });
         connect(&page, &RecoveryPage::backAsked, &page, [this] { say(QStringLiteral("goes back")); });
         fill(page, "recovery.code_field", "AAAAA-BBBBB-CCCCC-DDDDD-EEEEE");
         fill(page, "recovery.password", "a good long word");
@@ -191,7 +207,9 @@ private slots:
         AdministratorPage page(m_theme);
         begin(page);
         connect(&page, &AdministratorPage::submitted, &page, [this](const AdministratorRequest& request) {
-            say(QStringLiteral("hands over %1 \"%2\" %3").arg(QString::fromStdString(request.name), QString::fromStdString(request.displayName), QString::fromStdString(request.password)));
+            say(QStringLiteral("hands over %1 \"%2\" %3")
+                    .arg(QString::fromStdString(request.name), QString::fromStdString(request.displayName),
+                         QString::fromStdString(request.password)));
         });
         connect(&page, &AdministratorPage::backAsked, &page, [this] { say(QStringLiteral("goes back")); });
         QStringList fields;
@@ -213,7 +231,8 @@ private slots:
     }
 
     void codes() {
-        RecoveryCodePanel panel(m_theme, QStringLiteral("ada"), QStringLiteral("AAAAA-BBBBB"), RecoveryCodePanel::Backups::haveEarlierCode);
+        RecoveryCodePanel panel(m_theme, QStringLiteral("ada"), QStringLiteral("AAAAA-BBBBB"),
+                                RecoveryCodePanel::Backups::haveEarlierCode);
         begin(panel);
         connect(&panel, &RecoveryCodePanel::finished, &panel, [this] { say(QStringLiteral("finished")); });
         click(panel, "recovery.continue");
@@ -224,7 +243,8 @@ private slots:
         take("written down");
         say(panel.isConfirmed() ? QStringLiteral("written down") : QStringLiteral("not written down"));
         click(panel, "recovery.continue");
-        std::unique_ptr<QWidget> handed(handedPassword(m_theme, QStringLiteral("A headline"), QStringLiteral("uma"), QStringLiteral("a drawn word")));
+        std::unique_ptr<QWidget> handed(handedPassword(
+            m_theme, QStringLiteral("A headline"), QStringLiteral("uma"), QStringLiteral("a drawn word")));
         begin(*handed);
         click(*handed, "handed.copy");
         say(QStringLiteral("copied ") + QGuiApplication::clipboard()->text());
@@ -237,8 +257,12 @@ private slots:
         int changes = 0;
         connect(&passwords, &PasswordChoice::changed, &passwords, [&changes] { ++changes; });
         const auto told = [&] {
-            say(QStringLiteral("changed %1%2%3 %4").arg(changes).arg(passwords.isGood() ? QStringLiteral(" good") : QString(), passwords.isGenerated() ? QStringLiteral(" made up") : QString(),
-                                                             passwords.isGenerated() ? QString::number(passwords.password().size()) : QString::fromStdString(passwords.password())));
+            say(QStringLiteral("changed %1%2%3 %4")
+                    .arg(changes)
+                    .arg(passwords.isGood() ? QStringLiteral(" good") : QString(),
+                         passwords.isGenerated() ? QStringLiteral(" made up") : QString(),
+                         passwords.isGenerated() ? QString::number(passwords.password().size())
+                                                 : QString::fromStdString(passwords.password())));
         };
         told();
         passwords.setLoginName(QStringLiteral("a good long word"));
@@ -268,7 +292,8 @@ private slots:
     }
 
     void voids() {
-        VoidSessionDialog dialog(m_theme, 12, QStringLiteral("Tina Trainee"), QStringLiteral("Find the apex, level 2 · Not passed"), nullptr);
+        VoidSessionDialog dialog(m_theme, 12, QStringLiteral("Tina Trainee"),
+                                 QStringLiteral("Find the apex, level 2 · Not passed"), nullptr);
         begin(dialog);
         dialog.show();
         for (const char* reason : {"   ", " wrong hand \n"}) {
@@ -291,13 +316,16 @@ private slots:
         DesktopSite site(folder.filePath(QStringLiteral("site.db")), {});
         AppContext context(site, settings);
         session::BackupEntry backup;
-        backup.createdUtc = QDateTime::currentDateTimeUtc().addDays(-2).toString(Qt::ISODateWithMs).toStdString();
+        backup.createdUtc =
+            QDateTime::currentDateTimeUtc().addDays(-2).toString(Qt::ISODateWithMs).toStdString();
         RestoreDialog dialog(context, backup, RestoreDialog::Replaces::working, nullptr, {});
         begin(dialog);
         const auto told = [&] {
             const database::RestoreRequest request = dialog.request();
-            say(QStringLiteral("%1 / %2, today's %3 / %4").arg(QString::fromStdString(request.name), QString::fromStdString(request.password), QString::fromStdString(request.presentName),
-                                                               QString::fromStdString(request.presentPassword)));
+            say(QStringLiteral("%1 / %2, today's %3 / %4")
+                    .arg(QString::fromStdString(request.name), QString::fromStdString(request.password),
+                         QString::fromStdString(request.presentName),
+                         QString::fromStdString(request.presentPassword)));
         };
         told();
         for (const auto* field : dialog.findChildren<QLineEdit*>())
@@ -332,7 +360,12 @@ private slots:
         const auto token = std::make_shared<WorkToken>();
         const auto told = [&] {
             const auto* bar = strip.findChild<QProgressBar*>();
-            say(QStringLiteral("%1 of %2 to %3%4%5").arg(bar->value()).arg(bar->minimum()).arg(bar->maximum()).arg(strip.isRunning() ? QStringLiteral(" runs") : QString(), token->cancelled() ? QStringLiteral(" cancelled") : QString()));
+            say(QStringLiteral("%1 of %2 to %3%4%5")
+                    .arg(bar->value())
+                    .arg(bar->minimum())
+                    .arg(bar->maximum())
+                    .arg(strip.isRunning() ? QStringLiteral(" runs") : QString(),
+                         token->cancelled() ? QStringLiteral(" cancelled") : QString()));
         };
         token->setProgress(3, 10);
         strip.start(QStringLiteral("A backup"), token);
@@ -361,18 +394,21 @@ private slots:
         panel.showLoading(QStringLiteral("Reading …"), token);
         take("loading");
         say(QString::number(static_cast<int>(panel.state())));
-        QTRY_VERIFY_WITH_TIMEOUT(panel.findChild<QProgressBar*>() && !panel.findChild<QProgressBar*>()->isHidden(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            panel.findChild<QProgressBar*>() && !panel.findChild<QProgressBar*>()->isHidden(), kPatience_ms);
         token->setProgress(40, 100);
         QTRY_COMPARE_WITH_TIMEOUT(panel.findChild<QProgressBar*>()->value(), 40, kPatience_ms);
         auto* cancel = panel.findChild<QPushButton*>(QStringLiteral("state.cancel"));
         QVERIFY(cancel && cancel->isHidden()); // only where it takes long
         QTRY_VERIFY_WITH_TIMEOUT(!cancel->isHidden(), kPatience_ms);
         cancel->click();
-        say(QStringLiteral("%1%2").arg(token->cancelled() ? QStringLiteral("cancelled") : QString(), cancel->isEnabled() ? QStringLiteral(" again") : QString()));
+        say(QStringLiteral("%1%2").arg(token->cancelled() ? QStringLiteral("cancelled") : QString(),
+                                       cancel->isEnabled() ? QStringLiteral(" again") : QString()));
         panel.showLoading(QStringLiteral("Once more …"), token);
         QVERIFY(cancel->isEnabled() && cancel->isHidden() && panel.findChild<QProgressBar*>()->isHidden());
         for (const auto& [title, action] : {std::pair{"Nothing here", "Make one"}, {"Nothing at all", ""}}) {
-            panel.showEmpty(QLatin1String(title), QStringLiteral("Words about it"), QLatin1String(action), [&acted] { ++acted; });
+            panel.showEmpty(QLatin1String(title), QStringLiteral("Words about it"), QLatin1String(action),
+                            [&acted] { ++acted; });
             take(title);
             say(QString::number(static_cast<int>(panel.state())));
             click(panel, "state.action");
@@ -389,7 +425,8 @@ private slots:
         take("failed for good");
         NoticeArea notice(m_theme);
         begin(notice);
-        for (const auto& [kind, text] : {std::pair{"bad", "Bad news"}, {"good", "Good news"}, {"info", ""}, {"warning", "Beware"}}) {
+        for (const auto& [kind, text] :
+             {std::pair{"bad", "Bad news"}, {"good", "Good news"}, {"info", ""}, {"warning", "Beware"}}) {
             notice.say(kind, QLatin1String(text));
             take(kind);
             say(notice.text());
@@ -418,7 +455,8 @@ private:
     void take(const char* moment) {
         say(QStringLiteral("-- ") + QLatin1String(moment));
         static const QRegularExpression seconds(QStringLiteral("[0-9]+ second")); // that are left
-        const QStringList now = tests::ScreenOutline::of(*m_widget, true, true).replaceInStrings(seconds, QStringLiteral("… second"));
+        const QStringList now = tests::ScreenOutline::of(*m_widget, true, true)
+                                    .replaceInStrings(seconds, QStringLiteral("… second"));
         for (const QString& line : m_changes.of(now))
             say(line);
     }

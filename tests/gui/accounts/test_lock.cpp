@@ -26,7 +26,9 @@ private slots:
     void fitsAtEveryScale();
 
 private:
-    static desktop::LockController& lockOf(DesktopFixture& desktop) { return *desktop.window->findChild<desktop::LockController*>(); }
+    static desktop::LockController& lockOf(DesktopFixture& desktop) {
+        return *desktop.window->findChild<desktop::LockController*>();
+    }
     static void unlock(DesktopFixture& desktop) {
         desktop.find<QLineEdit>(QStringLiteral("lock.password"))->setText(QLatin1String(kTestPassword));
         desktop.find<QPushButton>(QStringLiteral("lock.unlock"))->click();
@@ -116,8 +118,9 @@ void TestLock::lockedWindowCannotBeReached() {
         Qt::Key key;
         Qt::KeyboardModifiers modifiers;
     };
-    for (const auto& [key, modifier] : {Keys{Qt::Key_K, Qt::ControlModifier}, Keys{Qt::Key_F1, {}}, Keys{Qt::Key_1, Qt::ControlModifier},
-                                        Keys{Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier}}) {
+    for (const auto& [key, modifier] :
+         {Keys{Qt::Key_K, Qt::ControlModifier}, Keys{Qt::Key_F1, {}}, Keys{Qt::Key_1, Qt::ControlModifier},
+          Keys{Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier}}) {
         press(key, modifier);
         QTest::keyClick(desktop.window.get(), key, modifier);
         QTest::qWait(20);
@@ -151,7 +154,8 @@ void TestLock::anotherWindowIsHidden() {
     QTRY_VERIFY_WITH_TIMEOUT(!late.isVisible(), kPatience_ms);
     unlock(desktop);
     QTRY_VERIFY_WITH_TIMEOUT(!lock.isLocked(), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(dialog.isVisible() && late.isVisible(), kPatience_ms); // what somebody was doing is there again
+    QTRY_VERIFY_WITH_TIMEOUT(dialog.isVisible() && late.isVisible(),
+                             kPatience_ms); // what somebody was doing is there again
 }
 
 void TestLock::wrongPasswordsWait() {

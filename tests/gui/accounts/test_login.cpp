@@ -41,7 +41,9 @@ private:
 
 void TestLogin::openLogin(DesktopFixture& desktop) {
     desktop.context.navigator().replace({QStringLiteral("login"), {}});
-    const auto people = [&desktop] { return desktop.find<QListWidget>(QStringLiteral("login.people")); }; // made once the names are there
+    const auto people = [&desktop] {
+        return desktop.find<QListWidget>(QStringLiteral("login.people"));
+    }; // made once the names are there
     QTRY_VERIFY_WITH_TIMEOUT(people() && people()->count() > 0, kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(focusName() == QLatin1String("login.name"), kPatience_ms);
 }
@@ -103,12 +105,16 @@ void TestLogin::theSitesNameIsGivenInTheSettingsAndShown() {
     QVERIFY(!desktop.find<QPushButton>(QStringLiteral("settings.save_site_name"))->isEnabled());
     name->setText(QStringLiteral("Nordklinik, Lehrstation 2"));
     desktop.find<QPushButton>(QStringLiteral("settings.save_site_name"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop, "settings.site_notice").contains(QStringLiteral("Nordklinik, Lehrstation 2")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        notice(desktop, "settings.site_notice").contains(QStringLiteral("Nordklinik, Lehrstation 2")),
+        kPatience_ms);
     VERIFY_READABLE(desktop.window->screen());
     desktop.context.logOut();
     openLogin(desktop);
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLabel>(QStringLiteral("login.site_name"))->isVisible(), kPatience_ms);
-    QCOMPARE(desktop.find<QLabel>(QStringLiteral("login.site_name"))->text(), QStringLiteral("Nordklinik, Lehrstation 2"));
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLabel>(QStringLiteral("login.site_name"))->isVisible(),
+                             kPatience_ms);
+    QCOMPARE(desktop.find<QLabel>(QStringLiteral("login.site_name"))->text(),
+             QStringLiteral("Nordklinik, Lehrstation 2"));
 }
 
 void TestLogin::wrongPasswordsMakeItWait() {
@@ -142,16 +148,19 @@ void TestLogin::unknownNamesAreToldTheSame() {
     QVERIFY(!desktop.context.loggedIn());
 }
 
-/// A name that nobody has (any more): what the list says of it makes room for the answer, and the answer for the next name.
+/// A name that nobody has (any more): what the list says of it makes room for the answer, and the answer for
+/// the next name.
 void TestLogin::oneExplanationAtATime() {
     DesktopFixture desktop;
     openLogin(desktop);
     type(QStringLiteral("xaver"));
     auto* nobody = desktop.find<QLabel>(QStringLiteral("login.nobody"));
-    QVERIFY(nobody && nobody->isVisible() && nobody->text().contains(QStringLiteral("your login name may have changed")));
+    QVERIFY(nobody && nobody->isVisible() &&
+            nobody->text().contains(QStringLiteral("your login name may have changed")));
     desktop.find<QLineEdit>(QStringLiteral("login.password"))->setText(QStringLiteral("wrong word 1"));
     desktop.find<QPushButton>(QStringLiteral("login.enter"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop).contains(QStringLiteral("your login name may have changed")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop).contains(QStringLiteral("your login name may have changed")),
+                             kPatience_ms);
     QVERIFY(!nobody->isVisible());
     VERIFY_READABLE(desktop.window->screen());
     desktop.find<QLineEdit>(QStringLiteral("login.name"))->setFocus();
@@ -175,7 +184,8 @@ void TestLogin::disabledAccountsAreToldSo() {
 void TestLogin::resetForcesAPasswordOfOnesOwn() {
     DesktopFixture desktop;
     database::AccountService accounts(desktop.database());
-    QVERIFY(accounts.resetPassword(desktop.actor("ada"), desktop.actor("tina").personId(), "given-by-ada-1").has_value());
+    QVERIFY(accounts.resetPassword(desktop.actor("ada"), desktop.actor("tina").personId(), "given-by-ada-1")
+                .has_value());
     openLogin(desktop);
     tryPassword(desktop, QStringLiteral("tina"), QStringLiteral("given-by-ada-1"));
     QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QPushButton>(QStringLiteral("change.save")), kPatience_ms);
@@ -209,7 +219,8 @@ void TestLogin::othersAreToldWhomToAsk() {
     for (const char* field : {"recovery.password", "recovery.repeat"})
         desktop.find<QLineEdit>(QLatin1String(field))->setText(QStringLiteral("tinas-own-word-2"));
     desktop.find<QPushButton>(QStringLiteral("recovery.save"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop, "recovery.notice").contains(QStringLiteral("recovery code")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop, "recovery.notice").contains(QStringLiteral("recovery code")),
+                             kPatience_ms);
     QVERIFY(!desktop.context.loggedIn());
     desktop.find<QPushButton>(QStringLiteral("recovery.back"))->click();
     QVERIFY(desktop.find<QPushButton>(QStringLiteral("login.enter"))->isVisible());
@@ -235,9 +246,11 @@ void TestLogin::failedSiteCanBeTriedAgain() {
     // Another theme builds the screen anew: it tries again by itself, and tells again.
     settings.setTheme(desktop::ThemeName::dark);
     context.applyAppearance();
-    QTRY_VERIFY_WITH_TIMEOUT(window.findChild<desktop::StatePanel*>(QStringLiteral("login.site")) &&
-                                 window.findChild<desktop::StatePanel*>(QStringLiteral("login.site"))->state() == desktop::StatePanel::State::error,
-                             kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        window.findChild<desktop::StatePanel*>(QStringLiteral("login.site")) &&
+            window.findChild<desktop::StatePanel*>(QStringLiteral("login.site"))->state() ==
+                desktop::StatePanel::State::error,
+        kPatience_ms);
     context.background().cancelAndWait();
 }
 

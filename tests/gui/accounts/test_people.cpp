@@ -63,10 +63,13 @@ void TestPeople::addByKeyboardAndHandThePasswordOver() {
     PeopleDesk desk;
     QCOMPARE(desk.table()->model()->rowCount(), 5);
     const QString ofPerson = desk.find<QPushButton>(QStringLiteral("people.erase"))->accessibleDescription();
-    QVERIFY(!ofPerson.isEmpty() && ofPerson != desk.find<QPushButton>(QStringLiteral("people.erase_participant"))->accessibleDescription());
+    QVERIFY(!ofPerson.isEmpty() &&
+            ofPerson !=
+                desk.find<QPushButton>(QStringLiteral("people.erase_participant"))->accessibleDescription());
     picture(desk.window.get(), QStringLiteral("people"));
     press(Qt::Key_N, Qt::ControlModifier);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.dialog("add_person") && desk.dialog("add_person")->isActiveWindow(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.dialog("add_person") && desk.dialog("add_person")->isActiveWindow(),
+                             kPatience_ms);
     QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("add_person.name"), kPatience_ms);
     QVERIFY(!desk.isEnabled("add_person.accept"));
     type(QStringLiteral("uma"));
@@ -98,13 +101,15 @@ void TestPeople::findByTyping() {
     QVERIFY(desk.rowOf(QStringLiteral("tom")) == 0);
     desk.set("people.search", QStringLiteral("lovelace"));
     QCOMPARE(desk.table()->model()->rowCount(), 1); // by full name
-    QVERIFY(!desk.isEnabled("people.erase"));      // nobody is chosen
+    QVERIFY(!desk.isEnabled("people.erase"));       // nobody is chosen
     desk.choose(QStringLiteral("ada"));
     QVERIFY(desk.isEnabled("people.erase"));
-    desk.set("people.search", QStringLiteral("LÓVELACE")); // as somebody types it who has no such keys, or others
+    desk.set("people.search",
+             QStringLiteral("LÓVELACE")); // as somebody types it who has no such keys, or others
     QCOMPARE(desk.table()->model()->rowCount(), 1);
     desk.set("people.search", QStringLiteral("zzz"));
-    QCOMPARE(desk.find<desktop::StatePanel>(QStringLiteral("people.panel"))->state(), desktop::StatePanel::State::empty); // it is said, not only shown
+    QCOMPARE(desk.find<desktop::StatePanel>(QStringLiteral("people.panel"))->state(),
+             desktop::StatePanel::State::empty); // it is said, not only shown
     desk.click("state.action");
     QCOMPARE(desk.table()->model()->rowCount(), 5);
     desk.set("people.search", QStringLiteral("zzz"));
@@ -133,11 +138,13 @@ void TestPeople::disableAndUndo() {
     desk.click("people.enable");
     QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 3), QStringLiteral("Disabled"), kPatience_ms);
     QVERIFY(!database::AccountService(desk.database()).login("tina", kTestPassword));
-    QCOMPARE(desk.find<QPushButton>(QStringLiteral("people.enable"))->text(), QStringLiteral("Enable")); // still chosen
+    QCOMPARE(desk.find<QPushButton>(QStringLiteral("people.enable"))->text(),
+             QStringLiteral("Enable")); // still chosen
     picture(desk.window.get(), QStringLiteral("people_disabled"));
     QVERIFY(desk.lastAction != nullptr);
     desk.lastAction(); // Undo
-    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 3), QStringLiteral("Can log in"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 3), QStringLiteral("Can log in"),
+                              kPatience_ms);
     QVERIFY(database::AccountService(desk.database()).login("tina", kTestPassword).has_value());
 }
 
@@ -185,8 +192,10 @@ void TestPeople::erase() {
     VERIFY_READABLE(desk.dialog("erase"));
     picture(desk.dialog("erase"), QStringLiteral("people_erase"));
     desk.click("erase.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase.notice").contains(QStringLiteral("Nobody was erased")), kPatience_ms);
-    QCOMPARE(desk.find<QLabel>(QStringLiteral("erase.password.note"))->text(), QStringLiteral("Wrong password. Passwords are case-sensitive."));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase.notice").contains(QStringLiteral("Nobody was erased")),
+                             kPatience_ms);
+    QCOMPARE(desk.find<QLabel>(QStringLiteral("erase.password.note"))->text(),
+             QStringLiteral("Wrong password. Passwords are case-sensitive."));
     QVERIFY(desk.find<QLabel>(QStringLiteral("erase.password.note"))->isVisible());
     QVERIFY(desk.rowOf(QStringLiteral("tina")) >= 0);
     // It stops half-way: the list of erasures cannot be written. The same button goes on.
@@ -194,14 +203,16 @@ void TestPeople::erase() {
     QVERIFY(QDir().mkpath(list));
     desk.set("erase.password", QLatin1String(kTestPassword));
     desk.click("erase.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase.notice").contains(QStringLiteral("continue where it stopped")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desk.notice("erase.notice").contains(QStringLiteral("continue where it stopped")), kPatience_ms);
     QVERIFY(QDir().rmdir(list));
     QVERIFY(desk.isEnabled("erase.accept"));
     desk.click("erase.accept");
     QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("erase"), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("tina")) < 0, kPatience_ms);
     const auto erased = database::readErasureList(list.toStdString());
-    QVERIFY(erased && erased->size() == 1 && erased->front().person == tina && erased->front().reason == "asked for it");
+    QVERIFY(erased && erased->size() == 1 && erased->front().person == tina &&
+            erased->front().reason == "asked for it");
 }
 
 /// Who has withdrawn from a study, with or without an account; Home says that somebody waits.
@@ -225,13 +236,17 @@ void TestPeople::eraseAParticipant() {
     const database::Participant keeps = addParticipant(desk, rhea, study, design, "Kim, ward 1");
     const database::Participant goes = addParticipant(desk, rhea, study, design, "Gil, ward 2");
     (void)addParticipant(desk, rhea, study, design, "Sam, ward 3"); // goes on taking part
-    writeAs(desk, rhea, [&](database::StudyRepository& studies) { return studies.withdrawParticipant(keeps.id, false); });
-    writeAs(desk, rhea, [&](database::StudyRepository& studies) { return studies.withdrawParticipant(goes.id, true); });
+    writeAs(desk, rhea,
+            [&](database::StudyRepository& studies) { return studies.withdrawParticipant(keeps.id, false); });
+    writeAs(desk, rhea,
+            [&](database::StudyRepository& studies) { return studies.withdrawParticipant(goes.id, true); });
     const auto homeTells = [&desk] {
         desk.go(QStringLiteral("home"));
         const bool read = QTest::qWaitFor([&desk] { return desk.context.background().idle(); }, kPatience_ms);
         const auto notices = desk.window->screen()->findChildren<QLabel*>(QStringLiteral("notice.text"));
-        return read && std::any_of(notices.begin(), notices.end(), [](const QLabel* label) { return label->text().contains(QStringLiteral("recordings to be erased")); });
+        return read && std::any_of(notices.begin(), notices.end(), [](const QLabel* label) {
+                   return label->text().contains(QStringLiteral("recordings to be erased"));
+               });
     };
     QVERIFY(homeTells());
 
@@ -239,7 +254,8 @@ void TestPeople::eraseAParticipant() {
     desk.click("people.erase_participant");
     auto* who = desk.find<QComboBox>(QStringLiteral("erase_participant.who"));
     QTRY_COMPARE_WITH_TIMEOUT(who->count(), 2, kPatience_ms);
-    QVERIFY(who->itemText(0).startsWith(QString::fromStdString(goes.code))); // whoever asked for it comes first
+    QVERIFY(
+        who->itemText(0).startsWith(QString::fromStdString(goes.code))); // whoever asked for it comes first
     QVERIFY(words().contains(QStringLiteral("as the participant wished, the recordings")));
     who->setCurrentIndex(1);
     QVERIFY(words().contains(QStringLiteral("did not ask for the recordings")));
@@ -249,13 +265,17 @@ void TestPeople::eraseAParticipant() {
     VERIFY_READABLE(desk.dialog("erase_participant"));
     picture(desk.dialog("erase_participant"), QStringLiteral("people_erase_participant"));
     desk.click("erase_participant.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase_participant.notice").contains(QStringLiteral("Nobody was erased")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desk.notice("erase_participant.notice").contains(QStringLiteral("Nobody was erased")), kPatience_ms);
     const auto erased = [&](const database::Participant& participant) {
         const auto reader = desk.database().openReader();
-        return database::StudyReader(**reader, desk.actor("ada")).participantByCode(study, participant.code)->erased;
+        return database::StudyReader(**reader, desk.actor("ada"))
+            .participantByCode(study, participant.code)
+            ->erased;
     };
     QVERIFY(!erased(goes));
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLineEdit>(QStringLiteral("erase_participant.password"))->isEnabled(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLineEdit>(QStringLiteral("erase_participant.password"))->isEnabled(),
+                             kPatience_ms);
     desk.set("erase_participant.password", QLatin1String(kTestPassword));
     desk.click("erase_participant.accept");
     QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("erase_participant"), kPatience_ms);
@@ -267,18 +287,23 @@ void TestPeople::importRoster() {
     PeopleDesk desk;
     const QString file = desk.folder() + QStringLiteral("/roster.csv");
     auto* screen = desk.screen<desktop::PeopleScreen>();
-    write(file, "name,display_name,roles,password\numa,Uma,trainee,a good long word\nTINA,Again,trainee,a good long word\nvic,Vic,wizard,short\n");
+    write(file, "name,display_name,roles,password\numa,Uma,trainee,a good long word\nTINA,Again,trainee,a "
+                "good long word\nvic,Vic,wizard,short\n");
     screen->importRoster(file);
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QFrame>(QStringLiteral("roster.problems")), kPatience_ms);
-    const QString words = desk.find<QFrame>(QStringLiteral("roster.problems"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
-    QVERIFY2(words.contains(QStringLiteral("Line 4, column “roles”: \"wizard\" is no role")) && words.contains(QStringLiteral("Line 4, column “password”: the password")),
+    const QString words = desk.find<QFrame>(QStringLiteral("roster.problems"))
+                              ->findChild<QLabel*>(QStringLiteral("notice.text"))
+                              ->text();
+    QVERIFY2(words.contains(QStringLiteral("Line 4, column “roles”: \"wizard\" is no role")) &&
+                 words.contains(QStringLiteral("Line 4, column “password”: the password")),
              qPrintable(words));
     QVERIFY2(!words.contains(QStringLiteral("Line 3")), qPrintable(words)); // who has an account is no fault
     QVERIFY(!desk.isEnabled("roster.accept"));
     picture(desk.dialog("roster"), QStringLiteral("people_roster_wrong"));
     desk.click("roster.cancel");
     QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), kPatience_ms);
-    write(file, "name,display_name,roles,password\numa,Uma,trainee,a good long word\nvic,Vic,trainer;researcher,a good long word\n");
+    write(file, "name,display_name,roles,password\numa,Uma,trainee,a good long "
+                "word\nvic,Vic,trainer;researcher,a good long word\n");
     screen->importRoster(file);
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), kPatience_ms);
     QCOMPARE(desk.find<QTableWidget>(QStringLiteral("roster.people"))->rowCount(), 2);
@@ -289,11 +314,14 @@ void TestPeople::importRoster() {
     QCOMPARE(desk.cell(QStringLiteral("vic"), 2), QStringLiteral("Trainer, Researcher"));
 }
 
-/// A word of the list that is no role can be given one in the dialog; each line says what would happen to it, and what keeps it from that.
+/// A word of the list that is no role can be given one in the dialog; each line says what would happen to it,
+/// and what keeps it from that.
 void TestPeople::anUnknownRoleIsToldWhatItStandsFor() {
     PeopleDesk desk;
     const QString file = desk.folder() + QStringLiteral("/roster.csv");
-    write(file, "login name,full name,role\numa,Uma,trainee\nvic,Vic,Famulant\nwim,Wim,trainer;FAMULANT\ntina,Tina,trainee\n");
+    write(file,
+          "login name,full "
+          "name,role\numa,Uma,trainee\nvic,Vic,Famulant\nwim,Wim,trainer;FAMULANT\ntina,Tina,trainee\n");
     desk.screen<desktop::PeopleScreen>()->importRoster(file);
     const auto happens = [&](int row) {
         auto* table = desk.find<QTableWidget>(QStringLiteral("roster.people"));
@@ -303,10 +331,17 @@ void TestPeople::anUnknownRoleIsToldWhatItStandsFor() {
     QCOMPARE(happens(0), QStringLiteral("Would be added"));
     QCOMPARE(happens(2), QStringLiteral("Cannot be imported yet"));
     QCOMPARE(happens(3), QStringLiteral("Would be left as it is"));
-    QVERIFY(desk.find<QTableWidget>(QStringLiteral("roster.people"))->item(1, 1)->toolTip().contains(QStringLiteral("\"Famulant\" is no role")));
+    QVERIFY(desk.find<QTableWidget>(QStringLiteral("roster.people"))
+                ->item(1, 1)
+                ->toolTip()
+                .contains(QStringLiteral("\"Famulant\" is no role")));
     QVERIFY(!desk.isEnabled("roster.accept"));
-    QVERIFY(desk.find<QFrame>(QStringLiteral("roster.problems"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text().contains(QStringLiteral("choose above")));
-    QCOMPARE(desk.find<QWidget>(QStringLiteral("roster.roles"))->findChildren<QComboBox*>().size(), 1); // one for a word, however it is written
+    QVERIFY(desk.find<QFrame>(QStringLiteral("roster.problems"))
+                ->findChild<QLabel*>(QStringLiteral("notice.text"))
+                ->text()
+                .contains(QStringLiteral("choose above")));
+    QCOMPARE(desk.find<QWidget>(QStringLiteral("roster.roles"))->findChildren<QComboBox*>().size(),
+             1); // one for a word, however it is written
     VERIFY_READABLE(desk.dialog("roster"));
     picture(desk.dialog("roster"), QStringLiteral("people_roster_roles"));
     auto* choice = desk.find<QComboBox>(QStringLiteral("roster.role.Famulant"));
@@ -320,7 +355,8 @@ void TestPeople::anUnknownRoleIsToldWhatItStandsFor() {
     const QPointer<QWidget> chosen(choice), update(desk.find<QRadioButton>(QStringLiteral("roster.update")));
     QVERIFY(update && update->isEnabled());
     desk.click("roster.accept");
-    QVERIFY(chosen && !chosen->isEnabled() && !update->isEnabled()); // while it is imported, nothing can be chosen any more
+    QVERIFY(chosen && !chosen->isEnabled() &&
+            !update->isEnabled()); // while it is imported, nothing can be chosen any more
     QTRY_COMPARE_WITH_TIMEOUT(desk.table()->model()->rowCount(), 8, kPatience_ms);
     QCOMPARE(desk.cell(QStringLiteral("vic"), 2), QStringLiteral("Trainee"));
     QCOMPARE(desk.cell(QStringLiteral("wim"), 2), QStringLiteral("Trainee, Trainer"));
@@ -340,7 +376,8 @@ void TestPeople::editNames() {
     QVERIFY(!desk.isEnabled("edit_person.accept") && rule().contains(QStringLiteral("cannot be used")));
     desk.set("edit_person.name", QStringLiteral("THEO"));
     desk.click("edit_person.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(rule().contains(QStringLiteral("already")), kPatience_ms); // at the field, and what was typed is kept
+    QTRY_VERIFY_WITH_TIMEOUT(rule().contains(QStringLiteral("already")),
+                             kPatience_ms); // at the field, and what was typed is kept
     QCOMPARE(focusName(), QStringLiteral("edit_person.name"));
     picture(desk.dialog("edit_person"), QStringLiteral("people_edit_taken"));
     desk.set("edit_person.name", QStringLiteral("christina"));
@@ -349,11 +386,15 @@ void TestPeople::editNames() {
     desk.told.clear();
     desk.click("edit_person.accept");
     QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("christina")) >= 0, kPatience_ms);
-    QTRY_VERIFY2_WITH_TIMEOUT(desk.told.join(u' ').contains(QStringLiteral("christina")) && desk.told.join(u' ').contains(QStringLiteral("saved")), qPrintable(desk.told.join(u' ')), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(desk.told.join(u' ').contains(QStringLiteral("christina")) &&
+                                  desk.told.join(u' ').contains(QStringLiteral("saved")),
+                              qPrintable(desk.told.join(u' ')), kPatience_ms);
     QCOMPARE(desk.cell(QStringLiteral("christina"), 1), QStringLiteral("Christina Weiß"));
     // Still chosen, with what she was called before.
     auto* earlier = desk.find<QLabel>(QStringLiteral("people.earlier"));
-    QTRY_VERIFY_WITH_TIMEOUT(earlier->isVisible() && earlier->text().contains(QStringLiteral("Tina Trainee (tina)")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(earlier->isVisible() &&
+                                 earlier->text().contains(QStringLiteral("Tina Trainee (tina)")),
+                             kPatience_ms);
     desk.choose(QStringLiteral("theo"));
     QTRY_VERIFY_WITH_TIMEOUT(!earlier->isVisible(), kPatience_ms);
     auto reader = desk.database().openReader();
@@ -383,7 +424,8 @@ void TestPeople::renamingSaysWhatBecomesOfTheSlip() {
         desk.set("edit_person.name", QString::fromLatin1(name).toUpper()); // the same to the login
         QVERIFY(!renamed->isVisible());
         desk.set("edit_person.name", QStringLiteral("wilma"));
-        QVERIFY2(renamed->isVisible() && renamed->text().contains(QStringLiteral("only wilma can be used")), qPrintable(renamed->text()));
+        QVERIFY2(renamed->isVisible() && renamed->text().contains(QStringLiteral("only wilma can be used")),
+                 qPrintable(renamed->text()));
         QCOMPARE(renamed->text().contains(QStringLiteral("slip")), hasSlip);
         VERIFY_READABLE(desk.dialog("edit_person"));
         desk.click("edit_person.cancel");
@@ -406,17 +448,27 @@ void TestPeople::renamingOneselfIsSeenAtOnce() {
 
 void TestPeople::germanExcelIsImportedAndSlipsArePrinted() {
     PeopleDesk desk;
-    QVERIFY(desk.database().write([&](database::WriteContext& writing) {
-        return database::SiteRepository(writing.connection(), desk.context.actor()).setSiteName("Nordklinik");
-    }).has_value());
+    QVERIFY(desk.database()
+                .write([&](database::WriteContext& writing) {
+                    return database::SiteRepository(writing.connection(), desk.context.actor())
+                        .setSiteName("Nordklinik");
+                })
+                .has_value());
     const QString file = desk.folder() + QStringLiteral("/Kurs.csv");
-    write(file, "Name;Vorname;Anmeldename;Rolle;Gruppe\r\nM\xfcller;J\xf6rg;mueller;Lernende Person;A\r\nGro\xdf;Uwe;gross;Ausbilder/in;A\r\n");
+    write(file, "Name;Vorname;Anmeldename;Rolle;Gruppe\r\nM\xfcller;J\xf6rg;mueller;Lernende "
+                "Person;A\r\nGro\xdf;Uwe;gross;Ausbilder/in;A\r\n");
     desk.screen<desktop::PeopleScreen>()->importRoster(file);
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), kPatience_ms);
-    QVERIFY(desk.find<QLabel>(QStringLiteral("roster.read"))->text().contains(QStringLiteral("Windows-1252, separated by semicolons")));
-    const QString summary = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
-    QVERIFY2(summary.contains(QStringLiteral("Gruppe")) && summary.contains(QStringLiteral("shown once")), qPrintable(summary));
-    QVERIFY(!desk.find<QRadioButton>(QStringLiteral("roster.update"))->isVisible()); // nobody in the list is here yet: no question
+    QVERIFY(desk.find<QLabel>(QStringLiteral("roster.read"))
+                ->text()
+                .contains(QStringLiteral("Windows-1252, separated by semicolons")));
+    const QString summary = desk.find<QFrame>(QStringLiteral("roster.summary"))
+                                ->findChild<QLabel*>(QStringLiteral("notice.text"))
+                                ->text();
+    QVERIFY2(summary.contains(QStringLiteral("Gruppe")) && summary.contains(QStringLiteral("shown once")),
+             qPrintable(summary));
+    QVERIFY(!desk.find<QRadioButton>(QStringLiteral("roster.update"))
+                 ->isVisible()); // nobody in the list is here yet: no question
     QVERIFY(desk.isEnabled("roster.accept"));
     picture(desk.dialog("roster"), QStringLiteral("people_roster_german"));
     desk.click("roster.accept");
@@ -429,17 +481,21 @@ void TestPeople::germanExcelIsImportedAndSlipsArePrinted() {
     QVERIFY(joerg && joerg->mustChangePassword());
     VERIFY_READABLE(desk.dialog("roster"));
     picture(desk.dialog("roster"), QStringLiteral("people_slips"));
-    QCOMPARE(desk.dialog("roster")->focusWidget()->objectName(), QStringLiteral("slips.print")); // Enter does not close
+    QCOMPARE(desk.dialog("roster")->focusWidget()->objectName(),
+             QStringLiteral("slips.print")); // Enter does not close
     // Closing is asked about once while nobody has the passwords on paper.
     desk.click("roster.cancel");
-    QVERIFY(desk.dialog("roster")->isVisible() && desk.notice("roster.notice").contains(QStringLiteral("neither printed nor saved")));
-    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QLineEdit>(QStringLiteral("slips.site"))->text(), QStringLiteral("Nordklinik"), kPatience_ms); // the site's own
+    QVERIFY(desk.dialog("roster")->isVisible() &&
+            desk.notice("roster.notice").contains(QStringLiteral("neither printed nor saved")));
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QLineEdit>(QStringLiteral("slips.site"))->text(),
+                              QStringLiteral("Nordklinik"), kPatience_ms); // the site's own
     desk.set("slips.site", QStringLiteral("Skills lab"));
     const QString pdf = desk.folder() + QStringLiteral("/slips.pdf");
     auto* slips = desk.find<desktop::SlipsPanel>(QString());
     slips->saveTo(desk.folder() + QStringLiteral("/nowhere/slips.pdf"));
     QVERIFY(!slips->isTaken() && desk.notice("slips.notice").contains(QStringLiteral("not saved")));
-    desk.dialog("roster")->resize(desk.dialog("roster")->width(), 300); // what is said comes into sight by itself
+    desk.dialog("roster")->resize(desk.dialog("roster")->width(),
+                                  300); // what is said comes into sight by itself
     slips->saveTo(pdf);
     const auto* said = desk.find<desktop::NoticeArea>(QStringLiteral("slips.notice"));
     QTRY_VERIFY_WITH_TIMEOUT(said->visibleRegion().boundingRect().height() == said->height(), kPatience_ms);
@@ -467,12 +523,15 @@ void TestPeople::whoExistsIsUpdatedWhenAsked() {
     write(file, "login name;full name;role\nTina;Christina;trainer\ntheo;Theo Trainee;trainee\n");
     desk.screen<desktop::PeopleScreen>()->importRoster(file);
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QRadioButton>(QStringLiteral("roster.update"))->isVisible(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QRadioButton>(QStringLiteral("roster.update"))->isVisible(),
+                             kPatience_ms);
     QVERIFY(!desk.isEnabled("roster.accept")); // both are left as they are: nothing to do
     const auto* accept = desk.find<QPushButton>(QStringLiteral("roster.accept"));
     const auto* leave = desk.find<QPushButton>(QStringLiteral("roster.cancel"));
     QVERIFY(!accept->isVisible() && leave->text() == QLatin1String("Close"));
-    const QString nothing = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
+    const QString nothing = desk.find<QFrame>(QStringLiteral("roster.summary"))
+                                ->findChild<QLabel*>(QStringLiteral("notice.text"))
+                                ->text();
     QCOMPARE(nothing, QStringLiteral("Nothing to import: everybody on the list is already here."));
     desk.find<QRadioButton>(QStringLiteral("roster.update"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), kPatience_ms);
@@ -486,19 +545,22 @@ void TestPeople::whoExistsIsUpdatedWhenAsked() {
     picture(desk.dialog("roster"), QStringLiteral("people_roster_update"));
     desk.click("roster.accept");
     QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), kPatience_ms); // no passwords: no slips
-    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Christina"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Christina"),
+                              kPatience_ms);
     QCOMPARE(desk.cell(QStringLiteral("tina"), 2), QStringLiteral("Trainer"));
     QVERIFY(database::AccountService(desk.database()).login("tina", kTestPassword).has_value());
 }
 
-/// A list from before a change of name: the person is recognised, and where the old name is somebody else's today it is said.
+/// A list from before a change of name: the person is recognised, and where the old name is somebody else's
+/// today it is said.
 void TestPeople::anOldListNamesWhoWasRenamed() {
     PeopleDesk desk;
     database::AccountService accounts(desk.database());
     const database::Actor ada = desk.actor("ada");
     QVERIFY(accounts.changeNames(ada, accounts.personByName(ada, "tina")->id, "christina", "Tina Trainee"));
     QVERIFY(accounts.changeNames(ada, accounts.personByName(ada, "theo")->id, "theodor", "Theo Trainee"));
-    QVERIFY(accounts.createPerson(ada, {"theo", "Another Theo", {database::Role::trainee}, kTestPassword, false}));
+    QVERIFY(accounts.createPerson(ada,
+                                  {"theo", "Another Theo", {database::Role::trainee}, kTestPassword, false}));
     const QString file = desk.folder() + QStringLiteral("/roster.csv");
     write(file, "login name;full name;role\ntina;Tina T.;trainee\ntheo;Another Theo;trainee\n");
     desk.screen<desktop::PeopleScreen>()->importRoster(file);
@@ -507,15 +569,21 @@ void TestPeople::anOldListNamesWhoWasRenamed() {
     QCOMPARE(table->item(0, 1)->text(), QStringLiteral("Would be left as it is"));
     QCOMPARE(table->item(0, 2)->text(), QStringLiteral("tina, known as christina today"));
     QCOMPARE(table->item(1, 2)->text(), QStringLiteral("theo"));
-    const QString summary = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
+    const QString summary = desk.find<QFrame>(QStringLiteral("roster.summary"))
+                                ->findChild<QLabel*>(QStringLiteral("notice.text"))
+                                ->text();
     QVERIFY2(summary.contains(QStringLiteral("earlier login name")), qPrintable(summary));
-    QVERIFY2(summary.contains(QStringLiteral("Line 3: the login name theo belongs to Another Theo today; it used to be that of theodor.")), qPrintable(summary));
+    QVERIFY2(
+        summary.contains(QStringLiteral(
+            "Line 3: the login name theo belongs to Another Theo today; it used to be that of theodor.")),
+        qPrintable(summary));
     VERIFY_READABLE(desk.dialog("roster"));
     desk.find<QRadioButton>(QStringLiteral("roster.update"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), kPatience_ms);
     desk.click("roster.accept");
     QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), kPatience_ms);
-    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("christina"), 1), QStringLiteral("Tina T."), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("christina"), 1), QStringLiteral("Tina T."),
+                              kPatience_ms);
     QCOMPARE(desk.rowOf(QStringLiteral("tina")), -1);
     QCOMPARE(accounts.listPeople(ada)->size(), std::size_t{6});
 }
@@ -532,8 +600,12 @@ void TestPeople::anOldFullNameIsNotGivenBack() {
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), kPatience_ms);
     desk.find<QRadioButton>(QStringLiteral("roster.update"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), kPatience_ms);
-    const QString summary = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
-    QVERIFY2(summary.contains(QStringLiteral("Theo Trainee would be called Theodor.")) && summary.contains(QStringLiteral("earlier full name")), qPrintable(summary));
+    const QString summary = desk.find<QFrame>(QStringLiteral("roster.summary"))
+                                ->findChild<QLabel*>(QStringLiteral("notice.text"))
+                                ->text();
+    QVERIFY2(summary.contains(QStringLiteral("Theo Trainee would be called Theodor.")) &&
+                 summary.contains(QStringLiteral("earlier full name")),
+             qPrintable(summary));
     QVERIFY2(!summary.contains(QStringLiteral("called Tina")), qPrintable(summary));
     const auto* shown = desk.find<QTableWidget>(QStringLiteral("roster.people"))->item(0, 3);
     QCOMPARE(shown->text(), QStringLiteral("Tina Weiß"));
@@ -552,8 +624,11 @@ void TestPeople::otherFilesAreNamed() {
     write(file, QByteArray("PK\x03\x04\x14\x00\x06\x00", 8) + QByteArray(22, '\1') + "[Content_Types].xml");
     desk.screen<desktop::PeopleScreen>()->importRoster(file);
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QFrame>(QStringLiteral("roster.problems")), kPatience_ms);
-    const QString words = desk.find<QFrame>(QStringLiteral("roster.problems"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
-    QVERIFY2(words.contains(QStringLiteral("Save As")) && words.contains(QStringLiteral("CSV UTF-8")), qPrintable(words));
+    const QString words = desk.find<QFrame>(QStringLiteral("roster.problems"))
+                              ->findChild<QLabel*>(QStringLiteral("notice.text"))
+                              ->text();
+    QVERIFY2(words.contains(QStringLiteral("Save As")) && words.contains(QStringLiteral("CSV UTF-8")),
+             qPrintable(words));
     QVERIFY(!desk.isEnabled("roster.accept"));
     VERIFY_READABLE(desk.dialog("roster"));
 }
@@ -580,7 +655,8 @@ void TestPeople::templateCanBeImported() {
     QVERIFY2(roster.problems.empty(), roster.problems.empty() ? "" : roster.problems[0].words.c_str());
     QCOMPARE(roster.delimiter, separator);
     QCOMPARE(roster.rows.size(), std::size_t{2});
-    QVERIFY(roster.rows[0].roles.contains(database::Role::trainee) && roster.rows[1].roles.contains(database::Role::trainer));
+    QVERIFY(roster.rows[0].roles.contains(database::Role::trainee) &&
+            roster.rows[1].roles.contains(database::Role::trainer));
     QVERIFY(!roster.rows[0].displayName.empty() && roster.ignoredColumns.empty());
     desk.context.setStationLanguage(QStringLiteral("en"));
 }
@@ -588,8 +664,10 @@ void TestPeople::templateCanBeImported() {
 void TestPeople::enterPressesTheFocusedButton() {
     PeopleDesk desk;
     desk.choose(QStringLiteral("tina"));
-    for (const auto& [button, dialog] : {std::pair{"people.add", "add_person"}, std::pair{"people.edit", "edit_person"}, std::pair{"people.roles", "roles"},
-                                         std::pair{"people.reset", "reset"}, std::pair{"people.erase", "erase"}}) {
+    for (const auto& [button, dialog] :
+         {std::pair{"people.add", "add_person"}, std::pair{"people.edit", "edit_person"},
+          std::pair{"people.roles", "roles"}, std::pair{"people.reset", "reset"},
+          std::pair{"people.erase", "erase"}}) {
         desk.click(button);
         QTRY_VERIFY_WITH_TIMEOUT(desk.dialog(dialog) && desk.dialog(dialog)->isActiveWindow(), kPatience_ms);
         auto* cancel = desk.find<QPushButton>(QLatin1String(dialog) + QStringLiteral(".cancel"));
@@ -605,7 +683,8 @@ void TestPeople::enterPressesTheFocusedButton() {
     QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("edit_person.full_name"), kPatience_ms);
     desk.set("edit_person.full_name", QStringLiteral("Tina Tester"));
     press(Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Tina Tester"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Tina Tester"),
+                              kPatience_ms);
     // The one that copies copies, although closing is the default.
     desk.choose(QStringLiteral("theo"));
     desk.click("people.reset");
@@ -636,8 +715,10 @@ void TestPeople::fitsAtEveryScale() {
     desk.choose(QStringLiteral("tina"));
     VERIFY_READABLE(desk.window->screen());
     picture(desk.window.get(), QStringLiteral("people_%1").arg(scale));
-    for (const auto& [button, dialog] : {std::pair{"people.add", "add_person"}, std::pair{"people.edit", "edit_person"}, std::pair{"people.roles", "roles"},
-                                         std::pair{"people.reset", "reset"}, std::pair{"people.erase", "erase"}}) {
+    for (const auto& [button, dialog] :
+         {std::pair{"people.add", "add_person"}, std::pair{"people.edit", "edit_person"},
+          std::pair{"people.roles", "roles"}, std::pair{"people.reset", "reset"},
+          std::pair{"people.erase", "erase"}}) {
         desk.click(button);
         QTest::qWait(50);
         VERIFY_READABLE(desk.dialog(dialog));

@@ -24,7 +24,8 @@ void TestPeopleRefused::takenNames() {
     desk.click("people.add");
     desk.set("add_person.name", QStringLiteral("Tina"));
     desk.click("add_person.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("add_person.notice").contains(QStringLiteral("already")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("add_person.notice").contains(QStringLiteral("already")),
+                             kPatience_ms);
     QVERIFY(desk.dialog("add_person")->isVisible()); // what was typed is kept
     desk.set("add_person.name", QStringLiteral("tina, two"));
     QVERIFY(!desk.isEnabled("add_person.accept"));
@@ -36,13 +37,15 @@ void TestPeopleRefused::lastAdministratorStays() {
     PeopleDesk desk;
     desk.choose(QStringLiteral("ada"));
     desk.click("people.enable");
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.told.isEmpty() && desk.told.last().contains(QStringLiteral("stays enabled")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        !desk.told.isEmpty() && desk.told.last().contains(QStringLiteral("stays enabled")), kPatience_ms);
     QCOMPARE(desk.cell(QStringLiteral("ada"), 3), QStringLiteral("Can log in"));
     desk.click("people.roles");
     desk.find<QCheckBox>(QStringLiteral("roles.trainer"))->click();
     desk.find<QCheckBox>(QStringLiteral("roles.admin"))->click();
     desk.click("roles.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("roles.notice").contains(QStringLiteral("remains an administrator")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("roles.notice").contains(QStringLiteral("remains an administrator")),
+                             kPatience_ms);
     desk.dialog("roles")->close();
     QVERIFY(desk.actor("ada").roles().contains(database::Role::admin));
 }
@@ -55,7 +58,8 @@ void TestPeopleRefused::oneselfIsNotErased() {
     desk.set("erase.name", QStringLiteral("ada"));
     desk.set("erase.password", QLatin1String(kTestPassword));
     desk.click("erase.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase.notice").contains(QStringLiteral("cannot erase yourself")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase.notice").contains(QStringLiteral("cannot erase yourself")),
+                             kPatience_ms);
     desk.dialog("erase")->close();
     QVERIFY(desk.rowOf(QStringLiteral("ada")) >= 0);
 }
@@ -66,11 +70,13 @@ void TestPeopleRefused::othersAreRefused() {
     desk.click("people.add");
     desk.set("add_person.name", QStringLiteral("uma"));
     desk.click("add_person.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("add_person.notice").contains(QStringLiteral("was not added")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("add_person.notice").contains(QStringLiteral("was not added")),
+                             kPatience_ms);
     desk.dialog("add_person")->close();
     desk.choose(QStringLiteral("tina"));
     desk.click("people.enable");
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.told.isEmpty() && desk.told.last().contains(QStringLiteral("was not changed")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        !desk.told.isEmpty() && desk.told.last().contains(QStringLiteral("was not changed")), kPatience_ms);
     QVERIFY(database::AccountService(desk.database()).login("tina", kTestPassword).has_value());
     desk.screen<desktop::PeopleScreen>()->exportTo(desk.folder() + QStringLiteral("/tina.json"));
     QTRY_VERIFY_WITH_TIMEOUT(desk.told.last().contains(QStringLiteral("Nothing was exported")), kPatience_ms);

@@ -47,12 +47,14 @@ public:
         const auto ada = accounts.login("ada", kPassword);
         QDir().mkpath(place());
         const auto byHand = database::Upkeep::backup(**made, *ada, place().toStdString() + "/by_hand");
-        const auto daily = database::Upkeep::dailyBackup(**made, database::Actor::maintenance(), place().toStdString(), 14);
+        const auto daily =
+            database::Upkeep::dailyBackup(**made, database::Actor::maintenance(), place().toStdString(), 14);
         if (!byHand || !daily)
             qFatal("no backups");
         automatic = QString::fromStdString(daily->made.folder);
         window = std::make_unique<desktop::MainWindow>(context);
-        QObject::connect(&context.messages(), &desktop::Messages::told, window.get(), [this](const desktop::Message& message) { said = message; });
+        QObject::connect(&context.messages(), &desktop::Messages::told, window.get(),
+                         [this](const desktop::Message& message) { said = message; });
     }
     ~LostSite() {
         context.background().cancelAndWait();
@@ -69,7 +71,9 @@ public:
     }
     /// The screen, once every backup was looked at; null where it did not come.
     desktop::RestoreScreen* screen() {
-        (void)QTest::qWaitFor([this] { return qobject_cast<desktop::RestoreScreen*>(window->screen()) != nullptr; }, kPatience_ms);
+        (void)QTest::qWaitFor(
+            [this] { return qobject_cast<desktop::RestoreScreen*>(window->screen()) != nullptr; },
+            kPatience_ms);
         auto* found = qobject_cast<desktop::RestoreScreen*>(window->screen());
         if (found)
             (void)QTest::qWaitFor([this] { return context.background().idle(); }, kPatience_ms);
@@ -148,13 +152,17 @@ void TestRestoreScreen::aDamagedSiteComesBack() {
         for (int column = 0; column < table->columnCount(); ++column)
             QVERIFY2(!table->item(row, column)->text().isEmpty(), qPrintable(QString::number(column)));
     }
-    QCOMPARE((QSet<QString>{table->item(0, 3)->text(), table->item(1, 3)->text()}), (QSet<QString>{QStringLiteral("Automatic"), QStringLiteral("By hand")}));
+    QCOMPARE((QSet<QString>{table->item(0, 3)->text(), table->item(1, 3)->text()}),
+             (QSet<QString>{QStringLiteral("Automatic"), QStringLiteral("By hand")}));
     QCOMPARE(contentOf(lost.file()), damaged); // looked at only
     picture(lost.window.get(), QStringLiteral("restore_") + how);
     lost.answer("ada", kPassword);
-    QTRY_COMPARE_WITH_TIMEOUT(lost.context.navigator().current().screen, QStringLiteral("login"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(lost.context.navigator().current().screen, QStringLiteral("login"),
+                              kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(lost.site.isOpen(), kPatience_ms);
-    const QStringList kept = QDir(lost.folder.path()).entryList({QStringLiteral("site.db.before-restore*")}, QDir::Files).filter(QRegularExpression(QStringLiteral("restore(-[0-9]+)?$")));
+    const QStringList kept = QDir(lost.folder.path())
+                                 .entryList({QStringLiteral("site.db.before-restore*")}, QDir::Files)
+                                 .filter(QRegularExpression(QStringLiteral("restore(-[0-9]+)?$")));
     QCOMPARE(kept.size(), 1);
     QCOMPARE(contentOf(lost.folder.filePath(kept.front())), damaged);
     QVERIFY2(lost.said.text.contains(kept.front()), qPrintable(lost.said.text));
@@ -194,10 +202,16 @@ void TestRestoreScreen::aWrongPasswordChangesNothing() {
     QVERIFY(lost.screen());
     lost.answer("ada", "twelve-fine-horses");
     // The dialog stays, says it at the field, and nothing of what was chosen is lost.
-    QTRY_VERIFY_WITH_TIMEOUT(lost.find<QLabel>("restore.password.note") && lost.find<QLabel>("restore.password.note")->isVisible(), kPatience_ms);
-    QVERIFY(lost.find<QLabel>("restore.password.note")->text().contains(QStringLiteral("Passwords are case-sensitive")));
+    QTRY_VERIFY_WITH_TIMEOUT(lost.find<QLabel>("restore.password.note") &&
+                                 lost.find<QLabel>("restore.password.note")->isVisible(),
+                             kPatience_ms);
+    QVERIFY(lost.find<QLabel>("restore.password.note")
+                ->text()
+                .contains(QStringLiteral("Passwords are case-sensitive")));
     QVERIFY(lost.find<QDialog>("restore")->isVisible());
-    QVERIFY(lost.find<QLabel>("restore.explanation")->text().contains(QStringLiteral("the day it was made"))); // which password is meant
+    QVERIFY(lost.find<QLabel>("restore.explanation")
+                ->text()
+                .contains(QStringLiteral("the day it was made"))); // which password is meant
     QVERIFY(lost.find<QLabel>("restore.why_other")->text().contains(QStringLiteral("has to agree")));
     QCOMPARE(lost.find<QLineEdit>("restore.name")->text(), QStringLiteral("ada"));
     QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("restore.password"), kPatience_ms);
@@ -224,7 +238,8 @@ void TestRestoreScreen::aDamagedBackupIsMarkedAndRefused() {
     QVERIFY(!table->item(bad, 4)->toolTip().isEmpty());
     table->selectRow(bad);
     QVERIFY(!lost.find<QPushButton>("restore.restore")->isEnabled());
-    QVERIFY(lost.find<QLabel>("restore.reason")->isVisible() && lost.find<QLabel>("restore.reason")->text().contains(QStringLiteral("chiron.db")));
+    QVERIFY(lost.find<QLabel>("restore.reason")->isVisible() &&
+            lost.find<QLabel>("restore.reason")->text().contains(QStringLiteral("chiron.db")));
     table->selectRow(1 - bad);
     QVERIFY(!lost.find<QLabel>("restore.reason")->isVisible() && !lost.find<QFrame>("restore.key"));
     QVERIFY(lost.find<QPushButton>("restore.restore")->isEnabled());
@@ -248,7 +263,8 @@ void TestRestoreScreen::withoutBackupsAFileIsChosen() {
     QVERIFY(damage(lost.file(), QStringLiteral("cut off")));
     lost.start();
     QVERIFY(lost.screen());
-    QTRY_COMPARE_WITH_TIMEOUT(lost.find<QLabel>("state.title")->text(), QStringLiteral("No backup was found"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(lost.find<QLabel>("state.title")->text(), QStringLiteral("No backup was found"),
+                              kPatience_ms);
     QVERIFY(!lost.find<QPushButton>("restore.restore")->isEnabled());
     lost.find<QPushButton>("restore.choose")->click();
     auto* dialog = lost.window->findChild<QFileDialog*>();
@@ -281,7 +297,8 @@ void TestRestoreScreen::aFolderThatCannotBeWrittenIsTold() {
     const QByteArray path = lost.folder.path().toLocal8Bit();
     if (mount(path.constData(), path.constData(), nullptr, MS_BIND, nullptr) != 0)
         QSKIP("mounting is not permitted here");
-    const bool readOnly = mount(nullptr, path.constData(), nullptr, MS_BIND | MS_REMOUNT | MS_RDONLY, nullptr) == 0;
+    const bool readOnly =
+        mount(nullptr, path.constData(), nullptr, MS_BIND | MS_REMOUNT | MS_RDONLY, nullptr) == 0;
     lost.start();
     const bool came = lost.screen() != nullptr;
     if (came) {
@@ -300,7 +317,8 @@ void TestRestoreScreen::whatIsNotDamagedOffersNoRestore() {
     QVERIFY(file.open(QIODevice::ReadWrite) && file.seek(63) && file.putChar(99)); // a newer program's
     file.close();
     lost.start();
-    QTRY_VERIFY_WITH_TIMEOUT(lost.find<QLabel>("state.title") && lost.find<QLabel>("state.title")->isVisible(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        lost.find<QLabel>("state.title") && lost.find<QLabel>("state.title")->isVisible(), kPatience_ms);
     QCOMPARE(lost.context.navigator().current().screen, QStringLiteral("login"));
     QVERIFY(lost.find<QLabel>("state.text")->text().contains(QStringLiteral("newer")));
 }

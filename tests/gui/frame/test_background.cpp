@@ -30,19 +30,29 @@ void TestBackground::resultsAreToldOnTheGuiThread() {
     QThread* worked = nullptr;
     QThread* told = nullptr;
     int result = 0;
-    background.run(this, [&worked](WorkToken&) { worked = QThread::currentThread(); return 7; },
-                   [&](int value) { told = QThread::currentThread(); result = value; });
+    background.run(
+        this,
+        [&worked](WorkToken&) {
+            worked = QThread::currentThread();
+            return 7;
+        },
+        [&](int value) {
+            told = QThread::currentThread();
+            result = value;
+        });
     QTRY_COMPARE_WITH_TIMEOUT(result, 7, kPatience_ms);
     QVERIFY(worked && worked != QThread::currentThread());
     QCOMPARE(told, QThread::currentThread());
 }
 
-/// When the work has ended, its result still waits in the event queue: the screen does not know it yet, so this is not idle.
+/// When the work has ended, its result still waits in the event queue: the screen does not know it yet, so
+/// this is not idle.
 void TestBackground::isBusyUntilTheResultIsTold() {
     Background background;
     QVERIFY(background.idle());
     bool told = false;
-    background.run(this, [](WorkToken&) { return 1; }, [&](int) { told = true; });
+    background.run(
+        this, [](WorkToken&) { return 1; }, [&](int) { told = true; });
     background.cancelAndWait(); // the work has ended
     QVERIFY(!told && !background.idle());
     QTRY_VERIFY_WITH_TIMEOUT(background.idle(), kPatience_ms);
@@ -53,7 +63,8 @@ void TestBackground::tellsNobodyWhoIsGone() {
     Background background;
     bool told = false;
     auto owner = std::make_unique<QObject>();
-    background.run(owner.get(), [](WorkToken&) { return 1; }, [&](int) { told = true; });
+    background.run(
+        owner.get(), [](WorkToken&) { return 1; }, [&](int) { told = true; });
     owner.reset();
     QTRY_VERIFY_WITH_TIMEOUT(background.idle(), kPatience_ms);
     QVERIFY(!told);
@@ -62,10 +73,13 @@ void TestBackground::tellsNobodyWhoIsGone() {
 void TestBackground::workMayBeginWork() {
     Background background;
     int told = 0;
-    background.run(this, [](WorkToken&) { return 1; }, [&](int first) {
-        background.run(this, [first](WorkToken&) { return first + 1; }, [&](int second) { told = second; });
-        QVERIFY(!background.idle());
-    });
+    background.run(
+        this, [](WorkToken&) { return 1; },
+        [&](int first) {
+            background.run(
+                this, [first](WorkToken&) { return first + 1; }, [&](int second) { told = second; });
+            QVERIFY(!background.idle());
+        });
     QTRY_VERIFY_WITH_TIMEOUT(background.idle(), kPatience_ms);
     QCOMPARE(told, 2);
 }
@@ -90,12 +104,15 @@ void TestBackground::endsEarlyWhenAsked() {
 void TestBackground::saysHowFarItIs() {
     Background background;
     std::atomic<bool> goOn{false};
-    const auto token = background.run(this, [&goOn](WorkToken& now) {
-        now.setProgress(3, 10);
-        while (!goOn)
-            QThread::msleep(1);
-        return 0;
-    }, [](int) {});
+    const auto token = background.run(
+        this,
+        [&goOn](WorkToken& now) {
+            now.setProgress(3, 10);
+            while (!goOn)
+                QThread::msleep(1);
+            return 0;
+        },
+        [](int) {});
     QTRY_COMPARE_WITH_TIMEOUT(token->done(), 3, kPatience_ms);
     QCOMPARE(token->of(), 10);
     goOn = true;

@@ -22,31 +22,39 @@ namespace {
 
 using tests::DesktopFixture;
 
-
 /// A program that nobody touches.
 struct Quiet {
-    explicit Quiet(bool demonstration = false) : desktop(demonstration), keeper(*desktop.window->findChild<BackupKeeper*>()) { keeper.setQuiet(0); }
+    explicit Quiet(bool demonstration = false)
+        : desktop(demonstration), keeper(*desktop.window->findChild<BackupKeeper*>()) {
+        keeper.setQuiet(0);
+    }
 
-    std::vector<session::BackupEntry> backups() { return session::listBackups(session::defaultBackupFolder(desktop.file().toStdString())); }
+    std::vector<session::BackupEntry> backups() {
+        return session::listBackups(session::defaultBackupFolder(desktop.file().toStdString()));
+    }
     /// Looks, and waits for what comes of it.
     bool look() {
         keeper.look();
         return QTest::qWaitFor([this] { return !keeper.isRunning(); }, kPatience_ms);
     }
     void setPlan(const database::BackupPlan& plan) {
-        const auto set = desktop.database().write([&, ada = desktop.actor("ada")](database::WriteContext& writing) {
-            return database::Upkeep::setBackupPlan(writing.connection(), ada, plan);
-        });
+        const auto set =
+            desktop.database().write([&, ada = desktop.actor("ada")](database::WriteContext& writing) {
+                return database::Upkeep::setBackupPlan(writing.connection(), ada, plan);
+            });
         QVERIFY(set);
     }
     /// Every worker is taken, until the semaphore is released: what is begun meanwhile waits.
     std::shared_ptr<QSemaphore> hold() {
         const auto gate = std::make_shared<QSemaphore>();
         for (int i = 0; i < QThread::idealThreadCount(); ++i)
-            desktop.context.background().run(&desktop.context, [gate](WorkToken&) { return gate->tryAcquire(1, 60'000); }, [](bool) {});
+            desktop.context.background().run(
+                &desktop.context, [gate](WorkToken&) { return gate->tryAcquire(1, 60'000); }, [](bool) {});
         return gate;
     }
-    static void release(const std::shared_ptr<QSemaphore>& gate) { gate->release(QThread::idealThreadCount()); }
+    static void release(const std::shared_ptr<QSemaphore>& gate) {
+        gate->release(QThread::idealThreadCount());
+    }
 
     DesktopFixture desktop;
     BackupKeeper& keeper;
@@ -55,7 +63,8 @@ struct Quiet {
 /// What the program said.
 struct Told {
     explicit Told(Quiet& quiet) {
-        QObject::connect(&quiet.desktop.context.messages(), &Messages::told, &quiet.keeper, [this](const Message& message) { said.push_back(message); });
+        QObject::connect(&quiet.desktop.context.messages(), &Messages::told, &quiet.keeper,
+                         [this](const Message& message) { said.push_back(message); });
     }
     std::vector<Message> said;
 };
@@ -83,7 +92,8 @@ void TestBackupKeeper::isMadeOnceADayWhereNobodyWorks() {
     QCOMPARE(ended.count(), 1);
     QCOMPARE(quiet.backups().size(), std::size_t{1});
     QVERIFY(quiet.backups().front().automatic);
-    QVERIFY(session::looksWhole(quiet.backups().front().folder, quiet.desktop.file().toStdString(), DesktopFixture::options()));
+    QVERIFY(session::looksWhole(quiet.backups().front().folder, quiet.desktop.file().toStdString(),
+                                DesktopFixture::options()));
     QVERIFY(quiet.look());
     QCOMPARE(ended.count(), 1);
     QCOMPARE(quiet.backups().size(), std::size_t{1});
@@ -182,7 +192,8 @@ void TestBackupKeeper::atTheEndItMayBeLeftOut() {
     QTimer look;
     bool seen = false;
     connect(&look, &QTimer::timeout, this, [&] {
-        if (auto* button = quiet.desktop.find<QPushButton>(QStringLiteral("exit_backup.leave_out")); button && button->isVisible() && !seen) {
+        if (auto* button = quiet.desktop.find<QPushButton>(QStringLiteral("exit_backup.leave_out"));
+            button && button->isVisible() && !seen) {
             seen = true;
             button->click();
             Quiet::release(gate);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "desktop/frame/command_palette.h"
 #include "core/languages.h"
-#include "desktop/frame/instance_link.h"
-#include "desktop/frame/languages.h"
 #include "desktop/accounts/notice_area.h"
 #include "desktop/frame/background.h"
+#include "desktop/frame/command_palette.h"
+#include "desktop/frame/instance_link.h"
+#include "desktop/frame/languages.h"
 #include "desktop/frame/message_bar.h"
 #include "desktop/login/login_screen.h"
 #include "desktop/sessions/session_table_model.h"
@@ -22,9 +22,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QPlainTextEdit>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QToolButton>
@@ -72,7 +72,8 @@ private slots:
                 button->click();
             } else {
                 QTest::keyClick(desktop.window.get(), Qt::Key_K, Qt::ControlModifier);
-                QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLineEdit>(QStringLiteral("palette.field")), kPatience_ms);
+                QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLineEdit>(QStringLiteral("palette.field")),
+                                         kPatience_ms);
                 auto* field = desktop.find<QLineEdit>(QStringLiteral("palette.field"));
                 QTest::keyClicks(field, QLatin1String(typed));
                 QTest::keyClick(field, Qt::Key_Return);
@@ -99,7 +100,8 @@ private slots:
         desktop.go(QStringLiteral("settings"));
         QTest::mouseClick(desktop.find<QRadioButton>(QStringLiteral("settings.theme.1")), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(desktop.context.theme().name(), ThemeName::dark, kPatience_ms);
-        QTest::mouseClick(desktop.find<QRadioButton>(QStringLiteral("settings.scale.200")), Qt::LeftButton, {}, QPoint(5, 5));
+        QTest::mouseClick(desktop.find<QRadioButton>(QStringLiteral("settings.scale.200")), Qt::LeftButton,
+                          {}, QPoint(5, 5));
         QTRY_COMPARE_WITH_TIMEOUT(desktop.context.theme().scale(), 2.0, kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<SettingsScreen>(), kPatience_ms); // still there, built anew
         QVERIFY(Settings(desktop.folder() + QStringLiteral("/desktop.ini")).scale() == 2.0);
@@ -132,7 +134,8 @@ private slots:
         QCOMPARE(settings.scale(), 1.0);
     }
 
-    /// A language of the list is offered under its own name, has a catalogue of texts, and writes numbers in its own way; no other is.
+    /// A language of the list is offered under its own name, has a catalogue of texts, and writes numbers in
+    /// its own way; no other is.
     void everyLanguageOfTheListIsThere() {
         const auto choices = languageChoices();
         QCOMPARE(choices.size(), core::kLanguages.size());
@@ -160,7 +163,8 @@ private slots:
             QVERIFY(fresh.sound() && fresh.soundCue(QStringLiteral("contact")));
             QCOMPARE(fresh.scale(), 1.0);
             QVERIFY(fresh.backupFolder().isEmpty());
-            QCOMPARE(fresh.ofPerson(3, QStringLiteral("hand"), QStringLiteral("right")).toString(), QStringLiteral("right"));
+            QCOMPARE(fresh.ofPerson(3, QStringLiteral("hand"), QStringLiteral("right")).toString(),
+                     QStringLiteral("right"));
         }
         {
             Settings set(file);
@@ -173,8 +177,10 @@ private slots:
         QVERIFY(!read.sound());
         QVERIFY(!read.soundCue(QStringLiteral("contact")) && read.soundCue(QStringLiteral("force")));
         QCOMPARE(read.backupFolder(), QStringLiteral("/a/folder"));
-        QCOMPARE(read.ofPerson(3, QStringLiteral("hand"), QStringLiteral("right")).toString(), QStringLiteral("left"));
-        QCOMPARE(read.ofPerson(4, QStringLiteral("hand"), QStringLiteral("right")).toString(), QStringLiteral("right")); // somebody else's
+        QCOMPARE(read.ofPerson(3, QStringLiteral("hand"), QStringLiteral("right")).toString(),
+                 QStringLiteral("left"));
+        QCOMPARE(read.ofPerson(4, QStringLiteral("hand"), QStringLiteral("right")).toString(),
+                 QStringLiteral("right")); // somebody else's
         for (const ThemeName theme : {ThemeName::dark, ThemeName::highContrast, ThemeName::light}) {
             Settings(file).setTheme(theme);
             QCOMPARE(Settings(file).theme(), theme);
@@ -183,7 +189,8 @@ private slots:
             Settings(file).setScale(given);
             QCOMPARE(Settings(file).scale(), taken);
         }
-        for (const auto& [language, territory] : {std::pair{"de", QLocale::Germany}, {"el", QLocale::Greece}, {"en", QLocale::UnitedKingdom}}) {
+        for (const auto& [language, territory] :
+             {std::pair{"de", QLocale::Germany}, {"el", QLocale::Greece}, {"en", QLocale::UnitedKingdom}}) {
             Settings(file).setLanguage(QLatin1String(language));
             QCOMPARE(Settings(file).language(), QLatin1String(language));
             QCOMPARE(Settings::localeOf(Settings(file).language()).territory(), territory);
@@ -195,9 +202,13 @@ private slots:
     void paletteIsWalkedByArrows() {
         const Theme theme = Theme::load(ThemeName::light, 1.0).value();
         QStringList ran;
-        const auto command = [&](const char* text, const QKeySequence& keys) { return ScreenCommand{QLatin1String(text), keys, [&ran, text] { ran << QLatin1String(text); }}; };
-        const std::vector<CommandGroup> groups{{QStringLiteral("Here"), {command("Open it", {}), command("Save the list", QKeySequence::Save)}},
-                                               {QStringLiteral("Places"), {command("Go to: Saved", {}), {QStringLiteral("Nothing to do"), {}, {}}}}};
+        const auto command = [&](const char* text, const QKeySequence& keys) {
+            return ScreenCommand{QLatin1String(text), keys, [&ran, text] { ran << QLatin1String(text); }};
+        };
+        const std::vector<CommandGroup> groups{
+            {QStringLiteral("Here"), {command("Open it", {}), command("Save the list", QKeySequence::Save)}},
+            {QStringLiteral("Places"),
+             {command("Go to: Saved", {}), {QStringLiteral("Nothing to do"), {}, {}}}}};
         const auto open = [&] {
             auto* palette = new CommandPalette(theme, groups, nullptr);
             palette->show();
@@ -207,10 +218,16 @@ private slots:
         auto* field = palette->findChild<QLineEdit*>();
         auto* list = palette->findChild<QListWidget*>();
         QCOMPARE(list->count(), 4); // nothing typed: all
-        QVERIFY2(list->item(1)->text().endsWith(QStringLiteral("(Ctrl+S)")), qPrintable(list->item(1)->text()));
+        QVERIFY2(list->item(1)->text().endsWith(QStringLiteral("(Ctrl+S)")),
+                 qPrintable(list->item(1)->text()));
         QCOMPARE(list->item(0)->text(), QStringLiteral("Open it"));
         QCOMPARE(list->currentRow(), 0);
-        for (const auto& [key, row] : {std::pair{Qt::Key_Up, 0}, {Qt::Key_Down, 1}, {Qt::Key_Down, 2}, {Qt::Key_Down, 3}, {Qt::Key_Down, 3}, {Qt::Key_Up, 2}}) {
+        for (const auto& [key, row] : {std::pair{Qt::Key_Up, 0},
+                                       {Qt::Key_Down, 1},
+                                       {Qt::Key_Down, 2},
+                                       {Qt::Key_Down, 3},
+                                       {Qt::Key_Down, 3},
+                                       {Qt::Key_Up, 2}}) {
             QTest::keyClick(field, key);
             QCOMPARE(list->currentRow(), row);
         }
@@ -232,14 +249,16 @@ private slots:
         palette->findChild<QLineEdit*>()->setText(QStringLiteral("nothing"));
         QTest::keyClick(palette->findChild<QLineEdit*>(), Qt::Key_Return); // has no act
         palette = open();
-        emit palette->findChild<QListWidget*>()->itemClicked(palette->findChild<QListWidget*>()->item(0)); // what is chosen is the first
+        emit palette->findChild<QListWidget*>()->itemClicked(
+            palette->findChild<QListWidget*>()->item(0)); // what is chosen is the first
         QCOMPARE(ran.last(), QStringLiteral("Open it"));
         palette = open();
         QTest::keyClick(palette, Qt::Key_Escape);
         QCOMPARE(ran.size(), 2);
     }
 
-    /// Messages: what kind is seen and heard, errors stay until they are closed, an action is done once and the message goes.
+    /// Messages: what kind is seen and heard, errors stay until they are closed, an action is done once and
+    /// the message goes.
     void messagesAreSaidByTheirKind() {
         const Theme theme = Theme::load(ThemeName::light, 1.0).value();
         MessageBar bar(theme);
@@ -253,20 +272,27 @@ private slots:
                     most = qAlpha(sign.pixel(x, y)) > qAlpha(most) ? sign.pixel(x, y) : most;
             return QColor(most);
         };
-        for (const auto& [kind, look, ink] : {std::tuple{MessageKind::done, "good", Colour::good}, {MessageKind::information, "info", Colour::accent}, {MessageKind::warning, "warning", Colour::warning},
+        for (const auto& [kind, look, ink] : {std::tuple{MessageKind::done, "good", Colour::good},
+                                              {MessageKind::information, "info", Colour::accent},
+                                              {MessageKind::warning, "warning", Colour::warning},
                                               {MessageKind::error, "bad", Colour::bad}}) {
             bar.tell({kind, QStringLiteral("words of kind %1").arg(static_cast<int>(kind)), {}, {}});
             QVERIFY(!bar.isHidden());
             QCOMPARE(bar.property("kind").toString(), QLatin1String(look));
-            QCOMPARE(bar.findChild<QLabel*>(QStringLiteral("messages.text"))->text(), QStringLiteral("words of kind %1").arg(static_cast<int>(kind)));
+            QCOMPARE(bar.findChild<QLabel*>(QStringLiteral("messages.text"))->text(),
+                     QStringLiteral("words of kind %1").arg(static_cast<int>(kind)));
             const QColor seen = colour(), wanted = theme.color(ink); // thin lines are not of the whole ink
-            QVERIFY2(std::abs(seen.red() - wanted.red()) + std::abs(seen.green() - wanted.green()) + std::abs(seen.blue() - wanted.blue()) < 40, qPrintable(seen.name()));
+            QVERIFY2(std::abs(seen.red() - wanted.red()) + std::abs(seen.green() - wanted.green()) +
+                             std::abs(seen.blue() - wanted.blue()) <
+                         40,
+                     qPrintable(seen.name()));
             QCOMPARE(timer->isActive(), kind != MessageKind::error);
             QVERIFY(timer->isSingleShot() && timer->interval() >= 5000);
             QVERIFY(bar.findChild<QPushButton*>(QStringLiteral("messages.action"))->isHidden());
         }
         int undone = 0;
-        bar.tell({MessageKind::done, QStringLiteral("Archived"), QStringLiteral("Undo"), [&undone] { ++undone; }});
+        bar.tell(
+            {MessageKind::done, QStringLiteral("Archived"), QStringLiteral("Undo"), [&undone] { ++undone; }});
         auto* action = bar.findChild<QPushButton*>(QStringLiteral("messages.action"));
         QVERIFY(!action->isHidden() && action->text() == QStringLiteral("Undo"));
         action->click();
@@ -281,7 +307,8 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(bar.isHidden(), kPatience_ms);
     }
 
-    /// Nothing moves under the pointer when something is said, and nothing is said between the pointer and what it points at.
+    /// Nothing moves under the pointer when something is said, and nothing is said between the pointer and
+    /// what it points at.
     void noControlMovesWhenSomethingIsSaid() {
         const Theme theme = Theme::load(ThemeName::light, 1.0).value();
         QWidget window;
@@ -343,8 +370,12 @@ private slots:
             desktop.context.messages().tell({MessageKind::error, whole, QStringLiteral("Undo"), {}});
             QCoreApplication::processEvents();
             QCOMPARE(bar->geometry(), place);
-            QVERIFY(more->isVisible() && text->text().startsWith(QStringLiteral("The beginning.")) && text->text().endsWith(QStringLiteral("…")));
-            QVERIFY2(text->heightForWidth(text->width()) <= text->height() + 2, qPrintable(QStringLiteral("%1 of %2").arg(text->height()).arg(text->heightForWidth(text->width()))));
+            QVERIFY(more->isVisible() && text->text().startsWith(QStringLiteral("The beginning.")) &&
+                    text->text().endsWith(QStringLiteral("…")));
+            QVERIFY2(
+                text->heightForWidth(text->width()) <= text->height() + 2,
+                qPrintable(
+                    QStringLiteral("%1 of %2").arg(text->height()).arg(text->heightForWidth(text->width()))));
             QCOMPARE(text->accessibleName(), whole);
             QCOMPARE(desktop.window->screen()->height(), height); // nothing made room for it
             more->click();
@@ -372,7 +403,8 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(says(), kPatience_ms);
     }
 
-    /// On a screen Enter presses the button that has the focus, once however long it is held; nothing else changes its meaning.
+    /// On a screen Enter presses the button that has the focus, once however long it is held; nothing else
+    /// changes its meaning.
     void enterPressesTheFocusedButton() {
         tests::DesktopFixture desktop;
         desktop.logIn("tina");
@@ -428,35 +460,44 @@ private slots:
         voids->setFocus();
         QTest::keyClick(voids, Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")), kPatience_ms);
-        QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason"))), kPatience_ms); // ready to type
+        QTRY_COMPARE_WITH_TIMEOUT(
+            QApplication::focusWidget(),
+            static_cast<QWidget*>(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason"))),
+            kPatience_ms);                 // ready to type
         const auto comeBack = [&desktop] { // as a window manager does when a dialog has closed
             desktop.window->activateWindow();
             return QTest::qWaitForWindowActive(desktop.window.get());
         };
         QTest::keyClick(QApplication::activeModalWidget(), Qt::Key_Escape);
         QVERIFY(comeBack());
-        QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(voids), kPatience_ms); // nothing was done: where it was
+        QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(voids),
+                                  kPatience_ms); // nothing was done: where it was
         QTest::keyClick(voids, Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget(), kPatience_ms);
-        QApplication::activeModalWidget()->findChild<QPlainTextEdit*>()->setPlainText(QStringLiteral("wrong hand"));
+        QApplication::activeModalWidget()->findChild<QPlainTextEdit*>()->setPlainText(
+            QStringLiteral("wrong hand"));
         QApplication::activeModalWidget()->findChild<QPushButton*>(QStringLiteral("void.confirm"))->click();
         QVERIFY(comeBack());
-        QTRY_COMPARE_WITH_TIMEOUT(screen->model().at(2).summary.state, database::SessionState::voided, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(screen->model().at(2).summary.state, database::SessionState::voided,
+                                  kPatience_ms);
         QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(table), kPatience_ms);
         QCOMPARE(table->currentIndex().row(), 2);
         QCOMPARE(screen->model().at(2).summary.id, chosen);
     }
 
-    /// Without a list the control has the focus again as soon as it can take it; unless somebody has moved on.
+    /// Without a list the control has the focus again as soon as it can take it; unless somebody has moved
+    /// on.
     void focusReturnsToTheControl() {
         tests::DesktopFixture desktop;
         desktop.logIn("tina");
         desktop.go(QStringLiteral("settings"));
         auto* first = desktop.find<QRadioButton>(QStringLiteral("settings.theme.0"));
-        auto* other = desktop.find<QCheckBox>(QStringLiteral("settings.sound")); // not the one that Qt would choose
+        auto* other =
+            desktop.find<QCheckBox>(QStringLiteral("settings.sound")); // not the one that Qt would choose
         for (const bool hide : {false, true}) {
             first->setFocus();
-            QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(first), kPatience_ms);
+            QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(first),
+                                      kPatience_ms);
             if (hide)
                 first->hide();
             else
@@ -466,7 +507,8 @@ private slots:
                 first->show();
             else
                 first->setEnabled(true);
-            QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(first), kPatience_ms);
+            QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(first),
+                                      kPatience_ms);
         }
         first->setEnabled(false);
         QCoreApplication::processEvents();
@@ -491,9 +533,11 @@ private slots:
         tests::DesktopFixture desktop;
         QVERIFY(!desktop.window->windowIcon().isNull());
         desktop.context.navigator().replace({QStringLiteral("login"), {}});
-        QVERIFY(desktop.find<QLabel>(QStringLiteral("logo")) && !desktop.find<QLabel>(QStringLiteral("logo"))->pixmap().isNull());
+        QVERIFY(desktop.find<QLabel>(QStringLiteral("logo")) &&
+                !desktop.find<QLabel>(QStringLiteral("logo"))->pixmap().isNull());
         desktop.context.navigator().replace({QStringLiteral("first_start"), {}});
-        QTRY_VERIFY_WITH_TIMEOUT(desktop.window->screen()->findChild<QLabel*>(QStringLiteral("logo")), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.window->screen()->findChild<QLabel*>(QStringLiteral("logo")),
+                                 kPatience_ms);
         desktop.logIn("tina");
         QTest::keyClick(desktop.window.get(), Qt::Key_K, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLineEdit>(QStringLiteral("palette.field")), kPatience_ms);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame around the screens is compared, as lines of text, with what was read and kept: the side bar of each role, the banner of a
-// demonstration site, messages, the command palette and the help windows; and so is what each command of the program does. To keep an
-// intended change, run this and read the difference in review:
-// CHIRON_STORE_OUTLINES=1 xvfb-run -a build/release/tests/gui/frame/test_kept_frame
+// The frame around the screens is compared, as lines of text, with what was read and kept: the side bar of
+// each role, the banner of a demonstration site, messages, the command palette and the help windows; and so
+// is what each command of the program does. To keep an intended change, run this and read the difference in
+// review: CHIRON_STORE_OUTLINES=1 xvfb-run -a build/release/tests/gui/frame/test_kept_frame
 #include "desktop/frame/command_list.h"
 #include "desktop/frame/message_bar.h"
 #include "support/desktop_fixture.h"
@@ -43,9 +43,13 @@ std::unique_ptr<tests::DesktopFixture> desktopOf(const QByteArray& person, bool 
 /// Where the program is, and how it looks.
 QString stateOf(tests::DesktopFixture& desktop) {
     AppContext& context = desktop.context;
-    return QStringLiteral("at %1 \"%2\", colours %3, scale %4, language %5%6%7").arg(context.navigator().current().screen, desktop.window->windowTitle())
-        .arg(static_cast<int>(context.theme().name())).arg(desktop.settings.scale()).arg(desktop.settings.language())
-        .arg(context.loggedIn() ? QString() : QStringLiteral(", nobody is logged in"), desktop.window->isVisible() ? QString() : QStringLiteral(", closed"));
+    return QStringLiteral("at %1 \"%2\", colours %3, scale %4, language %5%6%7")
+        .arg(context.navigator().current().screen, desktop.window->windowTitle())
+        .arg(static_cast<int>(context.theme().name()))
+        .arg(desktop.settings.scale())
+        .arg(desktop.settings.language())
+        .arg(context.loggedIn() ? QString() : QStringLiteral(", nobody is logged in"),
+             desktop.window->isVisible() ? QString() : QStringLiteral(", closed"));
 }
 
 /// The open dialog, or null.
@@ -87,15 +91,20 @@ private slots:
     void messagesLookAsTheyDid() {
         const auto desktop = desktopOf("tina");
         bool acted = false;
-        for (const MessageKind kind : {MessageKind::done, MessageKind::information, MessageKind::warning, MessageKind::error}) {
+        for (const MessageKind kind :
+             {MessageKind::done, MessageKind::information, MessageKind::warning, MessageKind::error}) {
             const bool asks = kind == MessageKind::done;
-            desktop->context.messages().tell({kind, QStringLiteral("What happened."), asks ? QStringLiteral("Undo") : QString(), [&] { acted = true; }});
+            desktop->context.messages().tell({kind, QStringLiteral("What happened."),
+                                              asks ? QStringLiteral("Undo") : QString(),
+                                              [&] { acted = true; }});
             const auto* bar = desktop->window->findChild<MessageBar*>();
             QVERIFY(bar);
             hold(QString::number(static_cast<int>(kind)), tests::ScreenOutline::of(*bar, true, true));
             const auto* timer = bar->findChild<QTimer*>();
             QVERIFY(timer);
-            hold(QStringLiteral("%1 stays").arg(static_cast<int>(kind)), {timer->isActive() ? QStringLiteral("for %1 ms").arg(timer->interval()) : QStringLiteral("until it is closed")});
+            hold(QStringLiteral("%1 stays").arg(static_cast<int>(kind)),
+                 {timer->isActive() ? QStringLiteral("for %1 ms").arg(timer->interval())
+                                    : QStringLiteral("until it is closed")});
             if (auto* undo = bar->findChild<QPushButton*>(QStringLiteral("messages.action")); asks) {
                 undo->click();
                 QVERIFY(acted);
@@ -117,7 +126,8 @@ private slots:
             if (auto* field = openDialog()->findChild<QLineEdit*>(QStringLiteral("palette.field")))
                 for (const char* typed : {"lo", "no such thing"}) {
                     field->setText(QLatin1String(typed));
-                    hold(QLatin1String(name) + QStringLiteral(" with ") + QLatin1String(typed), tests::ScreenOutline::of(*openDialog(), true, true));
+                    hold(QLatin1String(name) + QStringLiteral(" with ") + QLatin1String(typed),
+                         tests::ScreenOutline::of(*openDialog(), true, true));
                 }
             openDialog()->close();
             QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -128,7 +138,8 @@ private slots:
         opened("help", Qt::Key_F1, Qt::NoModifier);
     }
 
-    /// Each command runs on a fresh desktop. Two cases are enough: what the other roles can reach is in their side bars.
+    /// Each command runs on a fresh desktop. Two cases are enough: what the other roles can reach is in their
+    /// side bars.
     void commandsDoWhatTheyDid_data() {
         QTest::addColumn<QByteArray>("person");
         QTest::newRow("nobody") << QByteArray();
@@ -142,17 +153,22 @@ private slots:
             if (!person.isEmpty())
                 desktop->go(QStringLiteral("settings")); // so that there is a way back
             QString asked;
-            const WindowActions window{[&] { asked = QStringLiteral("palette"); }, [&] { asked = QStringLiteral("shortcuts"); }, [&] { asked = QStringLiteral("help"); },
-                                       [&] { asked = QStringLiteral("about"); }, [&] { asked = QStringLiteral("close"); }};
+            const WindowActions window{
+                [&] { asked = QStringLiteral("palette"); }, [&] { asked = QStringLiteral("shortcuts"); },
+                [&] { asked = QStringLiteral("help"); }, [&] { asked = QStringLiteral("about"); },
+                [&] { asked = QStringLiteral("close"); }};
             std::vector<ScreenCommand> commands;
             for (const CommandGroup& group : commandsNow(desktop->context, nullptr, window))
                 commands.insert(commands.end(), group.commands.begin(), group.commands.end());
             if (at >= commands.size())
                 break;
-            QObject::connect(&desktop->context, &AppContext::lockAsked, &desktop->context, [&] { asked = QStringLiteral("lock"); });
+            QObject::connect(&desktop->context, &AppContext::lockAsked, &desktop->context,
+                             [&] { asked = QStringLiteral("lock"); });
             commands[at].act();
             QTRY_VERIFY_WITH_TIMEOUT(desktop->context.background().idle(), kPatience_ms);
-            all << QStringLiteral("%1 [%2]: %3%4").arg(commands[at].text, commands[at].keys.toString(), stateOf(*desktop), asked.isEmpty() ? QString() : QStringLiteral(", asks for ") + asked);
+            all << QStringLiteral("%1 [%2]: %3%4")
+                       .arg(commands[at].text, commands[at].keys.toString(), stateOf(*desktop),
+                            asked.isEmpty() ? QString() : QStringLiteral(", asks for ") + asked);
         }
         hold(QStringLiteral("commands"), all);
     }

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the desktop says, at the edges of what it says it of: every state, refusal and finding, every step of an exercise, numbers on both
-// sides of where their words change; against what was read and kept. A change that is meant is kept anew, and the difference is read in
-// review: CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/frame/test_kept_words
+// What the desktop says, at the edges of what it says it of: every state, refusal and finding, every step of
+// an exercise, numbers on both sides of where their words change; against what was read and kept. A change
+// that is meant is kept anew, and the difference is read in review: CHIRON_STORE_OUTLINES=1
+// QT_QPA_PLATFORM=offscreen build/release/tests/gui/frame/test_kept_words
+#include "app/exercises/elastic_tube/desktop/tube_grasping.h"
+#include "app/exercises/object_handling/desktop/handling_grasping.h"
+#include "app/exercises/palpation/desktop/palpation_words.h"
+#include "app/exercises/urethra_insertion/desktop/stage_words.h"
 #include "database/accounts/account_service.h"
 #include "database/upkeep/upkeep.h"
 #include "desktop/accounts/account_words.h"
@@ -21,21 +26,17 @@
 #include "desktop/studies/number_list.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/training/force_words.h"
-#include "app/exercises/elastic_tube/desktop/tube_grasping.h"
-#include "app/exercises/object_handling/desktop/handling_grasping.h"
 #include "desktop/training/grasping.h"
-#include "app/exercises/palpation/desktop/palpation_words.h"
 #include "desktop/training/scene_feed.h"
 #include "desktop/training/sound_cue_player.h"
-#include "app/exercises/urethra_insertion/desktop/stage_words.h"
 #include "desktop/training/training_plan.h"
 #include "desktop/training/training_words.h"
 #include "devices/driver_catalogue.h"
-#include "support/kept_text.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
-#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
+#include "support/kept_text.h"
 
 #include <QtTest>
 
@@ -52,7 +53,8 @@ private slots:
     void sessions() {
         for (int s = 0; s <= static_cast<int>(SessionState::voided); ++s) {
             const auto state = static_cast<SessionState>(s);
-            say({SessionWords::state(state), QLatin1String(SessionWords::sign(state).icon), stateTitle(state), stateIcon(state)});
+            say({SessionWords::state(state), QLatin1String(SessionWords::sign(state).icon), stateTitle(state),
+                 stateIcon(state)});
             for (const auto passed : {std::optional<bool>(), std::optional(true), std::optional(false)})
                 for (const bool practice : {false, true}) {
                     database::SessionSummary session;
@@ -60,8 +62,12 @@ private slots:
                     session.passed = passed;
                     session.familiarisation = practice;
                     const Outcome outcome = SessionWords::outcomeOf(session);
-                    say({QStringLiteral("%1%2").arg(passed ? int(*passed) : -1).arg(practice ? QStringLiteral(" practice") : QString()), SessionWords::outcome(outcome), QLatin1String(SessionWords::sign(outcome).icon),
-                         QString::number(static_cast<int>(SessionWords::sign(outcome).ink)), outcomeText(session), outcomeIcon(session)});
+                    say({QStringLiteral("%1%2")
+                             .arg(passed ? int(*passed) : -1)
+                             .arg(practice ? QStringLiteral(" practice") : QString()),
+                         SessionWords::outcome(outcome), QLatin1String(SessionWords::sign(outcome).icon),
+                         QString::number(static_cast<int>(SessionWords::sign(outcome).ink)),
+                         outcomeText(session), outcomeIcon(session)});
                 }
         }
         for (const bool felt : {false, true})
@@ -72,20 +78,29 @@ private slots:
                 session.personName = "Tina";
                 say({SessionWords::device(felt), feltText(felt), forceText(session), whoText(session)});
             }
-        for (const auto& [driver, kinematics] : {std::pair{"simulated", "fingertip_arm"}, {"simulated", "five_bar_spherical"}, {"simulated", "gimbal_hprd"}, {"keyboard_mouse", ""}, {"replay", ""}, {"other", ""}}) {
+        for (const auto& [driver, kinematics] : {std::pair{"simulated", "fingertip_arm"},
+                                                 {"simulated", "five_bar_spherical"},
+                                                 {"simulated", "gimbal_hprd"},
+                                                 {"keyboard_mouse", ""},
+                                                 {"replay", ""},
+                                                 {"other", ""}}) {
             devices::DeviceDescriptor device;
             device.driver = driver;
             device.kinematics = kinematics;
             device.model = "A model";
             say({deviceText(device)});
         }
-        for (const std::uint64_t ticks : {0ULL, 999ULL, 59'999ULL, 60'000ULL, 61'000ULL, 600'000ULL, 3'725'999ULL})
+        for (const std::uint64_t ticks :
+             {0ULL, 999ULL, 59'999ULL, 60'000ULL, 61'000ULL, 600'000ULL, 3'725'999ULL})
             say({QStringLiteral("%1 ticks").arg(ticks), SessionWords::length(ticks, m_locale)});
         for (const double t_s : {-1.0, 0.0, 0.05, 0.1, 9.94, 9.95, 10.0, 59.99, 60.0, 119.9999999, 3600.0})
-            say({QStringLiteral("%1 s").arg(t_s, 0, 'g', 12), clockText(t_s, m_locale), clockText(t_s, QLocale(QLocale::German))});
+            say({QStringLiteral("%1 s").arg(t_s, 0, 'g', 12), clockText(t_s, m_locale),
+                 clockText(t_s, QLocale(QLocale::German))});
         const QDateTime now(QDate(2026, 11, 20), QTime(12, 0), Qt::UTC);
-        for (const qint64 seconds : {-5LL, 0LL, 59LL, 60LL, 119LL, 3599LL, 3600LL, 7200LL, 172'799LL, 172'800LL, 259'200LL, 2'678'400LL, 2'764'799LL, 2'764'800LL})
-            say({QStringLiteral("%1 s ago").arg(seconds), SessionWords::ago(now.addSecs(-seconds), now, m_locale)});
+        for (const qint64 seconds : {-5LL, 0LL, 59LL, 60LL, 119LL, 3599LL, 3600LL, 7200LL, 172'799LL,
+                                     172'800LL, 259'200LL, 2'678'400LL, 2'764'799LL, 2'764'800LL})
+            say({QStringLiteral("%1 s ago").arg(seconds),
+                 SessionWords::ago(now.addSecs(-seconds), now, m_locale)});
         for (const std::uint64_t bytes : {0ULL, 999ULL, 1'000ULL, 1'550'000ULL, 7'000'000'000ULL})
             say({SessionWords::bytes(bytes, m_locale)});
         for (const char* started : {"2026-11-19T23:30:00.000Z", "not a time"})
@@ -104,7 +119,8 @@ private slots:
             mark.kind = static_cast<session::PlaybackMarkKind>(k);
             const QString plain = markIcon(mark);
             mark.critical = true;
-            say({QString::number(k), plain, markIcon(mark), QString::number(static_cast<int>(markColour(mark.kind)))});
+            say({QString::number(k), plain, markIcon(mark),
+                 QString::number(static_cast<int>(markColour(mark.kind)))});
         }
         hold("marks");
     }
@@ -112,7 +128,8 @@ private slots:
     void accountsAndErrors() {
         for (const database::Role role : database::kAllRoles)
             say({roleName(role)});
-        for (const auto kind : {database::Refusal::Kind::wrong, database::Refusal::Kind::mustWait, database::Refusal::Kind::disabled, database::Refusal::Kind::failed}) {
+        for (const auto kind : {database::Refusal::Kind::wrong, database::Refusal::Kind::mustWait,
+                                database::Refusal::Kind::disabled, database::Refusal::Kind::failed}) {
             database::Refusal refusal;
             refusal.kind = kind;
             refusal.error = {core::ErrorCode::storage, "no room"};
@@ -120,11 +137,17 @@ private slots:
         }
         for (const int seconds : {1, 2, 61})
             say({waitWords(seconds)});
-        for (const core::ErrorCode code : {core::ErrorCode::notAllowed, core::ErrorCode::notFound, core::ErrorCode::storage, core::ErrorCode::locked, core::ErrorCode::device, core::ErrorCode::cancelled,
-                                           core::ErrorCode::doesNotHold, core::ErrorCode::wrongUse, core::ErrorCode::badInput})
-            say({inWords({code, "details"}), inWords({code, "details"}, Tried::reading), inWords({code, "details"}, Tried::opening)});
+        for (const core::ErrorCode code :
+             {core::ErrorCode::notAllowed, core::ErrorCode::notFound, core::ErrorCode::storage,
+              core::ErrorCode::locked, core::ErrorCode::device, core::ErrorCode::cancelled,
+              core::ErrorCode::doesNotHold, core::ErrorCode::wrongUse, core::ErrorCode::badInput})
+            say({inWords({code, "details"}), inWords({code, "details"}, Tried::reading),
+                 inWords({code, "details"}, Tried::opening)});
         Messages messages;
-        connect(&messages, &Messages::told, this, [this](const Message& message) { say({QString::number(static_cast<int>(message.kind)), message.text, message.actionText, message.action ? QStringLiteral("acts") : QString()}); });
+        connect(&messages, &Messages::told, this, [this](const Message& message) {
+            say({QString::number(static_cast<int>(message.kind)), message.text, message.actionText,
+                 message.action ? QStringLiteral("acts") : QString()});
+        });
         messages.done(QStringLiteral("done"));
         messages.information(QStringLiteral("information"));
         messages.warning(QStringLiteral("warning"));
@@ -135,18 +158,26 @@ private slots:
     void station() {
         for (const devices::Driver* driver : devices::driverCatalogue())
             say({StationWords::driver(*driver), StationWords::needs(*driver)});
-        say({StationWords::forceClass(devices::DeviceClass::felt), StationWords::forceClass(devices::DeviceClass::shown)});
+        say({StationWords::forceClass(devices::DeviceClass::felt),
+             StationWords::forceClass(devices::DeviceClass::shown)});
         for (const bool yes : {false, true})
             say({StationWords::priority(yes), StationWords::memory(yes)});
-        for (const auto& [ticks, late, skipped] : {std::tuple{0ULL, 0ULL, 0ULL}, {100'000ULL, 0ULL, 0ULL}, {100'000ULL, 4ULL, 0ULL}, {100'000ULL, 100ULL, 0ULL}, {100'000ULL, 300ULL, 0ULL}, {100'000ULL, 301ULL, 0ULL},
-                                                   {100'000ULL, 0ULL, 1ULL}, {100'000ULL, 0ULL, 5'000'000'000ULL}}) {
+        for (const auto& [ticks, late, skipped] : {std::tuple{0ULL, 0ULL, 0ULL},
+                                                   {100'000ULL, 0ULL, 0ULL},
+                                                   {100'000ULL, 4ULL, 0ULL},
+                                                   {100'000ULL, 100ULL, 0ULL},
+                                                   {100'000ULL, 300ULL, 0ULL},
+                                                   {100'000ULL, 301ULL, 0ULL},
+                                                   {100'000ULL, 0ULL, 1ULL},
+                                                   {100'000ULL, 0ULL, 5'000'000'000ULL}}) {
             session::LoopReport loop;
             loop.ticks = ticks;
             loop.late = late;
             loop.skipped = skipped;
             loop.p50_us = 12.34;
             loop.max_us = 210.0;
-            say({QLatin1String(StationWords::verdictKind(loop)), StationWords::verdict(loop, m_locale), StationWords::punctuality(loop, m_locale)});
+            say({QLatin1String(StationWords::verdictKind(loop)), StationWords::verdict(loop, m_locale),
+                 StationWords::punctuality(loop, m_locale)});
         }
         hold("station");
     }
@@ -171,7 +202,8 @@ private slots:
         check.friction.coulomb_N = 0.123;
         check.friction.viscous_Ns_per_m = 1.23;
         check.stiffnessCap_N_per_m = 2345.0;
-        for (const char* finger : {"half", "double", "thick", "thin", "relaxing", "softest", "stiffest", "other"}) {
+        for (const char* finger :
+             {"half", "double", "thick", "thin", "relaxing", "softest", "stiffest", "other"}) {
             mechanisms::FingertipOnFinger on;
             on.finger = finger;
             on.verified = check.verified;
@@ -191,7 +223,9 @@ private slots:
             }
         say({platformVerdict(check, m_locale)});
         say(platformFacts(check, m_locale));
-        for (const report::CheckTable& table : {platformFigures(check, m_locale), platformFingers(check, m_locale), platformDegradation(check, m_locale)}) {
+        for (const report::CheckTable& table :
+             {platformFigures(check, m_locale), platformFingers(check, m_locale),
+              platformDegradation(check, m_locale)}) {
             say({table.title});
             for (const QStringList& line : table.lines)
                 say(line);
@@ -206,11 +240,13 @@ private slots:
             say({QLatin1String(notice.kind), notice.text});
         };
         told();
-        for (const std::uint64_t free : {session::kLowDisk_bytes, session::kLowDisk_bytes - 1, std::uint64_t{1}}) {
+        for (const std::uint64_t free :
+             {session::kLowDisk_bytes, session::kLowDisk_bytes - 1, std::uint64_t{1}}) {
             room.diskFree_bytes = free;
             told();
         }
-        for (const std::uint64_t free : {2 * room.ringNeeded_bytes, room.ringNeeded_bytes, room.ringNeeded_bytes - 1}) {
+        for (const std::uint64_t free :
+             {2 * room.ringNeeded_bytes, room.ringNeeded_bytes, room.ringNeeded_bytes - 1}) {
             room.ringFree_bytes = free;
             for (const std::uint64_t disk : {std::uint64_t{50ULL << 30}, session::kLowDisk_bytes - 1}) {
                 room.diskFree_bytes = disk;
@@ -218,11 +254,13 @@ private slots:
             }
         }
         const QDateTime now(QDate(2026, 11, 20), QTime(12, 0), Qt::UTC);
-        for (const char* made : {"", "2026-11-20T11:59:30.000Z", "2026-11-13T12:00:00.000Z", "2026-11-12T12:00:00.000Z"}) {
+        for (const char* made :
+             {"", "2026-11-20T11:59:30.000Z", "2026-11-13T12:00:00.000Z", "2026-11-12T12:00:00.000Z"}) {
             const StorageNotice notice = StorageWords::backup(made, now, m_locale);
             say({QLatin1String(notice.kind), notice.text});
         }
-        for (const char* kind : {"file", "database", "integrity", "foreign_key", "digest", "payload", "missing", "unreadable", "seal", "audit", "score", "other"})
+        for (const char* kind : {"file", "database", "integrity", "foreign_key", "digest", "payload",
+                                 "missing", "unreadable", "seal", "audit", "score", "other"})
             say({StorageWords::findingKind(kind)});
         database::VerifyReport report;
         report.rowsChecked = 12'345;
@@ -242,24 +280,33 @@ private slots:
         using psychophysics::Attribute;
         for (int a = 0; a <= static_cast<int>(Attribute::apex); ++a) {
             const auto attribute = static_cast<Attribute>(a);
-            say({study_words::attribute(attribute), value(0.0123, attribute, m_locale), value(312.4, attribute, m_locale)});
+            say({study_words::attribute(attribute), value(0.0123, attribute, m_locale),
+                 value(312.4, attribute, m_locale)});
         }
         for (int t = 0; t < psychophysics::kTasks; ++t)
-            say({task(static_cast<psychophysics::Task>(t)), taskInWords(static_cast<psychophysics::Task>(t)), question(static_cast<psychophysics::Task>(t), Attribute::mass)});
-        for (const char* id : {"staircase@1", "pest", "constant", "descending", "quest", "quest_plus@3", "rank3_quest_plus", "rank3_quest_plus_ties", "limit", "of_another", "staircase@1,limit@2"})
+            say({task(static_cast<psychophysics::Task>(t)), taskInWords(static_cast<psychophysics::Task>(t)),
+                 question(static_cast<psychophysics::Task>(t), Attribute::mass)});
+        for (const char* id :
+             {"staircase@1", "pest", "constant", "descending", "quest", "quest_plus@3", "rank3_quest_plus",
+              "rank3_quest_plus_ties", "limit", "of_another", "staircase@1,limit@2"})
             say({procedure(id), procedureInWords(id)});
         for (const char* token : {"force_error", "stopped", "withheld", "of_another"})
             say({spoiled(token), parameter(token)});
         for (const char* name : {"threshold", "log10_sigma", "slope", "lapse", "tie"})
             say({parameter(name)});
-        for (const double x : {0.0, -0.0, 1e-5, 0.01234, 1.0, 12.345, 1234.5, -3.75, 1e7, std::nan(""), std::numeric_limits<double>::infinity()})
-            say({number(x, m_locale), number(x, m_locale, 1), plainNumber(x, m_locale), percent(x, m_locale), interval(x, 2.0 * x, m_locale), intervalPercent(x, 2.0 * x, m_locale)});
+        for (const double x : {0.0, -0.0, 1e-5, 0.01234, 1.0, 12.345, 1234.5, -3.75, 1e7, std::nan(""),
+                               std::numeric_limits<double>::infinity()})
+            say({number(x, m_locale), number(x, m_locale, 1), plainNumber(x, m_locale), percent(x, m_locale),
+                 interval(x, 2.0 * x, m_locale), intervalPercent(x, 2.0 * x, m_locale)});
         for (const char* utc : {"2026-11-19T23:30:00.000Z", "not a time", ""})
             say({moment(utc, m_locale)});
         say({shortSha("0123456789abcdef0123456789abcdef"), shortSha("01")});
         for (const char* language : {"en", "de", "el"})
-            say({text({{"en", "a stone"}, {"de", "ein Stein"}}, QLatin1String(language)), text({}, QLatin1String(language))});
-        say({listText({0.5, 2.0, 0.125}, m_locale), listText({}, m_locale), listText(readNumbers(QStringLiteral(" 1; 2"), m_locale).values, m_locale), unreadWords(readNumbers(QStringLiteral(" 1; ;x;2"), m_locale))});
+            say({text({{"en", "a stone"}, {"de", "ein Stein"}}, QLatin1String(language)),
+                 text({}, QLatin1String(language))});
+        say({listText({0.5, 2.0, 0.125}, m_locale), listText({}, m_locale),
+             listText(readNumbers(QStringLiteral(" 1; 2"), m_locale).values, m_locale),
+             unreadWords(readNumbers(QStringLiteral(" 1; ;x;2"), m_locale))});
         hold("studies");
     }
 
@@ -315,7 +362,9 @@ private slots:
                     cues.dwell = numbers ? 0.4 : 0.0;
                     cues.landmarksSeen = numbers ? 0b1011 : 0;
                     const StageTelling telling{numbers, numbers, 0.097};
-                    say({stageTitle(cues.stage), stageText(cues, telling, m_locale), QString::number(stageProgress(cues, telling)), QString::number(landmarksSeen(cues)), QString::number(stageProgress(cues, {true, true, 0.0}))});
+                    say({stageTitle(cues.stage), stageText(cues, telling, m_locale),
+                         QString::number(stageProgress(cues, telling)), QString::number(landmarksSeen(cues)),
+                         QString::number(stageProgress(cues, {true, true, 0.0}))});
                 }
         hold("stages");
     }
@@ -326,7 +375,8 @@ private slots:
         core::LaparoscopyCues cues;
         for (int s = 0; s <= core::kLastLaparoscopyStep; ++s) {
             cues.step = static_cast<core::LaparoscopyStep>(s);
-            for (const auto task : {simulation::TubeTask::hold, simulation::TubeTask::stretch, simulation::TubeTask::transfer, simulation::TubeTask::twoHanded}) {
+            for (const auto task : {simulation::TubeTask::hold, simulation::TubeTask::stretch,
+                                    simulation::TubeTask::transfer, simulation::TubeTask::twoHanded}) {
                 tube.task = task;
                 say({desktop::tubeGrasping(tube, {}).step(cues, m_locale)});
             }
@@ -336,13 +386,22 @@ private slots:
             }
         }
         cues.torn = true;
-        say({desktop::tubeGrasping(tube, {}).step(cues, m_locale), desktop::handlingGrasping(handling, {}).step(cues, m_locale)});
+        say({desktop::tubeGrasping(tube, {}).step(cues, m_locale),
+             desktop::handlingGrasping(handling, {}).step(cues, m_locale)});
         cues = {};
         cues.grips = 2;
-        for (const auto& [first, second, third, fold] : {std::tuple{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 2, 0, 0}, {0, 0, 4, 0}, {0, 0, 0, 4}, {1, 0, 0, 4}, {1, 2, 0, 4}}) {
-            cues.gripHeldBy = {std::uint8_t(first), std::uint8_t(second), std::uint8_t(third)}; // the third grip is none of this tube
+        for (const auto& [first, second, third, fold] : {std::tuple{0, 0, 0, 0},
+                                                         {1, 0, 0, 0},
+                                                         {1, 2, 0, 0},
+                                                         {0, 0, 4, 0},
+                                                         {0, 0, 0, 4},
+                                                         {1, 0, 0, 4},
+                                                         {1, 2, 0, 4}}) {
+            cues.gripHeldBy = {std::uint8_t(first), std::uint8_t(second),
+                               std::uint8_t(third)}; // the third grip is none of this tube
             cues.foldHeldBy = static_cast<std::uint8_t>(fold);
-            say({desktop::tubeGrasping(tube, {}).held(cues, m_locale), desktop::handlingGrasping(handling, {}).held(cues, m_locale)});
+            say({desktop::tubeGrasping(tube, {}).held(cues, m_locale),
+                 desktop::handlingGrasping(handling, {}).held(cues, m_locale)});
         }
         for (const int bodies : {1, 3, 9})
             for (const std::size_t held : {0U, 2U}) {
@@ -367,7 +426,8 @@ private slots:
             cues.finding[1] = {true, {}, 0.006, 4, 0};
             cues.finding[4] = {true, {}, 0.0, 0, 2};
             cues.finding[5].hardness = 3; // none
-            say({findingText(1, cues, m_locale), findingText(4, cues, m_locale), missingRatings(cues, m_locale).join(QLatin1Char('/')), QString::number(findingCount(cues))});
+            say({findingText(1, cues, m_locale), findingText(4, cues, m_locale),
+                 missingRatings(cues, m_locale).join(QLatin1Char('/')), QString::number(findingCount(cues))});
         }
         hold("palpations");
     }
@@ -375,8 +435,10 @@ private slots:
     void training() {
         for (const char* name : {"expert", "intermediate", "novice", "hesitant", "unsafe", "somebody"})
             say({operatorTitle(name)});
-        for (const char* exercise : {"sphere_apex", "urethra_insertion", "elastic_tube", "object_handling", "palpation", "of_another"})
-            for (const devices::MovedBy mover : {devices::MovedBy::person, devices::MovedBy::scriptedOperator, devices::MovedBy::recording}) {
+        for (const char* exercise : {"sphere_apex", "urethra_insertion", "elastic_tube", "object_handling",
+                                     "palpation", "of_another"})
+            for (const devices::MovedBy mover : {devices::MovedBy::person, devices::MovedBy::scriptedOperator,
+                                                 devices::MovedBy::recording}) {
                 TrainingPlan plan;
                 plan.exercise = QLatin1String(exercise);
                 plan.driver = &devices::usualDriver(mover);
@@ -385,7 +447,8 @@ private slots:
                 say({deviceTitle(plan), deviceIcon(mover)});
             }
         for (const bool own : {false, true}) {
-            for (const auto tool : {session::PointerTool::point, session::PointerTool::endoscope, session::PointerTool::grasper})
+            for (const auto tool : {session::PointerTool::point, session::PointerTool::endoscope,
+                                    session::PointerTool::grasper})
                 for (const int tools : {1, 2, 3})
                     say({keysInWords(own, tool, tools)});
             for (const int hands : {1, 2})
@@ -425,15 +488,18 @@ private slots:
             for (auto it = map.begin(); it != map.end(); ++it)
                 say({it.key(), it.value().toString()});
         };
-        for (const devices::MovedBy mover : {devices::MovedBy::person, devices::MovedBy::scriptedOperator, devices::MovedBy::recording})
+        for (const devices::MovedBy mover :
+             {devices::MovedBy::person, devices::MovedBy::scriptedOperator, devices::MovedBy::recording})
             for (const auto depth : {std::optional<bool>(), std::optional(false), std::optional(true)}) {
                 plan.driver = &devices::usualDriver(mover);
                 plan.depthOfField = depth;
                 const TrainingPlan back = TrainingPlan::fromMap(plan.toMap());
                 QCOMPARE(back.toMap(), plan.toMap());
-                QVERIFY(back.driver == plan.driver && back.depthOfField == depth && back.workspace.turn_rad == plan.workspace.turn_rad && back.forceMap == plan.forceMap);
+                QVERIFY(back.driver == plan.driver && back.depthOfField == depth &&
+                        back.workspace.turn_rad == plan.workspace.turn_rad && back.forceMap == plan.forceMap);
                 const database::Actor tina = actorOf(plan, database::Actor::anonymous());
-                say({QString::number(static_cast<int>(mover)), QString::number(static_cast<int>(tina.kind())), plan.ownHand() ? QStringLiteral("own hand") : QStringLiteral("watched")});
+                say({QString::number(static_cast<int>(mover)), QString::number(static_cast<int>(tina.kind())),
+                     plan.ownHand() ? QStringLiteral("own hand") : QStringLiteral("watched")});
             }
         told(plan.toMap());
         told(TrainingPlan::fromMap({}).toMap());
@@ -456,7 +522,8 @@ private slots:
                 level.parameters = palpation;
                 told();
             }
-        for (const auto& [low, high, empty] : {std::tuple{1, 1, 0}, {1, 1, 2}, {0, 1, 0}, {0, 3, 0}, {2, 3, 0}, {2, 3, 1}, {0, 0, 0}}) {
+        for (const auto& [low, high, empty] :
+             {std::tuple{1, 1, 0}, {1, 1, 2}, {0, 1, 0}, {0, 3, 0}, {2, 3, 0}, {2, 3, 1}, {0, 0, 0}}) {
             palpation.lumpsLow = low;
             palpation.lumpsHigh = high;
             palpation.catchTrials = empty;
@@ -465,7 +532,8 @@ private slots:
         }
         simulation::ElasticTubeParameters tube;
         level.exercise = "elastic_tube";
-        for (const auto task : {simulation::TubeTask::hold, simulation::TubeTask::stretch, simulation::TubeTask::transfer, simulation::TubeTask::twoHanded})
+        for (const auto task : {simulation::TubeTask::hold, simulation::TubeTask::stretch,
+                                simulation::TubeTask::transfer, simulation::TubeTask::twoHanded})
             for (const double stiffening : {0.0, 2.0}) {
                 tube.task = task;
                 tube.tube.stiffening_per_m = stiffening;
@@ -500,8 +568,12 @@ private slots:
                 level.parameters = canal;
                 told();
             }
-        for (const auto& [metric, least, most] : {std::tuple{"force_max", std::optional<double>(), std::optional(4.0)}, {"force_max", std::optional(0.5), std::optional(4.0)}, {"palpation_misses", std::optional(1.0), std::optional<double>()},
-                                                  {"apex_error", std::optional<double>(), std::optional(12.5)}, {"of_another", std::optional<double>(), std::optional<double>()}}) {
+        for (const auto& [metric, least, most] :
+             {std::tuple{"force_max", std::optional<double>(), std::optional(4.0)},
+              {"force_max", std::optional(0.5), std::optional(4.0)},
+              {"palpation_misses", std::optional(1.0), std::optional<double>()},
+              {"apex_error", std::optional<double>(), std::optional(12.5)},
+              {"of_another", std::optional<double>(), std::optional<double>()}}) {
             scoring::Gate gate;
             gate.metric = metric;
             gate.minimum = least;
@@ -539,7 +611,8 @@ private slots:
                     head.record.voidReason = practice ? "wrong hand" : "";
                     head.record.setup.plannedTrials = passed ? 5 : 1;
                     const Verdict verdict = verdictOf(head, m_locale);
-                    say({QLatin1String(verdict.kind), verdict.icon, verdict.title, verdict.text, verdict.reasons.join(QStringLiteral(" / "))});
+                    say({QLatin1String(verdict.kind), verdict.icon, verdict.title, verdict.text,
+                         verdict.reasons.join(QStringLiteral(" / "))});
                 }
         hold("verdicts");
     }
@@ -563,36 +636,65 @@ private slots:
             shown.tool[i].rendersForce = i == 1;
         }
         shown.p_WObject_m = {0.004, 0.005, 0.006};
-        const auto vector = [](const auto& v) { return QStringLiteral("%1,%2,%3").arg(v[0]).arg(v[1]).arg(v[2]); };
+        const auto vector = [](const auto& v) {
+            return QStringLiteral("%1,%2,%3").arg(v[0]).arg(v[1]).arg(v[2]);
+        };
         for (const catalogue::Exercise& exercise : catalogue->exercises())
             for (const catalogue::ExerciseLevel& level : exercise.levels)
                 for (const bool felt : {false, true}) {
                     const session::LevelCues cues = session::cuesOf(level, felt);
-                    const scene3d::SceneSetup setup = sceneSetupOf(level, cues, theme, felt, felt ? std::optional(true) : std::nullopt);
+                    const scene3d::SceneSetup setup =
+                        sceneSetupOf(level, cues, theme, felt, felt ? std::optional(true) : std::nullopt);
                     shown.objectShown = felt;
                     const scene3d::SceneState state = sceneStateOf(shown, cues, 1'000'000'000);
-                    say({QString::fromStdString(setup.exercise), QString::number(level.number), QStringLiteral("limit %1").arg(setup.forceLimit_N),
-                         QStringLiteral("cues %1%2%3%4%5").arg(setup.cues.tool).arg(setup.cues.arrow).arg(setup.cues.object).arg(setup.cues.overview).arg(setup.cues.guidance),
-                         QStringLiteral("depth of field %1 left %2 contrast %3 scale %4").arg(setup.depthOfField).arg(setup.leftHanded).arg(setup.colours.highContrast).arg(setup.scale),
-                         QStringLiteral("object %1 at %2, %3 s").arg(state.objectShown).arg(vector(state.p_WObject)).arg(state.time_s)});
+                    say({QString::fromStdString(setup.exercise), QString::number(level.number),
+                         QStringLiteral("limit %1").arg(setup.forceLimit_N),
+                         QStringLiteral("cues %1%2%3%4%5")
+                             .arg(setup.cues.tool)
+                             .arg(setup.cues.arrow)
+                             .arg(setup.cues.object)
+                             .arg(setup.cues.overview)
+                             .arg(setup.cues.guidance),
+                         QStringLiteral("depth of field %1 left %2 contrast %3 scale %4")
+                             .arg(setup.depthOfField)
+                             .arg(setup.leftHanded)
+                             .arg(setup.colours.highContrast)
+                             .arg(setup.scale),
+                         QStringLiteral("object %1 at %2, %3 s")
+                             .arg(state.objectShown)
+                             .arg(vector(state.p_WObject))
+                             .arg(state.time_s)});
                     if (level.number > 1)
                         continue;
                     for (const scene3d::ToolView& tool : state.tool)
-                        say({QStringLiteral("tool %1 at %2 drawn %3 turned %4,%5 force %6 jaw %7 at the surface %8").arg(tool.present).arg(vector(tool.p_WT), vector(tool.p_WProxy)).arg(tool.q_WT.w(), 0, 'g', 4)
-                                 .arg(tool.q_WT.x(), 0, 'g', 4).arg(vector(tool.force_N)).arg(tool.jaw_rad).arg(tool.drawnAtSurface)});
-                    for (const QColor& colour : {setup.colours.background, setup.colours.field, setup.colours.ink, setup.colours.arrow, setup.colours.over, setup.colours.ghost})
+                        say({QStringLiteral(
+                                 "tool %1 at %2 drawn %3 turned %4,%5 force %6 jaw %7 at the surface %8")
+                                 .arg(tool.present)
+                                 .arg(vector(tool.p_WT), vector(tool.p_WProxy))
+                                 .arg(tool.q_WT.w(), 0, 'g', 4)
+                                 .arg(tool.q_WT.x(), 0, 'g', 4)
+                                 .arg(vector(tool.force_N))
+                                 .arg(tool.jaw_rad)
+                                 .arg(tool.drawnAtSurface)});
+                    for (const QColor& colour :
+                         {setup.colours.background, setup.colours.field, setup.colours.ink,
+                          setup.colours.arrow, setup.colours.over, setup.colours.ghost})
                         say({colour.name()});
                 }
         const haptics::DisplayState none = withoutForce(shown);
         for (const haptics::ToolDisplay& tool : none.tool)
-            QVERIFY(tool.tissue == core::Array6{} && tool.commanded == core::Array6{} && tool.measured == core::Array6{});
+            QVERIFY(tool.tissue == core::Array6{} && tool.commanded == core::Array6{} &&
+                    tool.measured == core::Array6{});
         QVERIFY(none.tool[1].p_WT_m == shown.tool[1].p_WT_m);
-        const auto leans = [](const haptics::DisplayState&, std::size_t tool) { return std::array{0.2, 0.9, 3.0, 0.0}[tool]; };
+        const auto leans = [](const haptics::DisplayState&, std::size_t tool) {
+            return std::array{0.2, 0.9, 3.0, 0.0}[tool];
+        };
         SoundCues sound; // of the tools that are there the one with the largest force
         for (const int tools : {0, 1, 2, 3}) {
             shown.tools = tools;
             takeStrongest(shown, leans, sound);
-            say({QStringLiteral("%1 tools").arg(tools), QString::number(sound.force_N, 'g', 5), QString::number(sound.lean, 'g', 5)});
+            say({QStringLiteral("%1 tools").arg(tools), QString::number(sound.force_N, 'g', 5),
+                 QString::number(sound.lean, 'g', 5)});
         }
         hold("scenes");
     }

@@ -25,7 +25,6 @@ namespace {
 
 using tests::DesktopFixture;
 
-
 /// The palette as it is after these letters were typed and everything was found.
 class Palette {
 public:
@@ -97,11 +96,13 @@ void TestPaletteSearch::wordsAreFoundInAnyOrder() {
         people.push_back({QString::fromUtf8(name), forSearch(QString::fromUtf8(name)), {}});
     const auto find = [&](const char* typed, int most) {
         QStringList names;
-        for (const NamedThing* thing : findThings(index, ThingKind::person, QString::fromUtf8(typed), most).best)
+        for (const NamedThing* thing :
+             findThings(index, ThingKind::person, QString::fromUtf8(typed), most).best)
             names << thing->text;
         return names;
     };
-    QCOMPARE(find("tina", 9), (QStringList{QStringLiteral("Tina Trainee"), QStringLiteral("Tína Ω Other"), QStringLiteral("Martina Ober")})); // beginnings first
+    QCOMPARE(find("tina", 9), (QStringList{QStringLiteral("Tina Trainee"), QStringLiteral("Tína Ω Other"),
+                                           QStringLiteral("Martina Ober")})); // beginnings first
     QCOMPARE(find("tr TI", 9), QStringList{QStringLiteral("Tina Trainee")});
     QCOMPARE(find("ω", 9).size(), 1);
     QVERIFY(find("tinx", 9).isEmpty() && find("  ", 9).isEmpty());
@@ -120,13 +121,16 @@ void TestPaletteSearch::peopleLeadToTheirPlace() {
         QVERIFY(palette.choose(QStringLiteral("Tina Trainee")));
     }
     QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<PeopleScreen>(), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLabel>(QStringLiteral("people.chosen"))->text().contains(QStringLiteral("tina")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desktop.find<QLabel>(QStringLiteral("people.chosen"))->text().contains(QStringLiteral("tina")),
+        kPatience_ms);
     desktop.logIn("tom"); // a trainer looks at what somebody did
     Palette palette(desktop);
     palette.type(QStringLiteral("tina"));
     QVERIFY(palette.choose(QStringLiteral("Tina Trainee")));
     QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<SessionsScreen>(), kPatience_ms);
-    QCOMPARE(desktop.context.navigator().current().parameters.value(QStringLiteral("person")).toLongLong(), desktop.actor("tina").personId());
+    QCOMPARE(desktop.context.navigator().current().parameters.value(QStringLiteral("person")).toLongLong(),
+             desktop.actor("tina").personId());
 }
 
 void TestPaletteSearch::exercisesAndSessionsOpen() {
@@ -146,7 +150,8 @@ void TestPaletteSearch::exercisesAndSessionsOpen() {
     palette.type(QStringLiteral("session %1").arg(id));
     QVERIFY(palette.choose(QStringLiteral("Session %1:").arg(id)));
     QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<DebriefScreen>(), kPatience_ms);
-    QCOMPARE(desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong(), id);
+    QCOMPARE(desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong(),
+             id);
 }
 
 void TestPaletteSearch::nobodyFindsWhatIsNotTheirs() {
@@ -163,7 +168,8 @@ void TestPaletteSearch::nobodyFindsWhatIsNotTheirs() {
     desktop.logIn("rhea"); // by code, not by name
     Palette palette(desktop);
     palette.type(QStringLiteral("theo"));
-    QVERIFY(palette.below(QStringLiteral("People")).isEmpty() && palette.below(QStringLiteral("Sessions")).isEmpty());
+    QVERIFY(palette.below(QStringLiteral("People")).isEmpty() &&
+            palette.below(QStringLiteral("Sessions")).isEmpty());
     palette.type(QStringLiteral("session 1"));
     QCOMPARE(palette.below(QStringLiteral("Sessions")).size(), 1);
     palette.close();
@@ -177,13 +183,15 @@ void TestPaletteSearch::studiesAreTheResearchers() {
     QString title;
     {
         auto reader = desktop.database().openReader();
-        title = QString::fromStdString(database::StudyReader(**reader, desktop.actor("rhea")).study(studies.data)->summary.title);
+        title = QString::fromStdString(
+            database::StudyReader(**reader, desktop.actor("rhea")).study(studies.data)->summary.title);
     }
     Palette palette(desktop);
     palette.type(title.left(8));
     QVERIFY2(!palette.below(QStringLiteral("Studies")).isEmpty(), qPrintable(title));
     QVERIFY(palette.choose(palette.below(QStringLiteral("Studies")).front()));
-    QTRY_COMPARE_WITH_TIMEOUT(desktop.context.navigator().current().screen, QStringLiteral("study"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(desktop.context.navigator().current().screen, QStringLiteral("study"),
+                              kPatience_ms);
     desktop.logIn("tina");
     Palette hers(desktop);
     hers.type(title.left(8));
@@ -198,11 +206,15 @@ void TestPaletteSearch::otherScreensCommandsLeadThere() {
         Palette palette(desktop);
         QTest::qWait(300); // one screen a turn
         palette.type(QStringLiteral("back up now"));
-        QCOMPARE(palette.below(QStringLiteral("On other screens")), QStringList{QStringLiteral("Storage: Back up now")});
+        QCOMPARE(palette.below(QStringLiteral("On other screens")),
+                 QStringList{QStringLiteral("Storage: Back up now")});
         QVERIFY(palette.choose(QStringLiteral("Storage: Back up now")));
     }
-    QTRY_COMPARE_WITH_TIMEOUT(desktop.context.navigator().current().screen, QStringLiteral("storage"), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.window->focusWidget() && desktop.window->focusWidget()->objectName() == QLatin1String("storage.back_up"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(desktop.context.navigator().current().screen, QStringLiteral("storage"),
+                              kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.window->focusWidget() && desktop.window->focusWidget()->objectName() ==
+                                                                  QLatin1String("storage.back_up"),
+                             kPatience_ms);
     QVERIFY(!QDir(desktop.folder()).exists(QStringLiteral("backups"))); // nothing is done before it is seen
 }
 
@@ -212,7 +224,9 @@ void TestPaletteSearch::otherWordsLeadThere_data() {
     QTest::addColumn<QString>("typed");
     QTest::addColumn<QString>("screen");
     const auto add = [](const char* language, const char* person, const char* typed, const char* screen) {
-        QTest::addRow("%s %s: %s", language, person, typed) << QString::fromLatin1(language) << QString::fromLatin1(person) << QString::fromUtf8(typed) << QString::fromLatin1(screen);
+        QTest::addRow("%s %s: %s", language, person, typed)
+            << QString::fromLatin1(language) << QString::fromLatin1(person) << QString::fromUtf8(typed)
+            << QString::fromLatin1(screen);
     };
     for (const char* word : {"group", "progress", "overview", "class", "results"})
         add("en", "tom", word, "progress");
@@ -234,7 +248,8 @@ void TestPaletteSearch::otherWordsLeadThere_data() {
     add("el", "tina", "αποσύνδεση", "login");
 }
 
-/// The first line that is found by another word than its own leads to the right screen, and says why it is there.
+/// The first line that is found by another word than its own leads to the right screen, and says why it is
+/// there.
 void TestPaletteSearch::otherWordsLeadThere() {
     QFETCH(QString, language);
     QFETCH(QString, person);
@@ -255,18 +270,24 @@ void TestPaletteSearch::otherWordsLeadThere() {
 void TestPaletteSearch::arrowsPassTheHeadings() {
     const Theme theme = Theme::load(ThemeName::light, 1.0).value();
     QStringList ran;
-    const auto command = [&ran](const char* text) { return ScreenCommand{QLatin1String(text), {}, [&ran, text] { ran << QLatin1String(text); }}; };
-    auto* palette = new CommandPalette(theme, {{QStringLiteral("Here"), {command("Go to: Tina's box"), command("Train again")}}}, nullptr);
+    const auto command = [&ran](const char* text) {
+        return ScreenCommand{QLatin1String(text), {}, [&ran, text] { ran << QLatin1String(text); }};
+    };
+    auto* palette = new CommandPalette(
+        theme, {{QStringLiteral("Here"), {command("Go to: Tina's box"), command("Train again")}}}, nullptr);
     palette->show();
     auto* field = palette->findChild<QLineEdit*>();
     auto* list = palette->findChild<QListWidget*>();
     field->setText(QStringLiteral("tina"));
-    palette->showFound({{QStringLiteral("People"), {command("Tina"), command("Martina")}}}, QStringLiteral("some words"));
+    palette->showFound({{QStringLiteral("People"), {command("Tina"), command("Martina")}}},
+                       QStringLiteral("some words"));
     QStringList lines;
     for (int row = 0; row < list->count(); ++row)
         lines << list->item(row)->text();
     // Heading, command, heading, two people, heading, what merely has the letters.
-    QCOMPARE(lines.mid(0, 5), (QStringList{QStringLiteral("Commands"), QStringLiteral("Go to: Tina's box"), QStringLiteral("People"), QStringLiteral("Tina"), QStringLiteral("Martina")}));
+    QCOMPARE(lines.mid(0, 5),
+             (QStringList{QStringLiteral("Commands"), QStringLiteral("Go to: Tina's box"),
+                          QStringLiteral("People"), QStringLiteral("Tina"), QStringLiteral("Martina")}));
     QVERIFY(palette->findChild<QLabel*>(QStringLiteral("palette.words"))->isVisible());
     QCOMPARE(list->currentRow(), 1);
     QTest::keyClick(field, Qt::Key_Down);
@@ -276,8 +297,11 @@ void TestPaletteSearch::arrowsPassTheHeadings() {
     QTest::keyClick(field, Qt::Key_Up);
     QCOMPARE(list->currentRow(), 1);
     QTest::keyClick(field, Qt::Key_Down);
-    palette->showFound({{QStringLiteral("Studies"), {command("Tinajero")}}, {QStringLiteral("People"), {command("Tina"), command("Martina")}}}, {});
-    QCOMPARE(list->currentItem()->text(), QStringLiteral("Tina")); // what came later took nothing from under the hand
+    palette->showFound({{QStringLiteral("Studies"), {command("Tinajero")}},
+                        {QStringLiteral("People"), {command("Tina"), command("Martina")}}},
+                       {});
+    QCOMPARE(list->currentItem()->text(),
+             QStringLiteral("Tina")); // what came later took nothing from under the hand
     QTest::keyClick(field, Qt::Key_Return);
     QCOMPARE(ran, QStringList{QStringLiteral("Tina")});
 }

@@ -14,11 +14,13 @@
 
 namespace chiron::tests {
 
-/// Day, hour and minute of the n-th generated session: three a day from 1 January 2026, backwards now and then as clocks go.
+/// Day, hour and minute of the n-th generated session: three a day from 1 January 2026, backwards now and
+/// then as clocks go.
 inline std::string madeStart(int n) {
     char text[40];
     const int day = n / 3;
-    std::snprintf(text, sizeof text, "2026-%02d-%02dT%02d:%02d:00.000Z", 1 + day / 28 % 12, 1 + day % 28, (n * 7) % 24, (n * 13) % 60);
+    std::snprintf(text, sizeof text, "2026-%02d-%02dT%02d:%02d:00.000Z", 1 + day / 28 % 12, 1 + day % 28,
+                  (n * 7) % 24, (n * 13) % 60);
     return text;
 }
 
@@ -59,9 +61,10 @@ inline std::vector<desktop::SessionRow> madeRows(int count, const desktop::Exerc
     return rows;
 }
 
-/// `count` ended sessions in a real database, in turn by these actors, without recordings. `spread`: over many days, set past
-/// the digests, so that such a site neither verifies nor lets its sessions be changed.
-inline void storeManySessions(database::Database& database, const std::vector<database::Actor>& actors, int count, bool spread = false) {
+/// `count` ended sessions in a real database, in turn by these actors, without recordings. `spread`: over
+/// many days, set past the digests, so that such a site neither verifies nor lets its sessions be changed.
+inline void storeManySessions(database::Database& database, const std::vector<database::Actor>& actors,
+                              int count, bool spread = false) {
     constexpr int kBatch = 500; // one transaction
     for (int from = 0; from < count; from += kBatch) {
         const auto done = database.write([&](database::WriteContext& writing) -> core::Result<void> {
@@ -87,7 +90,10 @@ inline void storeManySessions(database::Database& database, const std::vector<da
                 CHIRON_TRY(database::ScoreRepository(writing.connection(), actor).storeScores(*id, card));
                 if (!spread)
                     continue;
-                if (auto moved = writing.connection().execute("UPDATE session SET started_utc='" + madeStart(n) + "' WHERE id=" + std::to_string(*id)); !moved)
+                if (auto moved =
+                        writing.connection().execute("UPDATE session SET started_utc='" + madeStart(n) +
+                                                     "' WHERE id=" + std::to_string(*id));
+                    !moved)
                     return moved;
             }
             return {};

@@ -20,7 +20,8 @@ using database::SessionState;
 
 namespace {
 
-database::SessionSummary attempt(database::SessionId id, int level, SessionState state, std::optional<bool> passed, bool felt = true) {
+database::SessionSummary attempt(database::SessionId id, int level, SessionState state,
+                                 std::optional<bool> passed, bool felt = true) {
     database::SessionSummary session;
     session.id = id;
     session.exercise = "sphere_apex";
@@ -88,8 +89,12 @@ private slots:
         QVERIFY(catalogue);
         using enum database::Role;
         std::vector<database::Person> people(5);
-        const std::vector<std::tuple<const char*, const char*, database::RoleSet, bool>> given{{"tina", "Tina T.", {trainee}, true}, {"theo", "", {trainee}, true},
-                                                                                                {"gone", "", {trainee}, false}, {"tom", "Tom", {trainer}, true}, {"rhea", "", {researcher}, true}};
+        const std::vector<std::tuple<const char*, const char*, database::RoleSet, bool>> given{
+            {"tina", "Tina T.", {trainee}, true},
+            {"theo", "", {trainee}, true},
+            {"gone", "", {trainee}, false},
+            {"tom", "Tom", {trainer}, true},
+            {"rhea", "", {researcher}, true}};
         for (std::size_t i = 0; i < people.size(); ++i) {
             people[i].id = static_cast<database::PersonId>(i) + 2;
             std::tie(people[i].name, people[i].displayName, people[i].roles, people[i].enabled) = given[i];
@@ -98,8 +103,10 @@ private slots:
             session.person = person;
             return session;
         };
-        std::vector<database::SessionSummary> sessions{by(2, attempt(1, 1, SessionState::completed, true)), by(2, attempt(3, 2, SessionState::completed, false)),
-                                                       by(5, attempt(4, 1, SessionState::stopped, {})), by(4, attempt(5, 1, SessionState::completed, true))};
+        std::vector<database::SessionSummary> sessions{by(2, attempt(1, 1, SessionState::completed, true)),
+                                                       by(2, attempt(3, 2, SessionState::completed, false)),
+                                                       by(5, attempt(4, 1, SessionState::stopped, {})),
+                                                       by(4, attempt(5, 1, SessionState::completed, true))};
         sessions[1].toReview = true;
         auto study = by(6, attempt(6, 1, SessionState::completed, true));
         study.ofStudy = true;
@@ -108,8 +115,12 @@ private slots:
         QStringList names;
         for (const session::PersonStanding& person : group)
             names << QString::fromStdString(person.name);
-        QCOMPARE(names, (QStringList{QStringLiteral("Tina T."), QStringLiteral("theo"), QStringLiteral("Tom")})); // not who is disabled, nor who only took part in a study
-        const auto& apex = *std::find_if(group[0].exercises.begin(), group[0].exercises.end(), [](const auto& each) { return each.exercise == "sphere_apex"; });
+        QCOMPARE(
+            names,
+            (QStringList{QStringLiteral("Tina T."), QStringLiteral("theo"),
+                         QStringLiteral("Tom")})); // not who is disabled, nor who only took part in a study
+        const auto& apex = *std::find_if(group[0].exercises.begin(), group[0].exercises.end(),
+                                         [](const auto& each) { return each.exercise == "sphere_apex"; });
         QVERIFY(apex.open && apex.open->level == 2 && apex.open->attempts == 1);
         QCOMPARE(apex.attempts, 2);
         QCOMPARE(group[0].exercises.size(), catalogue->exercises().size());
@@ -120,11 +131,13 @@ private slots:
         std::vector<database::SessionSummary> everything;
         for (const catalogue::Exercise& exercise : catalogue->exercises())
             for (const catalogue::ExerciseLevel& level : exercise.levels) {
-                everything.push_back(by(3, attempt(static_cast<database::SessionId>(everything.size()) + 1, level.number, SessionState::completed, true)));
+                everything.push_back(by(3, attempt(static_cast<database::SessionId>(everything.size()) + 1,
+                                                   level.number, SessionState::completed, true)));
                 everything.back().exercise = exercise.id;
             }
         const auto done = session::groupStandings(*catalogue, people, everything);
-        QVERIFY(done[1].allPassed() && std::none_of(done[1].exercises.begin(), done[1].exercises.end(), [](const auto& each) { return each.open.has_value(); }));
+        QVERIFY(done[1].allPassed() && std::none_of(done[1].exercises.begin(), done[1].exercises.end(),
+                                                    [](const auto& each) { return each.open.has_value(); }));
     }
 
     void nextStepIsTheLowestOfTheExerciseInHand() {
@@ -169,7 +182,8 @@ private slots:
         room.diskFree_bytes = session::kLowDisk_bytes - 1;
         QVERIFY(session::diskState(room) == session::RoomState::low);
         QCOMPARE(QLatin1String(StorageWords::room(room, locale).kind), QLatin1String("warning"));
-        QVERIFY(StorageWords::room(room, locale).text.contains(QStringLiteral("2.1 GB"))); // the number with its unit
+        QVERIFY(StorageWords::room(room, locale)
+                    .text.contains(QStringLiteral("2.1 GB"))); // the number with its unit
         room.diskFree_bytes = 1;
         QCOMPARE(QLatin1String(StorageWords::room(room, locale).kind), QLatin1String("bad"));
         room.diskFree_bytes = 50ULL << 30;
@@ -210,7 +224,8 @@ private slots:
         QCOMPARE(back->p50_us, report.p50_us);
         QCOMPARE(back->passivity_J, report.passivity_J);
         QVERIFY(!session::loopReportFrom("[]"));
-        const auto old = session::loopReportFrom(R"({"ticks":5,"realtime":true,"p50_us":1.5})"); // stored before bins were kept
+        const auto old = session::loopReportFrom(
+            R"({"ticks":5,"realtime":true,"p50_us":1.5})"); // stored before bins were kept
         QVERIFY(old && !old->lateness && !old->passivity_J && old->p50_us == 1.5);
     }
 
@@ -257,24 +272,27 @@ private slots:
         desktop.addSession("tina", 1, "expert", 1, 1, 5.0);
         const std::atomic<bool> stop{true};
         const QString folder = desktop.folder() + QStringLiteral("/stopped");
-        const auto made = database::Upkeep::backup(desktop.database(), desktop.actor("ada"), folder.toStdString(), &stop);
+        const auto made =
+            database::Upkeep::backup(desktop.database(), desktop.actor("ada"), folder.toStdString(), &stop);
         QVERIFY(!made && made.error().code == core::ErrorCode::cancelled);
         QVERIFY(!QFileInfo::exists(folder) && !QFileInfo::exists(folder + QStringLiteral(".partial")));
         std::uint64_t of = 0;
         int asked = 0;
-        auto report = session::verifyEverything(desktop.file().toStdString(), desktop.options(), [&](std::uint64_t, std::uint64_t all) {
-            of = all;
-            return ++asked < 2;
-        });
+        auto report = session::verifyEverything(desktop.file().toStdString(), desktop.options(),
+                                                [&](std::uint64_t, std::uint64_t all) {
+                                                    of = all;
+                                                    return ++asked < 2;
+                                                });
         QVERIFY(report.cancelled && !report.ok() && report.findings.empty() && of > 0);
         QCOMPARE(asked, 2); // not asked again once it said stop
         std::uint64_t last = 0;
-        report = session::verifyEverything(desktop.file().toStdString(), desktop.options(), [&](std::uint64_t done, std::uint64_t all) {
-            of = all;
-            const bool forward = done >= last && done <= all;
-            last = done;
-            return forward;
-        });
+        report = session::verifyEverything(desktop.file().toStdString(), desktop.options(),
+                                           [&](std::uint64_t done, std::uint64_t all) {
+                                               of = all;
+                                               const bool forward = done >= last && done <= all;
+                                               last = done;
+                                               return forward;
+                                           });
         QVERIFY(report.ok() && last > of / 2);
     }
 };

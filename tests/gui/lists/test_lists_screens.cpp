@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/repositories/audit_repository.h"
 #include "database/repositories/session_reader.h"
+#include "database/repositories/session_repository.h"
 #include "desktop/frame/message_bar.h"
 #include "desktop/home/exercises_screen.h"
 #include "desktop/home/home_screen.h"
-#include "database/repositories/session_repository.h"
 #include "desktop/sessions/session_table_model.h"
 #include "desktop/sessions/sessions_screen.h"
 #include "desktop/station/lateness_chart.h"
-#include "database/repositories/audit_repository.h"
 #include "desktop/station/station_record.h"
 #include "desktop/station/station_screen.h"
 #include "desktop/widgets/state_panel.h"
@@ -46,7 +46,9 @@ StatePanel* panel(DesktopFixture& desktop) {
 }
 
 bool loaded(DesktopFixture& desktop) {
-    return QTest::qWaitFor([&desktop] { return panel(desktop) && panel(desktop)->state() == StatePanel::State::content; }, kPatience_ms);
+    return QTest::qWaitFor(
+        [&desktop] { return panel(desktop) && panel(desktop)->state() == StatePanel::State::content; },
+        kPatience_ms);
 }
 
 SessionsScreen* openSessions(DesktopFixture& desktop, const QVariantMap& filter = {}) {
@@ -70,11 +72,14 @@ private slots:
         DesktopFixture desktop;
         desktop.logIn("tina");
         QVERIFY(loaded(desktop));
-        QTRY_VERIFY_WITH_TIMEOUT(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == QLatin1String("home.continue"), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(QApplication::focusWidget() && QApplication::focusWidget()->objectName() ==
+                                                                    QLatin1String("home.continue"),
+                                 kPatience_ms);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
         QCOMPARE(here(desktop).screen, QStringLiteral("exercise_setup"));
         QCOMPARE(here(desktop).parameters.value(QStringLiteral("level")).toInt(), 1);
-        QCOMPARE(here(desktop).parameters.value(QStringLiteral("exercise")).toString(), QStringLiteral("sphere_apex"));
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("exercise")).toString(),
+                 QStringLiteral("sphere_apex"));
     }
 
     void homeSaysWhereSomebodyStands() {
@@ -85,7 +90,8 @@ private slots:
         QVERIFY(desktop.find<QPushButton>(QStringLiteral("home.session.8")));
         const auto* last = desktop.find<QLabel>(QStringLiteral("home.last"));
         QVERIFY(last && last->text().startsWith(QStringLiteral("Last time: level ")));
-        QVERIFY(!desktop.find<QPushButton>(QStringLiteral("exercise.sphere_apex.1"))); // the list of exercises is a screen of its own
+        QVERIFY(!desktop.find<QPushButton>(
+            QStringLiteral("exercise.sphere_apex.1"))); // the list of exercises is a screen of its own
         QVERIFY(desktop.find<QPushButton>(QStringLiteral("home.exercises")));
         QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("home.session.8")), Qt::LeftButton);
         QCOMPARE(here(desktop).screen, QStringLiteral("debrief"));
@@ -106,8 +112,10 @@ private slots:
             if (button->objectName().startsWith(QLatin1String("home.session.")))
                 names << button->accessibleName();
         QVERIFY(names.size() >= 4);
-        QVERIFY(!names.first().contains(QStringLiteral("Passed")) || names.first().contains(QStringLiteral("Not passed")));
-        QVERIFY(names.first().contains(QStringLiteral("Tina Trainee")) || names.first().contains(QStringLiteral("Theo Trainee")));
+        QVERIFY(!names.first().contains(QStringLiteral("Passed")) ||
+                names.first().contains(QStringLiteral("Not passed")));
+        QVERIFY(names.first().contains(QStringLiteral("Tina Trainee")) ||
+                names.first().contains(QStringLiteral("Theo Trainee")));
         QVERIFY(!desktop.find<QPushButton>(QStringLiteral("home.continue"))); // not a trainee
         QVERIFY(!desktop.find<QPushButton>(QStringLiteral("home.storage")));
     }
@@ -148,8 +156,10 @@ private slots:
         QVERIFY(now);
         now->click();
         QCOMPARE(here(desktop).screen, QStringLiteral("training"));
-        QCOMPARE(here(desktop).parameters.value(QStringLiteral("exercise")).toString(), QStringLiteral("sphere_apex"));
-        QVERIFY(here(desktop).parameters.value(QStringLiteral("familiarisation")).toBool()); // a try does not count
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("exercise")).toString(),
+                 QStringLiteral("sphere_apex"));
+        QVERIFY(here(desktop).parameters.value(QStringLiteral("familiarisation")).toBool()); // a try does not
+                                                                                             // count
         QVERIFY(here(desktop).parameters.value(QStringLiteral("trials")).toInt() > 0);
     }
 
@@ -162,7 +172,9 @@ private slots:
         auto* go = desktop.find<QPushButton>(QStringLiteral("home.continue"));
         auto* sessions = desktop.find<QPushButton>(QStringLiteral("home.sessions"));
         QVERIFY(go && sessions);
-        QTRY_VERIFY_WITH_TIMEOUT(go->mapTo(desktop.window.get(), QPoint()).y() > sessions->mapTo(desktop.window.get(), QPoint()).y(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(go->mapTo(desktop.window.get(), QPoint()).y() >
+                                     sessions->mapTo(desktop.window.get(), QPoint()).y(),
+                                 kPatience_ms);
     }
 
     void whatACrashLeftIsTold() {
@@ -219,13 +231,21 @@ private slots:
             auto* table = desktop.find<QTableView>(QStringLiteral("sessions.table"));
             QTRY_COMPARE_WITH_TIMEOUT(table->horizontalScrollBar()->maximum(), 0, kPatience_ms);
             using Model = SessionTableModel;
-            for (const int column : {int(Model::person), int(Model::exercise), int(Model::started), int(Model::result), int(Model::score), int(Model::comments), int(Model::review)})
+            for (const int column :
+                 {int(Model::person), int(Model::exercise), int(Model::started), int(Model::result),
+                  int(Model::score), int(Model::comments), int(Model::review)})
                 QVERIFY(!table->isColumnHidden(column));
             QVERIFY(table->isColumnHidden(Model::length));
-            const int inOrder[]{Model::length, Model::device, Model::operatorName, Model::attempt, Model::number}; // none goes before those left of it
-            QVERIFY(std::is_sorted(std::begin(inOrder), std::end(inOrder), [&](int before, int after) { return table->isColumnHidden(before) && !table->isColumnHidden(after); }));
+            const int inOrder[]{Model::length, Model::device, Model::operatorName, Model::attempt,
+                                Model::number}; // none goes before those left of it
+            QVERIFY(std::is_sorted(std::begin(inOrder), std::end(inOrder), [&](int before, int after) {
+                return table->isColumnHidden(before) && !table->isColumnHidden(after);
+            }));
             desktop.window->resize(2400, 900);
-            QTRY_VERIFY_WITH_TIMEOUT(!table->isColumnHidden(Model::number) && !table->isColumnHidden(Model::length) && !table->isColumnHidden(Model::operatorName), kPatience_ms);
+            QTRY_VERIFY_WITH_TIMEOUT(!table->isColumnHidden(Model::number) &&
+                                         !table->isColumnHidden(Model::length) &&
+                                         !table->isColumnHidden(Model::operatorName),
+                                     kPatience_ms);
         }
     }
 
@@ -235,7 +255,8 @@ private slots:
         const auto say = [&](const char* who, database::SessionId session) {
             const auto actor = desktop.actor(who);
             QVERIFY(desktop.database().write([&](database::WriteContext& write) {
-                return database::SessionRepository(write.connection(), actor).addComment(session, "Slower here.", {});
+                return database::SessionRepository(write.connection(), actor)
+                    .addComment(session, "Slower here.", {});
             }));
         };
         say("tina", 1);
@@ -244,7 +265,9 @@ private slots:
         desktop.logIn("tom");
         auto* screen = openSessions(desktop);
         QVERIFY(screen);
-        const auto row = [&](database::SessionId id) { return screen->model().at(screen->model().rowOf(id)).summary; };
+        const auto row = [&](database::SessionId id) {
+            return screen->model().at(screen->model().rowOf(id)).summary;
+        };
         QCOMPARE(row(1).comments, 1);
         QVERIFY(!row(1).reviewed); // one's own remark is no review
         QCOMPARE(row(2).comments, 2);
@@ -281,7 +304,8 @@ private slots:
     /// The list that a choice opens shows its last line whole.
     void openedChoicesCutNoLine() {
         DesktopFixture desktop;
-        tests::storeManySessions(desktop.database(), {desktop.actor("tina"), desktop.actor("theo"), desktop.actor("rhea")}, 30);
+        tests::storeManySessions(desktop.database(),
+                                 {desktop.actor("tina"), desktop.actor("theo"), desktop.actor("rhea")}, 30);
         desktop.logIn("tom");
         auto* screen = openSessions(desktop);
         QVERIFY(screen);
@@ -293,7 +317,8 @@ private slots:
             QTRY_VERIFY_WITH_TIMEOUT(choice->view()->isVisible(), kPatience_ms);
             QTest::qWait(50); // a list that does not fit shows arrows then, which take more of its room
             const QRect last = choice->view()->visualRect(choice->model()->index(choice->count() - 1, 0));
-            QVERIFY2(last.height() > 0 && last.bottom() <= choice->view()->viewport()->rect().bottom(), qPrintable(choice->objectName()));
+            QVERIFY2(last.height() > 0 && last.bottom() <= choice->view()->viewport()->rect().bottom(),
+                     qPrintable(choice->objectName()));
             choice->hidePopup();
         }
     }
@@ -345,14 +370,18 @@ private slots:
         tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 4);
         desktop.logIn("tom");
         QVERIFY(loaded(desktop));
-        QVERIFY(desktop.find<QPushButton>(QStringLiteral("home.session.4"))->accessibleName().startsWith(QStringLiteral("Tina Trainee: ")));
+        QVERIFY(desktop.find<QPushButton>(QStringLiteral("home.session.4"))
+                    ->accessibleName()
+                    .startsWith(QStringLiteral("Tina Trainee: ")));
         auto* screen = openSessions(desktop);
         QVERIFY(screen);
-        QCOMPARE(screen->model().index(0, SessionTableModel::person).data().toString(), QStringLiteral("Tina Trainee"));
+        QCOMPARE(screen->model().index(0, SessionTableModel::person).data().toString(),
+                 QStringLiteral("Tina Trainee"));
         desktop.find<QLineEdit>(QStringLiteral("sessions.search"))->setText(QStringLiteral("tina"));
         QCOMPARE(screen->model().rowCount(), 4);
         desktop.find<QPushButton>(QStringLiteral("sessions.results"))->click();
-        QCOMPARE(here(desktop).parameters.value(QStringLiteral("name")).toString(), QStringLiteral("Tina Trainee"));
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("name")).toString(),
+                 QStringLiteral("Tina Trainee"));
         desktop.logIn("rhea");
         screen = openSessions(desktop);
         QVERIFY(screen && screen->model().rowCount() == 4);
@@ -396,7 +425,8 @@ private slots:
         desktop.go(QStringLiteral("sessions"));
         QTRY_COMPARE_WITH_TIMEOUT(panel(desktop)->state(), StatePanel::State::error, kPatience_ms);
         QVERIFY(accounts.setEnabled(ada, desktop.context.actor().personId(), true));
-        QTest::mouseClick(desktop.window->screen()->findChild<QPushButton*>(QStringLiteral("state.action")), Qt::LeftButton);
+        QTest::mouseClick(desktop.window->screen()->findChild<QPushButton*>(QStringLiteral("state.action")),
+                          Qt::LeftButton);
         QVERIFY(loaded(desktop));
     }
 
@@ -412,33 +442,44 @@ private slots:
         QVERIFY(!confirm->isEnabled());
         QTest::keyClicks(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")), QStringLiteral("  "));
         QVERIFY(!confirm->isEnabled());
-        QTest::keyClicks(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")), QStringLiteral("device slipped"));
+        QTest::keyClicks(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")),
+                         QStringLiteral("device slipped"));
         QTest::mouseClick(confirm, Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(screen->model().at(0).summary.state, database::SessionState::voided, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(screen->model().at(0).summary.state, database::SessionState::voided,
+                                  kPatience_ms);
         QCOMPARE(stored(desktop, 5)->voidReason, std::string("device slipped"));
         QVERIFY(!desktop.find<QPushButton>(QStringLiteral("sessions.void"))->isEnabled());
         auto* again = desktop.find<QPushButton>(QStringLiteral("sessions.reinstate"));
         QVERIFY(again->isVisible());
         QTest::mouseClick(again, Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QPlainTextEdit>(QStringLiteral("reinstate.reason")), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QPlainTextEdit>(QStringLiteral("reinstate.reason")),
+                                 kPatience_ms);
         confirm = desktop.find<QPushButton>(QStringLiteral("reinstate.confirm"));
         QVERIFY(!confirm->isEnabled());
-        QTest::keyClicks(desktop.find<QPlainTextEdit>(QStringLiteral("reinstate.reason")), QStringLiteral("another one slipped"));
+        QTest::keyClicks(desktop.find<QPlainTextEdit>(QStringLiteral("reinstate.reason")),
+                         QStringLiteral("another one slipped"));
         QTest::mouseClick(confirm, Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(screen->model().at(0).summary.state != database::SessionState::voided, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(screen->model().at(0).summary.state != database::SessionState::voided,
+                                 kPatience_ms);
         QCOMPARE(stored(desktop, 5)->decisions.size(), std::size_t{2});
-        QVERIFY(!again->isVisible() && desktop.find<QPushButton>(QStringLiteral("sessions.void"))->isEnabled());
+        QVERIFY(!again->isVisible() &&
+                desktop.find<QPushButton>(QStringLiteral("sessions.void"))->isEnabled());
     }
 
     void whatIsToReviewIsCounted() {
         DesktopFixture desktop;
-        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 8); // two at each of four levels; one of them practice
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")},
+                                 8); // two at each of four levels; one of them practice
         const auto comment = [&desktop, tom = desktop.actor("tom")](database::SessionId session) {
             return desktop.database().write([&](database::WriteContext& writing) {
                 return database::SessionRepository(writing.connection(), tom).addComment(session, "seen");
             });
         };
-        const auto count = [&desktop] { return desktop.window->screen()->findChild<QLabel*>(QStringLiteral("home.to_review_count"))->text(); };
+        const auto count = [&desktop] {
+            return desktop.window->screen()
+                ->findChild<QLabel*>(QStringLiteral("home.to_review_count"))
+                ->text();
+        };
         desktop.logIn("tom");
         QVERIFY(loaded(desktop));
         QVERIFY2(count().startsWith(QStringLiteral("4 ")), qPrintable(count()));
@@ -452,7 +493,8 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(screen->isComplete(), kPatience_ms);
         QCOMPARE(screen->model().rowCount(), 3);
         QCOMPARE(screen->model().total(), 8);
-        QVERIFY(desktop.find<QLabel>(QStringLiteral("sessions.count"))->text().startsWith(QStringLiteral("3 ")));
+        QVERIFY(
+            desktop.find<QLabel>(QStringLiteral("sessions.count"))->text().startsWith(QStringLiteral("3 ")));
         auto* review = desktop.find<QComboBox>(QStringLiteral("sessions.review"));
         review->setCurrentIndex(2);
         QCOMPARE(screen->model().rowCount(), 1); // the one that was reviewed
@@ -469,7 +511,8 @@ private slots:
         desktop.find<QTableView>(QStringLiteral("sessions.table"))->selectRow(row);
         QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("sessions.results")), Qt::LeftButton);
         QCOMPARE(here(desktop).screen, QStringLiteral("results"));
-        QCOMPARE(here(desktop).parameters.value(QStringLiteral("person")).toLongLong(), desktop.actor("tina").personId());
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("person")).toLongLong(),
+                 desktop.actor("tina").personId());
         QCOMPARE(here(desktop).parameters.value(QStringLiteral("level")).toInt(), 3);
         desktop.context.navigator().back();
         QCOMPARE(here(desktop).screen, QStringLiteral("sessions"));
@@ -480,13 +523,15 @@ private slots:
         DesktopFixture desktop;
         tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 3);
         const auto tom = desktop.actor("tom"), tina = desktop.actor("tina");
-        const auto written = desktop.database().write([&](database::WriteContext& writing) -> core::Result<void> {
-            database::SessionRepository byTom(writing.connection(), tom), byTina(writing.connection(), tina);
-            auto first = byTom.addComment(2, "here you pressed too hard", 5000);
-            auto second = first ? byTom.addComment(1, "well done") : first;
-            auto third = second ? byTina.addComment(3, "my hand slipped") : second;
-            return third ? core::Result<void>() : core::Result<void>(tl::unexpected(third.error()));
-        });
+        const auto written =
+            desktop.database().write([&](database::WriteContext& writing) -> core::Result<void> {
+                database::SessionRepository byTom(writing.connection(), tom),
+                    byTina(writing.connection(), tina);
+                auto first = byTom.addComment(2, "here you pressed too hard", 5000);
+                auto second = first ? byTom.addComment(1, "well done") : first;
+                auto third = second ? byTina.addComment(3, "my hand slipped") : second;
+                return third ? core::Result<void>() : core::Result<void>(tl::unexpected(third.error()));
+            });
         QVERIFY(written);
         desktop.logIn("tina");
         QVERIFY(loaded(desktop));
@@ -494,7 +539,8 @@ private slots:
         desktop.find<QPushButton>(QStringLiteral("home.comments"))->click();
         QCOMPARE(here(desktop).screen, QStringLiteral("comments"));
         QVERIFY(loaded(desktop));
-        QCOMPARE(desktop.window->screen()->findChildren<QLabel*>(QStringLiteral("comments.unread")).size(), 2);
+        QCOMPARE(desktop.window->screen()->findChildren<QLabel*>(QStringLiteral("comments.unread")).size(),
+                 2);
         QCOMPARE(desktop.context.unread(), 0); // they stand here to be read
         desktop.find<QPushButton>(QStringLiteral("comments.open.1"))->click();
         QCOMPARE(here(desktop).screen, QStringLiteral("playback"));
@@ -507,7 +553,10 @@ private slots:
         desktop.logIn("tom");
         desktop.go(QStringLiteral("comments"), {{QStringLiteral("which"), QStringLiteral("received")}});
         QVERIFY(loaded(desktop));
-        const auto leads = [&desktop](int comment) { return desktop.window->screen()->findChild<QPushButton*>(QStringLiteral("comments.open.%1").arg(comment)) != nullptr; };
+        const auto leads = [&desktop](int comment) {
+            return desktop.window->screen()->findChild<QPushButton*>(
+                       QStringLiteral("comments.open.%1").arg(comment)) != nullptr;
+        };
         QVERIFY(!leads(1));
         desktop.find<QComboBox>(QStringLiteral("comments.which"))->setCurrentIndex(2); // written
         QVERIFY(leads(1) && leads(2) && !leads(3)); // tina's own is not his
@@ -520,12 +569,14 @@ private slots:
         DesktopFixture desktop;
         tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 1);
         const auto tina = desktop.actor("tina");
-        const auto refused = desktop.database().write([&](database::WriteContext& writing) -> core::Result<void> {
-            database::SessionRepository sessions(writing.connection(), tina);
-            if (auto done = sessions.setArchived(1, true); done || done.error().code != core::ErrorCode::notAllowed)
-                return {};
-            return sessions.voidSession(1, "mine");
-        });
+        const auto refused =
+            desktop.database().write([&](database::WriteContext& writing) -> core::Result<void> {
+                database::SessionRepository sessions(writing.connection(), tina);
+                if (auto done = sessions.setArchived(1, true);
+                    done || done.error().code != core::ErrorCode::notAllowed)
+                    return {};
+                return sessions.voidSession(1, "mine");
+            });
         QVERIFY(!refused && refused.error().code == core::ErrorCode::notAllowed);
         desktop.logIn("rhea"); // a researcher reads
         QVERIFY(openSessions(desktop));
@@ -538,7 +589,8 @@ private slots:
         DesktopFixture desktop;
         tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 90, true);
         desktop.logIn("tom");
-        auto* screen = openSessions(desktop, {{QStringLiteral("from"), QStringLiteral("2026-01-03")}, {QStringLiteral("to"), QStringLiteral("2026-01-05")}});
+        auto* screen = openSessions(desktop, {{QStringLiteral("from"), QStringLiteral("2026-01-03")},
+                                              {QStringLiteral("to"), QStringLiteral("2026-01-05")}});
         QVERIFY(screen);
         QCOMPARE(screen->model().rowCount(), 9); // three a day
         auto* to = desktop.find<QDateEdit>(QStringLiteral("sessions.to"));
@@ -560,7 +612,9 @@ private slots:
         QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("sessions.archive")), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(screen->model().rowCount(), 4, kPatience_ms);
         QVERIFY(stored(desktop, 5)->summary.archived);
-        const auto bar = [&desktop] { return desktop.find<QPushButton>(QStringLiteral("messages.action")); }; // made when it is first needed
+        const auto bar = [&desktop] {
+            return desktop.find<QPushButton>(QStringLiteral("messages.action"));
+        }; // made when it is first needed
         QTRY_VERIFY_WITH_TIMEOUT(bar() && bar()->isVisible(), kPatience_ms);
         auto* undo = bar();
         QTest::mouseClick(undo, Qt::LeftButton);
@@ -574,7 +628,9 @@ private slots:
         desktop.logIn("tom");
         QVERIFY(openSessions(desktop));
         QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("sessions.archive")), Qt::LeftButton);
-        const auto bar = [&desktop] { return desktop.find<QPushButton>(QStringLiteral("messages.action")); }; // made when it is first needed
+        const auto bar = [&desktop] {
+            return desktop.find<QPushButton>(QStringLiteral("messages.action"));
+        }; // made when it is first needed
         QTRY_VERIFY_WITH_TIMEOUT(bar() && bar()->isVisible(), kPatience_ms);
         auto* undo = bar();
         desktop.go(QStringLiteral("settings"));
@@ -590,7 +646,8 @@ private slots:
         desktop.go(QStringLiteral("sessions"));
         auto* screen = desktop.screen<SessionsScreen>();
         int first = 0;
-        connect(screen, &SessionsScreen::firstRowsShown, this, [&first, screen] { first = screen->model().rowCount(); });
+        connect(screen, &SessionsScreen::firstRowsShown, this,
+                [&first, screen] { first = screen->model().rowCount(); });
         QTRY_VERIFY_WITH_TIMEOUT(screen->isComplete(), kPatience_ms);
         QCOMPARE(first, SessionsScreen::kFirstPage); // shown before the rest was read
         QCOMPARE(screen->model().total(), 5000);
@@ -613,13 +670,15 @@ private slots:
         QVERIFY(loaded(desktop));
         auto* longer = desktop.screen<StationScreen>();
         QSignalSpy stopped(longer, &StationScreen::selfTestEnded);
-        QTest::mouseClick(longer->findChild<QPushButton*>(QStringLiteral("station.self_test")), Qt::LeftButton);
+        QTest::mouseClick(longer->findChild<QPushButton*>(QStringLiteral("station.self_test")),
+                          Qt::LeftButton);
         QTest::mouseClick(longer->findChild<QPushButton*>(QStringLiteral("task.cancel")), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(stopped.count(), 1, kPatience_ms);
         QVERIFY(!longer->findChild<LatenessChart*>());
     }
 
-    /// Whom the data layer lets check stations: a researcher as well. The check stands in the audit trail, and its record can be filed.
+    /// Whom the data layer lets check stations: a researcher as well. The check stands in the audit trail,
+    /// and its record can be filed.
     void aCheckIsKeptAndFiled() {
         DesktopFixture desktop;
         desktop.logIn("rhea");
@@ -642,7 +701,9 @@ private slots:
         auto connection = desktop.database().openReader();
         const auto audit = database::AuditRepository(**connection, desktop.actor("ada")).listAudit();
         QVERIFY(audit);
-        const auto entry = std::find_if(audit->begin(), audit->end(), [](const database::AuditEntry& each) { return each.action == "recordStationCheck"; });
+        const auto entry = std::find_if(audit->begin(), audit->end(), [](const database::AuditEntry& each) {
+            return each.action == "recordStationCheck";
+        });
         QVERIFY(entry != audit->end());
         QCOMPARE(entry->actor, desktop.actor("rhea").personId());
         QVERIFY(entry->detailJson.find("\"loop\"") != std::string::npos);
@@ -652,7 +713,14 @@ private slots:
         session::SelfTestResult result;
         result.loop.ticks = 10000;
         result.loop.late = 31;
-        const CheckCircumstances of{QStringLiteral("rhea"), QDateTime(QDate(2026, 11, 28), QTime(9, 30)), QStringLiteral("bench-2"), QStringLiteral("A device"), QStringLiteral("SN-7"), QStringLiteral("1.2 build"), 41, QStringLiteral("Nordklinik")};
+        const CheckCircumstances of{QStringLiteral("rhea"),
+                                    QDateTime(QDate(2026, 11, 28), QTime(9, 30)),
+                                    QStringLiteral("bench-2"),
+                                    QStringLiteral("A device"),
+                                    QStringLiteral("SN-7"),
+                                    QStringLiteral("1.2 build"),
+                                    41,
+                                    QStringLiteral("Nordklinik")};
         const report::CheckRecord failed = loopRecord(result, of, QLocale::c());
         QVERIFY(failed.verdict.startsWith(QStringLiteral("Failed.")));
         QStringList head;

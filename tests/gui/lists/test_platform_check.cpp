@@ -25,7 +25,8 @@ PlatformCheck madeCheck(double rmse_N, double error_deg) {
     check.verified.poses.resize(10);
     for (int i = 0; i < 300; ++i) {
         check.verified.series.time_s.push_back(0.01 * i);
-        for (auto* values : {&check.verified.series.reference_N, &check.verified.series.measured_N, &check.verified.series.true_N})
+        for (auto* values : {&check.verified.series.reference_N, &check.verified.series.measured_N,
+                             &check.verified.series.true_N})
             values->push_back(0.5);
     }
     check.worse.push_back({"delay", 4.0, 0.09, 0.09, 1.2, 1.1, 3.5, false});
@@ -53,18 +54,23 @@ private slots:
         QVERIFY(ended.wait(60'000));
         QVERIFY(button->isEnabled());
         QVERIFY(desktop.find<QWidget>(QStringLiteral("station.verdict")));
-        QVERIFY(desktop.find<QLabel>(QStringLiteral("station.serial"))->text().contains(QStringLiteral("not told by the device"))); // it is a simulation
+        QVERIFY(desktop.find<QLabel>(QStringLiteral("station.serial"))
+                    ->text()
+                    .contains(QStringLiteral("not told by the device"))); // it is a simulation
         QCOMPARE(desktop.find<QTableWidget>(QStringLiteral("station.fingers"))->rowCount(), 8);
         QVERIFY(desktop.find<report::PlotView>(QStringLiteral("station.sine")));
         QCOMPARE(desktop.find<QTableWidget>(QStringLiteral("station.figures"))->rowCount(), 6);
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("record.pdf"));
-        const auto written = desktop.find<PlatformCard>(QStringLiteral("station.platform"))->writeRecord(path, {QStringLiteral("ada"), QDateTime::currentDateTime(), {}, {}, {}, {}, 0});
+        const auto written =
+            desktop.find<PlatformCard>(QStringLiteral("station.platform"))
+                ->writeRecord(path, {QStringLiteral("ada"), QDateTime::currentDateTime(), {}, {}, {}, {}, 0});
         QVERIFY(written);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.read(5) == "%PDF-" && file.size() > 10'000);
-        QVERIFY(!desktop.find<PlatformCard>(QStringLiteral("station.platform"))->writeRecord(QStringLiteral("/no/such/folder/x.pdf"), {}));
+        QVERIFY(!desktop.find<PlatformCard>(QStringLiteral("station.platform"))
+                     ->writeRecord(QStringLiteral("/no/such/folder/x.pdf"), {}));
     }
 
     void whoMayNotRunItLooks() {
@@ -86,7 +92,8 @@ private slots:
 
     void theVerdictIsInWords() {
         const QLocale locale = QLocale::c();
-        QVERIFY(platformVerdict(madeCheck(0.05, 1.0), locale).contains(QStringLiteral("on 2 of 2 simulated fingers")));
+        QVERIFY(platformVerdict(madeCheck(0.05, 1.0), locale)
+                    .contains(QStringLiteral("on 2 of 2 simulated fingers")));
         QVERIFY(platformVerdict(madeCheck(0.08, 1.0), locale).contains(QStringLiteral("on 0 of 2")));
         QVERIFY(platformVerdict(madeCheck(0.05, 2.0), locale).contains(QStringLiteral("on 0 of 2")));
         PlatformCheck one = madeCheck(0.05, 1.0);
@@ -100,7 +107,8 @@ private slots:
         for (const QStringList& line : platformFingers(one, locale).lines)
             QCOMPARE(line.size(), 7);
         const auto table = platformDegradation(madeCheck(0.05, 1.0), locale);
-        QCOMPARE(table.lines.at(1), QStringList({"Delay of the force sensors", "× 4", "0.0900 N", "1.20°", "no"}));
+        QCOMPARE(table.lines.at(1),
+                 QStringList({"Delay of the force sensors", "× 4", "0.0900 N", "1.20°", "no"}));
         for (const QStringList& line : platformFigures(madeCheck(0.05, 1.0), locale).lines)
             QCOMPARE(line.size(), 4);
     }

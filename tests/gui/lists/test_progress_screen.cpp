@@ -39,7 +39,9 @@ public:
             names << table()->item(row, ProgressTable::name)->text();
         return names;
     }
-    QString cell(const QString& person, int column) const { return table()->item(rowOf(person), column)->text(); }
+    QString cell(const QString& person, int column) const {
+        return table()->item(rowOf(person), column)->text();
+    }
     int rowOf(const QString& person) const { return static_cast<int>(people().indexOf(person)); }
     int columnOf(const char* exercise) const {
         const auto& exercises = m_desktop.context.site().catalogue().exercises();
@@ -53,7 +55,9 @@ private:
     DesktopFixture& m_desktop;
 };
 
-Place here(DesktopFixture& desktop) { return desktop.context.navigator().current(); }
+Place here(DesktopFixture& desktop) {
+    return desktop.context.navigator().current();
+}
 
 } // namespace
 
@@ -62,29 +66,40 @@ class TestProgressScreen : public QObject {
 private slots:
     void whoStandsWhereIsSeen() {
         DesktopFixture desktop;
-        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 8); // level 1 is passed, level 2 was tried once
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")},
+                                 8); // level 1 is passed, level 2 was tried once
         desktop.logIn("tom");
         auto* way = desktop.find<QPushButton>(QStringLiteral("nav.progress"));
         QVERIFY(way);
         way->click();
         QVERIFY(desktop.screen<ProgressScreen>());
         Overview overview(desktop);
-        QCOMPARE(overview.people(), (QStringList{QStringLiteral("Theo Trainee"), QStringLiteral("Tina Trainee")})); // full names, trainees alone
+        QCOMPARE(overview.people(),
+                 (QStringList{QStringLiteral("Theo Trainee"),
+                              QStringLiteral("Tina Trainee")})); // full names, trainees alone
         QCOMPARE(desktop.find<QLabel>(QStringLiteral("progress.count"))->text(), QStringLiteral("2 people"));
         const int apex = overview.columnOf("sphere_apex");
         QCOMPARE(overview.cell(QStringLiteral("Tina Trainee"), apex), QStringLiteral("Level 2"));
-        QCOMPARE(overview.table()->item(overview.rowOf(QStringLiteral("Tina Trainee")), apex)->toolTip(), QStringLiteral("Level 2, 1 attempt"));
-        QCOMPARE(overview.cell(QStringLiteral("Tina Trainee"), overview.columnOf("palpation")), QStringLiteral("Not begun"));
+        QCOMPARE(overview.table()->item(overview.rowOf(QStringLiteral("Tina Trainee")), apex)->toolTip(),
+                 QStringLiteral("Level 2, 1 attempt"));
+        QCOMPARE(overview.cell(QStringLiteral("Tina Trainee"), overview.columnOf("palpation")),
+                 QStringLiteral("Not begun"));
         QVERIFY(overview.cell(QStringLiteral("Tina Trainee"), ProgressTable::toReview).toInt() > 0);
-        QVERIFY(overview.cell(QStringLiteral("Tina Trainee"), ProgressTable::latest) != overview.cell(QStringLiteral("Theo Trainee"), ProgressTable::latest));
-        QCOMPARE(overview.cell(QStringLiteral("Theo Trainee"), ProgressTable::latest), QStringLiteral("None yet"));
+        QVERIFY(overview.cell(QStringLiteral("Tina Trainee"), ProgressTable::latest) !=
+                overview.cell(QStringLiteral("Theo Trainee"), ProgressTable::latest));
+        QCOMPARE(overview.cell(QStringLiteral("Theo Trainee"), ProgressTable::latest),
+                 QStringLiteral("None yet"));
         QCOMPARE(overview.cell(QStringLiteral("Theo Trainee"), apex), QStringLiteral("Not begun"));
         const auto* words = desktop.find<QLabel>(QStringLiteral("progress.chosen"));
         overview.table()->setCurrentCell(overview.rowOf(QStringLiteral("Tina Trainee")), ProgressTable::name);
-        QVERIFY2(words->text().startsWith(QStringLiteral("Tina Trainee – next step: ")) && words->text().endsWith(QStringLiteral(", level 2")), qPrintable(words->text()));
+        QVERIFY2(words->text().startsWith(QStringLiteral("Tina Trainee – next step: ")) &&
+                     words->text().endsWith(QStringLiteral(", level 2")),
+                 qPrintable(words->text()));
         overview.table()->setCurrentCell(overview.rowOf(QStringLiteral("Tina Trainee")), apex);
         const QString chosen = words->text();
-        QVERIFY2(chosen.startsWith(QStringLiteral("Tina Trainee, ")) && chosen.contains(QStringLiteral("level 1: Passed")), qPrintable(chosen));
+        QVERIFY2(chosen.startsWith(QStringLiteral("Tina Trainee, ")) &&
+                     chosen.contains(QStringLiteral("level 1: Passed")),
+                 qPrintable(chosen));
     }
 
     /// In the smallest window that the program is made for, no exercise is out of sight.
@@ -105,11 +120,14 @@ private slots:
         Overview overview(desktop);
         QTRY_COMPARE_WITH_TIMEOUT(overview.table()->horizontalScrollBar()->maximum(), 0, kPatience_ms);
         QVERIFY(overview.table()->columnViewportPosition(overview.table()->columnCount() - 1) > 0);
-        QCOMPARE(overview.table()->viewport()->y(), overview.table()->horizontalHeader()->geometry().bottom() + 1); // no row begins behind it
+        QCOMPARE(overview.table()->viewport()->y(),
+                 overview.table()->horizontalHeader()->geometry().bottom() + 1); // no row begins behind it
         const QHeaderView* head = overview.table()->horizontalHeader();
         for (int column = 0; column < overview.table()->columnCount(); ++column) {
-            const QSize words = QFontMetrics(desktop.context.theme().font(TextStyle::strong)).size(0, overview.table()->horizontalHeaderItem(column)->text());
-            QVERIFY2(words.height() < head->height() && words.width() < head->sectionSize(column), qPrintable(overview.table()->horizontalHeaderItem(column)->text()));
+            const QSize words = QFontMetrics(desktop.context.theme().font(TextStyle::strong))
+                                    .size(0, overview.table()->horizontalHeaderItem(column)->text());
+            QVERIFY2(words.height() < head->height() && words.width() < head->sectionSize(column),
+                     qPrintable(overview.table()->horizontalHeaderItem(column)->text()));
         }
     }
 
@@ -119,7 +137,8 @@ private slots:
         desktop.logIn("tom");
         Overview overview(desktop);
         QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), overview.table(), kPatience_ms);
-        overview.table()->setCurrentCell(overview.rowOf(QStringLiteral("Tina Trainee")), overview.columnOf("sphere_apex"));
+        overview.table()->setCurrentCell(overview.rowOf(QStringLiteral("Tina Trainee")),
+                                         overview.columnOf("sphere_apex"));
         QTest::keyClick(overview.table(), Qt::Key_Return);
         QCOMPARE(here(desktop).screen, QStringLiteral("sessions"));
         auto* sessions = desktop.screen<SessionsScreen>();
@@ -128,13 +147,15 @@ private slots:
         QCOMPARE(sessions->model().filter().exercise, QStringLiteral("sphere_apex"));
         QCOMPARE(sessions->model().rowCount(), 6);
         desktop.context.navigator().back(); // to the cell that was left
-        QTRY_VERIFY_WITH_TIMEOUT(overview.table()->chosen() && overview.table()->chosen()->name == "Tina Trainee", kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            overview.table()->chosen() && overview.table()->chosen()->name == "Tina Trainee", kPatience_ms);
         QCOMPARE(overview.table()->chosenExercise(), std::string("sphere_apex"));
         auto* results = desktop.find<QPushButton>(QStringLiteral("progress.results"));
         QTRY_VERIFY_WITH_TIMEOUT(results->isEnabled(), kPatience_ms);
         results->click();
         QCOMPARE(here(desktop).screen, QStringLiteral("results"));
-        QCOMPARE(here(desktop).parameters.value(QStringLiteral("name")).toString(), QStringLiteral("Tina Trainee"));
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("name")).toString(),
+                 QStringLiteral("Tina Trainee"));
     }
 
     void theGroupIsNarrowed() {
@@ -156,7 +177,8 @@ private slots:
         QCOMPARE(overview.people(), QStringList{QStringLiteral("Theo Trainee")});
         part->setCurrentIndex(static_cast<int>(GroupPart::notAllPassed));
         QCOMPARE(overview.people().size(), 2);
-        QVERIFY(ProgressFilter::fromMap(here(desktop).parameters).part == GroupPart::notAllPassed); // a way back leads to it
+        QVERIFY(ProgressFilter::fromMap(here(desktop).parameters).part ==
+                GroupPart::notAllPassed); // a way back leads to it
         names->setText(QStringLiteral("nobody"));
         QVERIFY(overview.panel()->state() == StatePanel::State::empty);
         desktop.find<QPushButton>(QStringLiteral("progress.clear"))->click();

@@ -21,7 +21,9 @@ struct Table {
 
 /// How many of the rows a plain predicate leaves.
 template <class Is> int count(const std::vector<SessionRow>& rows, Is is) {
-    return static_cast<int>(std::count_if(rows.begin(), rows.end(), [&](const SessionRow& row) { return !row.summary.archived && is(row.summary); }));
+    return static_cast<int>(std::count_if(rows.begin(), rows.end(), [&](const SessionRow& row) {
+        return !row.summary.archived && is(row.summary);
+    }));
 }
 
 } // namespace
@@ -49,17 +51,20 @@ private slots:
         filter = {};
         filter.exercise = QStringLiteral("other_exercise");
         filter.level = 2;
-        QCOMPARE(shown(filter), count(rows, [](const auto& s) { return s.exercise == "other_exercise" && s.level == 2; }));
+        QCOMPARE(shown(filter),
+                 count(rows, [](const auto& s) { return s.exercise == "other_exercise" && s.level == 2; }));
         filter = {};
         filter.state = database::SessionState::interrupted;
-        QCOMPARE(shown(filter), count(rows, [](const auto& s) { return s.state == database::SessionState::interrupted; }));
+        QCOMPARE(shown(filter),
+                 count(rows, [](const auto& s) { return s.state == database::SessionState::interrupted; }));
         QVERIFY(table.model.rowCount() > 0);
         filter = {};
         filter.felt = false;
         QCOMPARE(shown(filter), count(rows, [](const auto& s) { return !s.felt; }));
         filter = {};
         filter.outcome = Outcome::passed;
-        QCOMPARE(shown(filter), count(rows, [](const auto& s) { return !s.familiarisation && s.passed.value_or(false); }));
+        QCOMPARE(shown(filter),
+                 count(rows, [](const auto& s) { return !s.familiarisation && s.passed.value_or(false); }));
         filter.outcome = Outcome::practice;
         QCOMPARE(shown(filter), count(rows, [](const auto& s) { return s.familiarisation; }));
         filter = {};
@@ -73,7 +78,8 @@ private slots:
         QVERIFY(table.model.rowCount() > 0);
         filter = {};
         filter.text = QStringLiteral("APEX  person3");
-        QCOMPARE(shown(filter), count(rows, [](const auto& s) { return s.person == 5 && s.exercise == "sphere_apex"; }));
+        QCOMPARE(shown(filter),
+                 count(rows, [](const auto& s) { return s.person == 5 && s.exercise == "sphere_apex"; }));
         filter.text = QStringLiteral("nobody at all");
         QCOMPARE(shown(filter), 0);
     }
@@ -131,7 +137,9 @@ private slots:
         filter.commented = true;
         QVERIFY(SessionListFilter::fromMap(filter.toMap()) == filter);
         QVERIFY(SessionListFilter{}.toMap().isEmpty());
-        QVERIFY(SessionListFilter::fromMap({{QStringLiteral("state"), QStringLiteral("nonsense")}, {QStringLiteral("level"), QStringLiteral("x")}}).isEmpty());
+        QVERIFY(SessionListFilter::fromMap({{QStringLiteral("state"), QStringLiteral("nonsense")},
+                                            {QStringLiteral("level"), QStringLiteral("x")}})
+                    .isEmpty());
     }
 
     void everyColumnSorts() {
@@ -141,7 +149,8 @@ private slots:
             table.model.sort(column, Qt::AscendingOrder);
             const database::SessionId first = table.model.at(0).summary.id;
             table.model.sort(column, Qt::DescendingOrder);
-            QVERIFY2(table.model.at(0).summary.id != first, qPrintable(table.model.headerData(column, Qt::Horizontal).toString()));
+            QVERIFY2(table.model.at(0).summary.id != first,
+                     qPrintable(table.model.headerData(column, Qt::Horizontal).toString()));
         }
         table.model.sort(SessionTableModel::length, Qt::AscendingOrder);
         for (int row = 1; row < table.model.rowCount(); ++row)
@@ -160,7 +169,8 @@ private slots:
         const std::vector<SessionRow> rest(rows.begin() + 100, rows.end());
         Table whole;
         whole.model.setRows(rows);
-        for (const int column : {static_cast<int>(SessionTableModel::number), static_cast<int>(SessionTableModel::person)}) {
+        for (const int column :
+             {static_cast<int>(SessionTableModel::number), static_cast<int>(SessionTableModel::person)}) {
             Table paged;
             paged.model.sort(column, Qt::DescendingOrder);
             whole.model.sort(column, Qt::DescendingOrder);
@@ -205,17 +215,22 @@ private slots:
         s.toReview = true;
         s.ticks = 61'000;
         table.model.setRows({makeSessionRow(s, kTitles)});
-        const auto text = [&](SessionTableModel::Column column) { return table.model.index(0, column).data().toString(); };
+        const auto text = [&](SessionTableModel::Column column) {
+            return table.model.index(0, column).data().toString();
+        };
         QCOMPARE(text(SessionTableModel::person), QStringLiteral("Theodora Papadopoulou"));
         QCOMPARE(text(SessionTableModel::operatorName), QStringLiteral("Own hand"));
         QCOMPARE(text(SessionTableModel::result), QStringLiteral("Not passed"));
         QCOMPARE(text(SessionTableModel::score), QStringLiteral("3 of 5"));
         QCOMPARE(text(SessionTableModel::comments), QStringLiteral("2"));
-        QCOMPARE(text(SessionTableModel::review), QStringLiteral("To review")); // both by the person themselves
+        QCOMPARE(text(SessionTableModel::review),
+                 QStringLiteral("To review")); // both by the person themselves
         QCOMPARE(text(SessionTableModel::attempt), QStringLiteral("3"));
         const QString tip = table.model.index(0, 0).data(Qt::ToolTipRole).toString();
         QVERIFY2(tip.startsWith(QStringLiteral("Attempt 3 at level 4")), qPrintable(tip));
-        QVERIFY2(tip.contains(QStringLiteral("3 of 5")) && tip.contains(QStringLiteral("1 min 01 s")) && tip.contains(QStringLiteral("Session 7")), qPrintable(tip));
+        QVERIFY2(tip.contains(QStringLiteral("3 of 5")) && tip.contains(QStringLiteral("1 min 01 s")) &&
+                     tip.contains(QStringLiteral("Session 7")),
+                 qPrintable(tip));
         s.reviewed = true;
         s.toReview = false;
         s.attempt = 0;
@@ -225,7 +240,8 @@ private slots:
         table.model.replace(makeSessionRow(s, kTitles));
         QCOMPARE(text(SessionTableModel::result), QStringLiteral("Stopped"));
         QCOMPARE(text(SessionTableModel::review), QStringLiteral("Reviewed"));
-        QVERIFY(text(SessionTableModel::score).isEmpty() && text(SessionTableModel::comments).isEmpty() && text(SessionTableModel::attempt).isEmpty());
+        QVERIFY(text(SessionTableModel::score).isEmpty() && text(SessionTableModel::comments).isEmpty() &&
+                text(SessionTableModel::attempt).isEmpty());
         QCOMPARE(text(SessionTableModel::operatorName), QStringLiteral("Expert"));
         s.familiarisation = true; // a practice is ended when there was enough of it
         s.gates = 5;

@@ -26,17 +26,22 @@ private slots:
     void theMeasuredShareIsToldBesideTheLimit() {
         const QString good = StationWords::verdict(loop(120, 0), QLocale::c());
         QCOMPARE(QString::fromLatin1(StationWords::verdictKind(loop(120, 0))), QStringLiteral("good"));
-        QVERIFY2(good.contains(QStringLiteral("0.1 %")) && good.contains(QStringLiteral("limit 0.3 %")), qPrintable(good));
+        QVERIFY2(good.contains(QStringLiteral("0.1 %")) && good.contains(QStringLiteral("limit 0.3 %")),
+                 qPrintable(good));
         const QString bad = StationWords::verdict(loop(2500, 0), QLocale::c());
         QCOMPARE(QString::fromLatin1(StationWords::verdictKind(loop(2500, 0))), QStringLiteral("warning"));
-        QVERIFY2(bad.contains(QStringLiteral("2.5 %")) && bad.contains(QStringLiteral("limit 0.3 %")), qPrintable(bad));
+        QVERIFY2(bad.contains(QStringLiteral("2.5 %")) && bad.contains(QStringLiteral("limit 0.3 %")),
+                 qPrintable(bad));
     }
 
     void aLoopThatLeftTicksOutIsNotPunctual() {
         for (const std::uint64_t skipped : {1U, 204U}) {
-            QCOMPARE(QString::fromLatin1(StationWords::verdictKind(loop(0, skipped))), QStringLiteral("warning"));
+            QCOMPARE(QString::fromLatin1(StationWords::verdictKind(loop(0, skipped))),
+                     QStringLiteral("warning"));
             const QString words = StationWords::verdict(loop(0, skipped), QLocale::c());
-            QVERIFY2(words.contains(QStringLiteral("not run on time")) && words.contains(QString::number(skipped)), qPrintable(words));
+            QVERIFY2(words.contains(QStringLiteral("not run on time")) &&
+                         words.contains(QString::number(skipped)),
+                     qPrintable(words));
         }
     }
 };

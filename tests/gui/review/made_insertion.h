@@ -7,7 +7,8 @@
 
 namespace chiron::tests {
 
-/// In by 20 mm/s to 60 mm, a second of inspection, and out again; off-centre by 1 mm on the way in and 2 mm on the way out.
+/// In by 20 mm/s to 60 mm, a second of inspection, and out again; off-centre by 1 mm on the way in and 2 mm
+/// on the way out.
 inline scoring::SessionTrace madeTrace(double begin_s = 2.0) {
     scoring::TrialTrace trial;
     trial.tools.resize(1);
@@ -20,7 +21,9 @@ inline scoring::SessionTrace madeTrace(double begin_s = 2.0) {
     for (int i = 0; i <= 7000; ++i) {
         const double t_s = 1e-3 * i;
         const double s_m = t_s < 3.0 ? 0.02 * t_s : t_s < 4.0 ? 0.06 : 0.06 - 0.02 * (t_s - 4.0);
-        const core::ProcedureStage stage = t_s < 3.0 ? core::ProcedureStage::insertion : t_s < 4.0 ? core::ProcedureStage::inspection : core::ProcedureStage::withdrawal;
+        const core::ProcedureStage stage = t_s < 3.0   ? core::ProcedureStage::insertion
+                                           : t_s < 4.0 ? core::ProcedureStage::inspection
+                                                       : core::ProcedureStage::withdrawal;
         trial.tools[0].t_s.push_back(begin_s + t_s);
         trial.tools[0].paused.push_back(0);
         series.s_m.push_back(s_m);

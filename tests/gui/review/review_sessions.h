@@ -14,7 +14,8 @@
 
 namespace chiron::tests {
 
-/// Scripted sessions to be done again in somebody's name, as if by their own hand: made once for a whole test program.
+/// Scripted sessions to be done again in somebody's name, as if by their own hand: made once for a whole test
+/// program.
 class ReviewSessions {
 public:
     explicit ReviewSessions(database::Database& database, int trials = 3, int level = 2) {
@@ -33,12 +34,14 @@ public:
     }
 
 private:
-    MadeSession made(database::Database& database, int level, const std::string& name, std::uint64_t seed, int trials) {
+    MadeSession made(database::Database& database, int level, const std::string& name, std::uint64_t seed,
+                     int trials) {
         session::TrainingRequest request;
         request.level = shortLevel(level, trials, 20.0);
         request.seed = seed;
         request.ringFolder = recording::defaultRingFolder();
-        auto station = session::scriptedStation(**session::exerciseKind("sphere_apex"), request.level, name, seed);
+        auto station =
+            session::scriptedStation(**session::exerciseKind("sphere_apex"), request.level, name, seed);
         if (!station)
             qFatal("%s", station.error().message.c_str());
         request.station = std::move(*station);
@@ -61,7 +64,8 @@ inline bool isLoaded(DesktopFixture& site) {
     return panelOf(site) && panelOf(site)->state() == desktop::StatePanel::State::content;
 }
 
-/// What is cut off or without a name, at 100 and 200 % in every language. `show` brings the screen back after each change.
+/// What is cut off or without a name, at 100 and 200 % in every language. `show` brings the screen back after
+/// each change.
 template <class Show> QStringList findingsOn(DesktopFixture& site, Show show) {
     QStringList findings;
     for (const char* language : {"de", "el", "en"}) {
@@ -78,8 +82,8 @@ template <class Show> QStringList findingsOn(DesktopFixture& site, Show show) {
     return findings;
 }
 
-/// Pictures of the present screen in every theme, where CHIRON_PICTURES names a folder; nothing else. `show` brings the screen back after
-/// each change.
+/// Pictures of the present screen in every theme, where CHIRON_PICTURES names a folder; nothing else. `show`
+/// brings the screen back after each change.
 template <class Show> void takePictures(DesktopFixture& site, const QString& name, Show show) {
     const QString folder = qEnvironmentVariable("CHIRON_PICTURES");
     if (folder.isEmpty())
@@ -93,7 +97,9 @@ template <class Show> void takePictures(DesktopFixture& site, const QString& nam
         QTest::qWait(400);
         // The 3D scene is a window of its own: only the screen has it.
         const bool onScreen = QGuiApplication::platformName() == QLatin1String("xcb");
-        const QPixmap picture = onScreen ? site.window->windowHandle()->screen()->grabWindow(site.window->winId()) : site.window->grab();
+        const QPixmap picture = onScreen
+                                    ? site.window->windowHandle()->screen()->grabWindow(site.window->winId())
+                                    : site.window->grab();
         picture.save(QDir(folder).filePath(QStringLiteral("%1_%2.png").arg(name, QLatin1String(suffix))));
     };
     look(desktop::ThemeName::dark, 1.0, "dark");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a debrief says of a session that passed, failed, or did not come to its end.
+#include "database/repositories/score_repository.h"
+#include "database/repositories/session_repository.h"
 #include "desktop/debrief/band_bar.h"
 #include "desktop/debrief/debrief_screen.h"
 #include "desktop/debrief/verdict.h"
 #include "desktop/plots/metric_words.h"
-#include "database/repositories/score_repository.h"
-#include "database/repositories/session_repository.h"
 #include "report/plot_view.h"
 #include "review_sessions.h"
 #include "support/patience.h"
@@ -77,7 +77,8 @@ void TestDebrief::open(database::SessionId id, bool details) {
     m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(id)}});
     QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     if (details)
-        QTRY_VERIFY_WITH_TIMEOUT(m_site->window->screen()->findChild<QWidget*>(QStringLiteral("debrief.scatter")), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            m_site->window->screen()->findChild<QWidget*>(QStringLiteral("debrief.scatter")), kPatience_ms);
 }
 
 void TestDebrief::passed() {
@@ -125,7 +126,9 @@ void TestDebrief::everyMissedMarkHasAdvice() {
     for (const catalogue::Advice& one : exercise->advice)
         for (const scoring::MetricValue& metric : card.metrics)
             if (metric.id == one.metric && metric.passed == std::optional<bool>(false)) {
-                QVERIFY2(reasons[expected.size()].startsWith(QStringLiteral("•  ") + desktop::metricTitle(QString::fromStdString(metric.id))), qPrintable(reasons.join(QLatin1Char('|'))));
+                QVERIFY2(reasons[expected.size()].startsWith(
+                             QStringLiteral("•  ") + desktop::metricTitle(QString::fromStdString(metric.id))),
+                         qPrintable(reasons.join(QLatin1Char('|'))));
                 expected << QString::fromStdString(one.text.at("en"));
             }
     QCOMPARE(advice, expected); // each beside its own mark
@@ -133,12 +136,16 @@ void TestDebrief::everyMissedMarkHasAdvice() {
     QVERIFY(texts("debrief.advice").isEmpty());
 }
 
-// A miss counts as a large error: who marked in the air is told so before they read of the error. What has no advice comes last.
+// A miss counts as a large error: who marked in the air is told so before they read of the error. What has no
+// advice comes last.
 void TestDebrief::aCauseIsToldBeforeWhatItLeadsTo() {
     desktop::DebriefHead head;
     head.record.summary.state = database::SessionState::completed;
     head.report.passed = false;
-    for (const auto& [id, met] : {std::pair{"time", false}, {"apex_error_mean", false}, {"path_length", true}, {"apex_misses", false}}) {
+    for (const auto& [id, met] : {std::pair{"time", false},
+                                  {"apex_error_mean", false},
+                                  {"path_length", true},
+                                  {"apex_misses", false}}) {
         report::MetricRow row;
         row.id = QLatin1String(id);
         row.value = 2.0;
@@ -151,9 +158,11 @@ void TestDebrief::aCauseIsToldBeforeWhatItLeadsTo() {
         advice.push_back({one.metric, QString::fromStdString(one.text.at("en"))});
     const desktop::Verdict verdict = desktop::verdictOf(head, QLocale(QLocale::English), advice);
     QCOMPARE(verdict.reasons.size(), 3);
-    const QStringList order{QStringLiteral("apex_misses"), QStringLiteral("apex_error_mean"), QStringLiteral("time")};
+    const QStringList order{QStringLiteral("apex_misses"), QStringLiteral("apex_error_mean"),
+                            QStringLiteral("time")};
     for (qsizetype i = 0; i < order.size(); ++i)
-        QVERIFY2(verdict.reasons[i].startsWith(desktop::metricTitle(order[i])), qPrintable(verdict.reasons.join(QLatin1Char('|'))));
+        QVERIFY2(verdict.reasons[i].startsWith(desktop::metricTitle(order[i])),
+                 qPrintable(verdict.reasons.join(QLatin1Char('|'))));
     QVERIFY(verdict.advice[0].startsWith(QStringLiteral("Before you mark")));
     QVERIFY(verdict.advice[1].startsWith(QStringLiteral("Move over the top")));
     QVERIFY(verdict.advice[2].isEmpty());
@@ -164,7 +173,9 @@ void TestDebrief::whatChangedSinceTheLastAttempt() {
     QVERIFY(texts("debrief.change").isEmpty()); // the first attempt
     open(m_bad);
     const QString change = texts("debrief.change").value(0);
-    QVERIFY2(change.startsWith(QStringLiteral("Since your last attempt:")) && change.contains(QStringLiteral("Critical errors 0 → ")), qPrintable(change));
+    QVERIFY2(change.startsWith(QStringLiteral("Since your last attempt:")) &&
+                 change.contains(QStringLiteral("Critical errors 0 → ")),
+             qPrintable(change));
     QVERIFY(change.count(QStringLiteral(" → ")) <= 3);
     // Shown force is another series: what was felt before is no attempt before it.
     const auto shown = tests::store(m_site->database(), *m_tina, tests::ReviewSessions::shown(m_made->bad));
@@ -184,7 +195,8 @@ void TestDebrief::afterADemonstrationItIsOnesOwnTurn() {
     QVERIFY(!m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.again")));
     now->click();
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("exercise_setup"));
-    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("level")).toInt(), m_made->good.setup.level.number);
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("level")).toInt(),
+             m_made->good.setup.level.number);
     open(m_bad); // and who failed is offered to watch
     QVERIFY(!m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.now_you")));
     auto* watch = m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.watch"));
@@ -196,7 +208,10 @@ void TestDebrief::afterADemonstrationItIsOnesOwnTurn() {
 void TestDebrief::worstMomentIsOneClickAway() {
     open(m_bad);
     const QString where = text("debrief.worst_text");
-    QVERIFY2(where.startsWith(QStringLiteral("Worst moment: ")) && where.contains(QStringLiteral("in trial")) && where.endsWith(QStringLiteral(" after it began")), qPrintable(where));
+    QVERIFY2(where.startsWith(QStringLiteral("Worst moment: ")) &&
+                 where.contains(QStringLiteral("in trial")) &&
+                 where.endsWith(QStringLiteral(" after it began")),
+             qPrintable(where));
     auto* worst = m_site->find<QPushButton>(QStringLiteral("debrief.worst"));
     QVERIFY(worst->isEnabled());
     QVERIFY2(worst->toolTip().contains(QStringLiteral("in the recording")), qPrintable(worst->toolTip()));
@@ -207,12 +222,14 @@ void TestDebrief::worstMomentIsOneClickAway() {
     QCOMPARE(place.parameters.value(QStringLiteral("caption")).toString(), where); // said in the scene there
     const double worst_s = place.parameters.value(QStringLiteral("caption_s")).toDouble();
     QVERIFY(worst_s > 0.0);
-    QCOMPARE(place.parameters.value(QStringLiteral("at_s")).toDouble(), std::max(0.0, worst_s - 3.0)); // to see how it came about
+    QCOMPARE(place.parameters.value(QStringLiteral("at_s")).toDouble(),
+             std::max(0.0, worst_s - 3.0)); // to see how it came about
 }
 
 void TestDebrief::aTrainersCommentArrives() {
     const auto id = tests::store(m_site->database(), *m_tina, m_made->good);
-    const auto comment = [&](const database::Actor& author, const char* text, std::optional<std::uint64_t> tick) {
+    const auto comment = [&](const database::Actor& author, const char* text,
+                             std::optional<std::uint64_t> tick) {
         QVERIFY(m_site->database().write([&](database::WriteContext& write) {
             return database::SessionRepository(write.connection(), author).addComment(id, text, tick);
         }));
@@ -236,7 +253,9 @@ void TestDebrief::aTrainersCommentArrives() {
     QStringList words;
     for (const QLabel* label : notice->findChildren<QLabel*>())
         words << label->text();
-    QVERIFY2(words.join(QLatin1Char('|')).contains(QStringLiteral("Tom Trainer commented on your session %1").arg(id)), qPrintable(words.join(QLatin1Char('|'))));
+    QVERIFY2(words.join(QLatin1Char('|'))
+                 .contains(QStringLiteral("Tom Trainer commented on your session %1").arg(id)),
+             qPrintable(words.join(QLatin1Char('|'))));
     notice->findChild<QPushButton*>()->click();
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("debrief"));
     open(id);
@@ -244,7 +263,10 @@ void TestDebrief::aTrainersCommentArrives() {
     QCOMPARE(comments.size(), 3);
     QCOMPARE(badge(), QStringLiteral("Home")); // read
     QVERIFY(comments.contains(QStringLiteral("Tom Trainer: Good start.")));
-    QVERIFY2(comments.last().startsWith(QStringLiteral("Tom Trainer · ")) && comments.last().contains(QStringLiteral(" before the start: ")) && comments.last().endsWith(QStringLiteral(": Go round the top once more.")), qPrintable(comments.last()));
+    QVERIFY2(comments.last().startsWith(QStringLiteral("Tom Trainer · ")) &&
+                 comments.last().contains(QStringLiteral(" before the start: ")) &&
+                 comments.last().endsWith(QStringLiteral(": Go round the top once more.")),
+             qPrintable(comments.last()));
     auto* watch = m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.comment_watch"));
     QVERIFY(watch);
     auto* reply = m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.comment_reply"));
@@ -260,7 +282,8 @@ void TestDebrief::aTrainersCommentArrives() {
     QCOMPARE(place.screen, QStringLiteral("playback"));
     const double moment_s = place.parameters.value(QStringLiteral("caption_s")).toDouble();
     QVERIFY(moment_s > 1.0);
-    QCOMPARE(place.parameters.value(QStringLiteral("at_s")).toDouble(), std::max(0.0, moment_s - 3.0)); // how it came about
+    QCOMPARE(place.parameters.value(QStringLiteral("at_s")).toDouble(),
+             std::max(0.0, moment_s - 3.0)); // how it came about
     QCOMPARE(place.parameters.value(QStringLiteral("caption")).toString(), comments.last());
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTabWidget>(QStringLiteral("playback.tabs")), kPatience_ms);
     auto* tabs = m_site->find<QTabWidget>(QStringLiteral("playback.tabs"));
@@ -278,7 +301,9 @@ void TestDebrief::aTrainersCommentArrives() {
     QStringList told;
     for (const QLabel* label : answered->findChildren<QLabel*>())
         told << label->text();
-    QVERIFY2(told.join(QLatin1Char('|')).contains(QStringLiteral("answered your comment on session %1").arg(id)), qPrintable(told.join(QLatin1Char('|'))));
+    QVERIFY2(
+        told.join(QLatin1Char('|')).contains(QStringLiteral("answered your comment on session %1").arg(id)),
+        qPrintable(told.join(QLatin1Char('|'))));
     QCOMPARE(badge(), QStringLiteral("Home (1)"));
     open(id);
     QVERIFY(!atHome());
@@ -312,7 +337,8 @@ void TestDebrief::unfinished() {
     const auto id = tests::store(m_site->database(), *m_tina, made);
     open(id);
     QCOMPARE(text("debrief.verdict"), title);
-    QVERIFY(text("debrief.verdict_text").contains(QStringLiteral("kept")) || text("debrief.verdict_text").contains(QStringLiteral("saved")));
+    QVERIFY(text("debrief.verdict_text").contains(QStringLiteral("kept")) ||
+            text("debrief.verdict_text").contains(QStringLiteral("saved")));
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("debrief.next")));
     QVERIFY(m_site->find<QPushButton>(QStringLiteral("debrief.playback"))->isEnabled());
     if (wanted == database::SessionState::interrupted)
@@ -352,8 +378,12 @@ void TestDebrief::countedAgainTellsBothDecisions() {
     QCOMPARE(text("debrief.verdict"), QStringLiteral("Passed")); // as if nothing had been
     const QStringList told = texts("debrief.decision");
     QCOMPARE(told.size(), 2);
-    QVERIFY2(told.first().contains(QStringLiteral("Voided")) && told.first().endsWith(QStringLiteral("Tom Trainer: the table shook")), qPrintable(told.first()));
-    QVERIFY2(told.last().contains(QStringLiteral("Counted again")) && told.last().endsWith(QStringLiteral("it was another table")), qPrintable(told.last()));
+    QVERIFY2(told.first().contains(QStringLiteral("Voided")) &&
+                 told.first().endsWith(QStringLiteral("Tom Trainer: the table shook")),
+             qPrintable(told.first()));
+    QVERIFY2(told.last().contains(QStringLiteral("Counted again")) &&
+                 told.last().endsWith(QStringLiteral("it was another table")),
+             qPrintable(told.last()));
     open(m_good);
     QVERIFY(texts("debrief.decision").isEmpty());
 }
@@ -376,7 +406,8 @@ void TestDebrief::erasedRecordingKeepsTheScores() {
         return database::SessionRepository(write.connection(), tom).addComment(id, "Well held.", {});
     }));
     const auto ada = m_site->actor("ada");
-    auto erased = database::AccountService(m_site->database()).erasePerson(ada, tests::kTestPassword, theo.personId(), "withdrew", true);
+    auto erased = database::AccountService(m_site->database())
+                      .erasePerson(ada, tests::kTestPassword, theo.personId(), "withdrew", true);
     QVERIFY2(erased, erased ? "" : erased.error().message.c_str());
     m_site->context.logIn(ada);
     open(id, false);
@@ -393,7 +424,8 @@ void TestDebrief::erasedRecordingKeepsTheScores() {
 void TestDebrief::notMine() {
     m_site->logIn("tom");
     open(m_bad);
-    QVERIFY2(texts("debrief.change").value(0).startsWith(QStringLiteral("Since the attempt before: ")), qPrintable(texts("debrief.change").value(0)));
+    QVERIFY2(texts("debrief.change").value(0).startsWith(QStringLiteral("Since the attempt before: ")),
+             qPrintable(texts("debrief.change").value(0)));
     open(m_good);
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("debrief.again")));
     QVERIFY(m_site->find<QPushButton>(QStringLiteral("debrief.playback")));
@@ -405,10 +437,13 @@ void TestDebrief::metricsSayWhatTheyMean() {
     auto* table = m_site->find<QTableWidget>(QStringLiteral("debrief.metrics"));
     QCOMPARE(table->rowCount(), 17);
     for (int row = 0; row < table->rowCount(); ++row) {
-        QVERIFY2(!table->item(row, 0)->data(Qt::AccessibleDescriptionRole).toString().isEmpty(), qPrintable(table->item(row, 0)->text()));
+        QVERIFY2(!table->item(row, 0)->data(Qt::AccessibleDescriptionRole).toString().isEmpty(),
+                 qPrintable(table->item(row, 0)->text()));
         QVERIFY(table->rowHeight(row) > 2 * table->fontMetrics().height()); // title and meaning
     }
-    QVERIFY(table->horizontalHeader()->height() + table->rowViewportPosition(table->rowCount() - 1) + table->rowHeight(table->rowCount() - 1) <= table->height());
+    QVERIFY(table->horizontalHeader()->height() + table->rowViewportPosition(table->rowCount() - 1) +
+                table->rowHeight(table->rowCount() - 1) <=
+            table->height());
     for (int column = 0; column < table->columnCount(); ++column) { // nothing but headings is no column
         bool empty = true;
         for (int row = 0; row < table->rowCount(); ++row)
@@ -429,7 +464,8 @@ void TestDebrief::writesTheReport() {
 
 void TestDebrief::unknownSession() {
     m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(9999)}});
-    QTRY_COMPARE_WITH_TIMEOUT(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::error, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::error,
+                              kPatience_ms);
     QVERIFY(!texts("state.text").isEmpty());
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every exercise, however a session of it ended, through debrief, playback, results and the printed report, in each language: no word
-// and no plot of another exercise, and its own where there is something to show. By default one level of each exercise;
-// CHIRON_EVERY_LEVEL=1: all of them. CHIRON_PICTURES=<folder> keeps what is seen.
+// Every exercise, however a session of it ended, through debrief, playback, results and the printed report,
+// in each language: no word and no plot of another exercise, and its own where there is something to show. By
+// default one level of each exercise; CHIRON_EVERY_LEVEL=1: all of them. CHIRON_PICTURES=<folder> keeps what
+// is seen.
 #include "desktop/debrief/debrief_data.h"
 #include "desktop/debrief/report_words.h"
 #include "desktop/plots/session_words.h"
@@ -41,18 +42,24 @@ struct Said {
     QByteArray context;
     QByteArray text;
 
-    QString translated() const { return text.isEmpty() ? QString() : QCoreApplication::translate(context, text); }
+    QString translated() const {
+        return text.isEmpty() ? QString() : QCoreApplication::translate(context, text);
+    }
 };
 
-/// What only one exercise talks about, as a pattern a language; what only its debrief draws; what is said of a trial that time ended.
+/// What only one exercise talks about, as a pattern a language; what only its debrief draws; what is said of
+/// a trial that time ended.
 struct Own {
     std::map<QString, QString> words;
     QStringList plots;
-    Said lateInDebrief; ///< empty: the debrief's plots show how it went, and its metrics say that it was not completed
+    Said lateInDebrief; ///< empty: the debrief's plots show how it went, and its metrics say that it was not
+                        ///< completed
     Said lateInPlayback;
 };
 
-Said saidIn(const QJsonArray& pair) { return {pair.at(0).toString().toUtf8(), pair.at(1).toString().toUtf8()}; }
+Said saidIn(const QJsonArray& pair) {
+    return {pair.at(0).toString().toUtf8(), pair.at(1).toString().toUtf8()};
+}
 
 Own ownOf(const QJsonObject& json) {
     Own own;
@@ -86,7 +93,9 @@ const std::map<std::string, Own>& owners() {
     return kOwners;
 }
 
-QString wordsIn(const Own& own, const QString& language) { return own.words.at(language); }
+QString wordsIn(const Own& own, const QString& language) {
+    return own.words.at(language);
+}
 
 /// The level with one trial, of at most so long where that is said.
 catalogue::ExerciseLevel shortened(const catalogue::ExerciseLevel& shipped, std::optional<double> limit_s) {
@@ -101,7 +110,8 @@ catalogue::ExerciseLevel shortened(const catalogue::ExerciseLevel& shipped, std:
         parameters["trials"] = 1;
     inner["parameters"] = parameters;
     json["level"] = inner;
-    auto changed = catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
+    auto changed =
+        catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
     return changed ? *changed : shipped;
 }
 
@@ -118,7 +128,8 @@ QStringList readable(const QWidget* screen) {
                 texts << head->text();
             for (int row = 0; row < table->rowCount(); ++row)
                 if (const QTableWidgetItem* item = table->item(row, column))
-                    texts << item->text() << item->toolTip() << item->data(Qt::AccessibleDescriptionRole).toString();
+                    texts << item->text() << item->toolTip()
+                          << item->data(Qt::AccessibleDescriptionRole).toString();
         }
     for (const QListWidget* list : screen->findChildren<QListWidget*>())
         for (int row = 0; row < list->count(); ++row)
@@ -136,17 +147,23 @@ QStringList foreignWords(const QStringList& texts, const std::string& exercise, 
     for (const auto& [id, own] : owners()) {
         if (id == exercise)
             continue;
-        const QRegularExpression words(wordsIn(own, language), QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+        const QRegularExpression words(wordsIn(own, language),
+                                       QRegularExpression::CaseInsensitiveOption |
+                                           QRegularExpression::UseUnicodePropertiesOption);
         for (const QString& text : texts)
             if (const auto match = words.match(text); match.hasMatch())
-                found << QStringLiteral("\"%1\" of %2 in: %3").arg(match.captured(), QString::fromStdString(id), text);
+                found << QStringLiteral("\"%1\" of %2 in: %3")
+                             .arg(match.captured(), QString::fromStdString(id), text);
     }
     return found;
 }
 
 bool hasOwnWord(const QStringList& texts, const std::string& exercise, const QString& language) {
-    const QRegularExpression words(wordsIn(owners().at(exercise), language), QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
-    return std::any_of(texts.begin(), texts.end(), [&](const QString& text) { return words.match(text).hasMatch(); });
+    const QRegularExpression words(wordsIn(owners().at(exercise), language),
+                                   QRegularExpression::CaseInsensitiveOption |
+                                       QRegularExpression::UseUnicodePropertiesOption);
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const QString& text) { return words.match(text).hasMatch(); });
 }
 
 bool isSaid(const QStringList& texts, const QString& words) {
@@ -172,11 +189,13 @@ private slots:
     void paperHasEveryTool();
 
 private:
-    MadeSession scripted(const std::string& exercise, int level, std::optional<double> limit_s, const std::string& operatorName = "expert");
+    MadeSession scripted(const std::string& exercise, int level, std::optional<double> limit_s,
+                         const std::string& operatorName = "expert");
     report::ReportData reportOf(database::SessionId id, const std::string& exercise, const QString& language);
     QString print(const report::ReportData& data, const QString& name);
     void debrief(database::SessionId id, const std::string& exercise, Ending ending, const QString& language);
-    void playback(database::SessionId id, const std::string& exercise, Ending ending, const QString& language);
+    void playback(database::SessionId id, const std::string& exercise, Ending ending,
+                  const QString& language);
     void results(const std::string& exercise, int level, const QString& language);
     void paper(database::SessionId id, const std::string& exercise, const QString& language);
     QWidget* screen() { return m_site->window->screen(); }
@@ -184,7 +203,8 @@ private:
     std::unique_ptr<DesktopFixture> m_site;
     std::optional<database::Actor> m_tina;
     qsizetype m_row = 0;
-    std::map<std::string, MadeSession> m_done; ///< of exercise and level: a session that its operator finished
+    std::map<std::string, MadeSession>
+        m_done; ///< of exercise and level: a session that its operator finished
 };
 
 void TestEveryDebrief::initTestCase() {
@@ -198,8 +218,10 @@ void TestEveryDebrief::speaksOfItsOwnExercise_data() {
     QTest::addColumn<int>("level");
     QTest::addColumn<int>("ending");
     const bool all = qEnvironmentVariableIntValue("CHIRON_EVERY_LEVEL") != 0;
-    const std::pair<Ending, const char*> endings[] = {
-        {Ending::completed, "completed"}, {Ending::stopped, "stopped"}, {Ending::timedOut, "timed out"}, {Ending::nothing, "nothing marked"}};
+    const std::pair<Ending, const char*> endings[] = {{Ending::completed, "completed"},
+                                                      {Ending::stopped, "stopped"},
+                                                      {Ending::timedOut, "timed out"},
+                                                      {Ending::nothing, "nothing marked"}};
     int known = 0;
     for (const catalogue::Exercise& exercise : m_site->context.site().catalogue().exercises()) {
         known += owners().count(exercise.id) > 0 ? 1 : 0;
@@ -209,15 +231,20 @@ void TestEveryDebrief::speaksOfItsOwnExercise_data() {
                     QTest::addRow("%s %d %s", exercise.id.c_str(), level.number, name)
                         << QString::fromStdString(exercise.id) << level.number << static_cast<int>(ending);
     }
-    QCOMPARE(known, static_cast<int>(m_site->context.site().catalogue().exercises().size())); // a new exercise has words of its own
+    QCOMPARE(
+        known,
+        static_cast<int>(
+            m_site->context.site().catalogue().exercises().size())); // a new exercise has words of its own
 }
 
-MadeSession TestEveryDebrief::scripted(const std::string& exercise, int level, std::optional<double> limit_s, const std::string& operatorName) {
+MadeSession TestEveryDebrief::scripted(const std::string& exercise, int level, std::optional<double> limit_s,
+                                       const std::string& operatorName) {
     session::TrainingRequest request;
     request.level = shortened(*m_site->context.site().catalogue().find(exercise, level), limit_s);
     request.seed = 11;
     request.ringFolder = recording::defaultRingFolder();
-    auto station = session::scriptedStation(**session::exerciseKind(exercise), request.level, operatorName, request.seed);
+    auto station = session::scriptedStation(**session::exerciseKind(exercise), request.level, operatorName,
+                                            request.seed);
     if (!station)
         qFatal("%s", station.error().message.c_str());
     request.station = std::move(*station);
@@ -238,7 +265,8 @@ void TestEveryDebrief::speaksOfItsOwnExercise() {
     constexpr double kShort_s = 4.0;
     const std::string key = id + std::to_string(level) + (wanted == Ending::completed ? "" : " short");
     if (m_done.count(key) == 0)
-        m_done.emplace(key, scripted(id, level, wanted == Ending::completed ? std::optional<double>() : kShort_s));
+        m_done.emplace(key,
+                       scripted(id, level, wanted == Ending::completed ? std::optional<double>() : kShort_s));
     MadeSession made = m_done.at(key);
     if (wanted == Ending::stopped)
         tests::cutFrames(made.frames, made.frames.size() * 2 / 3, core::CommandKind::end);
@@ -247,7 +275,8 @@ void TestEveryDebrief::speaksOfItsOwnExercise() {
     if (wanted == Ending::timedOut) // an operator on a sphere marks before its time is up
         for (auto& frame : made.frames)
             if ((frame.header.events & core::event_bits::kMarked) != 0)
-                frame.header.events = (frame.header.events & ~core::event_bits::kMarked) | core::event_bits::kTimedOut;
+                frame.header.events =
+                    (frame.header.events & ~core::event_bits::kMarked) | core::event_bits::kTimedOut;
     made.ending.stopped = wanted == Ending::stopped || wanted == Ending::nothing;
     const database::SessionId session = tests::store(m_site->database(), *m_tina, made);
     // One language a row, by turns; all of them where all levels are walked.
@@ -266,23 +295,33 @@ void TestEveryDebrief::speaksOfItsOwnExercise() {
     }
     m_site->settings.setLanguage(QStringLiteral("en"));
     m_site->context.applyAppearance();
-    tests::takePictures(*m_site, QStringLiteral("debrief_%1").arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_'))), [&] {
-        m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(session)}});
-        QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
-        m_site->window->resize(1280, 1500);
-        QTest::qWait(600);
-    });
-    tests::takePictures(*m_site, QStringLiteral("playback_%1").arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_'))), [&] {
-        m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(session)}});
-        QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
-    });
+    tests::takePictures(
+        *m_site,
+        QStringLiteral("debrief_%1")
+            .arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_'))),
+        [&] {
+            m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(session)}});
+            QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
+            m_site->window->resize(1280, 1500);
+            QTest::qWait(600);
+        });
+    tests::takePictures(
+        *m_site,
+        QStringLiteral("playback_%1")
+            .arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_'))),
+        [&] {
+            m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(session)}});
+            QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
+        });
 }
 
-void TestEveryDebrief::debrief(database::SessionId id, const std::string& exercise, Ending ending, const QString& language) {
+void TestEveryDebrief::debrief(database::SessionId id, const std::string& exercise, Ending ending,
+                               const QString& language) {
     m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(id)}});
     QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     // The felt line is there as soon as the recording was looked through.
-    QTRY_VERIFY_WITH_TIMEOUT(!screen()->findChild<QLabel*>(QStringLiteral("debrief.felt"))->text().isEmpty(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!screen()->findChild<QLabel*>(QStringLiteral("debrief.felt"))->text().isEmpty(),
+                             kPatience_ms);
     const QStringList texts = readable(screen());
     const QStringList foreign = foreignWords(texts, exercise, language);
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
@@ -292,9 +331,12 @@ void TestEveryDebrief::debrief(database::SessionId id, const std::string& exerci
         for (const QString& plot : own.plots)
             // An answer on a sphere is a finished trial's; what was begun of the others is shown.
             QCOMPARE(screen()->findChild<QWidget*>(plot) != nullptr,
-                     other == exercise && ending != Ending::nothing && !(ending == Ending::stopped && exercise == "sphere_apex"));
+                     other == exercise && ending != Ending::nothing &&
+                         !(ending == Ending::stopped && exercise == "sphere_apex"));
     if (const QString late = owners().at(exercise).lateInDebrief.translated(); !late.isEmpty())
-        QVERIFY2(isSaid(texts, late) == (ending == Ending::timedOut), qPrintable(late + QStringLiteral(": ") + texts.mid(texts.size() - 12).join(QLatin1Char('|'))));
+        QVERIFY2(
+            isSaid(texts, late) == (ending == Ending::timedOut),
+            qPrintable(late + QStringLiteral(": ") + texts.mid(texts.size() - 12).join(QLatin1Char('|'))));
     // What did not come to its end has no verdict: neither a card nor a mark that was met or not.
     const bool judged = ending == Ending::completed || ending == Ending::timedOut;
     QCOMPARE(!screen()->findChildren<QLabel*>(QStringLiteral("headline.verdict")).isEmpty(), judged);
@@ -303,7 +345,8 @@ void TestEveryDebrief::debrief(database::SessionId id, const std::string& exerci
             QVERIFY(judged || table->item(row, 4)->text().isEmpty());
 }
 
-void TestEveryDebrief::playback(database::SessionId id, const std::string& exercise, Ending ending, const QString& language) {
+void TestEveryDebrief::playback(database::SessionId id, const std::string& exercise, Ending ending,
+                                const QString& language) {
     m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(id)}});
     QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     const QStringList texts = readable(screen());
@@ -311,28 +354,35 @@ void TestEveryDebrief::playback(database::SessionId id, const std::string& exerc
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
     const QString unnamed = QCoreApplication::translate("PlaybackMarks", "The next stage begins");
     QVERIFY2(texts.filter(unnamed).isEmpty(), "a stage began, and the events do not say which");
-    QVERIFY2(isSaid(texts, owners().at(exercise).lateInPlayback.translated()) == (ending == Ending::timedOut), qPrintable(texts.join(QLatin1Char('|'))));
+    QVERIFY2(isSaid(texts, owners().at(exercise).lateInPlayback.translated()) == (ending == Ending::timedOut),
+             qPrintable(texts.join(QLatin1Char('|'))));
 }
 
 void TestEveryDebrief::results(const std::string& exercise, int level, const QString& language) {
-    m_site->go(QStringLiteral("results"), {{QStringLiteral("exercise"), QString::fromStdString(exercise)}, {QStringLiteral("level"), level}});
+    m_site->go(QStringLiteral("results"), {{QStringLiteral("exercise"), QString::fromStdString(exercise)},
+                                           {QStringLiteral("level"), level}});
     QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     const QStringList foreign = foreignWords(readable(screen()), exercise, language);
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
 }
 
-report::ReportData TestEveryDebrief::reportOf(database::SessionId id, const std::string& exercise, const QString& language) {
+report::ReportData TestEveryDebrief::reportOf(database::SessionId id, const std::string& exercise,
+                                              const QString& language) {
     auto connection = m_site->database().openReader();
     auto data = desktop::loadReport(**connection, *m_tina, id, language.toStdString());
     if (!data)
         qFatal("%s", data.error().message.c_str());
-    desktop::translateReport(*data, {QStringLiteral("Tina"), desktop::exerciseTitle(m_site->context.site().catalogue(), exercise, language), QStringLiteral("device")});
+    desktop::translateReport(*data,
+                             {QStringLiteral("Tina"),
+                              desktop::exerciseTitle(m_site->context.site().catalogue(), exercise, language),
+                              QStringLiteral("device")});
     return *data;
 }
 
 QString TestEveryDebrief::print(const report::ReportData& data, const QString& name) {
     const QString pictures = qEnvironmentVariable("CHIRON_PICTURES");
-    const QString pdf = QDir(pictures.isEmpty() ? m_site->folder() : pictures).filePath(name + QStringLiteral(".pdf"));
+    const QString pdf =
+        QDir(pictures.isEmpty() ? m_site->folder() : pictures).filePath(name + QStringLiteral(".pdf"));
     const auto written = report::writeSessionPdf(pdf, data, report::lightTheme(m_site->context.locale()));
     if (!written)
         qFatal("%s", written.error().message.c_str());
@@ -342,8 +392,12 @@ QString TestEveryDebrief::print(const report::ReportData& data, const QString& n
 void TestEveryDebrief::paper(database::SessionId id, const std::string& exercise, const QString& language) {
     if (QStandardPaths::findExecutable(QStringLiteral("pdftotext")).isEmpty())
         return;
-    const QString name = QStringLiteral("report_%1_%2").arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_')), language);
-    const QStringList foreign = foreignWords(linesOf(print(reportOf(id, exercise, language), name)), exercise, language);
+    const QString name =
+        QStringLiteral("report_%1_%2")
+            .arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_')),
+                 language);
+    const QStringList foreign =
+        foreignWords(linesOf(print(reportOf(id, exercise, language), name)), exercise, language);
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
 }
 
@@ -354,13 +408,19 @@ void TestEveryDebrief::paperMarksTheCriticalErrorsOfTheScore() {
         const MadeSession made = scripted("urethra_insertion", 3, 30.0, name);
         const database::SessionId id = tests::store(m_site->database(), *m_tina, made);
         const report::ReportData data = reportOf(id, "urethra_insertion", QStringLiteral("en"));
-        const auto counted = std::find_if(data.metrics.begin(), data.metrics.end(), [](const auto& row) { return row.id == QLatin1String("critical_errors"); });
+        const auto counted = std::find_if(data.metrics.begin(), data.metrics.end(), [](const auto& row) {
+            return row.id == QLatin1String("critical_errors");
+        });
         QVERIFY(counted != data.metrics.end() && counted->value);
         QCOMPARE(static_cast<double>(data.series.criticalErrors.size()), *counted->value);
-        QCOMPARE(*counted->value > 0.0, QLatin1String(name) == QLatin1String("unsafe")); // or the test has nothing to show
+        QCOMPARE(*counted->value > 0.0,
+                 QLatin1String(name) == QLatin1String("unsafe")); // or the test has nothing to show
         for (const report::CriticalError& error : data.series.criticalErrors)
             QVERIFY(!error.words.isEmpty() && !error.words.startsWith(QStringLiteral("Critical error")));
-        const bool marked = report::forcePlot(data.series, data.forceLimit_N, report::lightTheme(QLocale::c()))->legendTexts().contains(QStringLiteral("critical error"));
+        const bool marked =
+            report::forcePlot(data.series, data.forceLimit_N, report::lightTheme(QLocale::c()))
+                ->legendTexts()
+                .contains(QStringLiteral("critical error"));
         QCOMPARE(marked, *counted->value > 0.0);
         const QString pdf = print(data, QStringLiteral("critical_%1").arg(QLatin1String(name)));
         if (readsPdf)
@@ -375,7 +435,8 @@ void TestEveryDebrief::paperHasEveryTool() {
     m_site->context.applyAppearance();
     const report::ReportData data = reportOf(id, "elastic_tube", QStringLiteral("de"));
     print(data, QStringLiteral("tools_de"));
-    const QStringList names{QStringLiteral("Rechtes Instrument"), QStringLiteral("Linkes Instrument"), QStringLiteral("Instrument 3")};
+    const QStringList names{QStringLiteral("Rechtes Instrument"), QStringLiteral("Linkes Instrument"),
+                            QStringLiteral("Instrument 3")};
     QCOMPARE(data.series.tools.size(), std::size_t{3});
     const report::PlotTheme theme = report::lightTheme(QLocale(QLocale::German));
     std::vector<std::unique_ptr<report::PlotView>> plots = report::positionPlots(data.series, theme);
@@ -386,10 +447,13 @@ void TestEveryDebrief::paperHasEveryTool() {
     for (const auto& plot : plots) {
         QVERIFY(plot);
         for (const QString& name : names)
-            QVERIFY2(plot->legendTexts().contains(name), qPrintable(plot->legendTexts().join(QLatin1Char('|'))));
+            QVERIFY2(plot->legendTexts().contains(name),
+                     qPrintable(plot->legendTexts().join(QLatin1Char('|'))));
     }
-    QVERIFY(data.series.tools[0].tissue_N != data.series.tools[2].tissue_N); // the two hands pull on one tube with one force
-    QVERIFY(data.series.tools[0].x_mm != data.series.tools[1].x_mm && data.series.tools[1].x_mm != data.series.tools[2].x_mm);
+    QVERIFY(data.series.tools[0].tissue_N !=
+            data.series.tools[2].tissue_N); // the two hands pull on one tube with one force
+    QVERIFY(data.series.tools[0].x_mm != data.series.tools[1].x_mm &&
+            data.series.tools[1].x_mm != data.series.tools[2].x_mm);
     m_site->settings.setLanguage(QStringLiteral("en"));
     m_site->context.applyAppearance();
 }

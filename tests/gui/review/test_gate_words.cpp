@@ -8,7 +8,8 @@
 using namespace chiron;
 
 namespace {
-report::MetricRow row(std::optional<double> value, std::optional<double> minimum, std::optional<double> maximum) {
+report::MetricRow row(std::optional<double> value, std::optional<double> minimum,
+                      std::optional<double> maximum) {
     report::MetricRow row;
     row.id = "coverage";
     row.unit = "%";
@@ -20,7 +21,8 @@ report::MetricRow row(std::optional<double> value, std::optional<double> minimum
 }
 
 QString missed(std::optional<double> value, std::optional<double> minimum, std::optional<double> maximum) {
-    return desktop::missedGateText(row(value, minimum, maximum), QLocale(QLocale::English, QLocale::UnitedKingdom));
+    return desktop::missedGateText(row(value, minimum, maximum),
+                                   QLocale(QLocale::English, QLocale::UnitedKingdom));
 }
 } // namespace
 
@@ -33,8 +35,11 @@ private slots:
 
 void TestGateWords::missedByHowMuch() {
     const QString little = missed(62.0, 80.0, {});
-    QVERIFY2(little.contains("too little") && little.contains("(18") && little.contains("62") && little.contains("80"), qPrintable(little));
-    QVERIFY2(!little.contains(QStringLiteral("-18")) && !little.contains(QStringLiteral("−18")), qPrintable(little));
+    QVERIFY2(little.contains("too little") && little.contains("(18") && little.contains("62") &&
+                 little.contains("80"),
+             qPrintable(little));
+    QVERIFY2(!little.contains(QStringLiteral("-18")) && !little.contains(QStringLiteral("−18")),
+             qPrintable(little));
     const QString much = missed(95.0, {}, 80.0);
     QVERIFY2(much.contains("too much") && much.contains("(15"), qPrintable(much));
     const QString below = missed(5.0, 20.0, 80.0); // a band, from below and from above
@@ -43,13 +48,15 @@ void TestGateWords::missedByHowMuch() {
     QVERIFY2(above.contains("too much") && above.contains("(5"), qPrintable(above));
     report::MetricRow share = row(71.0, 85.0, {}); // a difference of shares is in percentage points
     share.unit = "%";
-    QVERIFY2(desktop::missedGateText(share, QLocale(QLocale::English, QLocale::UnitedKingdom)).endsWith("(14.0 percentage points too little)"),
+    QVERIFY2(desktop::missedGateText(share, QLocale(QLocale::English, QLocale::UnitedKingdom))
+                 .endsWith("(14.0 percentage points too little)"),
              qPrintable(desktop::missedGateText(share, QLocale(QLocale::English, QLocale::UnitedKingdom))));
     report::MetricRow counted = row(3.0, {}, 0.0);
     counted.id = "apex_misses";
     counted.unit = "count";
     const QLocale english(QLocale::English, QLocale::UnitedKingdom);
-    const QString many = desktop::missedGateText(counted, english); // things are many, not much, and a limit of none is 0
+    const QString many =
+        desktop::missedGateText(counted, english); // things are many, not much, and a limit of none is 0
     QVERIFY2(many.endsWith("3, but the pass mark is 0 (3 too many)"), qPrintable(many));
     counted.gateMaximum.reset();
     counted.gateMinimum = 5.0;
@@ -74,9 +81,11 @@ void TestGateWords::markInWords() {
     scoring::Gate misses;
     misses.metric = "apex_misses";
     misses.maximum = 0.0;
-    QVERIFY2(desktop::gateInWords(misses, locale).endsWith(": none"), qPrintable(desktop::gateInWords(misses, locale)));
+    QVERIFY2(desktop::gateInWords(misses, locale).endsWith(": none"),
+             qPrintable(desktop::gateInWords(misses, locale)));
     misses.maximum = 1.0;
-    QVERIFY2(desktop::gateInWords(misses, locale).endsWith(": at most 1"), qPrintable(desktop::gateInWords(misses, locale)));
+    QVERIFY2(desktop::gateInWords(misses, locale).endsWith(": at most 1"),
+             qPrintable(desktop::gateInWords(misses, locale)));
     const QString band = words(20.0, 80.0);
     QVERIFY2(band.contains("from 20") && band.indexOf("20") < band.indexOf("to 80"), qPrintable(band));
 }

@@ -7,9 +7,9 @@
 #include "desktop/playback/mark_words.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
-#include "report/plot_view.h"
-#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "report/plot_view.h"
 
 #include <QtTest>
 #include <set>
@@ -73,12 +73,20 @@ class TestGraspReview : public QObject {
 private slots:
     void aHeldTubeIsWhereItWas() {
         const session::SessionSetup setup = tubeSetup(TubeTask::twoHanded);
-        const session::PlaybackTrack track =
-            madeTrack(2, {{"tension_N", 1.2}, {"stretch_m", 0.015}, {"grip_0", 2.0}, {"grip_1", 1.0}, {"grip_2", 0.0}, {"free_end_x_m", 0.031},
-                          {"free_end_y_m", 0.001}, {"free_end_z_m", 0.041}, {"step", 3.0}, {"dwell", 0.5}});
+        const session::PlaybackTrack track = madeTrack(2, {{"tension_N", 1.2},
+                                                           {"stretch_m", 0.015},
+                                                           {"grip_0", 2.0},
+                                                           {"grip_1", 1.0},
+                                                           {"grip_2", 0.0},
+                                                           {"free_end_x_m", 0.031},
+                                                           {"free_end_y_m", 0.001},
+                                                           {"free_end_z_m", 0.041},
+                                                           {"step", 3.0},
+                                                           {"dwell", 0.5}});
         const auto replay = layerOf(setup);
         QVERIFY(replay != nullptr);
-        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, replay.get()).exercise.of<core::LaparoscopyCues>();
+        const core::LaparoscopyCues cues =
+            sceneStateAt(track, nullptr, 1.0, replay.get()).exercise.of<core::LaparoscopyCues>();
         QVERIFY(cues.present && cues.objectShown && cues.tube && cues.tensionShown);
         QCOMPARE(cues.grips, 2);
         QVERIFY(!cues.gripAnchored[0]);
@@ -86,7 +94,8 @@ private slots:
         QCOMPARE(cues.p_WGrip[1][0], 0.031);  // recorded
         QCOMPARE(cues.tension_N, 1.2);
         QCOMPARE(int(cues.step), int(core::LaparoscopyStep::hold));
-        const auto trials = simulation::planElasticTubeTrials(setup.level.parameters.as<simulation::ElasticTubeParameters>(), setup.seed);
+        const auto trials = simulation::planElasticTubeTrials(
+            setup.level.parameters.as<simulation::ElasticTubeParameters>(), setup.seed);
         QVERIFY(std::abs(0.5 * (cues.bandLow_N + cues.bandHigh_N) - trials[0].target_N) < 1e-12);
         const TubeLayer tube(setup.level.parameters.as<simulation::ElasticTubeParameters>(), setup.seed);
         QVERIFY(tube.bandOf(7).high_N == 0.0 && tube.bandOf(-1).high_N == 0.0);
@@ -98,10 +107,16 @@ private slots:
         tube.foldStiffness_N_per_m = 25.0;
         tube.retractionLow_N = 0.6;
         tube.retractionHigh_N = 1.0;
-        const session::PlaybackTrack track = madeTrack(3, {{"tension_N", 1.2}, {"retraction_N", 0.8}, {"fold_open", 1.0}, {"fold_edge_x_m", 0.002},
-                                                           {"fold_edge_y_m", 0.03}, {"fold_edge_z_m", 0.025}, {"step", 9.0}});
+        const session::PlaybackTrack track = madeTrack(3, {{"tension_N", 1.2},
+                                                           {"retraction_N", 0.8},
+                                                           {"fold_open", 1.0},
+                                                           {"fold_edge_x_m", 0.002},
+                                                           {"fold_edge_y_m", 0.03},
+                                                           {"fold_edge_z_m", 0.025},
+                                                           {"step", 9.0}});
         const auto replay = layerOf(setup);
-        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, replay.get()).exercise.of<core::LaparoscopyCues>();
+        const core::LaparoscopyCues cues =
+            sceneStateAt(track, nullptr, 1.0, replay.get()).exercise.of<core::LaparoscopyCues>();
         QVERIFY(cues.fold && cues.foldOpen && cues.retractionShown);
         QCOMPARE(cues.p_WFoldEdge[1], 0.03);
         QCOMPARE(cues.retraction_N, 0.8);
@@ -110,17 +125,21 @@ private slots:
         QCOMPARE(TubeLayer(tube, setup.seed).retractionBand().high_N, 1.0);
         const session::SessionSetup plain = tubeSetup(TubeTask::twoHanded);
         const auto withoutFold = layerOf(plain);
-        QVERIFY(!sceneStateAt(track, nullptr, 1.0, withoutFold.get()).exercise.of<core::LaparoscopyCues>().fold);
+        QVERIFY(
+            !sceneStateAt(track, nullptr, 1.0, withoutFold.get()).exercise.of<core::LaparoscopyCues>().fold);
     }
 
     void aTransferKnowsBaseAndTarget() {
         const session::SessionSetup setup = tubeSetup(TubeTask::transfer);
-        const session::PlaybackTrack track = madeTrack(2, {{"grip_2", 1.0}, {"free_end_x_m", 0.03}, {"free_end_z_m", 0.04}});
+        const session::PlaybackTrack track =
+            madeTrack(2, {{"grip_2", 1.0}, {"free_end_x_m", 0.03}, {"free_end_z_m", 0.04}});
         const auto replay = layerOf(setup);
-        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, replay.get()).exercise.of<core::LaparoscopyCues>();
+        const core::LaparoscopyCues cues =
+            sceneStateAt(track, nullptr, 1.0, replay.get()).exercise.of<core::LaparoscopyCues>();
         QCOMPARE(cues.grips, 3);
         QVERIFY(cues.gripAnchored[0] && cues.targetShown && cues.bandHigh_N == 0.0);
-        const auto trials = simulation::planElasticTubeTrials(setup.level.parameters.as<simulation::ElasticTubeParameters>(), setup.seed);
+        const auto trials = simulation::planElasticTubeTrials(
+            setup.level.parameters.as<simulation::ElasticTubeParameters>(), setup.seed);
         QCOMPARE(cues.p_WGrip[0][0], trials[0].base_m.x());
     }
 
@@ -128,10 +147,14 @@ private slots:
         session::SessionSetup setup;
         setup.level.exercise = "object_handling";
         setup.level.parameters = simulation::ObjectHandlingParameters{};
-        const session::PlaybackTrack track =
-            madeTrack(1, {{"squeeze_N", 0.9}, {"held", 1.0}, {"body_0_x_m", 0.01}, {"body_0_y_m", 0.02}, {"body_0_z_m", 0.03}});
+        const session::PlaybackTrack track = madeTrack(1, {{"squeeze_N", 0.9},
+                                                           {"held", 1.0},
+                                                           {"body_0_x_m", 0.01},
+                                                           {"body_0_y_m", 0.02},
+                                                           {"body_0_z_m", 0.03}});
         const auto replay = layerOf(setup);
-        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, replay.get()).exercise.of<core::LaparoscopyCues>();
+        const core::LaparoscopyCues cues =
+            sceneStateAt(track, nullptr, 1.0, replay.get()).exercise.of<core::LaparoscopyCues>();
         QCOMPARE(cues.bodies, 1);
         QCOMPARE(int(cues.body[0].heldBy), 1);
         QCOMPARE(cues.body[0].p_W[2], 0.03);
@@ -146,7 +169,8 @@ private slots:
         for (std::size_t i = 250; i < 500; ++i)
             track.moments[i].phase = core::TrialPhase::between;
         const auto replay = layerOf(setup);
-        QVERIFY(!sceneStateAt(track, nullptr, 1.5, replay.get()).exercise.of<core::LaparoscopyCues>().present);
+        QVERIFY(
+            !sceneStateAt(track, nullptr, 1.5, replay.get()).exercise.of<core::LaparoscopyCues>().present);
         track.trials[0].failed = true;
         QVERIFY(sceneStateAt(track, nullptr, 1.5, replay.get()).exercise.of<core::LaparoscopyCues>().torn);
         QVERIFY(!sceneStateAt(track, nullptr, 0.5, replay.get()).exercise.of<core::LaparoscopyCues>().torn);
@@ -165,7 +189,8 @@ private slots:
 
     void plotsOfTensionAndOfBothEnergies() {
         const session::SessionSetup setup = tubeSetup(TubeTask::hold);
-        session::PlaybackTrack track = madeTrack(1, {{"tension_N", 1.0}, {"energy_supplied_J", 0.010}, {"energy_stored_J", 0.008}});
+        session::PlaybackTrack track =
+            madeTrack(1, {{"tension_N", 1.0}, {"energy_supplied_J", 0.010}, {"energy_stored_J", 0.008}});
         const auto replay = layerOf(setup);
         const Theme theme = Theme::load(ThemeName::light, 1.0).value();
         const auto legend = [&] {
@@ -180,7 +205,8 @@ private slots:
             track.quantities[2].values[i] = 0.012; // more is held than was put in
         QCOMPARE(legend().size(), 3);
         PlaybackPlots without(theme, QLocale::c(), track, setup.level);
-        QVERIFY(!without.findChild<report::PlotView*>(QStringLiteral("playback.felt_plot"))); // of one tool it is a line in the plot of force
+        QVERIFY(!without.findChild<report::PlotView*>(
+            QStringLiteral("playback.felt_plot"))); // of one tool it is a line in the plot of force
         QVERIFY(!without.findChild<report::PlotView*>(QStringLiteral("playback.grasp_plot")));
     }
 
@@ -213,8 +239,10 @@ private slots:
         PlaybackPlots plots(theme, QLocale::c(), track, setup.level);
         const auto* felt = plots.findChild<report::PlotView*>(QStringLiteral("playback.felt_plot"));
         QVERIFY(felt);
-        for (const QString& name : {QStringLiteral("Right instrument"), QStringLiteral("Left instrument"), QStringLiteral("Instrument 3")})
-            QVERIFY(plots.force().legendTexts().contains(name) && felt->legendTexts().contains(name) && plots.speed().legendTexts().contains(name));
+        for (const QString& name : {QStringLiteral("Right instrument"), QStringLiteral("Left instrument"),
+                                    QStringLiteral("Instrument 3")})
+            QVERIFY(plots.force().legendTexts().contains(name) && felt->legendTexts().contains(name) &&
+                    plots.speed().legendTexts().contains(name));
         session::PlaybackMark& broken = track.marks.emplace_back();
         broken.t_s = broken.end_s = 0.5;
         broken.kind = session::PlaybackMarkKind::yielded;
@@ -235,7 +263,8 @@ private slots:
         for (const session::PlaybackMarkKind kind : {grasped, released, slipped, damaged, failed}) {
             session::PlaybackMark mark;
             mark.kind = kind;
-            QVERIFY(!markText(mark, tubeSetup(TubeTask::hold).level.exercise, QLocale::c()).isEmpty() && !markIcon(kind).isEmpty());
+            QVERIFY(!markText(mark, tubeSetup(TubeTask::hold).level.exercise, QLocale::c()).isEmpty() &&
+                    !markIcon(kind).isEmpty());
             said.insert(markText(mark, tubeSetup(TubeTask::hold).level.exercise, QLocale::c()));
         }
         QCOMPARE(said.size(), std::size_t(5));
@@ -248,7 +277,9 @@ private slots:
         setup.level.exercise = "sphere_apex";
         setup.level.parameters = simulation::SphereApexParameters{};
         const auto layer = layerOf(setup);
-        QVERIFY(!sceneStateAt(madeTrack(1, {{"tension_N", 1.0}}), nullptr, 1.0, layer.get()).exercise.of<core::LaparoscopyCues>().present);
+        QVERIFY(!sceneStateAt(madeTrack(1, {{"tension_N", 1.0}}), nullptr, 1.0, layer.get())
+                     .exercise.of<core::LaparoscopyCues>()
+                     .present);
     }
 };
 

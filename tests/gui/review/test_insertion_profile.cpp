@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/review/made_insertion.h"
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
+#include "gui/review/made_insertion.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -28,7 +28,7 @@ void TestInsertionProfile::momentsAreTheSeriesAtTheirTime() {
     QVERIFY(std::abs(session::insertionAt(track, 4.0)->depth_m - 0.04) < 1e-4);
     QVERIFY(session::insertionAt(track, 5.5)->stage == ProcedureStage::inspection);
     QCOMPARE(session::insertionAt(track, 8.0)->offset_m, 0.002);
-    QVERIFY(std::isnan(session::insertionAt(track, 9.4)->depth_m)); // after its end
+    QVERIFY(std::isnan(session::insertionAt(track, 9.4)->depth_m));                 // after its end
     QVERIFY(session::insertionAt(track, 9.4)->stage == ProcedureStage::withdrawal); // and where it stood
 }
 

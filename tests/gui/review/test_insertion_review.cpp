@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/desktop/insertion_layer.h"
+#include "app/exercises/urethra_insertion/report/insertion_report.h"
+#include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/playback_screen.h"
 #include "gui/review/made_insertion.h"
-#include "app/exercises/urethra_insertion/report/insertion_report.h"
-#include "report/session_plots.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 #include "report/report_writer.h"
+#include "report/session_plots.h"
 #include "session/playback_ghost.h"
-#include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 #include "session_report/mark_words.h"
 #include "session_report/session_report.h"
 #include "session_report/track_series.h"
 #include "support/insertion_session.h"
 #include "support/patience.h"
-#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 
 #include <QCheckBox>
 #include <QLabel>
@@ -51,7 +51,9 @@ void TestInsertionReview::theSceneIsToldTheProcedure() {
     desktop::InsertionLayer layer(true);
     const session::PlaybackTrack track = madeTrack();
     const scene3d::SceneState state = desktop::sceneStateAt(track, nullptr, 6.0, &layer);
-    QVERIFY(state.objectShown && state.exercise.of<simulation::EndoscopeCues>().present && state.exercise.of<simulation::EndoscopeCues>().pictureShown && state.exercise.of<simulation::EndoscopeCues>().guided);
+    QVERIFY(state.objectShown && state.exercise.of<simulation::EndoscopeCues>().present &&
+            state.exercise.of<simulation::EndoscopeCues>().pictureShown &&
+            state.exercise.of<simulation::EndoscopeCues>().guided);
     QVERIFY(state.exercise.of<simulation::EndoscopeCues>().stage == ProcedureStage::withdrawal);
     QCOMPARE(state.exercise.of<simulation::EndoscopeCues>().landmarks, 2);
     QCOMPARE(state.exercise.of<simulation::EndoscopeCues>().landmarksSeen, 1u);
@@ -63,7 +65,8 @@ void TestInsertionReview::plotsOfACanal() {
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
     const session::PlaybackTrack track = madeTrack();
     desktop::PlaybackPlots plots(theme, QLocale::c(), track, insertionLevel(), &layer);
-    for (const char* name : {"playback.force", "playback.offset_plot", "playback.alignment_plot", "playback.speed_plot"})
+    for (const char* name :
+         {"playback.force", "playback.offset_plot", "playback.alignment_plot", "playback.speed_plot"})
         QVERIFY2(plots.findChild<report::PlotView*>(QLatin1String(name)), name);
     plots.showCursor(3.0);
     QCOMPARE(plots.findChild<report::PlotView*>(QStringLiteral("playback.offset_plot"))->cursorX(), 3.0);
@@ -71,7 +74,8 @@ void TestInsertionReview::plotsOfACanal() {
     QCOMPARE(series.offset_mm.size(), series.t_s.size());
     QVERIFY(series.events.empty()); // one procedure has no numbers
     const auto profile = session_report::insertionProfileOf(track);
-    QVERIFY(report::offsetDepthPlot(*profile, report::lightTheme(QLocale::c()))->legendTexts().size() >= 2); // in and out
+    QVERIFY(report::offsetDepthPlot(*profile, report::lightTheme(QLocale::c()))->legendTexts().size() >=
+            2);                                                                // in and out
     QVERIFY(report::alignmentDepthPlot({}, report::lightTheme(QLocale::c()))); // nothing is no crash
 }
 
@@ -80,10 +84,13 @@ void TestInsertionReview::tissueIsSaidToGiveWayToWhatItGaveWayTo() {
     mark.kind = session::PlaybackMarkKind::yielded;
     mark.value = 8.0;
     const auto said = [&] { return session_report::markText(mark, "urethra_insertion", QLocale::c()); };
-    QVERIFY2(said().contains(QStringLiteral("8.00\u00a0N")) && !said().contains(QStringLiteral("orque")), qPrintable(said()));
+    QVERIFY2(said().contains(QStringLiteral("8.00\u00a0N")) && !said().contains(QStringLiteral("orque")),
+             qPrintable(said()));
     mark.detail = session::kByTorque;
     mark.value = 0.213;
-    QVERIFY2(said().contains(QStringLiteral("torque")) && said().contains(QStringLiteral("213")) && said().contains(QStringLiteral("mN·m")), qPrintable(said()));
+    QVERIFY2(said().contains(QStringLiteral("torque")) && said().contains(QStringLiteral("213")) &&
+                 said().contains(QStringLiteral("mN·m")),
+             qPrintable(said()));
 }
 
 void TestInsertionReview::theGhostHasItsOwnLines() {
@@ -95,7 +102,8 @@ void TestInsertionReview::theGhostHasItsOwnLines() {
     desktop::PlaybackPlots plots(theme, QLocale::c(), track, insertionLevel(), &layer);
     plots.setGhost(series, QStringLiteral("other"));
     QVERIFY(plots.force().legendTexts().contains(QStringLiteral("other")));
-    QCOMPARE(plots.findChildren<report::PlotView*>(QStringLiteral("playback.offset_plot")).size(), 1); // drawn anew, not twice
+    QCOMPARE(plots.findChildren<report::PlotView*>(QStringLiteral("playback.offset_plot")).size(),
+             1); // drawn anew, not twice
     const auto ghost = session::ghostAt(track, track, 4.0);
     QVERIFY(ghost.has_value());
 }
@@ -107,12 +115,15 @@ void TestInsertionReview::withoutASeriesNothingIsAdded() {
     track.canal = {};
     QVERIFY(!session::insertionAt(track, 4.0));
     QVERIFY(session_report::seriesOf(track, insertionLevel(), QLocale::c()).offset_mm.empty());
-    QVERIFY(!desktop::sceneStateAt(track, nullptr, 4.0, &layer).exercise.of<simulation::EndoscopeCues>().present);
+    QVERIFY(
+        !desktop::sceneStateAt(track, nullptr, 4.0, &layer).exercise.of<simulation::EndoscopeCues>().present);
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
-    QVERIFY(!desktop::PlaybackPlots(theme, QLocale::c(), track, insertionLevel(), &layer).findChild<report::PlotView*>(QStringLiteral("playback.offset_plot")));
+    QVERIFY(!desktop::PlaybackPlots(theme, QLocale::c(), track, insertionLevel(), &layer)
+                 .findChild<report::PlotView*>(QStringLiteral("playback.offset_plot")));
 }
 
-/// Stored, scored and read again: what was done at a moment is told in words, and the scene takes the other picture.
+/// Stored, scored and read again: what was done at a moment is told in words, and the scene takes the other
+/// picture.
 void TestInsertionReview::aStoredProcedureIsPlayedBack() {
     tests::DesktopFixture desktop;
     const database::SessionId id = tests::addInsertion(desktop, "tina");
@@ -129,7 +140,8 @@ void TestInsertionReview::aStoredProcedureIsPlayedBack() {
     QVERIFY(box && box->isEnabled() && !box->isChecked());
     QTest::qWait(100); // the scene is there
     box->click();
-    QVERIFY(desktop.context.navigator().current().parameters.value(QStringLiteral("depth_of_field")).toBool());
+    QVERIFY(
+        desktop.context.navigator().current().parameters.value(QStringLiteral("depth_of_field")).toBool());
     QVERIFY(desktop.find<report::PlotView>(QStringLiteral("playback.alignment_plot")));
 }
 
@@ -138,7 +150,8 @@ void TestInsertionReview::itsDebriefShowsTheWay() {
     const database::SessionId id = tests::addInsertion(desktop, "tina");
     desktop.logIn("tina");
     desktop.go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(id)}});
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<report::PlotView>(QStringLiteral("debrief.alignment")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<report::PlotView>(QStringLiteral("debrief.alignment")),
+                             kPatience_ms);
     QVERIFY(desktop.find<report::PlotView>(QStringLiteral("debrief.offset")));
     QVERIFY(!desktop.find<report::PlotView>(QStringLiteral("debrief.scatter")));
     QVERIFY(desktop.find<QLabel>(QStringLiteral("debrief.verdict")));
@@ -157,7 +170,8 @@ void TestInsertionReview::itsDebriefShowsTheWay() {
     QVERIFY(pictures.has_value());
     QVERIFY(QFile::exists(folder.filePath(QStringLiteral("insertion.png"))));
     if (const QString keep = qEnvironmentVariable("CHIRON_KEEP_PICTURES"); !keep.isEmpty())
-        QFile::copy(folder.filePath(QStringLiteral("insertion.png")), keep + QStringLiteral("/insertion.png"));
+        QFile::copy(folder.filePath(QStringLiteral("insertion.png")),
+                    keep + QStringLiteral("/insertion.png"));
 }
 
 QTEST_MAIN(TestInsertionReview)

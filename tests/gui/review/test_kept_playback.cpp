@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recordings of every exercise played back, moment after moment, against what was read and kept: what the scene is told to show, the words
-// and numbers beside it, where keys and marks lead, what a second session adds. A change that is meant is kept anew, and the difference is
-// read in review: CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/review/test_kept_playback
-#include "app/exercises/palpation/scene/palpation_overlay.h"
+// Recordings of every exercise played back, moment after moment, against what was read and kept: what the
+// scene is told to show, the words and numbers beside it, where keys and marks lead, what a second session
+// adds. A change that is meant is kept anew, and the difference is read in review: CHIRON_STORE_OUTLINES=1
+// QT_QPA_PLATFORM=offscreen build/release/tests/gui/review/test_kept_playback
 #include "app/exercises/palpation/desktop/palpation_layer.h"
+#include "app/exercises/palpation/scene/palpation_overlay.h"
+#include "core/laparoscopy_cues.h"
 #include "desktop/playback/playback_data.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
@@ -15,7 +17,6 @@
 #include "support/paint_outline.h"
 #include "support/patience.h"
 #include "support/screen_outline.h"
-#include "core/laparoscopy_cues.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -32,37 +33,60 @@ using namespace chiron;
 namespace {
 
 /// To four digits; lengths in mm.
-QString number(double x) { return QString::number(std::abs(x) < 1e-6 ? 0.0 : x, 'g', 4); }
-template <class V> QString place(const V& p_m) { return QStringLiteral("%1,%2,%3").arg(number(1e3 * p_m[0]), number(1e3 * p_m[1]), number(1e3 * p_m[2])); }
+QString number(double x) {
+    return QString::number(std::abs(x) < 1e-6 ? 0.0 : x, 'g', 4);
+}
+template <class V> QString place(const V& p_m) {
+    return QStringLiteral("%1,%2,%3").arg(number(1e3 * p_m[0]), number(1e3 * p_m[1]), number(1e3 * p_m[2]));
+}
 
 QString toolWords(const scene3d::ToolView& tool) {
-    return QStringLiteral("at %1 drawn %2%3 turned %4,%5,%6,%7 force %8,%9,%10 jaw %11").arg(place(tool.p_WT), place(tool.p_WProxy), tool.drawnAtSurface ? QStringLiteral(" at the surface") : QString(),
-        number(tool.q_WT.w()), number(tool.q_WT.x()), number(tool.q_WT.y()), number(tool.q_WT.z()), number(tool.force_N.x()), number(tool.force_N.y()), number(tool.force_N.z()), number(tool.jaw_rad));
+    return QStringLiteral("at %1 drawn %2%3 turned %4,%5,%6,%7 force %8,%9,%10 jaw %11")
+        .arg(place(tool.p_WT), place(tool.p_WProxy),
+             tool.drawnAtSurface ? QStringLiteral(" at the surface") : QString(), number(tool.q_WT.w()),
+             number(tool.q_WT.x()), number(tool.q_WT.y()), number(tool.q_WT.z()), number(tool.force_N.x()),
+             number(tool.force_N.y()), number(tool.force_N.z()), number(tool.jaw_rad));
 }
 
 void addLaparoscopy(const core::LaparoscopyCues& cues, QStringList& lines) {
     if (!cues.present)
         return;
-    QString text = QStringLiteral("grasp step %1 dwell %2%3%4").arg(static_cast<int>(cues.step)).arg(number(cues.dwell), cues.torn ? QStringLiteral(" torn") : QString(), cues.objectShown ? QString() : QStringLiteral(" hidden"));
+    QString text = QStringLiteral("grasp step %1 dwell %2%3%4")
+                       .arg(static_cast<int>(cues.step))
+                       .arg(number(cues.dwell), cues.torn ? QStringLiteral(" torn") : QString(),
+                            cues.objectShown ? QString() : QStringLiteral(" hidden"));
     if (cues.tube)
-        text += QStringLiteral("; tube %1 longer %2").arg(number(1e3 * cues.restLength_m), number(1e3 * cues.stretch_m));
+        text += QStringLiteral("; tube %1 longer %2")
+                    .arg(number(1e3 * cues.restLength_m), number(1e3 * cues.stretch_m));
     for (int i = 0; i < cues.grips; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        text += QStringLiteral("; grip %1 share %2 held %3%4").arg(place(cues.p_WGrip[k]), number(cues.gripAt[k])).arg(cues.gripHeldBy[k]).arg(cues.gripAnchored[k] ? QStringLiteral(" fixed") : QString());
+        text += QStringLiteral("; grip %1 share %2 held %3%4")
+                    .arg(place(cues.p_WGrip[k]), number(cues.gripAt[k]))
+                    .arg(cues.gripHeldBy[k])
+                    .arg(cues.gripAnchored[k] ? QStringLiteral(" fixed") : QString());
     }
     if (cues.tensionShown)
-        text += QStringLiteral("; tension %1 of %2 to %3").arg(number(cues.tension_N), number(cues.bandLow_N), number(cues.bandHigh_N));
+        text += QStringLiteral("; tension %1 of %2 to %3")
+                    .arg(number(cues.tension_N), number(cues.bandLow_N), number(cues.bandHigh_N));
     if (cues.fold)
-        text += QStringLiteral("; fold %1 from %2 held %3%4 pull %5 of %6 to %7").arg(place(cues.p_WFoldEdge), place(cues.p_WFoldBase)).arg(cues.foldHeldBy)
-                    .arg(cues.foldOpen ? QStringLiteral(" open") : QString(), number(cues.retraction_N), number(cues.retractionLow_N), number(cues.retractionHigh_N));
+        text += QStringLiteral("; fold %1 from %2 held %3%4 pull %5 of %6 to %7")
+                    .arg(place(cues.p_WFoldEdge), place(cues.p_WFoldBase))
+                    .arg(cues.foldHeldBy)
+                    .arg(cues.foldOpen ? QStringLiteral(" open") : QString(), number(cues.retraction_N),
+                         number(cues.retractionLow_N), number(cues.retractionHigh_N));
     for (int i = 0; i < cues.bodies; ++i) {
         const core::BodyCue& body = cues.body[static_cast<std::size_t>(i)];
-        text += QStringLiteral("; body %1 radius %2 held %3 squeezed %4").arg(place(body.p_W), number(1e3 * body.radius_m)).arg(body.heldBy).arg(number(1e3 * body.squeeze_m));
+        text += QStringLiteral("; body %1 radius %2 held %3 squeezed %4")
+                    .arg(place(body.p_W), number(1e3 * body.radius_m))
+                    .arg(body.heldBy)
+                    .arg(number(1e3 * body.squeeze_m));
     }
     if (cues.targetShown)
-        text += QStringLiteral("; target %1 radius %2").arg(place(cues.p_WTarget), number(1e3 * cues.targetRadius_m));
+        text += QStringLiteral("; target %1 radius %2")
+                    .arg(place(cues.p_WTarget), number(1e3 * cues.targetRadius_m));
     if (cues.squeezeShown)
-        text += QStringLiteral("; squeeze %1 limit %2").arg(number(cues.squeeze_N[0]), number(cues.squeezeLimit_N));
+        text += QStringLiteral("; squeeze %1 limit %2")
+                    .arg(number(cues.squeeze_N[0]), number(cues.squeezeLimit_N));
     lines << text;
 }
 
@@ -70,18 +94,34 @@ void addPalpation(const scene3d::SceneState& state, QStringList& lines) {
     const simulation::PalpationCues& cues = state.exercise.of<simulation::PalpationCues>();
     if (!cues.present)
         return;
-    QString text = QStringLiteral("palpation searched %1 band %2 to %3 asks %4%5%6 leans over %7").arg(number(cues.coverage), number(cues.bandLow_N), number(cues.bandHigh_N))
-                       .arg(cues.asksSize).arg(cues.asksHardness).arg(cues.asksConfidence).arg(cues.leanSaturated);
+    QString text = QStringLiteral("palpation searched %1 band %2 to %3 asks %4%5%6 leans over %7")
+                       .arg(number(cues.coverage), number(cues.bandLow_N), number(cues.bandHigh_N))
+                       .arg(cues.asksSize)
+                       .arg(cues.asksHardness)
+                       .arg(cues.asksConfidence)
+                       .arg(cues.leanSaturated);
     for (std::size_t i = 0; i < 2; ++i)
-        text += QStringLiteral("; finger depth %1 lean %2 squeeze %3").arg(number(1e3 * cues.depth_m[i]), number(cues.lean_rad[i]), cues.squeezeShown ? number(cues.squeeze_N[i]) : QStringLiteral("none"));
+        text += QStringLiteral("; finger depth %1 lean %2 squeeze %3")
+                    .arg(number(1e3 * cues.depth_m[i]), number(cues.lean_rad[i]),
+                         cues.squeezeShown ? number(cues.squeeze_N[i]) : QStringLiteral("none"));
     for (std::size_t i = 0; i < cues.finding.size(); ++i)
         if (cues.finding[i].present)
-            text += QStringLiteral("; finding %1 radius %2 confidence %3%4 is %5").arg(place(cues.finding[i].p_W), number(1e3 * cues.finding[i].radius_m)).arg(cues.finding[i].confidence)
-                        .arg(int(i) == cues.selected ? QStringLiteral(" chosen") : QString()).arg(static_cast<int>(state.overlay.of<scene3d::PalpationOverlay>().outcome[i]));
+            text += QStringLiteral("; finding %1 radius %2 confidence %3%4 is %5")
+                        .arg(place(cues.finding[i].p_W), number(1e3 * cues.finding[i].radius_m))
+                        .arg(cues.finding[i].confidence)
+                        .arg(int(i) == cues.selected ? QStringLiteral(" chosen") : QString())
+                        .arg(static_cast<int>(state.overlay.of<scene3d::PalpationOverlay>().outcome[i]));
     for (int i = 0; i < cues.lumps; ++i)
-        text += QStringLiteral("; lump %1 radius %2%3").arg(place(cues.lump[std::size_t(i)].p_W), number(1e3 * cues.lump[std::size_t(i)].radius_m), state.overlay.of<scene3d::PalpationOverlay>().lumpsMissed >> i & 1 ? QStringLiteral(" missed") : QString());
+        text +=
+            QStringLiteral("; lump %1 radius %2%3")
+                .arg(place(cues.lump[std::size_t(i)].p_W), number(1e3 * cues.lump[std::size_t(i)].radius_m),
+                     state.overlay.of<scene3d::PalpationOverlay>().lumpsMissed >> i & 1
+                         ? QStringLiteral(" missed")
+                         : QString());
     if (state.overlay.of<scene3d::PalpationOverlay>().map)
-        text += QStringLiteral("; map %1 searched %2").arg(static_cast<int>(state.overlay.of<scene3d::PalpationOverlay>().mapKind)).arg(number(state.overlay.of<scene3d::PalpationOverlay>().map->coverage()));
+        text += QStringLiteral("; map %1 searched %2")
+                    .arg(static_cast<int>(state.overlay.of<scene3d::PalpationOverlay>().mapKind))
+                    .arg(number(state.overlay.of<scene3d::PalpationOverlay>().map->coverage()));
     lines << text;
 }
 
@@ -93,12 +133,22 @@ QStringList sceneLines(const scene3d::SceneState& state) {
             lines << QStringLiteral("tool ") + toolWords(tool);
     if (state.ghost.present)
         lines << QStringLiteral("ghost ") + toolWords(state.ghost);
-    lines << QStringLiteral("object%1 %2 turned %3%4%5").arg(state.objectShown ? QString() : QStringLiteral(" hidden"), place(state.p_WObject), number(state.exercise.of<core::LaparoscopyCues>().body[0].q_W[3]),
-        state.dimpleShown ? QStringLiteral(" dimple %1,%2").arg(number(1e3 * state.dimpleCentre_m.x()), number(1e3 * state.dimpleCentre_m.y())) : QString(),
-        state.marked ? QStringLiteral(" marked ") + place(state.p_WMark) : QString());
+    lines << QStringLiteral("object%1 %2 turned %3%4%5")
+                 .arg(state.objectShown ? QString() : QStringLiteral(" hidden"), place(state.p_WObject),
+                      number(state.exercise.of<core::LaparoscopyCues>().body[0].q_W[3]),
+                      state.dimpleShown ? QStringLiteral(" dimple %1,%2")
+                                              .arg(number(1e3 * state.dimpleCentre_m.x()),
+                                                   number(1e3 * state.dimpleCentre_m.y()))
+                                        : QString(),
+                      state.marked ? QStringLiteral(" marked ") + place(state.p_WMark) : QString());
     if (state.exercise.of<simulation::EndoscopeCues>().present)
-        lines << QStringLiteral("endoscope stage %1 depth %2 landmarks %3 of %4 %5%6").arg(static_cast<int>(state.exercise.of<simulation::EndoscopeCues>().stage)).arg(number(1e3 * state.exercise.of<simulation::EndoscopeCues>().depth_m)).arg(state.exercise.of<simulation::EndoscopeCues>().landmarksSeen)
-                     .arg(state.exercise.of<simulation::EndoscopeCues>().landmarks).arg(state.exercise.of<simulation::EndoscopeCues>().pictureShown).arg(state.exercise.of<simulation::EndoscopeCues>().guided);
+        lines << QStringLiteral("endoscope stage %1 depth %2 landmarks %3 of %4 %5%6")
+                     .arg(static_cast<int>(state.exercise.of<simulation::EndoscopeCues>().stage))
+                     .arg(number(1e3 * state.exercise.of<simulation::EndoscopeCues>().depth_m))
+                     .arg(state.exercise.of<simulation::EndoscopeCues>().landmarksSeen)
+                     .arg(state.exercise.of<simulation::EndoscopeCues>().landmarks)
+                     .arg(state.exercise.of<simulation::EndoscopeCues>().pictureShown)
+                     .arg(state.exercise.of<simulation::EndoscopeCues>().guided);
     addLaparoscopy(state.exercise.of<core::LaparoscopyCues>(), lines);
     addPalpation(state, lines);
     return lines;
@@ -112,9 +162,16 @@ private slots:
     void initTestCase() {
         m_desktop = std::make_unique<tests::DesktopFixture>();
         const tests::VisitedSessions sessions = tests::addVisitedSessions(*m_desktop);
-        m_sessions = {{"sphere", sessions.good}, {"sphere pressed too hard", sessions.bad}, {"insertion", sessions.insertion}, {"tube", sessions.tube}, {"tube in two hands", sessions.tubeTwoHanded},
-                      {"objects", sessions.handling}, {"palpation", sessions.palpation}};
-        for (const auto& [name, exercise, level] : {std::tuple{"tube passed on", "elastic_tube", 3}, {"tube under a fold", "elastic_tube", 6}, {"many objects", "object_handling", 4}})
+        m_sessions = {{"sphere", sessions.good},
+                      {"sphere pressed too hard", sessions.bad},
+                      {"insertion", sessions.insertion},
+                      {"tube", sessions.tube},
+                      {"tube in two hands", sessions.tubeTwoHanded},
+                      {"objects", sessions.handling},
+                      {"palpation", sessions.palpation}};
+        for (const auto& [name, exercise, level] : {std::tuple{"tube passed on", "elastic_tube", 3},
+                                                    {"tube under a fold", "elastic_tube", 6},
+                                                    {"many objects", "object_handling", 4}})
             m_sessions.push_back({name, tests::addGrasping(*m_desktop, "tina", exercise, level)});
         m_desktop->logIn("tina");
         m_desktop->window->resize(1280, 720);
@@ -137,7 +194,8 @@ private slots:
             moments_s.push_back(share * data.track.duration_s);
         for (const session::PlaybackTrial& trial : data.track.trials)
             if (trial.index < 3)
-                moments_s.insert(moments_s.end(), {trial.start_s + 0.5, trial.end_s - 0.02, trial.end_s + 0.02});
+                moments_s.insert(moments_s.end(),
+                                 {trial.start_s + 0.5, trial.end_s - 0.02, trial.end_s + 0.02});
         for (const double t_s : moments_s)
             moment(data, t_s, nullptr);
         lists();
@@ -150,7 +208,8 @@ private slots:
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
         ++m_held;
     }
-    /// A second session beside the first: where its instrument was at that moment of its own trial, and its lines in the plots.
+    /// A second session beside the first: where its instrument was at that moment of its own trial, and its
+    /// lines in the plots.
     void aSecondOneIsBesideItAsItWas() {
         m_lines.clear();
         auto first = load(m_sessions[1].second);
@@ -161,7 +220,8 @@ private slots:
         moment(third, 0.4 * third.track.duration_s, &third.track, false);
         const auto theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
         for (const auto& [of, beside] : {std::pair{&first, &second}, {&third, &third}}) {
-            desktop::PlaybackPlots plots(theme, m_desktop->context.locale(), of->track, of->setup.level, of->layer.get());
+            desktop::PlaybackPlots plots(theme, m_desktop->context.locale(), of->track, of->setup.level,
+                                         of->layer.get());
             plots.setGhost(session::ghostSeries(of->track, beside->track), QStringLiteral("second session"));
             plots.showCursor(1.5);
             m_lines << tests::ScreenOutline::of(plots, true, true);
@@ -180,7 +240,8 @@ private:
     template <class W> W* find(const char* name) { return screen().findChild<W*>(QLatin1String(name)); }
     desktop::PlaybackData load(database::SessionId session) {
         auto connection = m_desktop->database().openReader();
-        auto data = desktop::loadPlayback(**connection, m_desktop->actor("tina"), session, [](double) { return true; });
+        auto data = desktop::loadPlayback(**connection, m_desktop->actor("tina"), session,
+                                          [](double) { return true; });
         if (!data)
             qFatal("%s", data.error().message.c_str());
         return std::move(*data);
@@ -193,17 +254,21 @@ private:
     void say(const QString& line) { m_lines << line; }
     QString position() { return number(screen().clock().position_s()); }
 
-    void moment(desktop::PlaybackData& data, double t_s, const session::PlaybackTrack* ghost, bool shown = true) {
+    void moment(desktop::PlaybackData& data, double t_s, const session::PlaybackTrack* ghost,
+                bool shown = true) {
         say(QStringLiteral("-- at %1 s").arg(number(t_s)));
         scene3d::SceneState state = desktop::sceneStateAt(data.track, ghost, t_s, data.layer.get());
         m_lines << sceneLines(state);
         if (!shown)
             return;
         screen().clock().seek(t_s);
-        say(QStringLiteral("reads \"%1\" \"%2\" \"%3\" heard \"%4\"").arg(find<QLabel>("playback.readout")->text(), find<QLabel>("playback.time")->text(),
-                                                                    find<QPushButton>("playback.comment_add")->text(), find<QWidget>("playback.scrubber")->accessibleDescription()));
+        say(QStringLiteral("reads \"%1\" \"%2\" \"%3\" heard \"%4\"")
+                .arg(find<QLabel>("playback.readout")->text(), find<QLabel>("playback.time")->text(),
+                     find<QPushButton>("playback.comment_add")->text(),
+                     find<QWidget>("playback.scrubber")->accessibleDescription()));
         for (auto* plot : screen().findChildren<QWidget*>())
-            if (const auto* view = dynamic_cast<const report::PlotView*>(plot); view && std::abs(view->cursorX() - screen().clock().position_s()) > 1e-9)
+            if (const auto* view = dynamic_cast<const report::PlotView*>(plot);
+                view && std::abs(view->cursorX() - screen().clock().position_s()) > 1e-9)
                 say(QStringLiteral("elsewhere %1 %2").arg(plot->objectName(), number(view->cursorX())));
     }
     void lists() {
@@ -223,7 +288,8 @@ private:
     void keys() {
         say(QStringLiteral("-- keys"));
         auto* bar = find<desktop::Scrubber>("playback.scrubber");
-        const auto press = [&](const char* what, Qt::Key key, Qt::KeyboardModifiers with = {}, int times = 1) {
+        const auto press = [&](const char* what, Qt::Key key, Qt::KeyboardModifiers with = {},
+                               int times = 1) {
             QStringList places;
             for (int i = 0; i < times; ++i) {
                 QTest::keyClick(bar, key, with);
@@ -257,7 +323,8 @@ private:
             const QPoint at(qRound(bar->xOf(share * data.track.duration_s)), bar->height() / 2);
             QHelpEvent asks(QEvent::ToolTip, at, bar->mapToGlobal(at));
             QCoreApplication::sendEvent(bar, &asks);
-            say(QStringLiteral("at %1 \"%2\"").arg(number(share), QToolTip::text().replace(QLatin1Char('\n'), QLatin1Char('|'))));
+            say(QStringLiteral("at %1 \"%2\"")
+                    .arg(number(share), QToolTip::text().replace(QLatin1Char('\n'), QLatin1Char('|'))));
             QToolTip::hideText();
         }
     }
@@ -266,15 +333,21 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(m_desktop->context.background().idle(), kPatience_ms);
         const auto* choice = find<QComboBox>("playback.ghost");
         for (int i = 0; i < choice->count(); ++i)
-            say(QStringLiteral("%1 %2").arg(choice->itemData(i).toLongLong() - session).arg(tests::withoutToday(choice->itemText(i))));
+            say(QStringLiteral("%1 %2")
+                    .arg(choice->itemData(i).toLongLong() - session)
+                    .arg(tests::withoutToday(choice->itemText(i))));
         say(choice->isEnabled() ? QStringLiteral("may be chosen") : QStringLiteral("none to choose"));
     }
     /// A palpation with and without the truth, and by each map.
     void looks(const desktop::PlaybackData& data, desktop::PalpationReplay& replay) {
-        for (const auto& [name, look] : {std::pair{"without the truth", desktop::PalpationLook{.truth = false}}, {"the whole trial's map of force", desktop::PalpationLook{true, true, simulation::SurfaceMapKind::force}}})
+        for (const auto& [name, look] :
+             {std::pair{"without the truth", desktop::PalpationLook{.truth = false}},
+              {"the whole trial's map of force",
+               desktop::PalpationLook{true, true, simulation::SurfaceMapKind::force}}})
             for (const session::PlaybackTrial& trial : data.track.trials) {
                 say(QStringLiteral("-- %1, trial %2").arg(QLatin1String(name)).arg(trial.index));
-                scene3d::SceneState state = desktop::sceneStateAt(data.track, nullptr, trial.end_s - 1.0, nullptr);
+                scene3d::SceneState state =
+                    desktop::sceneStateAt(data.track, nullptr, trial.end_s - 1.0, nullptr);
                 replay.showIn(state, data.track, trial.end_s - 1.0, look);
                 m_lines << sceneLines(state);
             }

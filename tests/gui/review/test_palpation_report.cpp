@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the printed report tells of a palpation: findings, missed lumps, sensitivity, maps. CHIRON_KEEP_PICTURES=<folder> keeps it.
+// What the printed report tells of a palpation: findings, missed lumps, sensitivity, maps.
+// CHIRON_KEEP_PICTURES=<folder> keeps it.
 #include "../../unit/scoring/palpation_traces.h"
-#include "report/report_writer.h"
 #include "app/exercises/palpation/session_report/palpation_report.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "report/report_writer.h"
 
 #include <QtTest>
 #include <cmath>
@@ -14,7 +15,9 @@ using tests::MadeTrial;
 
 namespace {
 
-bool isNear(double a, double b) { return std::abs(a - b) < 1e-9; }
+bool isNear(double a, double b) {
+    return std::abs(a - b) < 1e-9;
+}
 
 catalogue::ExerciseLevel level() {
     catalogue::ExerciseLevel out;
@@ -46,7 +49,8 @@ report::ReportData dataOf(const std::vector<scoring::TrialTrace>& trials) {
 }
 
 QByteArray pdfOf(const report::ReportData& data, const QString& path) {
-    const auto done = report::writeSessionPdf(path, data, report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom)));
+    const auto done = report::writeSessionPdf(
+        path, data, report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom)));
     QFile file(path);
     return done && file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
@@ -62,11 +66,15 @@ private slots:
         const auto& trial = out->trials[0];
         QCOMPARE(trial.rows.size(), std::size_t{3});
         const PalpationFindingRow& hit = trial.rows[0];
-        QVERIFY(hit.kind == PalpationFindingRow::Kind::hit && hit.number == 1 && hit.confidence == 4 && hit.hardness == 5);
-        QVERIFY(isNear(hit.x_mm, 3.0) && isNear(hit.radius_mm, 7.0) && isNear(*hit.error_mm, 3.0) && isNear(*hit.sizeError_mm, 1.0));
-        QVERIFY(trial.rows[1].kind == PalpationFindingRow::Kind::falseAlarm && !trial.rows[1].error_mm && !trial.rows[1].sizeError_mm);
+        QVERIFY(hit.kind == PalpationFindingRow::Kind::hit && hit.number == 1 && hit.confidence == 4 &&
+                hit.hardness == 5);
+        QVERIFY(isNear(hit.x_mm, 3.0) && isNear(hit.radius_mm, 7.0) && isNear(*hit.error_mm, 3.0) &&
+                isNear(*hit.sizeError_mm, 1.0));
+        QVERIFY(trial.rows[1].kind == PalpationFindingRow::Kind::falseAlarm && !trial.rows[1].error_mm &&
+                !trial.rows[1].sizeError_mm);
         const PalpationFindingRow& missed = trial.rows[2];
-        QVERIFY(missed.kind == PalpationFindingRow::Kind::missed && missed.number == 0 && isNear(missed.radius_mm, 5.0) && missed.hardness == 3);
+        QVERIFY(missed.kind == PalpationFindingRow::Kind::missed && missed.number == 0 &&
+                isNear(missed.radius_mm, 5.0) && missed.hardness == 3);
         QVERIFY((out->regions == core::DetectionCounts{1, 2, 1, 7}));
     }
 
@@ -74,9 +82,11 @@ private slots:
         const auto out = session_report::palpationReportOf(tests::palpationSession({searched()}), level());
         const auto& view = out->trials[0].view;
         QVERIFY(view.lumps.size() == 2 && view.lumps[0].found && !view.lumps[1].found);
-        QVERIFY(view.findings[0].outcome == simulation::FindingOutcome::hit && view.findings[1].outcome == simulation::FindingOutcome::falseAlarm);
+        QVERIFY(view.findings[0].outcome == simulation::FindingOutcome::hit &&
+                view.findings[1].outcome == simulation::FindingOutcome::falseAlarm);
         QCOMPARE(view.regionColumns, 3);
-        QVERIFY(out->trials[0].map.coverage() > 0.1 && out->trials[0].map.coverage() < 0.25); // a row of 54 × 10 mm of 60 × 60
+        QVERIFY(out->trials[0].map.coverage() > 0.1 &&
+                out->trials[0].map.coverage() < 0.25); // a row of 54 × 10 mm of 60 × 60
     }
 
     void nothingToTell() {
@@ -94,7 +104,8 @@ private slots:
         QTemporaryDir temporary;
         const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES", temporary.path());
         const auto pagesOf = [&](const std::vector<scoring::TrialTrace>& trials, const char* name) {
-            return static_cast<int>(pdfOf(dataOf(trials), folder + QLatin1Char('/') + QLatin1String(name)).count("/Type /Page\n"));
+            return static_cast<int>(pdfOf(dataOf(trials), folder + QLatin1Char('/') + QLatin1String(name))
+                                        .count("/Type /Page\n"));
         };
         const int none = pagesOf({}, "palpation_none.pdf");
         std::vector<scoring::TrialTrace> trials(7, searched());
@@ -108,11 +119,13 @@ private slots:
         QTemporaryDir temporary;
         const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES", temporary.path());
         const auto theme = report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom));
-        const auto written = report::writeSessionPngs(folder, dataOf({searched(), scoring::TrialTrace(MadeTrial())}), theme);
+        const auto written =
+            report::writeSessionPngs(folder, dataOf({searched(), scoring::TrialTrace(MadeTrial())}), theme);
         QVERIFY(written && written->size() == 5);
         const QImage searchedMap(folder + QStringLiteral("/palpation_1.png"));
         const QImage emptyMap(folder + QStringLiteral("/palpation_2.png"));
-        QVERIFY(searchedMap.width() == 2800 && searchedMap.size() == emptyMap.size() && searchedMap != emptyMap);
+        QVERIFY(searchedMap.width() == 2800 && searchedMap.size() == emptyMap.size() &&
+                searchedMap != emptyMap);
         QCOMPARE(searchedMap.pixelColor(0, 0), theme.paper);
     }
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A palpation looked back at: playback, debrief and the curve over sessions, by real controls.
+#include "app/exercises/palpation/desktop/palpation_box.h"
+#include "app/exercises/palpation/desktop/palpation_layer.h"
+#include "app/exercises/palpation/desktop/palpation_map_view.h"
+#include "app/exercises/palpation/desktop/roc_box.h"
 #include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
-#include "app/exercises/palpation/desktop/palpation_box.h"
 #include "desktop/playback/playback_plots.h"
-#include "app/exercises/palpation/desktop/palpation_layer.h"
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/playback_screen.h"
 #include "desktop/plots/metric_words.h"
-#include "app/exercises/palpation/desktop/palpation_map_view.h"
-#include "app/exercises/palpation/desktop/roc_box.h"
 #include "desktop/widgets/state_panel.h"
 #include "report/plot_view.h"
 #include "support/every_place.h"
@@ -91,11 +91,14 @@ private slots:
         const PalpatingHand hand(replayOf(data).level(), kPalpationSeed);
         const bool lump = hand.trials()[1].lumps > 0;
         const std::size_t wrong = lump ? 1 : 0;
-        QCOMPARE(int(state.overlay.of<scene3d::PalpationOverlay>().outcome[wrong]), int(simulation::FindingOutcome::falseAlarm));
+        QCOMPARE(int(state.overlay.of<scene3d::PalpationOverlay>().outcome[wrong]),
+                 int(simulation::FindingOutcome::falseAlarm));
         if (lump)
-            QCOMPARE(int(state.overlay.of<scene3d::PalpationOverlay>().outcome[0]), int(simulation::FindingOutcome::hit));
+            QCOMPARE(int(state.overlay.of<scene3d::PalpationOverlay>().outcome[0]),
+                     int(simulation::FindingOutcome::hit));
         replayOf(data).showIn(state = {}, data.track, data.track.trials[1].end_s - 0.05, {.truth = false});
-        QCOMPARE(int(state.overlay.of<scene3d::PalpationOverlay>().outcome[wrong]), int(simulation::FindingOutcome::open));
+        QCOMPARE(int(state.overlay.of<scene3d::PalpationOverlay>().outcome[wrong]),
+                 int(simulation::FindingOutcome::open));
         if (hand.trials()[2].lumps > 0) { // taken back: missed
             replayOf(data).showIn(state = {}, data.track, data.track.trials[2].end_s - 0.05, {});
             QCOMPARE(int(state.overlay.of<scene3d::PalpationOverlay>().lumpsMissed), 1);
@@ -123,7 +126,9 @@ private slots:
                     jumped = true;
                 }
         QVERIFY(jumped);
-        QVERIFY(m_desktop->find<QLabel>(QStringLiteral("playback.readout"))->text().contains(QStringLiteral("findings")));
+        QVERIFY(m_desktop->find<QLabel>(QStringLiteral("playback.readout"))
+                    ->text()
+                    .contains(QStringLiteral("findings")));
     }
 
     void missesAndFalseAlarmsAreEventsAsScored() {
@@ -140,17 +145,20 @@ private slots:
             return -1L;
         };
         const auto stored = [&](const char* kind) {
-            return std::count_if(events->begin(), events->end(), [kind](const auto& event) { return event.kind == kind; });
+            return std::count_if(events->begin(), events->end(),
+                                 [kind](const auto& event) { return event.kind == kind; });
         };
         const auto marked = [&](session::PlaybackMarkKind kind) {
-            return std::count_if(data.track.marks.begin(), data.track.marks.end(), [kind](const auto& mark) { return mark.kind == kind; });
+            return std::count_if(data.track.marks.begin(), data.track.marks.end(),
+                                 [kind](const auto& mark) { return mark.kind == kind; });
         };
         QVERIFY(scored("palpation_misses") > 0 && scored("palpation_false_alarms") > 0);
         QCOMPARE(stored("lump_missed"), scored("palpation_misses"));
         QCOMPARE(stored("false_alarm"), scored("palpation_false_alarms"));
         QCOMPARE(marked(session::PlaybackMarkKind::lumpMissed), scored("palpation_misses"));
         QCOMPARE(marked(session::PlaybackMarkKind::falseAlarm), scored("palpation_false_alarms"));
-        QVERIFY(std::is_sorted(events->begin(), events->end(), [](const auto& a, const auto& b) { return a.tick < b.tick; }));
+        QVERIFY(std::is_sorted(events->begin(), events->end(),
+                               [](const auto& a, const auto& b) { return a.tick < b.tick; }));
         for (const database::EventRecord& event : *events)
             if (event.kind == "false_alarm" || event.kind == "lump_missed")
                 QVERIFY(std::abs(data.track.timeOfTick(event.tick) - event.time_s) < 0.005);
@@ -163,19 +171,24 @@ private slots:
         QCOMPARE(choice->count(), 4);
         auto* words = m_desktop->find<QLabel>(QStringLiteral("debrief.palpation"));
         choice->setCurrentIndex(1);
-        QVERIFY2(words->text().contains(QStringLiteral("Findings where there was no lump: 1")), qPrintable(words->text()));
+        QVERIFY2(words->text().contains(QStringLiteral("Findings where there was no lump: 1")),
+                 qPrintable(words->text()));
         auto* map = m_desktop->find<desktop::PalpationMapView>(QStringLiteral("debrief.force_map"));
         QVERIFY(map && !map->accessibleDescription().isEmpty());
         QCOMPARE(int(map->view().kind), int(simulation::SurfaceMapKind::force));
-        QVERIFY(m_desktop->find<QLabel>(QStringLiteral("debrief.lumps"))->text().contains(QStringLiteral("no lump there")));
+        QVERIFY(m_desktop->find<QLabel>(QStringLiteral("debrief.lumps"))
+                    ->text()
+                    .contains(QStringLiteral("no lump there")));
     }
 
     void tooFewAnswersMakeNoCurve() {
-        m_desktop->go(QStringLiteral("results"), {{QStringLiteral("exercise"), QStringLiteral("palpation")}, {QStringLiteral("level"), 1}});
+        m_desktop->go(QStringLiteral("results"), {{QStringLiteral("exercise"), QStringLiteral("palpation")},
+                                                  {QStringLiteral("level"), 1}});
         QVERIFY(waitUntilLoaded(*m_desktop));
         auto* box = m_desktop->find<desktop::RocBox>(QStringLiteral("results.detection"));
         QVERIFY(box && box->isVisible());
-        QCOMPARE(int(box->findChild<desktop::StatePanel*>()->state()), int(desktop::StatePanel::State::empty));
+        QCOMPARE(int(box->findChild<desktop::StatePanel*>()->state()),
+                 int(desktop::StatePanel::State::empty));
     }
 
     void enoughAnswersMakeOne() {
@@ -204,18 +217,23 @@ private slots:
         m_desktop->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(lost)}});
         QVERIFY(waitUntilLoaded(*m_desktop));
         QStringList titles;
-        for (const auto* title : m_desktop->window->screen()->findChildren<QLabel*>(QStringLiteral("state.title")))
+        for (const auto* title :
+             m_desktop->window->screen()->findChildren<QLabel*>(QStringLiteral("state.title")))
             if (title->isVisible())
                 titles << title->text();
         QCOMPARE(titles.size(), 1); // everything else is there
-        QVERIFY2(titles[0].contains(QStringLiteral("Findings and maps could not be read")), qPrintable(titles[0]));
+        QVERIFY2(titles[0].contains(QStringLiteral("Findings and maps could not be read")),
+                 qPrintable(titles[0]));
         m_desktop->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(lost)}});
         QVERIFY(waitUntilLoaded(*m_desktop));
         auto* said = m_desktop->find<QLabel>(QStringLiteral("playback.layer_lost"));
         QVERIFY(said && said->isVisible());
-        QVERIFY2(said->text().contains(QStringLiteral("trial 1: the trace has no reports")), qPrintable(said->text()));
+        QVERIFY2(said->text().contains(QStringLiteral("trial 1: the trace has no reports")),
+                 qPrintable(said->text()));
         QVERIFY(!m_desktop->find<QCheckBox>(QStringLiteral("playback.truth")));
-        QVERIFY(m_desktop->find<QLabel>(QStringLiteral("playback.readout"))->text().contains(QStringLiteral("force")));
+        QVERIFY(m_desktop->find<QLabel>(QStringLiteral("playback.readout"))
+                    ->text()
+                    .contains(QStringLiteral("force")));
     }
 
     void everyMetricHasWords() {
@@ -226,11 +244,13 @@ private slots:
 
 private:
     static int desktop_count(const simulation::PalpationCues& cues) {
-        return static_cast<int>(std::count_if(cues.finding.begin(), cues.finding.end(), [](const simulation::Finding& one) { return one.present; }));
+        return static_cast<int>(std::count_if(cues.finding.begin(), cues.finding.end(),
+                                              [](const simulation::Finding& one) { return one.present; }));
     }
     desktop::PlaybackData load() {
         auto connection = m_desktop->database().openReader();
-        auto data = desktop::loadPlayback(**connection, m_desktop->actor("tina"), m_session, [](double) { return true; });
+        auto data = desktop::loadPlayback(**connection, m_desktop->actor("tina"), m_session,
+                                          [](double) { return true; });
         if (!data)
             qFatal("%s", data.error().message.c_str());
         return std::move(*data);
@@ -240,14 +260,17 @@ private:
         sqlite3* raw = nullptr;
         QCOMPARE(sqlite3_open(m_desktop->file().toUtf8().constData(), &raw), SQLITE_OK);
         sqlite3_stmt* read = nullptr;
-        const QByteArray select = "SELECT channel_table FROM session WHERE id = " + QByteArray::number(qlonglong(session));
+        const QByteArray select =
+            "SELECT channel_table FROM session WHERE id = " + QByteArray::number(qlonglong(session));
         QCOMPARE(sqlite3_prepare_v2(raw, select.constData(), -1, &read, nullptr), SQLITE_OK);
         QCOMPARE(sqlite3_step(read), SQLITE_ROW);
-        QByteArray table(static_cast<const char*>(sqlite3_column_blob(read, 0)), sqlite3_column_bytes(read, 0));
+        QByteArray table(static_cast<const char*>(sqlite3_column_blob(read, 0)),
+                         sqlite3_column_bytes(read, 0));
         sqlite3_finalize(read);
         QVERIFY(table.contains("report_count"));
         table.replace("report_count", "report_other");
-        const QByteArray write = "UPDATE session SET channel_table = x'" + table.toHex() + "' WHERE id = " + QByteArray::number(qlonglong(session));
+        const QByteArray write = "UPDATE session SET channel_table = x'" + table.toHex() +
+                                 "' WHERE id = " + QByteArray::number(qlonglong(session));
         QCOMPARE(sqlite3_exec(raw, write.constData(), nullptr, nullptr, nullptr), SQLITE_OK);
         sqlite3_close(raw);
     }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A stored session on the screen: what is shown is what was recorded, at the same moment everywhere.
-#include "support/looked_back.h"
-#include "support/patience.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_repository.h"
 #include "desktop/playback/playback_data.h"
@@ -11,6 +9,8 @@
 #include "desktop/playback/scrubber.h"
 #include "desktop/widgets/scroll_page.h"
 #include "review_sessions.h"
+#include "support/looked_back.h"
+#include "support/patience.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -102,11 +102,16 @@ void TestPlayback::opensAtAMoment() {
 
 /// Who is led to a moment sees how it came about; it stops there, once, with one line in the scene.
 void TestPlayback::aMomentIsPlayedToAndStops() {
-    open(m_bad, {{QStringLiteral("at_s"), 4.0}, {QStringLiteral("caption"), QStringLiteral("Tom, at 0:04.5: ") + QString(300, QLatin1Char('x'))}, {QStringLiteral("caption_s"), 4.5}});
+    open(m_bad,
+         {{QStringLiteral("at_s"), 4.0},
+          {QStringLiteral("caption"), QStringLiteral("Tom, at 0:04.5: ") + QString(300, QLatin1Char('x'))},
+          {QStringLiteral("caption_s"), 4.5}});
     auto& clock = screen()->clock();
     QTRY_VERIFY_WITH_TIMEOUT(!clock.playing() && clock.position_s() >= 4.5, kPatience_ms);
-    QVERIFY2(clock.position_s() < 5.5, qPrintable(QString::number(clock.position_s()))); // nobody pressed anything
-    QVERIFY(screen()->captionAt(4.5).title.size() <= 90 && screen()->captionAt(4.5).title.endsWith(QChar(0x2026)));
+    QVERIFY2(clock.position_s() < 5.5,
+             qPrintable(QString::number(clock.position_s()))); // nobody pressed anything
+    QVERIFY(screen()->captionAt(4.5).title.size() <= 90 &&
+            screen()->captionAt(4.5).title.endsWith(QChar(0x2026)));
     QVERIFY(screen()->captionAt(4.0).title.isEmpty());
     clock.seek(4.0);
     clock.play();
@@ -114,16 +119,21 @@ void TestPlayback::aMomentIsPlayedToAndStops() {
         clock.advance(0.1);
     QVERIFY(clock.playing()); // it stopped once, and no more
     clock.pause();
-    open(m_bad, {{QStringLiteral("at_s"), 6.0}, {QStringLiteral("caption"), QStringLiteral("Here")}, {QStringLiteral("caption_s"), 4.5}}); // come back to later
+    open(m_bad, {{QStringLiteral("at_s"), 6.0},
+                 {QStringLiteral("caption"), QStringLiteral("Here")},
+                 {QStringLiteral("caption_s"), 4.5}}); // come back to later
     QTest::qWait(50);
     QVERIFY(!screen()->clock().playing());
 }
 
 /// A comment belongs to a tick of the recording: where that is on the time bar is known only here.
 void TestPlayback::aTickIsPlayedTo() {
-    open(m_bad, {{QStringLiteral("at_s"), 8.5}, {QStringLiteral("at_tick"), qulonglong(9000)}, {QStringLiteral("caption"), QStringLiteral("Tom: look")}});
+    open(m_bad, {{QStringLiteral("at_s"), 8.5},
+                 {QStringLiteral("at_tick"), qulonglong(9000)},
+                 {QStringLiteral("caption"), QStringLiteral("Tom: look")}});
     auto& clock = screen()->clock();
-    QTRY_VERIFY_WITH_TIMEOUT(!clock.playing() && !screen()->captionAt(clock.position_s()).title.isEmpty(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!clock.playing() && !screen()->captionAt(clock.position_s()).title.isEmpty(),
+                             kPatience_ms);
     const double moment_s = clock.position_s();
     QVERIFY2(moment_s > 8.5, qPrintable(QString::number(moment_s)));
     QVERIFY(screen()->captionAt(moment_s - 1.0).title.isEmpty());
@@ -167,7 +177,8 @@ void TestPlayback::cursorsAndScrubberAgree() {
         screen()->clock().seek(1.0);
     }
     auto* scrubber = find<desktop::Scrubber>("playback.scrubber");
-    QTest::mouseClick(scrubber, Qt::LeftButton, {}, QPoint(qRound(scrubber->xOf(9.0)), scrubber->height() / 2));
+    QTest::mouseClick(scrubber, Qt::LeftButton, {},
+                      QPoint(qRound(scrubber->xOf(9.0)), scrubber->height() / 2));
     QVERIFY(std::abs(screen()->clock().position_s() - 9.0) < 0.1);
     screen()->clock().seek(5.9);
     QVERIFY(find<QLabel>("playback.readout")->text().contains(QStringLiteral("paused")));
@@ -223,7 +234,8 @@ void TestPlayback::pausesAreSkipped() {
     QVERIFY(skip && skip->isChecked());
     screen()->clock().play();
     screen()->clock().advance(0.2);
-    QVERIFY2(paused.position_s() >= 6.5 - 0.01 && paused.position_s() < 6.7, qPrintable(QString::number(paused.position_s())));
+    QVERIFY2(paused.position_s() >= 6.5 - 0.01 && paused.position_s() < 6.7,
+             qPrintable(QString::number(paused.position_s())));
     screen()->clock().pause();
     screen()->clock().seek(5.5); // who wants to see it goes there
     QCOMPARE(paused.position_s(), 5.5);
@@ -252,7 +264,7 @@ void TestPlayback::thePlotsZoom() {
     for (int i = 0; i < 20; ++i)
         QTest::mouseClick(find<QPushButton>("playback.zoom_in"), Qt::LeftButton);
     QCOMPARE(plots->to_s() - plots->from_s(), 0.5); // and no farther
-    screen()->clock().seek(2.0); // beyond the page: it is turned
+    screen()->clock().seek(2.0);                    // beyond the page: it is turned
     QVERIFY(plots->from_s() <= 2.0 && plots->to_s() >= 2.0);
     QVERIFY(std::abs(plots->to_s() - plots->from_s() - 0.5) < 1e-9);
     QTest::mouseClick(find<QPushButton>("playback.zoom_out"), Qt::LeftButton);
@@ -274,7 +286,8 @@ void TestPlayback::theWheelIsThePages() {
         QWidgetList parts = plot->findChildren<QWidget*>();
         parts << plot;
         for (QWidget* part : parts) {
-            QWheelEvent turned(part->rect().center(), part->mapToGlobal(part->rect().center()), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+            QWheelEvent turned(part->rect().center(), part->mapToGlobal(part->rect().center()), {}, {0, -120},
+                               Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
             turned.setAccepted(true);
             QApplication::sendEvent(part, &turned);
             QVERIFY(!turned.isAccepted());
@@ -284,8 +297,10 @@ void TestPlayback::theWheelIsThePages() {
     QVERIFY(page);
     for (const char* name : {"playback.force", "playback.speed_plot"})
         for (QWidget* part : find<QWidget>(name)->findChildren<QWidget*>())
-            for (const QWidget* widget = part; widget && widget != page->viewport(); widget = widget->parentWidget())
-                QVERIFY2(!widget->testAttribute(Qt::WA_NoMousePropagation), widget->metaObject()->className());
+            for (const QWidget* widget = part; widget && widget != page->viewport();
+                 widget = widget->parentWidget())
+                QVERIFY2(!widget->testAttribute(Qt::WA_NoMousePropagation),
+                         widget->metaObject()->className());
 }
 
 /// Within the first screen, above what was said before.
@@ -336,7 +351,8 @@ void TestPlayback::ghostBesideIt() {
     QCOMPARE(choice->findData(qlonglong(m_bad)), -1); // not beside itself
     choice->setCurrentIndex(mine);
     emit choice->activated(mine);
-    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("ghost")).toLongLong(), m_good);
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("ghost")).toLongLong(),
+             m_good);
     auto* plots = screen()->findChild<desktop::PlaybackPlots*>();
     const QString second = QStringLiteral("second session");
     QTRY_VERIFY_WITH_TIMEOUT(plots->force().legendTexts().contains(second), kPatience_ms);
@@ -368,16 +384,19 @@ void TestPlayback::sceneStateIsTheRecording() {
     QVERIFY(desktop::sceneStateAt(*track, nullptr, trial.end_s).marked);
 }
 
-// A second session is felt where the first one is felt, and shown where it is shown: only those were done alike.
+// A second session is felt where the first one is felt, and shown where it is shown: only those were done
+// alike.
 void TestPlayback::ghostsAreOfTheSameDeviceClass() {
     const auto shown = tests::store(m_site->database(), *m_tina, tests::ReviewSessions::shown(m_made->good));
-    const auto alsoShown = tests::store(m_site->database(), *m_tina, tests::ReviewSessions::shown(m_made->bad));
+    const auto alsoShown =
+        tests::store(m_site->database(), *m_tina, tests::ReviewSessions::shown(m_made->bad));
     auto reader = m_site->database().openReader();
     QVERIFY(reader);
     const auto ghostsOf = [&](database::SessionId id) {
         std::set<database::SessionId> ids;
         const auto record = database::SessionReader(**reader, *m_tina).session(id);
-        const auto found = record ? desktop::listGhosts(**reader, *m_tina, *record, "force_max", true) : core::Result<std::vector<desktop::GhostCandidate>>();
+        const auto found = record ? desktop::listGhosts(**reader, *m_tina, *record, "force_max", true)
+                                  : core::Result<std::vector<desktop::GhostCandidate>>();
         if (!record || !found)
             qFatal("ghosts");
         for (const auto& candidate : *found)
@@ -387,10 +406,12 @@ void TestPlayback::ghostsAreOfTheSameDeviceClass() {
     QVERIFY((ghostsOf(shown) == std::set<database::SessionId>{alsoShown}));
     QVERIFY((ghostsOf(alsoShown) == std::set<database::SessionId>{shown}));
     const auto felt = ghostsOf(m_good);
-    QVERIFY(felt.contains(m_bad) && !felt.contains(shown) && !felt.contains(alsoShown) && !felt.contains(m_good));
+    QVERIFY(felt.contains(m_bad) && !felt.contains(shown) && !felt.contains(alsoShown) &&
+            !felt.contains(m_good));
 }
 
-// One's own first session heads the list, then one's best; of equally good sessions the earliest counts as the best.
+// One's own first session heads the list, then one's best; of equally good sessions the earliest counts as
+// the best.
 void TestPlayback::theEarliestOfTheBestStandsOut() {
     for (const auto& recording : {m_made->bad, m_made->good, m_made->good, m_made->bad, m_made->bad})
         tests::store(m_site->database(), *m_tina, tests::ReviewSessions::shown(recording));
@@ -402,11 +423,13 @@ void TestPlayback::theEarliestOfTheBestStandsOut() {
     mine.state = database::SessionState::completed;
     const auto listed = sessions.listSessions(mine);
     QVERIFY(listed);
-    const database::SessionSummary& newest = *std::max_element(listed->begin(), listed->end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    const database::SessionSummary& newest = *std::max_element(
+        listed->begin(), listed->end(), [](const auto& a, const auto& b) { return a.id < b.id; });
     for (const bool lowerIsBetter : {true, false}) {
         std::map<double, database::SessionId> earliestWith; // by the metric's value
         for (const database::SessionSummary& summary : *listed) {
-            if (summary.id == newest.id || summary.felt != newest.felt || summary.exercise != newest.exercise || summary.level != newest.level)
+            if (summary.id == newest.id || summary.felt != newest.felt ||
+                summary.exercise != newest.exercise || summary.level != newest.level)
                 continue;
             const auto card = database::ScoreRepository(**reader, *m_tina).scores(summary.id);
             QVERIFY(card);
@@ -419,7 +442,8 @@ void TestPlayback::theEarliestOfTheBestStandsOut() {
         const auto record = sessions.session(newest.id);
         const auto found = desktop::listGhosts(**reader, *m_tina, *record, "force_max", lowerIsBetter);
         QVERIFY(found && found->size() >= 4);
-        const database::SessionId best = lowerIsBetter ? earliestWith.begin()->second : earliestWith.rbegin()->second;
+        const database::SessionId best =
+            lowerIsBetter ? earliestWith.begin()->second : earliestWith.rbegin()->second;
         QCOMPARE(found->front().role, desktop::GhostRole::ownFirst);
         for (std::size_t i = 1; i < found->size(); ++i)
             QCOMPARE((*found)[i].role == desktop::GhostRole::ownBest, (*found)[i].summary.id == best);
@@ -455,7 +479,9 @@ void TestPlayback::commentAtAMoment() {
 void TestPlayback::aCommentIsAnsweredAtItsMoment() {
     const auto id = tests::store(m_site->database(), *m_tina, m_made->bad);
     const auto tom = m_site->actor("tom");
-    QVERIFY(m_site->database().write([&](database::WriteContext& write) { return database::SessionRepository(write.connection(), tom).addComment(id, "Slower here.", 6000); }));
+    QVERIFY(m_site->database().write([&](database::WriteContext& write) {
+        return database::SessionRepository(write.connection(), tom).addComment(id, "Slower here.", 6000);
+    }));
     open(id, {{QStringLiteral("at_s"), 1.0}, {QStringLiteral("tab"), QStringLiteral("comments")}});
     auto* list = find<QListWidget>("playback.comments");
     QTRY_COMPARE_WITH_TIMEOUT(list->count(), 1, kPatience_ms);
@@ -473,7 +499,8 @@ void TestPlayback::aCommentIsAnsweredAtItsMoment() {
     find<QPlainTextEdit>("playback.comment_text")->setPlainText(QStringLiteral("I will."));
     add->click();
     QTRY_COMPARE_WITH_TIMEOUT(list->count(), 2, kPatience_ms);
-    QVERIFY(list->item(0)->text().contains(QStringLiteral("Slower here.")) && list->item(1)->text().contains(QStringLiteral("I will.")));
+    QVERIFY(list->item(0)->text().contains(QStringLiteral("Slower here.")) &&
+            list->item(1)->text().contains(QStringLiteral("I will.")));
     QVERIFY(add->text().startsWith(QStringLiteral("Comment here")));
     auto connection = m_site->database().openReader();
     const auto stored = database::SessionReader(**connection, *m_tina).comments(id);
@@ -481,8 +508,10 @@ void TestPlayback::aCommentIsAnsweredAtItsMoment() {
     QCOMPARE(stored->at(1).tick, std::optional<std::uint64_t>(6000));
     list->setCurrentRow(1);
     QVERIFY(reply->isHidden()); // one's own
-    open(id, {{QStringLiteral("at_s"), 1.0}, {QStringLiteral("reply"), qlonglong(stored->at(0).id)}}); // from a debrief
-    QTRY_COMPARE_WITH_TIMEOUT(find<QPushButton>("playback.comment_add")->text(), QStringLiteral("Reply to Tom Trainer"), kPatience_ms);
+    open(id, {{QStringLiteral("at_s"), 1.0},
+              {QStringLiteral("reply"), qlonglong(stored->at(0).id)}}); // from a debrief
+    QTRY_COMPARE_WITH_TIMEOUT(find<QPushButton>("playback.comment_add")->text(),
+                              QStringLiteral("Reply to Tom Trainer"), kPatience_ms);
     QVERIFY(!m_site->context.navigator().current().parameters.contains(QStringLiteral("reply")));
 }
 
@@ -494,14 +523,18 @@ void TestPlayback::oneClockTellsTheTime() {
     const double moment_s = data->track.trials[1].start_s + 1.3;
     open(m_bad, {{QStringLiteral("at_s"), moment_s}});
     QCOMPARE(find<QLabel>("playback.time")->text(), QStringLiteral("Trial 2, 0:01.3"));
-    QCOMPARE(find<QPushButton>("playback.comment_add")->text(), QStringLiteral("Comment here: Trial 2, 0:01.3"));
-    QCOMPARE(find<desktop::Scrubber>("playback.scrubber")->accessibleDescription(), QStringLiteral("Trial 2, 0:01.3"));
+    QCOMPARE(find<QPushButton>("playback.comment_add")->text(),
+             QStringLiteral("Comment here: Trial 2, 0:01.3"));
+    QCOMPARE(find<desktop::Scrubber>("playback.scrubber")->accessibleDescription(),
+             QStringLiteral("Trial 2, 0:01.3"));
     for (int row = 0; row < find<QListWidget>("playback.marks")->count(); ++row)
         QVERIFY(find<QListWidget>("playback.marks")->item(row)->text().startsWith(QStringLiteral("Trial ")));
     screen()->clock().seek(0.0);
     const bool before = data->track.trials[0].start_s > 1e-6;
     const QString first = find<QLabel>("playback.time")->text();
-    QVERIFY2(before ? first.endsWith(QStringLiteral(" before the start")) : first == QStringLiteral("Trial 1, 0:00.0"), qPrintable(first));
+    QVERIFY2(before ? first.endsWith(QStringLiteral(" before the start"))
+                    : first == QStringLiteral("Trial 1, 0:00.0"),
+             qPrintable(first));
 }
 
 void TestPlayback::voidNeedsAReasonAndATrainer() {
@@ -511,7 +544,8 @@ void TestPlayback::voidNeedsAReasonAndATrainer() {
     screen()->declareVoid(QStringLiteral("I would rather not have done this"));
     auto connection = m_site->database().openReader();
     database::SessionReader reader(**connection, *m_tina);
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->context.background().idle(), kPatience_ms); // ... and the data layer refuses it
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->context.background().idle(),
+                             kPatience_ms); // ... and the data layer refuses it
     QTest::qWait(50);
     QCOMPARE(reader.session(id)->summary.state, database::SessionState::completed);
 
@@ -522,19 +556,25 @@ void TestPlayback::voidNeedsAReasonAndATrainer() {
     QVERIFY(confirm && !confirm->isEnabled());
     m_site->find<QPlainTextEdit>(QStringLiteral("void.reason"))->setPlainText(QStringLiteral("  "));
     QVERIFY(!confirm->isEnabled());
-    m_site->find<QPlainTextEdit>(QStringLiteral("void.reason"))->setPlainText(QStringLiteral("wrong person at the device"));
+    m_site->find<QPlainTextEdit>(QStringLiteral("void.reason"))
+        ->setPlainText(QStringLiteral("wrong person at the device"));
     if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())
-        m_site->find<QWidget>(QStringLiteral("void"))->grab().save(QDir(folder).filePath(QStringLiteral("void_dialog.png")));
+        m_site->find<QWidget>(QStringLiteral("void"))
+            ->grab()
+            .save(QDir(folder).filePath(QStringLiteral("void_dialog.png")));
     confirm->click();
-    QTRY_COMPARE_WITH_TIMEOUT(reader.session(id)->summary.state, database::SessionState::voided, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(reader.session(id)->summary.state, database::SessionState::voided,
+                              kPatience_ms);
     QCOMPARE(reader.session(id)->voidReason, std::string("wrong person at the device"));
     QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site) && !find<QPushButton>("playback.void"), kPatience_ms);
     find<QPushButton>("playback.reinstate")->click(); // the wrong one was voided
     confirm = m_site->find<QPushButton>(QStringLiteral("reinstate.confirm"));
     QVERIFY(confirm && !confirm->isEnabled());
-    m_site->find<QPlainTextEdit>(QStringLiteral("reinstate.reason"))->setPlainText(QStringLiteral("it was the right person"));
+    m_site->find<QPlainTextEdit>(QStringLiteral("reinstate.reason"))
+        ->setPlainText(QStringLiteral("it was the right person"));
     confirm->click();
-    QTRY_COMPARE_WITH_TIMEOUT(reader.session(id)->summary.state, database::SessionState::completed, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(reader.session(id)->summary.state, database::SessionState::completed,
+                              kPatience_ms);
     QCOMPARE(reader.session(id)->decisions.size(), std::size_t{2});
     QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site) && find<QPushButton>("playback.void"), kPatience_ms);
     m_site->context.logIn(*m_tina);
@@ -545,7 +585,8 @@ void TestPlayback::nothingRecorded() {
     made.frames.clear();
     const auto id = tests::store(m_site->database(), *m_tina, made);
     m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(id)}});
-    QTRY_COMPARE_WITH_TIMEOUT(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::empty, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::empty,
+                              kPatience_ms);
     QCOMPARE(find<QLabel>("state.title")->text(), QStringLiteral("Nothing was recorded"));
     if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())
         m_site->window->grab().save(QDir(folder).filePath(QStringLiteral("playback_empty.png")));
@@ -555,11 +596,14 @@ void TestPlayback::damagedIsNamed() {
     const auto id = tests::store(m_site->database(), *m_tina, m_made->good);
     sqlite3* raw = nullptr; // past everything that keeps a database whole
     QCOMPARE(sqlite3_open(m_site->file().toUtf8().constData(), &raw), SQLITE_OK);
-    const std::string flip = "UPDATE chunk SET payload = zeroblob(length(payload)) WHERE sequence = 2 AND session_id = " + std::to_string(id);
+    const std::string flip =
+        "UPDATE chunk SET payload = zeroblob(length(payload)) WHERE sequence = 2 AND session_id = " +
+        std::to_string(id);
     QCOMPARE(sqlite3_exec(raw, flip.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
     sqlite3_close(raw);
     m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(id)}});
-    QTRY_COMPARE_WITH_TIMEOUT(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::error, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::error,
+                              kPatience_ms);
     QVERIFY(find<QLabel>("state.title")->text().contains(QStringLiteral("damaged")));
     QVERIFY(find<QLabel>("state.text")->text().contains(QStringLiteral("chunk 2")));
     if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())

@@ -34,7 +34,9 @@ private slots:
 
 private:
     void open();
-    template <class W> W* find(const char* name) { return m_site->window->screen()->findChild<W*>(QLatin1String(name)); }
+    template <class W> W* find(const char* name) {
+        return m_site->window->screen()->findChild<W*>(QLatin1String(name));
+    }
 
     std::unique_ptr<DesktopFixture> m_site;
     std::unique_ptr<tests::ReviewSessions> m_made;
@@ -68,7 +70,8 @@ void TestResults::open() {
 void TestResults::emptyLeadsToExercises() {
     m_site->logIn("theo");
     m_site->go(QStringLiteral("results"));
-    QTRY_COMPARE_WITH_TIMEOUT(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::empty, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::empty,
+                              kPatience_ms);
     if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())
         m_site->window->grab().save(QDir(folder).filePath(QStringLiteral("results_empty.png")));
     find<QPushButton>("state.action")->click();
@@ -82,7 +85,8 @@ void TestResults::attemptsAndCurve() {
     QCOMPARE(find<QComboBox>("results.metric")->currentData().toString(), QStringLiteral("apex_error_mean"));
     QVERIFY(find<QWidget>("results.curve"));
     auto connection = m_site->database().openReader();
-    const auto attempts = desktop::loadAttempts(**connection, *m_tina, m_tina->personId(), [](double) { return true; });
+    const auto attempts =
+        desktop::loadAttempts(**connection, *m_tina, m_tina->personId(), [](double) { return true; });
     QVERIFY(attempts && attempts->size() == 7);
     int felt = 0;
     int shown = 0;
@@ -95,21 +99,26 @@ void TestResults::attemptsAndCurve() {
     const int force = metric->findData(QStringLiteral("force_max"));
     metric->setCurrentIndex(force);
     emit metric->activated(force);
-    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("metric")).toString(), QStringLiteral("force_max"));
-    QCOMPARE(find<QTableWidget>("results.attempts")->horizontalHeaderItem(3)->text(), QStringLiteral("Largest force"));
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("metric")).toString(),
+             QStringLiteral("force_max"));
+    QCOMPARE(find<QTableWidget>("results.attempts")->horizontalHeaderItem(3)->text(),
+             QStringLiteral("Largest force"));
     QStringList numbers; // newest first: shown, practice, shown, stopped, good, bad, bad
     for (int row = 0; row < 7; ++row)
         numbers << find<QTableWidget>("results.attempts")->item(row, 1)->text();
-    QCOMPARE(numbers, QStringList({QStringLiteral("Attempt 6 at level 2"), QStringLiteral("Level 2, familiarisation"), QStringLiteral("Attempt 5 at level 2"),
-                                   QStringLiteral("Attempt 4 at level 2"), QStringLiteral("Attempt 3 at level 2"), QStringLiteral("Attempt 2 at level 2"),
-                                   QStringLiteral("Attempt 1 at level 2")}));
+    QCOMPARE(numbers,
+             QStringList({QStringLiteral("Attempt 6 at level 2"), QStringLiteral("Level 2, familiarisation"),
+                          QStringLiteral("Attempt 5 at level 2"), QStringLiteral("Attempt 4 at level 2"),
+                          QStringLiteral("Attempt 3 at level 2"), QStringLiteral("Attempt 2 at level 2"),
+                          QStringLiteral("Attempt 1 at level 2")}));
     tests::takePictures(*m_site, QStringLiteral("results"), [this] { open(); });
 }
 
 void TestResults::onlyMyOwn() {
     const auto theo = m_site->actor("theo");
     auto connection = m_site->database().openReader();
-    const auto others = desktop::loadAttempts(**connection, theo, m_tina->personId(), [](double) { return true; });
+    const auto others =
+        desktop::loadAttempts(**connection, theo, m_tina->personId(), [](double) { return true; });
     QVERIFY(!others || others->empty()); // the data layer gives nobody else's
 }
 
@@ -128,10 +137,13 @@ void TestResults::aTrainerSeesSomebodysProgress() {
     QVERIFY(m_site->window->screen()->commands().empty());
     find<QPushButton>("results.sessions")->click();
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("sessions"));
-    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("person")).toLongLong(), m_tina->personId());
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("person")).toLongLong(),
+             m_tina->personId());
     m_site->logIn("theo"); // no trainer: nothing of somebody else's is there
     m_site->go(QStringLiteral("results"), {{QStringLiteral("person"), qlonglong(m_tina->personId())}});
-    QTRY_VERIFY_WITH_TIMEOUT(tests::panelOf(*m_site)->state() == desktop::StatePanel::State::empty || tests::panelOf(*m_site)->state() == desktop::StatePanel::State::error, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(tests::panelOf(*m_site)->state() == desktop::StatePanel::State::empty ||
+                                 tests::panelOf(*m_site)->state() == desktop::StatePanel::State::error,
+                             kPatience_ms);
     m_site->context.logIn(*m_tina);
 }
 
@@ -146,7 +158,8 @@ void TestResults::openLeadsToTheDebrief() {
     QCOMPARE(place.parameters.value(QStringLiteral("session")).toLongLong(), m_last); // the newest is on top
 }
 
-/// From a debrief to the curve of that person at that exercise and level, and back; what was chosen stays chosen, and whose it is, too.
+/// From a debrief to the curve of that person at that exercise and level, and back; what was chosen stays
+/// chosen, and whose it is, too.
 void TestResults::opensWhereOneIsAndStaysThere() {
     const tests::ReviewSessions& made = *m_made;
     const auto theo = m_site->actor("theo");
@@ -172,7 +185,8 @@ void TestResults::opensWhereOneIsAndStaysThere() {
     box->setCurrentIndex(two);
     emit box->activated(two);
     QTest::keyClick(find<QTableWidget>("results.attempts"), Qt::Key_Return);
-    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong(), second);
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong(),
+             second);
     m_site->context.navigator().back();
     QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     QVERIFY(m_site->window->screen()->title().contains(QStringLiteral("Theo Trainee")));
@@ -180,7 +194,8 @@ void TestResults::opensWhereOneIsAndStaysThere() {
     QCOMPARE(level(), 2);
     m_site->context.navigator().back();
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("debrief"));
-    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong(), first);
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong(),
+             first);
     m_site->context.logIn(*m_tina);
 }
 
@@ -188,7 +203,8 @@ void TestResults::exportsEverything() {
     open();
     QTemporaryDir target;
     m_site->screen<desktop::ResultsScreen>()->exportTo(target.path());
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->context.background().idle(), kPatience_ms); // seconds of samples are written
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->context.background().idle(),
+                             kPatience_ms); // seconds of samples are written
     QCOMPARE(QDir(target.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
     QDir folder(target.path());
     QVERIFY(folder.cd(folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot).first()));

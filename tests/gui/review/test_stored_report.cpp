@@ -42,13 +42,16 @@ private:
         return *record;
     }
     report::ReportData headOf(const database::SessionRecord& record, const char* language = "en") {
-        auto head = session_report::reportHeadOf(record, *session::setupFromStored(record.setup), *m_reader, *m_tina, language);
+        auto head = session_report::reportHeadOf(record, *session::setupFromStored(record.setup), *m_reader,
+                                                 *m_tina, language);
         if (!head)
             qFatal("%s", head.error().message.c_str());
         return *head;
     }
     static const report::MetricRow* rowOf(const report::ReportData& data, const char* id) {
-        const auto row = std::find_if(data.metrics.begin(), data.metrics.end(), [&](const report::MetricRow& each) { return each.id == QLatin1String(id); });
+        const auto row =
+            std::find_if(data.metrics.begin(), data.metrics.end(),
+                         [&](const report::MetricRow& each) { return each.id == QLatin1String(id); });
         return row == data.metrics.end() ? nullptr : &*row;
     }
 
@@ -72,7 +75,8 @@ void TestStoredReport::factsAreTheRecords() {
     record.setup.forceLimit_N = 3.25;
     record.setup.buildId = "1.2.3 gcc";
     record.contentSha256 = std::string(64, 'a');
-    record.loopJson = R"({"ticks": 5000, "late": 4, "skipped": 3, "realtime": false, "p50_us": 1.5, "p99_us": 20.25, "max_us": 300})";
+    record.loopJson =
+        R"({"ticks": 5000, "late": 4, "skipped": 3, "realtime": false, "p50_us": 1.5, "p99_us": 20.25, "max_us": 300})";
     const report::ReportData data = headOf(record, "de");
     const auto setup = session::setupFromStored(record.setup);
     QCOMPARE(data.person, QStringLiteral("Τίνα Groß"));
@@ -123,7 +127,8 @@ void TestStoredReport::scoresAreTheCards() {
         QCOMPARE(row.value, metric.value);
         QCOMPARE(row.reason, QString::fromStdString(metric.reason));
         QCOMPARE(row.passed, metric.passed);
-        const auto gate = std::find_if(level.gates.begin(), level.gates.end(), [&](const scoring::Gate& each) { return each.metric == metric.id; });
+        const auto gate = std::find_if(level.gates.begin(), level.gates.end(),
+                                       [&](const scoring::Gate& each) { return each.metric == metric.id; });
         QCOMPARE(row.headline, gate != level.gates.end());
         if (gate == level.gates.end())
             QVERIFY(!row.gateMinimum && !row.gateMaximum);
@@ -137,14 +142,16 @@ void TestStoredReport::scoresAreTheCards() {
     const auto seal = database::ScoreRepository(*m_reader, *m_tina).scoreSeal(m_good);
     QVERIFY(seal);
     QCOMPARE(data.integrity.scoreSeal, QString::fromStdString(recording::toHex(*seal)));
-    QVERIFY(std::any_of(data.metrics.begin(), data.metrics.end(), [](const report::MetricRow& row) { return !row.unit.isEmpty(); }));
+    QVERIFY(std::any_of(data.metrics.begin(), data.metrics.end(),
+                        [](const report::MetricRow& row) { return !row.unit.isEmpty(); }));
 }
 
 void TestStoredReport::onlyWhatCameToItsEndIsJudged() {
     database::SessionRecord record = recordOf(m_good);
-    for (const auto& [state, before, judged] : {std::tuple{database::SessionState::stopped, std::optional<database::SessionState>(), false},
-                                                {database::SessionState::voided, std::optional(database::SessionState::stopped), false},
-                                                {database::SessionState::voided, std::optional(database::SessionState::completed), true}}) {
+    for (const auto& [state, before, judged] :
+         {std::tuple{database::SessionState::stopped, std::optional<database::SessionState>(), false},
+          {database::SessionState::voided, std::optional(database::SessionState::stopped), false},
+          {database::SessionState::voided, std::optional(database::SessionState::completed), true}}) {
         record.summary.state = state;
         record.stateBeforeVoid = before;
         const report::ReportData data = headOf(record);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// laparoscopy_pictures FOLDER [light] [NAME ...]: tube and ovaries, one PNG a state and theme, in 3D and flat.
-// laparoscopy_pictures FOLDER figures: the README's rows of three. Under Xvfb or on a screen.
+// laparoscopy_pictures FOLDER [light] [NAME ...]: tube and ovaries, one PNG a state and theme, in 3D and
+// flat. laparoscopy_pictures FOLDER figures: the README's rows of three. Under Xvfb or on a screen.
 #include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/picture_states.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
@@ -21,8 +21,8 @@ using chiron::simulation::TubeTask;
 
 namespace {
 
-using samples::Picture;
 using samples::laparoscopyPictures;
+using samples::Picture;
 
 void pass(int milliseconds) {
     QElapsedTimer timer;
@@ -37,8 +37,9 @@ QPixmap taken(Picture& picture, bool flat) {
     window.move(0, 0);
     auto* layout = new QVBoxLayout(&window);
     layout->setContentsMargins(0, 0, 0, 0);
-    LoadedScene scene = flat ? LoadedScene{makeFlatSceneView(picture.setup, QStringLiteral("Shown in 2D."), &window), {}}
-                             : makeSceneView(picture.setup, &window);
+    LoadedScene scene =
+        flat ? LoadedScene{makeFlatSceneView(picture.setup, QStringLiteral("Shown in 2D."), &window), {}}
+             : makeSceneView(picture.setup, &window);
     layout->addWidget(scene.view->widget());
     window.show();
     scene.view->show(picture.state);
@@ -48,14 +49,18 @@ QPixmap taken(Picture& picture, bool flat) {
     return flat ? window.grab() : window.screen()->grabWindow(window.winId());
 }
 
-void takeAll(bool flat, const QString& theme, const SceneColours& colours, const QDir& folder, const QStringList& wanted) {
+void takeAll(bool flat, const QString& theme, const SceneColours& colours, const QDir& folder,
+             const QStringList& wanted) {
     for (Picture& picture : laparoscopyPictures()) {
         if (!wanted.isEmpty() && !wanted.contains(QLatin1String(picture.name)))
             continue;
         picture.setup.colours = colours;
-        picture.setup.scale = qEnvironmentVariableIsSet("SCENE_SCALE") ? qEnvironmentVariable("SCENE_SCALE").toDouble() : 1.0;
-        taken(picture, flat).save(
-            folder.filePath(QStringLiteral("%1_%2_%3.png").arg(QLatin1String(picture.name), QLatin1String(flat ? "flat" : "scene"), theme)));
+        picture.setup.scale =
+            qEnvironmentVariableIsSet("SCENE_SCALE") ? qEnvironmentVariable("SCENE_SCALE").toDouble() : 1.0;
+        taken(picture, flat)
+            .save(folder.filePath(
+                QStringLiteral("%1_%2_%3.png")
+                    .arg(QLatin1String(picture.name), QLatin1String(flat ? "flat" : "scene"), theme)));
     }
 }
 
@@ -67,7 +72,9 @@ void takeFigure(const QDir& folder, const QString& file, const QStringList& name
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     for (Picture& picture : laparoscopyPictures())
         if (const qsizetype at = names.indexOf(QLatin1String(picture.name)); at >= 0)
-            painter.drawPixmap(QPoint(int(at) * kEach.width(), 0), taken(picture, false).scaled(kEach, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+            painter.drawPixmap(
+                QPoint(int(at) * kEach.width(), 0),
+                taken(picture, false).scaled(kEach, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
     painter.end();
     row.save(folder.filePath(file));
 }
@@ -80,8 +87,10 @@ int main(int argc, char** argv) {
     const QDir folder(arguments.size() > 1 ? arguments.at(1) : QStringLiteral("."));
     QStringList wanted = arguments.mid(2);
     if (wanted.contains(QStringLiteral("figures"))) {
-        takeFigure(folder, QStringLiteral("laparoscopy_tube.png"), {"tube_two_slack", "tube_two_handed", "tube_torn"});
-        takeFigure(folder, QStringLiteral("laparoscopy_tasks.png"), {"tube_taut", "tube_transfer", "ovary_carried"});
+        takeFigure(folder, QStringLiteral("laparoscopy_tube.png"),
+                   {"tube_two_slack", "tube_two_handed", "tube_torn"});
+        takeFigure(folder, QStringLiteral("laparoscopy_tasks.png"),
+                   {"tube_taut", "tube_transfer", "ovary_carried"});
         return 0;
     }
     const bool lightOnly = wanted.removeAll(QStringLiteral("light")) > 0;

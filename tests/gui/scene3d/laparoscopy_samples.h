@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/laparoscopy_cues.h"
 #include "desktop/scene3d/drawn_tool.h"
 #include "gui/scene3d/scene_samples.h"
 #include "modules/exercises/comparison/simulation/comparison_parameters.h"
-#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
-#include "core/laparoscopy_cues.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 
 namespace chiron::scene3d::samples {
 
@@ -101,7 +101,8 @@ inline SceneState behindAFold(bool back) {
     cues.foldOpen = back;
     cues.foldHeldBy = back ? 4 : 0;
     cues.p_WFoldBase = {0.0, -0.004, 0.0};
-    cues.p_WFoldEdge = back ? std::array<double, 3>{0.0, 0.030, 0.026} : std::array<double, 3>{0.0, -0.004, 0.010};
+    cues.p_WFoldEdge =
+        back ? std::array<double, 3>{0.0, 0.030, 0.026} : std::array<double, 3>{0.0, -0.004, 0.010};
     cues.retraction_N = back ? 0.8 : 0.0;
     cues.retractionLow_N = 0.6;
     cues.retractionHigh_N = 1.0;
@@ -112,7 +113,8 @@ inline SceneState behindAFold(bool back) {
         state.tool[0] = grasper({0.045, 0.0, 0.050}, false, 0.7);
         state.tool[1] = grasper({-0.045, 0.0, 0.050}, true, 0.7);
     }
-    state.tool[2] = grasper(back ? core::Vec3(0.0, 0.030, 0.026) : core::Vec3(0.0, 0.020, 0.050), false, back ? 0.08 : 0.7);
+    state.tool[2] = grasper(back ? core::Vec3(0.0, 0.030, 0.026) : core::Vec3(0.0, 0.020, 0.050), false,
+                            back ? 0.08 : 0.7);
     return state;
 }
 
@@ -159,7 +161,8 @@ inline SceneState handlingState(bool held) {
     cues.step = held ? core::LaparoscopyStep::carry : core::LaparoscopyStep::grasp;
     cues.bodies = 3;
     const double r = 0.011;
-    const std::array<core::Vec3, 3> at{core::Vec3(-0.030, 0.016, r), core::Vec3(0.004, 0.030, r), core::Vec3(0.034, 0.010, r)};
+    const std::array<core::Vec3, 3> at{core::Vec3(-0.030, 0.016, r), core::Vec3(0.004, 0.030, r),
+                                       core::Vec3(0.034, 0.010, r)};
     for (std::size_t i = 0; i < 3; ++i) {
         cues.body[i].p_W = {at[i].x(), at[i].y(), at[i].z()};
         cues.body[i].radius_m = r;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palpation_pictures FOLDER [light] [NAME ...]: tissues, fingers, findings and maps, one PNG a state and theme, in 3D and flat.
-// palpation_pictures FOLDER figures: the README's sheets. Under Xvfb or on a screen.
+// palpation_pictures FOLDER [light] [NAME ...]: tissues, fingers, findings and maps, one PNG a state and
+// theme, in 3D and flat. palpation_pictures FOLDER figures: the README's sheets. Under Xvfb or on a screen.
 #include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/picture_states.h"
@@ -18,13 +18,13 @@
 
 using namespace chiron;
 using namespace chiron::scene3d;
-using simulation::FindingOutcome;
 using samples::Tissue;
+using simulation::FindingOutcome;
 
 namespace {
 
-using samples::Picture;
 using samples::palpationPictures;
+using samples::Picture;
 
 void pass(int milliseconds) {
     QElapsedTimer timer;
@@ -39,8 +39,9 @@ QPixmap taken(Picture& picture, bool flat) {
     window.move(0, 0);
     auto* layout = new QVBoxLayout(&window);
     layout->setContentsMargins(0, 0, 0, 0);
-    LoadedScene scene = flat ? LoadedScene{makeFlatSceneView(picture.setup, QStringLiteral("Shown in 2D."), &window), {}}
-                             : makeSceneView(picture.setup, &window);
+    LoadedScene scene =
+        flat ? LoadedScene{makeFlatSceneView(picture.setup, QStringLiteral("Shown in 2D."), &window), {}}
+             : makeSceneView(picture.setup, &window);
     layout->addWidget(scene.view->widget());
     window.show();
     picture.state.overlay.own<PalpationOverlay>().map = picture.mapShown ? &picture.map : nullptr;
@@ -52,14 +53,18 @@ QPixmap taken(Picture& picture, bool flat) {
     return flat ? window.grab() : window.screen()->grabWindow(window.winId());
 }
 
-void takeAll(bool flat, const QString& theme, const SceneColours& colours, const QDir& folder, const QStringList& wanted) {
+void takeAll(bool flat, const QString& theme, const SceneColours& colours, const QDir& folder,
+             const QStringList& wanted) {
     for (Picture& picture : palpationPictures()) {
         if (!wanted.isEmpty() && !wanted.contains(QLatin1String(picture.name)))
             continue;
         picture.setup.colours = colours;
-        picture.setup.scale = qEnvironmentVariableIsSet("SCENE_SCALE") ? qEnvironmentVariable("SCENE_SCALE").toDouble() : 1.0;
-        taken(picture, flat).save(
-            folder.filePath(QStringLiteral("%1_%2_%3.png").arg(QLatin1String(picture.name), QLatin1String(flat ? "flat" : "scene"), theme)));
+        picture.setup.scale =
+            qEnvironmentVariableIsSet("SCENE_SCALE") ? qEnvironmentVariable("SCENE_SCALE").toDouble() : 1.0;
+        taken(picture, flat)
+            .save(folder.filePath(
+                QStringLiteral("%1_%2_%3.png")
+                    .arg(QLatin1String(picture.name), QLatin1String(flat ? "flat" : "scene"), theme)));
     }
 }
 
@@ -67,15 +72,18 @@ void takeAll(bool flat, const QString& theme, const SceneColours& colours, const
 void takeFigure(const QDir& folder, const QString& file, const QStringList& names) {
     constexpr QSize kEach(480, 360);
     constexpr int kColumns = 3;
-    QImage sheet(kColumns * kEach.width(), int((names.size() + kColumns - 1) / kColumns) * kEach.height(), QImage::Format_RGB32);
+    QImage sheet(kColumns * kEach.width(), int((names.size() + kColumns - 1) / kColumns) * kEach.height(),
+                 QImage::Format_RGB32);
     QPainter painter(&sheet);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     for (Picture& picture : palpationPictures())
         for (const bool flat : {false, true}) {
-            const qsizetype at = names.indexOf(QLatin1String(flat ? "flat " : "") + QLatin1String(picture.name));
+            const qsizetype at =
+                names.indexOf(QLatin1String(flat ? "flat " : "") + QLatin1String(picture.name));
             if (at >= 0)
-                painter.drawPixmap(QPoint(int(at) % kColumns * kEach.width(), int(at) / kColumns * kEach.height()),
-                                   taken(picture, flat).scaled(kEach, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+                painter.drawPixmap(
+                    QPoint(int(at) % kColumns * kEach.width(), int(at) / kColumns * kEach.height()),
+                    taken(picture, flat).scaled(kEach, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
         }
     painter.end();
     sheet.save(folder.filePath(file));
@@ -89,9 +97,11 @@ int main(int argc, char** argv) {
     const QDir folder(arguments.size() > 1 ? arguments.at(1) : QStringLiteral("."));
     QStringList wanted = arguments.mid(2);
     if (wanted.contains(QStringLiteral("figures"))) {
-        takeFigure(folder, QStringLiteral("palpation_levels.png"),
-                   {"pad_visible", "pad_hidden", "prostate", "breast_two_hands", "breast_pattern", "pad_pseudo"});
-        takeFigure(folder, QStringLiteral("palpation_maps.png"), {"playback_coverage", "playback_force", "flat playback_force"});
+        takeFigure(
+            folder, QStringLiteral("palpation_levels.png"),
+            {"pad_visible", "pad_hidden", "prostate", "breast_two_hands", "breast_pattern", "pad_pseudo"});
+        takeFigure(folder, QStringLiteral("palpation_maps.png"),
+                   {"playback_coverage", "playback_force", "flat playback_force"});
         return 0;
     }
     const bool lightOnly = wanted.removeAll(QStringLiteral("light")) > 0;

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// States of every scene: what the tools beside take pictures of, and what test_kept_scenes holds against what was looked at.
+// States of every scene: what the tools beside take pictures of, and what test_kept_scenes holds against what
+// was looked at.
 #pragma once
 
 #include "app/exercises/palpation/scene/palpation_overlay.h"
+#include "core/laparoscopy_cues.h"
 #include "gui/scene3d/laparoscopy_samples.h"
 #include "gui/scene3d/palpation_samples.h"
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/urethra_samples.h"
-#include "simulation/palpation/tissue_pinch.h"
-#include "simulation/geometry/mesh/mesh_source.h"
-#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
-#include "core/laparoscopy_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
-#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
+#include "simulation/geometry/mesh/mesh_source.h"
+#include "simulation/palpation/tissue_pinch.h"
 
 #include <QString>
 #include <list>
@@ -115,7 +116,11 @@ inline Picture fingerPattern() {
 }
 
 inline Picture playedBack(simulation::SurfaceMapKind kind) {
-    Picture picture{kind == simulation::SurfaceMapKind::force ? "playback_force" : "playback_coverage", palpationSetup(Tissue::breast, 2), {}, {}, true};
+    Picture picture{kind == simulation::SurfaceMapKind::force ? "playback_force" : "playback_coverage",
+                    palpationSetup(Tissue::breast, 2),
+                    {},
+                    {},
+                    true};
     picture.state.overlay.own<PalpationOverlay>().mapKind = kind;
     addLump(picture.state, picture.setup, {-0.020, 0.016}, 0.012, 0.0075, false);
     addLump(picture.state, picture.setup, {0.022, -0.014}, 0.010, 0.005, true);
@@ -135,7 +140,15 @@ inline Picture fingerShown() {
 }
 
 inline std::list<Picture> palpationPictures() {
-    return {visibleLump(), pinched(), hiddenLumps(), prostateFelt(), twoFingers(), fingerPattern(), playedBack(simulation::SurfaceMapKind::coverage), playedBack(simulation::SurfaceMapKind::force), fingerShown()};
+    return {visibleLump(),
+            pinched(),
+            hiddenLumps(),
+            prostateFelt(),
+            twoFingers(),
+            fingerPattern(),
+            playedBack(simulation::SurfaceMapKind::coverage),
+            playedBack(simulation::SurfaceMapKind::force),
+            fingerShown()};
 }
 
 // ---- tube and ovaries ----

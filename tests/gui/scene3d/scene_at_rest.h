@@ -7,7 +7,8 @@
 
 namespace chiron::tests {
 
-/// Whether a time comes in which nothing is drawn. What follows a call is drawn in its own time, which on a busy machine is long.
+/// Whether a time comes in which nothing is drawn. What follows a call is drawn in its own time, which on a
+/// busy machine is long.
 inline bool comesToRest(const scene3d::ISceneView& view) {
     constexpr int kLooks = 60, kQuiet_ms = 300;
     for (int i = 0; i < kLooks; ++i) {

@@ -43,9 +43,7 @@ int main(int argc, char** argv) {
             LoadedScene scene =
                 flat ? LoadedScene{makeFlatSceneView(
                                        samples::setup(),
-                                       QStringLiteral(
-                                           "Shown in 2D: OpenGL is not available here."),
-                                       &window),
+                                       QStringLiteral("Shown in 2D: OpenGL is not available here."), &window),
                                    {}}
                      : makeSceneView(samples::setup(), &window);
             std::printf("%s\n", scene.whyFlat.isEmpty() ? "drawn" : qPrintable(scene.whyFlat));

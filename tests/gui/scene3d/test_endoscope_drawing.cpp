@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the endoscope's view draws, without a window.
+#include "app/exercises/urethra_insertion/scene/endoscope_layout.h"
 #include "app/exercises/urethra_insertion/scene/flat_profile.h"
 #include "app/exercises/urethra_insertion/scene/flat_scope_picture.h"
-#include "desktop/scene3d/scene_loader.h"
-#include "app/exercises/urethra_insertion/scene/endoscope_layout.h"
 #include "app/exercises/urethra_insertion/scene/lining_mesh.h"
 #include "app/exercises/urethra_insertion/scene/lining_picture.h"
 #include "app/exercises/urethra_insertion/scene/overview_fit.h"
 #include "app/exercises/urethra_insertion/scene/scope_marks.h"
 #include "app/exercises/urethra_insertion/scene/thin_lens.h"
 #include "app/exercises/urethra_insertion/scene/urethra_buffers.h"
+#include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/urethra_samples.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
@@ -97,7 +97,9 @@ private slots:
         for (std::size_t i = 0; i < row; ++i) {
             const core::Vec3 rim = place(neck.vertices[neck.vertices.size() - row + i]);
             worst = std::max(worst, (rim - neckRing[i % surface.ringSize()]).norm());
-            worst = std::max(worst, (place(neck.vertices[i]) - place(bladder.vertices[bladder.vertices.size() - row + i])).norm());
+            worst = std::max(
+                worst, (place(neck.vertices[i]) - place(bladder.vertices[bladder.vertices.size() - row + i]))
+                           .norm());
         }
         QVERIFY2(worst < 1e-6, qPrintable(QString::number(worst)));
         for (const MeshVertex& v : bladder.vertices) {
@@ -105,7 +107,8 @@ private slots:
             QVERIFY(std::abs(from.norm() - p.anatomy.bladderRadius_m) < 1e-6);
         }
         for (const simulation::BladderLandmark& l : p.landmarks)
-            QVERIFY(std::abs((drawing.landmark_A(l) - drawing.bladderCentre_A()).norm() - p.anatomy.bladderRadius_m) < 1e-12);
+            QVERIFY(std::abs((drawing.landmark_A(l) - drawing.bladderCentre_A()).norm() -
+                             p.anatomy.bladderRadius_m) < 1e-12);
     }
 
     /// c = A·f·s/(s−f)·|1/s − 1/d| on a sensor at v = f·s/(s−f), whatever f is.
@@ -139,7 +142,8 @@ private slots:
     }
 
     void picturesFitAndDoNotOverlap() {
-        for (const QSize& size : {QSize(1024, 768), QSize(480, 360), QSize(360, 640), QSize(1900, 500), QSize(200, 150)})
+        for (const QSize& size :
+             {QSize(1024, 768), QSize(480, 360), QSize(360, 640), QSize(1900, 500), QSize(200, 150)})
             for (bool overview : {false, true}) {
                 const int bar = 60;
                 const EndoscopeLayout layout = EndoscopeLayout::of(size, bar, overview);
@@ -148,7 +152,8 @@ private slots:
                 QVERIFY(room.contains(layout.picture));
                 QVERIFY(layout.picture.width() >= std::min(room.width(), room.height()) / 2);
                 QCOMPARE(layout.overview.isEmpty(), !overview);
-                QVERIFY(!overview || (room.contains(layout.overview) && !layout.overview.intersects(layout.picture)));
+                QVERIFY(!overview ||
+                        (room.contains(layout.overview) && !layout.overview.intersects(layout.picture)));
             }
     }
 
@@ -161,7 +166,8 @@ private slots:
             const double tangent = std::tan(0.5 * fit.fieldOfView_deg * core::kPi / 180.0);
             for (double polar = 0.0; polar < 3.2; polar += 0.4)
                 for (double turn = 0.0; turn < 6.0; turn += 0.5) {
-                    const core::Vec3 seen = drawing.parameters().pose.pointToW(drawing.bladderWall_A(polar, turn)) - fit.p_WEye;
+                    const core::Vec3 seen =
+                        drawing.parameters().pose.pointToW(drawing.bladderWall_A(polar, turn)) - fit.p_WEye;
                     const double depth = seen.dot(ahead);
                     QVERIFY(std::abs(seen.dot(right)) <= 1.02 * depth * tangent * aspect);
                     QVERIFY(std::abs(seen.dot(right.cross(ahead))) <= 1.02 * depth * tangent);
@@ -201,7 +207,8 @@ private slots:
         QVERIFY(ScopeMarks::of(samples::urethraSetup(), drawing, state).aligned);
     }
 
-    /// Behind the tip the canal lies round the rigid shaft; at the tip it is as wide as the endoscope, beyond the beak at rest.
+    /// Behind the tip the canal lies round the rigid shaft; at the tip it is as wide as the endoscope, beyond
+    /// the beak at rest.
     void theProfileHoldsTheShaft() {
         const SceneSetup setup = samples::urethraSetup();
         const UrethraDrawing drawing(parameters());
@@ -236,8 +243,10 @@ private slots:
         QVERIFY(flatPicture(samples::urethraSetup(), one) != flatPicture(samples::urethraSetup(), other));
         SceneSetup off = setup;
         off.cues.object = false;
-        QCOMPARE(flatPicture(off, one), flatPicture(off, samples::urethraState(setup, {.s_m = 0.09, .yaw_rad = 0.2})));
-        QVERIFY(flatPicture(setup, one) != flatPicture(setup, samples::urethraState(setup, {.s_m = 0.09, .yaw_rad = 0.2})));
+        QCOMPARE(flatPicture(off, one),
+                 flatPicture(off, samples::urethraState(setup, {.s_m = 0.09, .yaw_rad = 0.2})));
+        QVERIFY(flatPicture(setup, one) !=
+                flatPicture(setup, samples::urethraState(setup, {.s_m = 0.09, .yaw_rad = 0.2})));
         const QImage round = flatPicture(setup, one);
         QVERIFY(round.pixelColor(5, 5) != round.pixelColor(450, 250));
     }
@@ -248,8 +257,11 @@ private slots:
             const int y = int(polar / core::kPi * picture.high);
             int most = 0;
             for (int dy = -2; dy <= 2; ++dy) {
-                const int x = int(std::lround((azimuth < 0 ? azimuth + 2 * core::kPi : azimuth) / (2 * core::kPi) * picture.wide));
-                most = std::max(most, int(picture.bytes[std::size_t(((y + dy) * picture.wide + x % picture.wide) * 4 + 2)]));
+                const int x = int(std::lround((azimuth < 0 ? azimuth + 2 * core::kPi : azimuth) /
+                                              (2 * core::kPi) * picture.wide));
+                most = std::max(
+                    most,
+                    int(picture.bytes[std::size_t(((y + dy) * picture.wide + x % picture.wide) * 4 + 2)]));
             }
             return most;
         };

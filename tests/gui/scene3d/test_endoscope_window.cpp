@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The endoscope's view on a real window: needs a display with OpenGL (Xvfb with Mesa will do), else it says so and skips.
+// The endoscope's view on a real window: needs a display with OpenGL (Xvfb with Mesa will do), else it says
+// so and skips.
 #include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/scene_at_rest.h"
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/urethra_samples.h"
-#include "support/patience.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
+#include "support/patience.h"
 
 #include <QApplication>
 #include <QScreen>
@@ -77,7 +78,9 @@ double difference(const QImage& a, const QImage& b, double from, double to) {
                 continue;
             const QColor p = a.pixelColor(x, y);
             const QColor q = b.pixelColor(x, y);
-            sum += (std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue())) / 3.0;
+            sum += (std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) +
+                    std::abs(p.blue() - q.blue())) /
+                   3.0;
             ++count;
         }
     return sum / std::max(1, count);
@@ -116,7 +119,8 @@ private slots:
             SceneSetup setup = plain();
             setup.depthOfField = lens;
             const QImage image = shown.picture(setup, samples::urethraState(setup, {.s_m = 0.060}));
-            QVERIFY2(brightness(image, 1.005, 2.0) < 0.5, qPrintable(QString::number(brightness(image, 1.005, 2.0))));
+            QVERIFY2(brightness(image, 1.005, 2.0) < 0.5,
+                     qPrintable(QString::number(brightness(image, 1.005, 2.0))));
             QVERIFY(brightness(image, 0.60, 0.90) > 80.0);
             QVERIFY(brightness(image, 0.0, 0.08) < 0.4 * brightness(image, 0.60, 0.90)); // the lumen is dark
             const QColor wall = image.pixelColor(kSide / 2 + int(0.35 * kSide), kSide / 2);
@@ -124,8 +128,8 @@ private slots:
         }
     }
 
-    /// In the middle of the canal the wall at the focus distance is seen at r/(d·tan(φ/2)) = 0.3 of the picture's radius, that
-    /// at the rim from 5 mm: far out of focus.
+    /// In the middle of the canal the wall at the focus distance is seen at r/(d·tan(φ/2)) = 0.3 of the
+    /// picture's radius, that at the rim from 5 mm: far out of focus.
     void depthOfFieldBlursWhatIsOutOfFocusOnly() {
         Shown shown(plain());
         SceneSetup lens = plain();
@@ -135,7 +139,8 @@ private slots:
         const QImage on = shown.picture(lens, state);
         const double atFocus = difference(off, on, 0.285, 0.310);
         const double atRim = difference(off, on, 0.75, 0.95);
-        QVERIFY2(atRim > 1.5 && atRim > 3.0 * atFocus, qPrintable(QString("rim %1, focus %2").arg(atRim).arg(atFocus)));
+        QVERIFY2(atRim > 1.5 && atRim > 3.0 * atFocus,
+                 qPrintable(QString("rim %1, focus %2").arg(atRim).arg(atFocus)));
         QCOMPARE(shown.picture(plain(), state), off); // and it can be switched off again
     }
 
@@ -147,7 +152,10 @@ private slots:
         state.note = {SceneNote::Kind::paused, QStringLiteral("Paused"), QStringLiteral("Press Space.")};
         const QImage veiled = shown.picture(state);
         QVERIFY(brightness(alive, 0.6, 0.9) > 20.0);
-        QVERIFY2(brightness(veiled, 0.6, 2.0) < 0.6 * brightness(alive, 0.6, 2.0), qPrintable(QStringLiteral("%1 of %2").arg(brightness(veiled, 0.6, 2.0)).arg(brightness(alive, 0.6, 2.0))));
+        QVERIFY2(brightness(veiled, 0.6, 2.0) < 0.6 * brightness(alive, 0.6, 2.0),
+                 qPrintable(QStringLiteral("%1 of %2")
+                                .arg(brightness(veiled, 0.6, 2.0))
+                                .arg(brightness(alive, 0.6, 2.0))));
         QVERIFY(whitePixels(veiled) > whitePixels(alive) + 500); // the sign and the words
         state.note = {};
         QCOMPARE(shown.picture(state), alive);
@@ -158,7 +166,8 @@ private slots:
         const QImage inside = shown.picture(plain(), samples::urethraState(plain(), {.s_m = 0.060}));
         const QImage farther = shown.picture(plain(), samples::urethraState(plain(), {.s_m = 0.070}));
         QVERIFY(difference(inside, farther, 0.0, 0.95) > 2.0);
-        const QImage turned = shown.picture(plain(), samples::urethraState(plain(), {.s_m = 0.060, .pitch_rad = 0.25}));
+        const QImage turned =
+            shown.picture(plain(), samples::urethraState(plain(), {.s_m = 0.060, .pitch_rad = 0.25}));
         QVERIFY(difference(inside, turned, 0.0, 0.95) > 2.0);
     }
 
@@ -174,7 +183,8 @@ private slots:
         QCOMPARE(shown.picture(plain(), other), nothing);
         SceneSetup guided = plain();
         guided.cues.guidance = true;
-        one.exercise.own<simulation::EndoscopeCues>().guided = other.exercise.own<simulation::EndoscopeCues>().guided = true;
+        one.exercise.own<simulation::EndoscopeCues>().guided =
+            other.exercise.own<simulation::EndoscopeCues>().guided = true;
         const QImage marked = shown.picture(guided, one);
         QVERIFY(marked != nothing);
         QVERIFY(shown.picture(guided, other) != marked);
@@ -188,7 +198,8 @@ private slots:
         SceneSetup off = plain();
         off.cues.object = false;
         const QImage one = shown.picture(off, samples::urethraState(plain(), {.s_m = 0.060}));
-        const QImage other = shown.picture(off, samples::urethraState(plain(), {.s_m = 0.150, .yaw_rad = 0.3}));
+        const QImage other =
+            shown.picture(off, samples::urethraState(plain(), {.s_m = 0.150, .yaw_rad = 0.3}));
         QCOMPARE(one, other);
         QVERIFY(brightness(one, 0.3, 1.0) < 8.0);
         QVERIFY(brightness(one, 0.0, 0.7) > 0.2); // the sentence
@@ -206,7 +217,8 @@ private slots:
         QVERIFY(outside.copy(place) != in.copy(place));
         SceneSetup dark = setup;
         dark.colours = samples::dark();
-        QVERIFY(shown.picture(dark, samples::urethraState(setup, {.s_m = 0.120})).copy(place) != in.copy(place));
+        QVERIFY(shown.picture(dark, samples::urethraState(setup, {.s_m = 0.120})).copy(place) !=
+                in.copy(place));
         setup.cues.overview = false;
         const QImage alone = shown.picture(setup, samples::urethraState(setup, {.s_m = 0.120}));
         QVERIFY(brightness(alone.copy(690, 0, 10, 10).scaled(kSide, kSide), 0.0, 1.0) < 1.0);

@@ -66,7 +66,8 @@ private slots:
         QCOMPARE(scene.view->widget()->accessibleDescription(), scene.whyFlat);
     }
 
-    /// A title is read whole in a card that is too narrow for it, and is as large as ever where there is room.
+    /// A title is read whole in a card that is too narrow for it, and is as large as ever where there is
+    /// room.
     void titleOfANarrowCardIsReadWhole() {
         SceneSetup setup = samples::setup();
         setup.scale = 2.0;
@@ -77,7 +78,8 @@ private slots:
             panel.place({0.0, 0.0}, pixelsPerMm);
             const double room = panel.cardSize(pixelsPerMm).width() - 24.0 * setup.scale;
             const QFont font = panel.titleFont(title, &paper);
-            QVERIFY2(QFontMetricsF(font, &paper).horizontalAdvance(title) <= room, qPrintable(QString::number(pixelsPerMm)));
+            QVERIFY2(QFontMetricsF(font, &paper).horizontalAdvance(title) <= room,
+                     qPrintable(QString::number(pixelsPerMm)));
             QCOMPARE(font.pixelSize() == panel.font(14, true).pixelSize(), pixelsPerMm == 20.0);
         }
     }

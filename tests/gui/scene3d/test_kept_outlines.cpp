@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every scene of three dimensions is made of (support/scene_outline.h), against what was kept: in the states of a session, from one
-// to the next, in every theme. It needs no display: the plugin's own nodes are read, nothing is drawn. A change that is meant is
-// kept anew, and the difference is read in review (and the scene looked at: scene_pictures and its siblings):
-// CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/scene3d/test_kept_outlines
+// What every scene of three dimensions is made of (support/scene_outline.h), against what was kept: in the
+// states of a session, from one to the next, in every theme. It needs no display: the plugin's own nodes are
+// read, nothing is drawn. A change that is meant is kept anew, and the difference is read in review (and the
+// scene looked at: scene_pictures and its siblings): CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen
+// build/release/tests/gui/scene3d/test_kept_outlines
 #include "app/exercises/palpation/scene/palpation_overlay.h"
+#include "core/laparoscopy_cues.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/scene3d/scene_plugin.h"
 #include "gui/scene3d/picture_states.h"
-#include "support/kept_text.h"
-#include "support/scene_outline.h"
-#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
-#include "core/laparoscopy_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
+#include "support/kept_text.h"
+#include "support/scene_outline.h"
 
 #include <QApplication>
 #include <QLocale>
@@ -82,9 +83,11 @@ Scene apex(simulation::ApexSurface surface) {
     p.surface = surface;
     p.bumpHeight_m = surface == simulation::ApexSurface::exact ? 0.0 : 0.0006;
     const auto states = samples::apexStates();
-    QStringList names{QStringLiteral("contact"), QStringLiteral("over"), QStringLiteral("hidden"), QStringLiteral("pseudo")};
+    QStringList names{QStringLiteral("contact"), QStringLiteral("over"), QStringLiteral("hidden"),
+                      QStringLiteral("pseudo")};
     if (surface == simulation::ApexSurface::exact)
-        names << QStringLiteral("air") << QStringLiteral("dimple") << QStringLiteral("plane") << QStringLiteral("rim") << QStringLiteral("playback") << QStringLiteral("z_turned");
+        names << QStringLiteral("air") << QStringLiteral("dimple") << QStringLiteral("plane")
+              << QStringLiteral("rim") << QStringLiteral("playback") << QStringLiteral("z_turned");
     for (const QString& name : names)
         scene.steps.push_back({name, states.at(name)});
     if (surface != simulation::ApexSurface::exact) {
@@ -96,14 +99,20 @@ Scene apex(simulation::ApexSurface surface) {
     return scene;
 }
 
-void addPictures(std::map<QString, Scene>& scenes, const QString& name, const std::list<samples::Picture>& pictures, const QStringList& states) {
+void addPictures(std::map<QString, Scene>& scenes, const QString& name,
+                 const std::list<samples::Picture>& pictures, const QStringList& states) {
     Scene scene;
     for (const QString& state : states)
         for (const samples::Picture& each : pictures)
             if (state == QLatin1String(each.name)) {
                 if (scene.steps.empty())
                     scene.setup = each.setup;
-                scene.steps.push_back({state, each.state, {}, kWide, each.mapShown ? std::make_shared<simulation::SurfaceMap>(each.map) : nullptr});
+                scene.steps.push_back(
+                    {state,
+                     each.state,
+                     {},
+                     kWide,
+                     each.mapShown ? std::make_shared<simulation::SurfaceMap>(each.map) : nullptr});
             }
     if (scene.steps.size() != std::size_t(states.size()))
         qFatal("a state of %s is missing", qPrintable(name));
@@ -113,9 +122,13 @@ void addPictures(std::map<QString, Scene>& scenes, const QString& name, const st
 
 void addTubes(std::map<QString, Scene>& scenes) {
     const auto pictures = samples::laparoscopyPictures();
-    addPictures(scenes, QStringLiteral("tube_hold"), pictures, {QStringLiteral("tube_lying"), QStringLiteral("tube_slack"), QStringLiteral("tube_taut")});
-    addPictures(scenes, QStringLiteral("tube_mark"), pictures, {QStringLiteral("tube_mark"), QStringLiteral("tube_torn"), QStringLiteral("tube_mark")});
-    addPictures(scenes, QStringLiteral("tube_two_handed"), pictures, {QStringLiteral("tube_two_handed"), QStringLiteral("tube_two_slack"), QStringLiteral("tube_fold"), QStringLiteral("tube_fold_back")});
+    addPictures(scenes, QStringLiteral("tube_hold"), pictures,
+                {QStringLiteral("tube_lying"), QStringLiteral("tube_slack"), QStringLiteral("tube_taut")});
+    addPictures(scenes, QStringLiteral("tube_mark"), pictures,
+                {QStringLiteral("tube_mark"), QStringLiteral("tube_torn"), QStringLiteral("tube_mark")});
+    addPictures(scenes, QStringLiteral("tube_two_handed"), pictures,
+                {QStringLiteral("tube_two_handed"), QStringLiteral("tube_two_slack"),
+                 QStringLiteral("tube_fold"), QStringLiteral("tube_fold_back")});
     addPictures(scenes, QStringLiteral("tube_transfer"), pictures, {QStringLiteral("tube_transfer")});
     Scene& fold = scenes[QStringLiteral("tube_two_handed")];
     SceneState pulled = samples::behindAFold(true); // beyond what the fold bears
@@ -136,10 +149,14 @@ void addTubes(std::map<QString, Scene>& scenes) {
 
 void addObjects(std::map<QString, Scene>& scenes) {
     const auto pictures = samples::laparoscopyPictures();
-    addPictures(scenes, QStringLiteral("ovary"), pictures, {QStringLiteral("ovary_lying"), QStringLiteral("ovary_carried"), QStringLiteral("ovary_squeezed")});
+    addPictures(
+        scenes, QStringLiteral("ovary"), pictures,
+        {QStringLiteral("ovary_lying"), QStringLiteral("ovary_carried"), QStringLiteral("ovary_squeezed")});
     addPictures(scenes, QStringLiteral("ovary_organ"), pictures, {QStringLiteral("ovary_organ")});
     Scene& bed = scenes[QStringLiteral("ovary_organ")];
-    const auto narrow = [](SceneSetup& setup) { setup.parameters.as<simulation::ObjectHandlingParameters>().bedMesh.halfAxisY_m = 0.070; }; // x and y are told apart
+    const auto narrow = [](SceneSetup& setup) {
+        setup.parameters.as<simulation::ObjectHandlingParameters>().bedMesh.halfAxisY_m = 0.070;
+    }; // x and y are told apart
     narrow(bed.setup);
     for (Step& step : bed.steps)
         if (step.setup)
@@ -181,13 +198,17 @@ void addPalpation(std::map<QString, Scene>& scenes) {
     addPictures(scenes, QStringLiteral("pad"), pictures, names({"pad_hidden", "pad_visible", "pad_pseudo"}));
     addPictures(scenes, QStringLiteral("pad_pinch"), pictures, names({"pad_pinch"}));
     addPictures(scenes, QStringLiteral("prostate"), pictures, names({"prostate"}));
-    addPictures(scenes, QStringLiteral("breast_two_hands"), pictures, names({"breast_two_hands", "playback_coverage", "playback_force"}));
+    addPictures(scenes, QStringLiteral("breast_two_hands"), pictures,
+                names({"breast_two_hands", "playback_coverage", "playback_force"}));
     addPictures(scenes, QStringLiteral("breast_pattern"), pictures, names({"breast_pattern"}));
     Scene& pad = scenes[QStringLiteral("pad")];
     SceneState many; // six lumps, all fingers away, flags of each outcome
     for (int i = 0; i < 6; ++i)
-        samples::addLump(many, pad.setup, {0.010 * (i - 2.5), 0.004 * i}, 0.010, 0.004 + 0.0005 * i, i % 2 == 1);
-    const simulation::FindingOutcome outcomes[] = {simulation::FindingOutcome::open, simulation::FindingOutcome::hit, simulation::FindingOutcome::falseAlarm};
+        samples::addLump(many, pad.setup, {0.010 * (i - 2.5), 0.004 * i}, 0.010, 0.004 + 0.0005 * i,
+                         i % 2 == 1);
+    const simulation::FindingOutcome outcomes[] = {simulation::FindingOutcome::open,
+                                                   simulation::FindingOutcome::hit,
+                                                   simulation::FindingOutcome::falseAlarm};
     for (std::size_t i = 0; i < 8; ++i)
         samples::addFinding(many, pad.setup, i, {0.009 * (double(i) - 3.5), -0.012}, outcomes[i % 3]);
     many.exercise.own<simulation::PalpationCues>().selected = 2;
@@ -198,7 +219,8 @@ void addPalpation(std::map<QString, Scene>& scenes) {
 }
 
 Scene urethra(const QStringList& states, bool stricture = false) {
-    Scene scene{stricture ? samples::shippedCanal() : samples::urethraPictures().at(states.front()).setup, {}};
+    Scene scene{stricture ? samples::shippedCanal() : samples::urethraPictures().at(states.front()).setup,
+                {}};
     if (stricture) {
         auto& parameters = scene.setup.parameters.as<simulation::UrethraInsertionParameters>();
         parameters.anatomy.changes[0].centre_m = 0.085;
@@ -209,7 +231,8 @@ Scene urethra(const QStringList& states, bool stricture = false) {
     const auto pictures = samples::urethraPictures();
     for (const QString& name : states) {
         const samples::UrethraPicture& picture = pictures.at(name);
-        const bool same = stricture || (picture.setup.depthOfField == scene.setup.depthOfField && picture.setup.cues.object == scene.setup.cues.object &&
+        const bool same = stricture || (picture.setup.depthOfField == scene.setup.depthOfField &&
+                                        picture.setup.cues.object == scene.setup.cues.object &&
                                         picture.setup.cues.arrow == scene.setup.cues.arrow);
         scene.steps.push_back({name, picture.state, same ? std::nullopt : std::optional(picture.setup)});
     }
@@ -232,10 +255,12 @@ std::map<QString, Scene> all() {
             states << name;
     Scene& canal = scenes[QStringLiteral("urethra")] = urethra(states);
     SceneState compared = canal.steps[5].state; // played back beside a second session
-    compared.ghost = samples::urethraState(canal.setup, {.s_m = 0.040, .ex_m = 0.001, .roll_rad = 0.7}).tool[0];
+    compared.ghost =
+        samples::urethraState(canal.setup, {.s_m = 0.040, .ex_m = 0.001, .roll_rad = 0.7}).tool[0];
     compared.exercise.own<simulation::EndoscopeCues>().landmarksSeen = 0b10110;
     canal.steps.push_back({QStringLiteral("compared"), compared, canal.setup});
-    scenes[QStringLiteral("urethra_stricture")] = urethra({QStringLiteral("d_middle"), QStringLiteral("e_offset")}, true);
+    scenes[QStringLiteral("urethra_stricture")] =
+        urethra({QStringLiteral("d_middle"), QStringLiteral("e_offset")}, true);
     return scenes;
 }
 
@@ -261,7 +286,8 @@ private slots:
         QVERIFY(view);
         auto* window = qobject_cast<QWindow*>(view->inputSource());
         QVERIFY(window);
-        const auto* root = qobject_cast<const Qt3DCore::QEntity*>(window->property(kSceneRootProperty).value<QObject*>());
+        const auto* root =
+            qobject_cast<const Qt3DCore::QEntity*>(window->property(kSceneRootProperty).value<QObject*>());
         QVERIFY2(root, "the window does not say what it draws");
         tests::SceneOutline outline;
         QStringList now{QStringLiteral("-- as it is made")};

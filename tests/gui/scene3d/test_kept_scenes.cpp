@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every scene, flat and in three dimensions, as it was looked at (support/kept_pictures.h). On a display with OpenGL those of three
-// dimensions, else the flat ones, these as lines of what is painted, too (support/paint_outline.h), as are the faces that both have.
-// CHIRON_STORE_PICTURES=1 CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/scene3d/test_kept_scenes
-#include "app/exercises/palpation/scene/palpation_overlay.h"
+// Every scene, flat and in three dimensions, as it was looked at (support/kept_pictures.h). On a display with
+// OpenGL those of three dimensions, else the flat ones, these as lines of what is painted, too
+// (support/paint_outline.h), as are the faces that both have. CHIRON_STORE_PICTURES=1 CHIRON_STORE_OUTLINES=1
+// QT_QPA_PLATFORM=offscreen build/release/tests/gui/scene3d/test_kept_scenes
 #include "app/exercises/palpation/scene/finding_flag.h"
 #include "app/exercises/palpation/scene/map_legend.h"
-#include "desktop/scene3d/scene_loader.h"
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "app/exercises/urethra_insertion/scene/notice_painter.h"
+#include "desktop/scene3d/gauge_painter.h"
+#include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/picture_states.h"
 #include "support/kept_pictures.h"
 #include "support/kept_text.h"
 #include "support/paint_outline.h"
 #include "support/patience.h"
-#include "desktop/scene3d/gauge_painter.h"
 
 #include <QApplication>
 #include <QScreen>
@@ -30,9 +31,11 @@ namespace {
 constexpr double kSame3d = 0.6; // edges that a rasteriser of several threads blends in another order
 
 /// A state of each part of the scenes.
-const QStringList kOfEachPart{"apex_contact", "apex_playback", "apex_dimple", "apex_z_turned", "pad_visible", "prostate", "breast_two_hands", "playback_force",
-                              "tube_two_handed", "tube_torn", "tube_transfer", "tube_large_contrast", "ovary_organ", "ovary_squeezed",
-                              "urethra_b_up", "urethra_f_neck", "urethra_h_ureters_focus", "urethra_i_seen", "urethra_j_over"};
+const QStringList kOfEachPart{
+    "apex_contact",   "apex_playback",           "apex_dimple",    "apex_z_turned",   "pad_visible",
+    "prostate",       "breast_two_hands",        "playback_force", "tube_two_handed", "tube_torn",
+    "tube_transfer",  "tube_large_contrast",     "ovary_organ",    "ovary_squeezed",  "urethra_b_up",
+    "urethra_f_neck", "urethra_h_ureters_focus", "urethra_i_seen", "urethra_j_over"};
 
 struct Kept {
     SceneSetup setup;
@@ -46,18 +49,24 @@ std::map<QString, Kept> all() {
         pictures["apex_" + name] = {samples::setup(), state, {}};
     for (const auto& list : {samples::palpationPictures(), samples::laparoscopyPictures()})
         for (const samples::Picture& each : list)
-            pictures[QLatin1String(each.name)] = {each.setup, each.state, each.mapShown ? std::make_shared<simulation::SurfaceMap>(each.map) : nullptr};
+            pictures[QLatin1String(each.name)] = {
+                each.setup, each.state,
+                each.mapShown ? std::make_shared<simulation::SurfaceMap>(each.map) : nullptr};
     for (const auto& [name, each] : samples::urethraPictures())
         pictures["urethra_" + name] = {each.setup, each.state, {}};
-    pictures["comparison_pads"] = {samples::comparisonSetup(simulation::ComparedAttribute::stiffness), samples::comparisonState(0.0), {}};
-    pictures["comparison_hooked"] = {samples::comparisonSetup(simulation::ComparedAttribute::mass), samples::comparisonState(0.030), {}};
+    pictures["comparison_pads"] = {samples::comparisonSetup(simulation::ComparedAttribute::stiffness),
+                                   samples::comparisonState(0.0),
+                                   {}};
+    pictures["comparison_hooked"] = {
+        samples::comparisonSetup(simulation::ComparedAttribute::mass), samples::comparisonState(0.030), {}};
     pictures["comparison_one"] = pictures["comparison_pads"]; // of an adjustment: nothing to number
     pictures["comparison_one"].state.exercise.own<core::LaparoscopyCues>().bodies = 1;
     pictures["comparison_none"] = pictures["comparison_pads"]; // between two trials
     pictures["comparison_none"].state.exercise.own<core::LaparoscopyCues>().objectShown = false;
     pictures["apex_dark"] = {samples::setup(), samples::pressed(5.2), {}};
     pictures["apex_dark"].setup.colours = samples::dark();
-    pictures["tube_large_contrast"] = {samples::tubeSetup(), samples::tubeState({0.026, -0.016, 0.052}, true), {}};
+    pictures["tube_large_contrast"] = {
+        samples::tubeSetup(), samples::tubeState({0.026, -0.016, 0.052}, true), {}};
     pictures["tube_large_contrast"].setup.colours = samples::highContrast();
     pictures["tube_large_contrast"].setup.scale = 1.5;
     return pictures;
@@ -68,26 +77,41 @@ std::map<QString, std::function<void(QPainter&)>> faces() {
     std::map<QString, std::function<void(QPainter&)>> all;
     const auto add = [&all](const char* name, auto paint) {
         for (const bool dark : {false, true})
-            all[QStringLiteral("face_%1%2").arg(QLatin1String(name), dark ? QStringLiteral(" dark") : QString())] = [paint, dark](QPainter& painter) {
-                SceneSetup setup = samples::palpationSetup(samples::Tissue::pad);
-                if (dark) {
-                    setup.colours = samples::dark();
-                    setup.scale = 1.5;
-                }
-                paint(painter, setup);
-            };
+            all[QStringLiteral("face_%1%2")
+                    .arg(QLatin1String(name), dark ? QStringLiteral(" dark") : QString())] =
+                [paint, dark](QPainter& painter) {
+                    SceneSetup setup = samples::palpationSetup(samples::Tissue::pad);
+                    if (dark) {
+                        setup.colours = samples::dark();
+                        setup.scale = 1.5;
+                    }
+                    paint(painter, setup);
+                };
     };
-    add("force_bar", [](QPainter& painter, const SceneSetup&) { GaugePainter(samples::setup(), forceDial(samples::setup())).paint(painter); });
-    add("bar_with_band", [](QPainter& painter, const SceneSetup& setup) { GaugePainter(setup, {QStringLiteral("Tension (N)"), 3.0, 2.5, 1.05, 1.35}).paint(painter); });
+    add("force_bar", [](QPainter& painter, const SceneSetup&) {
+        GaugePainter(samples::setup(), forceDial(samples::setup())).paint(painter);
+    });
+    add("bar_with_band", [](QPainter& painter, const SceneSetup& setup) {
+        GaugePainter(setup, {QStringLiteral("Tension (N)"), 3.0, 2.5, 1.05, 1.35}).paint(painter);
+    });
     for (const auto kind : {simulation::SurfaceMapKind::coverage, simulation::SurfaceMapKind::force})
-        add(kind == simulation::SurfaceMapKind::force ? "legend_force" : "legend_coverage", [kind](QPainter& painter, const SceneSetup& setup) { MapLegend(setup, kind, 37).paint(painter); });
-    for (const auto& [name, outcome] : {std::pair{"flag_open", simulation::FindingOutcome::open}, {"flag_hit", simulation::FindingOutcome::hit}, {"flag_false_alarm", simulation::FindingOutcome::falseAlarm}})
+        add(kind == simulation::SurfaceMapKind::force ? "legend_force" : "legend_coverage",
+            [kind](QPainter& painter, const SceneSetup& setup) {
+                MapLegend(setup, kind, 37).paint(painter);
+            });
+    for (const auto& [name, outcome] : {std::pair{"flag_open", simulation::FindingOutcome::open},
+                                        {"flag_hit", simulation::FindingOutcome::hit},
+                                        {"flag_false_alarm", simulation::FindingOutcome::falseAlarm}})
         add(name, [of = outcome](QPainter& painter, const SceneSetup& setup) {
             paintFindingFlag(painter, QRectF(10, 10, 40, 60), {1, of, false}, setup);
             paintFindingFlag(painter, QRectF(60, 10, 40, 60), {2, of, true}, setup);
         });
-    for (const auto& [name, room] : {std::pair{"notice", QSizeF(400, 300)}, {"notice_narrow", QSizeF(90, 120)}, {"notice_without_room", QSizeF(30, 20)}})
-        add(name, [room = room](QPainter& painter, const SceneSetup& setup) { NoticePainter(setup).paint(painter, QRectF(QPointF(), room), 1.0); });
+    for (const auto& [name, room] : {std::pair{"notice", QSizeF(400, 300)},
+                                     {"notice_narrow", QSizeF(90, 120)},
+                                     {"notice_without_room", QSizeF(30, 20)}})
+        add(name, [room = room](QPainter& painter, const SceneSetup& setup) {
+            NoticePainter(setup).paint(painter, QRectF(QPointF(), room), 1.0);
+        });
     return all;
 }
 
@@ -121,8 +145,10 @@ private slots:
         window.move(0, 0);
         auto* layout = new QVBoxLayout(&window);
         layout->setContentsMargins(0, 0, 0, 0);
-        LoadedScene scene = m_flat ? LoadedScene{makeFlatSceneView(picture.setup, QStringLiteral("Shown in 2D."), &window), {}}
-                                   : makeSceneView(picture.setup, &window);
+        LoadedScene scene =
+            m_flat
+                ? LoadedScene{makeFlatSceneView(picture.setup, QStringLiteral("Shown in 2D."), &window), {}}
+                : makeSceneView(picture.setup, &window);
         layout->addWidget(scene.view->widget());
         window.show();
         QImage image;
@@ -134,7 +160,8 @@ private slots:
             QVERIFY2(outline.isEmpty(), qPrintable(outline));
         } else {
             int same = 0;
-            for (int i = 0; i < 40 && same < 3; ++i) { // a newly shown part arrives over some frames, on a busy machine over more
+            for (int i = 0; i < 40 && same < 3;
+                 ++i) { // a newly shown part arrives over some frames, on a busy machine over more
                 const auto before = scene.view->framesDrawn();
                 scene.view->show(picture.state);
                 QVERIFY(QTest::qWaitFor([&] { return scene.view->framesDrawn() > before; }, kPatience_ms));
@@ -143,17 +170,22 @@ private slots:
                 image = next;
             }
         }
-        const QString differs = m_kept.differs((m_flat ? QStringLiteral("flat_") : QStringLiteral("scene_")) + name, image, m_flat ? tests::KeptPictures::kSame : kSame3d);
+        const QString differs =
+            m_kept.differs((m_flat ? QStringLiteral("flat_") : QStringLiteral("scene_")) + name, image,
+                           m_flat ? tests::KeptPictures::kSame : kSame3d);
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
 
-    /// Drawn flat, both views share what room there is: wide, high, small, large and without a reason below them.
+    /// Drawn flat, both views share what room there is: wide, high, small, large and without a reason below
+    /// them.
     void roomIsSharedAsItWas_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QSize>("size");
-        for (const char* name : {"apex_playback", "tube_large_contrast", "breast_two_hands", "urethra_i_seen"})
+        for (const char* name :
+             {"apex_playback", "tube_large_contrast", "breast_two_hands", "urethra_i_seen"})
             for (const QSize& size : {QSize(1000, 320), QSize(340, 760), QSize(210, 160), QSize(1500, 1100)})
-                QTest::addRow("%s in %d x %d", name, size.width(), size.height()) << QString::fromLatin1(name) << size;
+                QTest::addRow("%s in %d x %d", name, size.width(), size.height())
+                    << QString::fromLatin1(name) << size;
     }
     void roomIsSharedAsItWas() {
         if (!m_flat)
@@ -162,11 +194,15 @@ private slots:
         QFETCH(QSize, size);
         Kept& picture = m_all.at(name);
         picture.state.overlay.own<PalpationOverlay>().map = picture.map.get();
-        const std::unique_ptr<ISceneView> view(makeFlatSceneView(picture.setup, size.width() > 1200 ? QString() : QStringLiteral("Shown in 2D, for a reason that is long."), nullptr));
+        const std::unique_ptr<ISceneView> view(makeFlatSceneView(
+            picture.setup,
+            size.width() > 1200 ? QString() : QStringLiteral("Shown in 2D, for a reason that is long."),
+            nullptr));
         QVERIFY(view->widget()->minimumSizeHint().isValid());
         view->widget()->resize(size);
         view->show(picture.state);
-        const QString outline = m_outlines.differs(QLatin1String(QTest::currentDataTag()), tests::OutlineDevice::of(*view->widget()));
+        const QString outline = m_outlines.differs(QLatin1String(QTest::currentDataTag()),
+                                                   tests::OutlineDevice::of(*view->widget()));
         QVERIFY2(outline.isEmpty(), qPrintable(outline));
     }
 
@@ -188,7 +224,8 @@ private slots:
         const std::unique_ptr<ISceneView> view(makeFlatSceneView(picture.setup, QString(), nullptr));
         view->widget()->resize(900, 600);
         view->show(picture.state);
-        const QString outline = m_outlines.differs(QLatin1String(QTest::currentDataTag()), tests::OutlineDevice::of(*view->widget()));
+        const QString outline = m_outlines.differs(QLatin1String(QTest::currentDataTag()),
+                                                   tests::OutlineDevice::of(*view->widget()));
         QVERIFY2(outline.isEmpty(), qPrintable(outline));
     }
 
@@ -217,7 +254,8 @@ private:
     bool m_flat = true;
     std::map<QString, Kept> m_all = all();
     tests::KeptPictures m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/scene3d/kept_scenes.json")};
-    tests::KeptText m_outlines{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/scene3d/kept_flat_scenes.txt"), &tests::KeptText::nearly};
+    tests::KeptText m_outlines{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/scene3d/kept_flat_scenes.txt"),
+                               &tests::KeptText::nearly};
 };
 
 QTEST_MAIN(TestKeptScenes)

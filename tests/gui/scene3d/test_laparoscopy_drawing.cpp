@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn of tube and ovaries: where the forces say, no longer and no thicker than it is.
+#include "app/exercises/elastic_tube/scene/fold_sheet.h"
+#include "app/exercises/elastic_tube/scene/mark_ring.h"
+#include "app/exercises/elastic_tube/scene/tension_bar.h"
+#include "app/exercises/elastic_tube/scene/tube_mesh.h"
+#include "app/exercises/object_handling/scene/squeeze_bar.h"
+#include "app/exercises/object_handling/scene/squeezed.h"
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/abdomen/abdomen_mesh.h"
 #include "desktop/scene3d/drawn_tool.h"
-#include "app/exercises/elastic_tube/scene/fold_sheet.h"
-#include "app/exercises/elastic_tube/scene/mark_ring.h"
-#include "app/exercises/elastic_tube/scene/tube_mesh.h"
-#include "app/exercises/elastic_tube/scene/tension_bar.h"
-#include "app/exercises/object_handling/scene/squeeze_bar.h"
-#include "app/exercises/object_handling/scene/squeezed.h"
 #include "desktop/scene3d/parts/instrument_mesh.h"
 #include "gui/scene3d/laparoscopy_samples.h"
 
@@ -44,14 +44,16 @@ bool isWhole(const TriangleMesh& mesh) {
             return false;
     for (const MeshVertex& v : mesh.vertices) {
         const core::Vec3 normal(double(v.normal[0]), double(v.normal[1]), double(v.normal[2]));
-        if (!std::isfinite(v.position_mm[0]) || !std::isfinite(v.position_mm[1]) || !std::isfinite(v.position_mm[2]) ||
-            std::abs(normal.norm() - 1.0) > 1e-3)
+        if (!std::isfinite(v.position_mm[0]) || !std::isfinite(v.position_mm[1]) ||
+            !std::isfinite(v.position_mm[2]) || std::abs(normal.norm() - 1.0) > 1e-3)
             return false;
     }
     return true;
 }
 
-core::Vec3 vec(const float (&v)[3]) { return {double(v[0]), double(v[1]), double(v[2])}; }
+core::Vec3 vec(const float (&v)[3]) {
+    return {double(v[0]), double(v[1]), double(v[2])};
+}
 
 int facingInwards(const TriangleMesh& mesh) {
     int wrong = 0;
@@ -59,8 +61,10 @@ int facingInwards(const TriangleMesh& mesh) {
         const MeshVertex& a = mesh.vertices[mesh.indices[i]];
         const MeshVertex& b = mesh.vertices[mesh.indices[i + 1]];
         const MeshVertex& c = mesh.vertices[mesh.indices[i + 2]];
-        const core::Vec3 across = (vec(b.position_mm) - vec(a.position_mm)).cross(vec(c.position_mm) - vec(a.position_mm));
-        wrong += across.norm() > 1e-4 && across.dot(vec(a.normal) + vec(b.normal) + vec(c.normal)) < 0.0 ? 1 : 0;
+        const core::Vec3 across =
+            (vec(b.position_mm) - vec(a.position_mm)).cross(vec(c.position_mm) - vec(a.position_mm));
+        wrong +=
+            across.norm() > 1e-4 && across.dot(vec(a.normal) + vec(b.normal) + vec(c.normal)) < 0.0 ? 1 : 0;
     }
     return wrong;
 }
@@ -70,7 +74,8 @@ int facingInwards(const TriangleMesh& mesh) {
 class TestLaparoscopyDrawing : public QObject {
     Q_OBJECT
 private slots:
-    /// The line under an instrument shows where what it holds would be set down; of an object that is not shown it tells nothing.
+    /// The line under an instrument shows where what it holds would be set down; of an object that is not
+    /// shown it tells nothing.
     void whatIsHeldIsSetDown() {
         SceneState state = samples::handlingState(true);
         core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
@@ -90,7 +95,8 @@ private slots:
         QCOMPARE(setDownBy(state, 0), tip);
     }
 
-    /// Its edge is where it is felt, whether it hangs or is held; closed it lies over the tube, drawn back beside it.
+    /// Its edge is where it is felt, whether it hangs or is held; closed it lies over the tube, drawn back
+    /// beside it.
     void aFoldGoesThroughItsEdge() {
         SceneState state = samples::twoHanded(0.050);
         core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
@@ -137,10 +143,12 @@ private slots:
     }
 
     void slackTubeIsAsLongAsAtRestAndStaysOnTheFloor() {
-        for (const core::Vec3& end : {core::Vec3(0.010, -0.010, 0.020), core::Vec3(-0.004, 0.004, 0.030), core::Vec3(0.030, 0.010, 0.004)}) {
+        for (const core::Vec3& end : {core::Vec3(0.010, -0.010, 0.020), core::Vec3(-0.004, 0.004, 0.030),
+                                      core::Vec3(0.030, 0.010, 0.004)}) {
             const SceneState state = samples::tubeState(end, true);
             const TubeCurve curve = TubeCurve::of(state.exercise.of<core::LaparoscopyCues>(), kRadius_m);
-            QVERIFY2(std::abs(curve.length_m() - kRest_m) < 2e-4, qPrintable(QString::number(curve.length_m())));
+            QVERIFY2(std::abs(curve.length_m() - kRest_m) < 2e-4,
+                     qPrintable(QString::number(curve.length_m())));
             QVERIFY(away_m(curve, end) < 1e-9);
             for (const TubeRing& ring : curve.pieces.front().rings)
                 QVERIFY(ring.p_W.z() > -1e-9);
@@ -151,8 +159,10 @@ private slots:
     void smallMovesMoveTheCurveLittle() {
         core::Vec3 before = core::Vec3::Zero();
         for (int i = 0; i < 400; ++i) {
-            const core::Vec3 end(0.020 * std::cos(0.01 * i), 0.020 * std::sin(0.013 * i), 0.020 + 0.00008 * i);
-            const TubeCurve curve = TubeCurve::of(samples::tubeState(end, true).exercise.of<core::LaparoscopyCues>(), kRadius_m);
+            const core::Vec3 end(0.020 * std::cos(0.01 * i), 0.020 * std::sin(0.013 * i),
+                                 0.020 + 0.00008 * i);
+            const TubeCurve curve =
+                TubeCurve::of(samples::tubeState(end, true).exercise.of<core::LaparoscopyCues>(), kRadius_m);
             const core::Vec3 middle = curve.at(0.5)->p_W;
             if (i > 0)
                 QVERIFY2((middle - before).norm() < 0.004, qPrintable(QString::number(i)));
@@ -166,7 +176,9 @@ private slots:
             state.exercise.own<core::LaparoscopyCues>().gripHeldBy[1] = holder;
             const TubeCurve curve = TubeCurve::of(state.exercise.of<core::LaparoscopyCues>(), kRadius_m);
             for (std::size_t i = 0; i < 3; ++i)
-                QVERIFY2(away_m(curve, placeOf(state.exercise.of<core::LaparoscopyCues>(), i)) < (holder == 0 && i == 1 ? 0.0015 : 1e-9), qPrintable(QString::number(i)));
+                QVERIFY2(away_m(curve, placeOf(state.exercise.of<core::LaparoscopyCues>(), i)) <
+                             (holder == 0 && i == 1 ? 0.0015 : 1e-9),
+                         qPrintable(QString::number(i)));
         }
     }
 
@@ -177,7 +189,8 @@ private slots:
         QCOMPARE(curve.pieces.size(), std::size_t(2));
         QCOMPARE(int(curve.pieces[0].last), int(SweepEnd::ragged));
         QCOMPARE(int(curve.pieces[1].first), int(SweepEnd::ragged));
-        QVERIFY(away_m(curve, placeOf(state.exercise.of<core::LaparoscopyCues>(), 0)) < 1e-9 && away_m(curve, placeOf(state.exercise.of<core::LaparoscopyCues>(), 1)) < 1e-9);
+        QVERIFY(away_m(curve, placeOf(state.exercise.of<core::LaparoscopyCues>(), 0)) < 1e-9 &&
+                away_m(curve, placeOf(state.exercise.of<core::LaparoscopyCues>(), 1)) < 1e-9);
         QVERIFY(curve.length_m() < 1.2 * kRest_m);
     }
 
@@ -190,13 +203,18 @@ private slots:
     void meshesAreWhole() {
         const SceneState state = samples::handOver();
         const TubeCurve curve = TubeCurve::of(state.exercise.of<core::LaparoscopyCues>(), kRadius_m);
-        for (const TriangleMesh& mesh : {tubeMesh(curve), tubeMarks(curve, state.exercise.of<core::LaparoscopyCues>()), tubeShade(curve, 0.0), peritoneumMesh(55.0),
-                                         bowelMesh(55.0), fatMesh(55.0), uterusMesh(55.0), instrumentRings(4), instrumentCollar()})
+        for (const TriangleMesh& mesh :
+             {tubeMesh(curve), tubeMarks(curve, state.exercise.of<core::LaparoscopyCues>()),
+              tubeShade(curve, 0.0), peritoneumMesh(55.0), bowelMesh(55.0), fatMesh(55.0), uterusMesh(55.0),
+              instrumentRings(4), instrumentCollar()})
             QVERIFY(isWhole(mesh));
         int which = 0;
-        for (const TriangleMesh& mesh : {tubeMesh(curve), peritoneumMesh(55.0), bowelMesh(55.0), uterusMesh(55.0), instrumentRings(4)}) {
-            const int wrong = facingInwards(mesh), all = int(mesh.indices.size() / 3); // a tube bent sharper than it is thick folds inside
-            QVERIFY2(wrong * 100 < all, qPrintable(QStringLiteral("mesh %1: %2 of %3").arg(which).arg(wrong).arg(all)));
+        for (const TriangleMesh& mesh :
+             {tubeMesh(curve), peritoneumMesh(55.0), bowelMesh(55.0), uterusMesh(55.0), instrumentRings(4)}) {
+            const int wrong = facingInwards(mesh),
+                      all = int(mesh.indices.size() / 3); // a tube bent sharper than it is thick folds inside
+            QVERIFY2(wrong * 100 < all,
+                     qPrintable(QStringLiteral("mesh %1: %2 of %3").arg(which).arg(wrong).arg(all)));
             ++which;
         }
         for (const MeshVertex& v : peritoneumMesh(55.0).vertices)
@@ -227,11 +245,14 @@ private slots:
         QVERIFY(ring.has_value());
         const core::Vec3 base = placeOf(held.exercise.of<core::LaparoscopyCues>(), 0);
         QVERIFY(std::abs((ring->p_W - base).norm() - parameters.markRatio * kRest_m) < 1e-9);
-        QVERIFY(ring->along.cross((placeOf(held.exercise.of<core::LaparoscopyCues>(), 1) - base).normalized()).norm() < 1e-9);
+        QVERIFY(ring->along.cross((placeOf(held.exercise.of<core::LaparoscopyCues>(), 1) - base).normalized())
+                    .norm() < 1e-9);
         core::LaparoscopyCues hidden = held.exercise.of<core::LaparoscopyCues>();
         hidden.objectShown = false;
         QVERIFY(!markRing(parameters, hidden).has_value());
-        QVERIFY(!markRing(samples::tubeSetup().parameters.as<simulation::ElasticTubeParameters>(), held.exercise.of<core::LaparoscopyCues>()).has_value());
+        QVERIFY(!markRing(samples::tubeSetup().parameters.as<simulation::ElasticTubeParameters>(),
+                          held.exercise.of<core::LaparoscopyCues>())
+                     .has_value());
     }
 
     void secondBarShowsWhatTheCuesAllow() {
@@ -245,7 +266,9 @@ private slots:
         cues.tensionShown = false;
         QVERIFY(!tensionBar(level.as<simulation::ElasticTubeParameters>(), cues).shown);
         const SceneState ovary = samples::handlingState(true);
-        const SecondBar squeeze = squeezeBar(samples::handlingSetup().parameters.as<simulation::ObjectHandlingParameters>(), ovary.exercise.of<core::LaparoscopyCues>());
+        const SecondBar squeeze =
+            squeezeBar(samples::handlingSetup().parameters.as<simulation::ObjectHandlingParameters>(),
+                       ovary.exercise.of<core::LaparoscopyCues>());
         QVERIFY(squeeze.dial.limit_N == 2.0 && squeeze.dial.range_N > 2.0);
         QCOMPARE(squeeze.value_N, 1.3);
         QVERIFY(makeFlatContent(samples::tubeSetup())->secondBar(tube).has_value());
@@ -253,7 +276,8 @@ private slots:
     }
 
     void instrumentsEnterFromTheirOwnSides() {
-        QVERIFY(!entersLeft(0, true, true) && entersLeft(1, true, false) && !entersLeft(2, true, true) && entersLeft(3, true, false));
+        QVERIFY(!entersLeft(0, true, true) && entersLeft(1, true, false) && !entersLeft(2, true, true) &&
+                entersLeft(3, true, false));
         QVERIFY(entersLeft(0, false, true) && !entersLeft(0, false, false)); // alone: the working hand's
         QCOMPARE(toolsOf(samples::twoHanded(0.06)), 2);
         for (int i = 0; i < core::kMaxTools; ++i)

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn of a palpation: the felt surface, dents as deep as they are felt, what was searched, and nothing that is not told.
-#include "app/exercises/palpation/scene/palpation_overlay.h"
-#include "app/exercises/palpation/scene/flat_palpation.h"
-#include "desktop/scene3d/camera_fit.h"
+// What is drawn of a palpation: the felt surface, dents as deep as they are felt, what was searched, and
+// nothing that is not told.
 #include "app/exercises/palpation/scene/finding_flag.h"
 #include "app/exercises/palpation/scene/finger_mesh.h"
-#include "app/exercises/palpation/scene/hand_mesh.h"
 #include "app/exercises/palpation/scene/finger_pose.h"
+#include "app/exercises/palpation/scene/flat_palpation.h"
+#include "app/exercises/palpation/scene/hand_mesh.h"
 #include "app/exercises/palpation/scene/map_legend.h"
 #include "app/exercises/palpation/scene/map_picture.h"
 #include "app/exercises/palpation/scene/palpation_dial.h"
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "app/exercises/palpation/scene/tissue_mesh.h"
+#include "desktop/scene3d/camera_fit.h"
 #include "gui/scene3d/palpation_samples.h"
 
 #include <QPainter>
@@ -19,17 +20,19 @@
 
 using namespace chiron;
 using namespace chiron::scene3d;
-using simulation::FindingOutcome;
-using simulation::SurfaceMapKind;
 using samples::Tissue;
+using simulation::FindingOutcome;
 using simulation::MapBand;
+using simulation::SurfaceMapKind;
 using simulation::TissueSurface;
 
 namespace {
 
 constexpr std::array kTissues{Tissue::pad, Tissue::prostate, Tissue::breast};
 
-core::Vec3 vec(const float (&v)[3]) { return {double(v[0]), double(v[1]), double(v[2])}; }
+core::Vec3 vec(const float (&v)[3]) {
+    return {double(v[0]), double(v[1]), double(v[2])};
+}
 
 int facingWrong(const TriangleMesh& mesh) {
     int wrong = 0;
@@ -37,13 +40,17 @@ int facingWrong(const TriangleMesh& mesh) {
         const MeshVertex& a = mesh.vertices[mesh.indices[i]];
         const MeshVertex& b = mesh.vertices[mesh.indices[i + 1]];
         const MeshVertex& c = mesh.vertices[mesh.indices[i + 2]];
-        const core::Vec3 across = (vec(b.position_mm) - vec(a.position_mm)).cross(vec(c.position_mm) - vec(a.position_mm));
-        wrong += across.norm() > 1e-4 && across.dot(vec(a.normal) + vec(b.normal) + vec(c.normal)) < 0.0 ? 1 : 0;
+        const core::Vec3 across =
+            (vec(b.position_mm) - vec(a.position_mm)).cross(vec(c.position_mm) - vec(a.position_mm));
+        wrong +=
+            across.norm() > 1e-4 && across.dot(vec(a.normal) + vec(b.normal) + vec(c.normal)) < 0.0 ? 1 : 0;
     }
     return wrong;
 }
 
-TissueSurface surfaceOf(Tissue tissue) { return TissueSurface(samples::palpationParameters(tissue).tissue.shape); }
+TissueSurface surfaceOf(Tissue tissue) {
+    return TissueSurface(samples::palpationParameters(tissue).tissue.shape);
+}
 
 QImage flagPicture(const FindingFlag& flag, const SceneSetup& setup) {
     QImage picture(64, 64, QImage::Format_RGB32);
@@ -133,9 +140,11 @@ private slots:
         QVERIFY(std::abs(lean.angle_rad - kMostRoll_rad) < 1e-12); // across the finger
         QVERIFY(lean.saturated);
         samples::pressFinger(state, setup, 0, {0.0, 0.0}, 0.004, {0.0, 2.0});
-        QVERIFY(std::abs(fingerLean(state, 0, core::Vec3::UnitZ()).angle_rad - kMostLean_rad) < 1e-12); // along it
+        QVERIFY(std::abs(fingerLean(state, 0, core::Vec3::UnitZ()).angle_rad - kMostLean_rad) <
+                1e-12); // along it
         samples::pressFinger(state, setup, 0, {0.0, 0.0}, 0.004, {2.0, 2.0});
-        QVERIFY(std::abs(fingerLean(state, 0, core::Vec3::UnitZ()).angle_rad * std::sqrt(0.5) - kMostRoll_rad) < 1e-12);
+        QVERIFY(std::abs(fingerLean(state, 0, core::Vec3::UnitZ()).angle_rad * std::sqrt(0.5) -
+                         kMostRoll_rad) < 1e-12);
         samples::pressFinger(state, setup, 0, {0.0, 0.0}, 0.004, {2.0, 0.0});
         state.exercise.own<simulation::PalpationCues>().lean_rad[0] = 0.0; // a level that does not show it
         QCOMPARE(fingerLean(state, 0, core::Vec3::UnitZ()).angle_rad, 0.0);
@@ -151,7 +160,8 @@ private slots:
         QVERIFY(isLeftHand(one, 0) && isLeftHand(one, 1));
     }
 
-    /// In the air a hand is nearly glass, so that what lies under it is seen; touching with one finger makes that hand solid, and no other.
+    /// In the air a hand is nearly glass, so that what lies under it is seen; touching with one finger makes
+    /// that hand solid, and no other.
     void aHandInTheAirIsSeenThrough() {
         SceneSetup setup;
         simulation::PalpationParameters parameters = samples::palpationParameters(Tissue::breast);
@@ -213,11 +223,14 @@ private slots:
                 QVERIFY(p[1] < 0.0F);
                 QCOMPARE(left.vertices[i].position_mm[0], -p[0]);
             }
-            QVERIFY2(lowest_mm > 8.0, qPrintable(QString::number(lowest_mm))); // a finger presses deeper than it without the hand's help
-            QVERIFY(middle_mm > 5.0); // thumb to the left, palm down
+            QVERIFY2(lowest_mm > 8.0,
+                     qPrintable(QString::number(
+                         lowest_mm))); // a finger presses deeper than it without the hand's help
+            QVERIFY(middle_mm > 5.0);  // thumb to the left, palm down
             QVERIFY(farthest_mm < -200.0);
         }
-        QVERIFY(handMesh(2, false).vertices.size() < handMesh(1, false).vertices.size()); // the second finger is drawn by itself
+        QVERIFY(handMesh(2, false).vertices.size() <
+                handMesh(1, false).vertices.size()); // the second finger is drawn by itself
     }
 
     void mapSaysWhereWasPressed() {
@@ -226,10 +239,14 @@ private slots:
         map.press({0.020, 0.015}, 1.0);
         map.press({-0.020, -0.015}, 0.3);
         const QImage picture = mapPicture(map, setup, SurfaceMapKind::coverage);
-        QCOMPARE(pixelAt(picture, map, 0.0205, 0.0152), mapColour(setup.colours, SurfaceMapKind::coverage, MapBand::inBand));
+        QCOMPARE(pixelAt(picture, map, 0.0205, 0.0152),
+                 mapColour(setup.colours, SurfaceMapKind::coverage, MapBand::inBand));
         int hatched = 0; // pressed, but not searched
         for (int i = 0; i < 24; ++i)
-            hatched += pixelAt(picture, map, -0.022 + 0.0002 * i, -0.0152).rgba() == mapHatch(setup.colours, false).rgba() ? 1 : 0;
+            hatched += pixelAt(picture, map, -0.022 + 0.0002 * i, -0.0152).rgba() ==
+                               mapHatch(setup.colours, false).rgba()
+                           ? 1
+                           : 0;
         QVERIFY(hatched > 0 && hatched < 12);
         int bare = 0;
         for (int i = 0; i < 24; ++i)
@@ -249,7 +266,8 @@ private slots:
             int before = qGray(colours.background.rgb());
             for (const MapBand band : {MapBand::light, MapBand::gentle, MapBand::inBand, MapBand::hard}) {
                 const QColor colour = mapColour(colours, SurfaceMapKind::force, band);
-                QVERIFY((qGray(colour.rgb()) - before) * way > 0.0 && std::abs(qGray(colour.rgb()) - before) > 10);
+                QVERIFY((qGray(colour.rgb()) - before) * way > 0.0 &&
+                        std::abs(qGray(colour.rgb()) - before) > 10);
                 before = qGray(colour.rgb());
             }
         }
@@ -265,7 +283,8 @@ private slots:
         SceneState state;
         const simulation::SurfaceMap map = samples::searched(setup, 1.0);
         state.overlay.own<PalpationOverlay>().map = &map;
-        QVERIFY(MapLegend::of(setup, state) == MapLegend(setup, SurfaceMapKind::coverage, int(std::lround(100.0 * map.coverage()))));
+        QVERIFY(MapLegend::of(setup, state) ==
+                MapLegend(setup, SurfaceMapKind::coverage, int(std::lround(100.0 * map.coverage()))));
     }
 
     void outcomesDifferInShape() {
@@ -300,7 +319,8 @@ private slots:
         // Where content names none, it is on the highest bump; flat skin has none.
         simulation::TissueParameters skin = samples::palpationParameters(Tissue::breast).tissue;
         skin.regions.clear();
-        skin.shape.bumps = {simulation::SurfaceBump{.centre_m = {0.01, 0.0}, .height_m = 0.004}, simulation::SurfaceBump{.centre_m = {-0.02, 0.005}, .height_m = 0.009}};
+        skin.shape.bumps = {simulation::SurfaceBump{.centre_m = {0.01, 0.0}, .height_m = 0.004},
+                            simulation::SurfaceBump{.centre_m = {-0.02, 0.005}, .height_m = 0.009}};
         QCOMPARE(areolaOf(skin).centre_m.x(), -0.02);
         QVERIFY(areolaOf(skin).radius_m > 0.0);
         skin.shape.bumps.clear();
@@ -313,8 +333,9 @@ private slots:
             const TissueSurface surface(parameters.tissue.shape);
             const double aspect = 4.0 / 3.0;
             const double elevation = 57.0 * core::kPi / 180.0;
-            const CameraFit camera = fitCamera(palpationField_m(parameters) + 0.012, parameters.tissue.shape.planeHeight_m,
-                                              surface.highest_m() - parameters.tissue.shape.planeHeight_m + 0.018, aspect, 0.1, elevation);
+            const CameraFit camera = fitCamera(
+                palpationField_m(parameters) + 0.012, parameters.tissue.shape.planeHeight_m,
+                surface.highest_m() - parameters.tissue.shape.planeHeight_m + 0.018, aspect, 0.1, elevation);
             const core::Vec3 ahead = (camera.p_WTarget - camera.p_WEye).normalized();
             QVERIFY(std::abs(std::asin(-ahead.z()) - elevation) < 1e-9);
             QVERIFY(camera.p_WEye.y() < 0.0);
@@ -322,7 +343,8 @@ private slots:
             const double up = std::tan(0.5 * camera.fieldOfView_deg * core::kPi / 180.0);
             for (const double x : {-1.0, 1.0})
                 for (const double y : {-1.0, 1.0}) {
-                    const core::Vec3 seen = surface.pointAt(parameters.areaHalf_m.cwiseProduct(core::Vec2(x, y))) - camera.p_WEye;
+                    const core::Vec3 seen =
+                        surface.pointAt(parameters.areaHalf_m.cwiseProduct(core::Vec2(x, y))) - camera.p_WEye;
                     QVERIFY(std::abs(seen.dot(right.cross(ahead))) < up * seen.dot(ahead));
                     QVERIFY(std::abs(seen.dot(right)) < up * aspect * seen.dot(ahead));
                 }

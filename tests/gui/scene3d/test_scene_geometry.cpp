@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/units.h"
+#include "app/exercises/sphere_apex/scene/apex_mesh.h"
 #include "app/exercises/sphere_apex/scene/flat_apex.h"
+#include "core/units.h"
 #include "desktop/scene3d/camera_fit.h"
 #include "desktop/scene3d/drawn_tool.h"
 #include "desktop/scene3d/parts/drape_mesh.h"
 #include "desktop/scene3d/parts/instrument_mesh.h"
-#include "app/exercises/sphere_apex/scene/apex_mesh.h"
 #include "gui/scene3d/scene_samples.h"
 #include "modules/exercises/sphere_apex/simulation/hemisphere_contact.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"

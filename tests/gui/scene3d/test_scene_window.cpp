@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The 3D scene on a real window: needs a display with OpenGL (Xvfb with Mesa will do), else it says so and
 // skips.
-#include "desktop/scene3d/scene_loader.h"
 #include "app/exercises/sphere_apex/scene/apex_mesh.h"
+#include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/scene_at_rest.h"
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/shader_dents.h"
-#include "support/patience.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "support/patience.h"
 
 #include <QApplication>
 #include <QScreen>
@@ -122,7 +122,8 @@ private slots:
         QVERIFY(reddish(once) > 480 * 360 / 6);
     }
 
-    /// So is a note, in a playback that stands still at the moment it is about; and when it goes, nothing of it is left.
+    /// So is a note, in a playback that stands still at the moment it is about; and when it goes, nothing of
+    /// it is left.
     void aNoteIsThereAtOnceAndGoesWhole() {
         Shown shown;
         SceneState state = samples::pressed(2.0);
@@ -130,14 +131,19 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(shown.told, kPatience_ms);
         QVERIFY(tests::comesToRest(*shown.scene.view));
         const QImage bare = shown.picture(state);
-        for (const SceneNote::Kind kind : {SceneNote::Kind::said, SceneNote::Kind::paused, SceneNote::Kind::stopped}) {
+        for (const SceneNote::Kind kind :
+             {SceneNote::Kind::said, SceneNote::Kind::paused, SceneNote::Kind::stopped}) {
             state.note = {kind, QStringLiteral("Here it was"), QStringLiteral("Press Space.")};
             shown.scene.view->show(state);
             QVERIFY(tests::comesToRest(*shown.scene.view));
-            const QImage once = shown.window.screen()->grabWindow(shown.window.winId()).toImage().convertToFormat(QImage::Format_RGB32);
+            const QImage once = shown.window.screen()
+                                    ->grabWindow(shown.window.winId())
+                                    .toImage()
+                                    .convertToFormat(QImage::Format_RGB32);
             QVERIFY2(once != bare, qPrintable(QString::number(int(kind))));
             QCOMPARE(shown.picture(state), once);
-            QCOMPARE(reddish(once) > 480 * 360 / 6, kind == SceneNote::Kind::said); // a veil darkens the tissue, a line does not
+            QCOMPARE(reddish(once) > 480 * 360 / 6,
+                     kind == SceneNote::Kind::said); // a veil darkens the tissue, a line does not
             state.note = {};
             QCOMPARE(shown.picture(state), bare);
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// urethra_pictures FOLDER [WIDTH HEIGHT [NAME]]: what the endoscope's view looks like, one PNG a state. Under Xvfb or on a
-// screen. With NAME only those whose names contain it.
-// urethra_pictures FOLDER figures: those of the exercise's README, like P1's figures 4 and 5.
+// urethra_pictures FOLDER [WIDTH HEIGHT [NAME]]: what the endoscope's view looks like, one PNG a state. Under
+// Xvfb or on a screen. With NAME only those whose names contain it. urethra_pictures FOLDER figures: those of
+// the exercise's README, like P1's figures 4 and 5.
 #include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/picture_states.h"
 
@@ -92,7 +92,8 @@ QImage deformation() {
     for (double s : {-0.012, 0.030, 0.070, 0.115}) {
         what.state = samples::urethraState(what.setup, {.s_m = s});
         const QImage window = camera.take(what);
-        images.push_back(window.copy(window.width() - 576, 0, 576, 600).scaledToHeight(330, Qt::SmoothTransformation));
+        images.push_back(
+            window.copy(window.width() - 576, 0, 576, 600).scaledToHeight(330, Qt::SmoothTransformation));
     }
     return row(images);
 }
@@ -106,7 +107,8 @@ void figures(const QDir& folder) {
             what.setup.cues = alone(what.setup).cues;
             return camera.take(what);
         };
-        save(row({taken("a_entrance"), taken("b_up"), taken("c_left")}), folder.filePath("urethra_states.png"));
+        save(row({taken("a_entrance"), taken("b_up"), taken("c_left")}),
+             folder.filePath("urethra_states.png"));
         save(row({taken("d_middle"), taken("d_middle_focus")}), folder.filePath("urethra_focus.png"));
     }
     save(deformation(), folder.filePath("urethra_deformation.png"));
@@ -128,7 +130,8 @@ int main(int argc, char** argv) {
     for (const auto& [name, what] : urethraPictures()) {
         if (argc > 4 && !name.contains(QLatin1String(argv[4])))
             continue;
-        camera.take(what).save(folder.filePath((camera.flat() ? "flat_urethra_" : "urethra_") + name + ".png"));
+        camera.take(what).save(
+            folder.filePath((camera.flat() ? "flat_urethra_" : "urethra_") + name + ".png"));
     }
     std::printf("%llu frames\n", static_cast<unsigned long long>(camera.frames()));
     return 0;

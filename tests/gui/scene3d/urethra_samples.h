@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
+#include "core/procedure_stage.h"
 #include "core/units.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
-#include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
-#include "core/procedure_stage.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <cmath>
@@ -28,8 +28,8 @@ inline SceneSetup urethraSetup() {
     return setup;
 }
 
-/// The tip at arc length s, beside the centre-line by e (x̂, n), looking along the canal, then turned up by `pitch_rad` (about
-/// x̂) and to the side by `yaw_rad`, y of the picture towards the concave side.
+/// The tip at arc length s, beside the centre-line by e (x̂, n), looking along the canal, then turned up by
+/// `pitch_rad` (about x̂) and to the side by `yaw_rad`, y of the picture towards the concave side.
 struct ScopePose {
     double s_m = 0.0;
     double ex_m = 0.0;
@@ -68,7 +68,8 @@ inline SceneState urethraState(const SceneSetup& setup, const ScopePose& pose) {
     for (int k = 0; k < 3; ++k)
         state.exercise.own<simulation::EndoscopeCues>().toLumen_T[std::size_t(k)] = seen[k] / ahead.norm();
     state.exercise.own<simulation::EndoscopeCues>().guided = setup.cues.guidance;
-    state.exercise.own<simulation::EndoscopeCues>().stage = pose.s_m > line.length_m() ? core::ProcedureStage::inspection : core::ProcedureStage::insertion;
+    state.exercise.own<simulation::EndoscopeCues>().stage =
+        pose.s_m > line.length_m() ? core::ProcedureStage::inspection : core::ProcedureStage::insertion;
     return state;
 }
 

@@ -34,11 +34,12 @@ struct Given {
 };
 
 void listen(desktop::AnswerPanel& panel, Given& given) {
-    QObject::connect(&panel, &desktop::AnswerPanel::answered, &panel, [&given](int answer, std::optional<double> value) {
-        given.answer = answer;
-        given.value = value;
-        ++given.count;
-    });
+    QObject::connect(&panel, &desktop::AnswerPanel::answered, &panel,
+                     [&given](int answer, std::optional<double> value) {
+                         given.answer = answer;
+                         given.value = value;
+                         ++given.count;
+                     });
 }
 
 } // namespace
@@ -81,13 +82,16 @@ void TestAnswerPanel::tiesBecomeAnswers() {
                 QVERIFY(panel.key(Qt::Key_1 + place));
                 first = 0;
             }
-        QCOMPARE(panel.marks().filter(QStringLiteral("=")).size(), std::count_if(said.begin(), said.end(), [&](int own) { return std::count(said.begin(), said.end(), own) > 1; }));
+        QCOMPARE(panel.marks().filter(QStringLiteral("=")).size(),
+                 std::count_if(said.begin(), said.end(),
+                               [&](int own) { return std::count(said.begin(), said.end(), own) > 1; }));
         panel.enterKey();
         QCOMPARE(given.answer, answer);
     }
     desktop::AnswerPanel panel(m_theme, Task::rank3Ties, psychophysics::Attribute::stiffness);
     panel.setOpen(true);
-    for (const int key : {Qt::Key_1, Qt::Key_Equal, Qt::Key_Backspace, Qt::Key_2, Qt::Key_Backspace, Qt::Key_3}) // back takes "=" and places one by one
+    for (const int key : {Qt::Key_1, Qt::Key_Equal, Qt::Key_Backspace, Qt::Key_2, Qt::Key_Backspace,
+                          Qt::Key_3}) // back takes "=" and places one by one
         QVERIFY(panel.key(key));
     QCOMPARE(panel.marks(), (QStringList{"1", "", "2"}));
 }
@@ -158,7 +162,8 @@ void TestAnswerPanel::everyAnswerIsReadable() {
                 right = std::max(right, at.right());
             }
             if (scale == 1.0 && width == 1240) // one line, in the middle
-                QVERIFY2(std::abs(left + right - width) < 12, qPrintable(QStringLiteral("%1 to %2").arg(left).arg(right)));
+                QVERIFY2(std::abs(left + right - width) < 12,
+                         qPrintable(QStringLiteral("%1 to %2").arg(left).arg(right)));
         }
 }
 
@@ -173,10 +178,15 @@ void TestAnswerPanel::objectsGoByTheirNumbers() {
             const auto* button = panel.findChild<QPushButton*>(QStringLiteral("answer.%1").arg(place));
             QVERIFY(button);
             QCOMPARE(button->text(), QString::number(place + 1));
-            QVERIFY2(button->accessibleName().startsWith(QString::number(place + 1)), qPrintable(button->accessibleName()));
+            QVERIFY2(button->accessibleName().startsWith(QString::number(place + 1)),
+                     qPrintable(button->accessibleName()));
         }
-        QVERIFY(panel.findChild<QPushButton*>(QStringLiteral("answer.0"))->accessibleName().contains(QStringLiteral("left")));
-        QVERIFY(panel.findChild<QPushButton*>(QStringLiteral("answer.%1").arg(places - 1))->accessibleName().contains(QStringLiteral("right")));
+        QVERIFY(panel.findChild<QPushButton*>(QStringLiteral("answer.0"))
+                    ->accessibleName()
+                    .contains(QStringLiteral("left")));
+        QVERIFY(panel.findChild<QPushButton*>(QStringLiteral("answer.%1").arg(places - 1))
+                    ->accessibleName()
+                    .contains(QStringLiteral("right")));
     }
 }
 

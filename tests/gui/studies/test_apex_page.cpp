@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A study of the apex on the data screen, as P2's figure 4; and the run screen, where it is begun. CHIRON_KEEP_PICTURES=<folder>
-// keeps pictures of both.
+// A study of the apex on the data screen, as P2's figure 4; and the run screen, where it is begun.
+// CHIRON_KEEP_PICTURES=<folder> keeps pictures of both.
 #include "desktop/study_data/study_data_screen.h"
 #include "report/plot_view.h"
 #include "session/study/study_runner.h"
@@ -9,8 +9,8 @@
 #include "support/picture_look.h"
 
 #include <QDir>
-#include <QLabel>
 #include <QFrame>
+#include <QLabel>
 #include <QTabBar>
 #include <QTableWidget>
 
@@ -29,8 +29,10 @@ private slots:
         const psychophysics::StudyDesign design = tests::apexStudy("apex_small", 10);
         const database::Actor rhea = m_site->actor("rhea");
         m_study = tests::addDraft(*m_site, rhea, design);
-        tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(m_study); });
-        m_person = QString::fromStdString(tests::addParticipant(*m_site, rhea, m_study, design, "somebody").code);
+        tests::writeAs(*m_site, rhea,
+                       [&](database::StudyRepository& studies) { return studies.freezeStudy(m_study); });
+        m_person =
+            QString::fromStdString(tests::addParticipant(*m_site, rhea, m_study, design, "somebody").code);
     }
     void cleanupTestCase() { m_site.reset(); }
 
@@ -41,7 +43,8 @@ private slots:
         keep("empty");
     }
     void theRunScreenBeginsIt() {
-        m_site->go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_person}});
+        m_site->go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)},
+                                                 {QStringLiteral("participant"), m_person}});
         QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.begin")), kPatience_ms);
         keep("run");
     }
@@ -54,9 +57,13 @@ private slots:
         for (int row = 0; row < table->rowCount(); ++row)
             for (int column = 0; column < table->columnCount(); ++column) {
                 const auto* cell = table->item(row, column);
-                QVERIFY2(cell && !cell->text().isEmpty(), qPrintable(table->horizontalHeaderItem(column)->text()));
-                if (column > 0 && column < table->columnCount() - 2) // bias, SD (of which there is no share) and error
-                    QVERIFY2(cell->text().contains(column == 3 || column == 4 ? QStringLiteral("mm") : QStringLiteral("mm (")), qPrintable(cell->text()));
+                QVERIFY2(cell && !cell->text().isEmpty(),
+                         qPrintable(table->horizontalHeaderItem(column)->text()));
+                if (column > 0 &&
+                    column < table->columnCount() - 2) // bias, SD (of which there is no share) and error
+                    QVERIFY2(cell->text().contains(column == 3 || column == 4 ? QStringLiteral("mm")
+                                                                              : QStringLiteral("mm (")),
+                             qPrintable(cell->text()));
             }
         const auto* marks = m_site->find<report::PlotView>(QStringLiteral("data.apex_marks"));
         QVERIFY(marks);
@@ -69,7 +76,8 @@ private slots:
     void onePersonAndBackAgain() {
         auto* table = m_site->find<QTableWidget>(QStringLiteral("data.runs"));
         emit table->activated(table->model()->index(1, 0));
-        QTRY_COMPARE_WITH_TIMEOUT(m_site->find<QTabBar>(QStringLiteral("data.tabs"))->currentIndex(), int(desktop::StudyDataScreen::personTab), kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(m_site->find<QTabBar>(QStringLiteral("data.tabs"))->currentIndex(),
+                                  int(desktop::StudyDataScreen::personTab), kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QComboBox>(QStringLiteral("data.run")), kPatience_ms);
         QVERIFY(m_site->find<report::PlotView>(QStringLiteral("data.apex_marks")));
         keep("person");
@@ -80,7 +88,8 @@ private slots:
             m_site->settings.setTheme(desktop::ThemeName::dark);
             m_site->context.applyAppearance();
             go("study_data");
-            QTRY_VERIFY_WITH_TIMEOUT(m_site->find<report::PlotView>(QStringLiteral("data.apex_marks")), kPatience_ms);
+            QTRY_VERIFY_WITH_TIMEOUT(m_site->find<report::PlotView>(QStringLiteral("data.apex_marks")),
+                                     kPatience_ms);
             keep(language);
         }
     }
@@ -95,7 +104,9 @@ private:
         for (int person = 0; person < people; ++person) {
             session::StudyRunRequest request;
             request.study = m_study;
-            request.participantCode = tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.enrolParticipant(m_study, {}, 0, "weber:0.1"); })->code;
+            request.participantCode = tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) {
+                                          return studies.enrolParticipant(m_study, {}, 0, "weber:0.1");
+                                      })->code;
             request.quick = true;
             const auto run = session::runStudyHeadless(m_site->database(), rhea, request);
             QVERIFY2(run, run ? "" : run.error().message.c_str());

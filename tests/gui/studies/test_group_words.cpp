@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a group's value rests on, and what a comparison waits for: one statement, which names everybody and never contradicts itself.
+// What a group's value rests on, and what a comparison waits for: one statement, which names everybody and
+// never contradicts itself.
 #include "psychophysics/study/group_estimate.h"
 #include "report/plot_view.h"
 #include "session/study/study_analysis.h"
@@ -15,8 +16,9 @@ using session::Presence;
 
 namespace {
 
-constexpr std::array kAll{Presence::used,  Presence::sealed,  Presence::notBegun, Presence::noAnswers, Presence::unfinished, Presence::allRight, Presence::guessing,
-                          Presence::unbounded, Presence::noValue, Presence::shown,    Presence::simulated, Presence::withdrawn};
+constexpr std::array kAll{Presence::used,       Presence::sealed,   Presence::notBegun,  Presence::noAnswers,
+                          Presence::unfinished, Presence::allRight, Presence::guessing,  Presence::unbounded,
+                          Presence::noValue,    Presence::shown,    Presence::simulated, Presence::withdrawn};
 
 session::GroupRoll rollOf(std::vector<std::pair<std::string, Presence>> people) {
     session::GroupRoll roll;
@@ -35,7 +37,9 @@ psychophysics::RunEstimate estimateWith(double weber, std::vector<psychophysics:
 }
 
 const QLocale kEnglish{QLocale::English, QLocale::UnitedKingdom};
-QString nameOf(std::size_t at) { return at == 0 ? QStringLiteral("Soft") : QStringLiteral("Stiff"); }
+QString nameOf(std::size_t at) {
+    return at == 0 ? QStringLiteral("Soft") : QStringLiteral("Stiff");
+}
 
 } // namespace
 
@@ -60,15 +64,24 @@ void TestGroupWords::everybodyIsNamedOnce() {
         if (presence != Presence::sealed)
             roll.people.push_back({"P" + std::to_string(static_cast<int>(presence)), presence, false});
     const QStringList said = session_report::groupSentences(roll, kEnglish);
-    QCOMPARE(said.front(), QStringLiteral("The group value includes 1 of 9 participants.")); // withdrawn and simulated ones take no part
+    QCOMPARE(
+        said.front(),
+        QStringLiteral(
+            "The group value includes 1 of 9 participants.")); // withdrawn and simulated ones take no part
     for (const session::RolledPerson& person : roll.people) {
-        const auto named = said.filter(QRegularExpression(QStringLiteral("\\b%1\\b").arg(QString::fromStdString(person.code)))).size();
+        const auto named =
+            said.filter(
+                    QRegularExpression(QStringLiteral("\\b%1\\b").arg(QString::fromStdString(person.code))))
+                .size();
         QCOMPARE(named, person.presence == Presence::used ? 0 : 1);
         QVERIFY(!session_report::presenceWords(person.presence).isEmpty());
     }
     roll.people.front().open = true; // used, and not finished
-    QVERIFY(session_report::groupSentences(roll, kEnglish).join(u' ').contains(QStringLiteral("may still change")));
-    QCOMPARE(session_report::groupSentences(rollOf({{"A", Presence::used}, {"B", Presence::used}}), kEnglish), QStringList{QStringLiteral("The group value includes everybody who takes part.")});
+    QVERIFY(session_report::groupSentences(roll, kEnglish)
+                .join(u' ')
+                .contains(QStringLiteral("may still change")));
+    QCOMPARE(session_report::groupSentences(rollOf({{"A", Presence::used}, {"B", Presence::used}}), kEnglish),
+             QStringList{QStringLiteral("The group value includes everybody who takes part.")});
 }
 
 /// Few answers of a run that was broken off are no bad performance.
@@ -76,44 +89,66 @@ void TestGroupWords::whoBreaksOffIsNotFinished() {
     const auto few = estimateWith(0.6, {{WarningKind::chance}, {WarningKind::priorEdgeHigh}});
     QCOMPARE(session::presenceOf(few, true), Presence::guessing);
     QCOMPARE(session::presenceOf(few, false), Presence::unfinished);
-    QCOMPARE(session::presenceOf(estimateWith(0.1, {}), false), Presence::used); // enough to bound it: used, and said to be able to change
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {}), false),
+             Presence::used); // enough to bound it: used, and said to be able to change
     QCOMPARE(session_report::presenceWords(Presence::unfinished), QStringLiteral("no: not finished"));
     session::GroupRoll roll = rollOf({{"A", Presence::used}, {"B", Presence::unfinished}});
-    QVERIFY(session_report::groupSentences(roll, kEnglish).join(u' ').contains(QStringLiteral("B: the run is not finished")));
+    QVERIFY(session_report::groupSentences(roll, kEnglish)
+                .join(u' ')
+                .contains(QStringLiteral("B: the run is not finished")));
     roll.closed = true;
-    QVERIFY(session_report::groupSentences(roll, kEnglish).join(u' ').contains(QStringLiteral("cannot be resumed")));
+    QVERIFY(session_report::groupSentences(roll, kEnglish)
+                .join(u' ')
+                .contains(QStringLiteral("cannot be resumed")));
 }
 
 /// Where there is none no sentence speaks of one, and no warning says the same again.
 void TestGroupWords::noValueIsSaidOnce() {
-    const QStringList said = session_report::groupSentences(rollOf({{"A", Presence::allRight}, {"B", Presence::notBegun}}), kEnglish);
+    const QStringList said = session_report::groupSentences(
+        rollOf({{"A", Presence::allRight}, {"B", Presence::notBegun}}), kEnglish);
     QVERIFY(said.front().startsWith(QStringLiteral("There is no group value yet")));
     QVERIFY(!said.join(u' ').contains(QStringLiteral("includes")));
-    QVERIFY(said.join(u' ').contains(QStringLiteral("A: every answer was right")) && said.join(u' ').contains(QStringLiteral("B: this condition has not been begun")));
-    const auto group = psychophysics::estimateGroup({estimateWith(0.01, {{WarningKind::allRight}, {WarningKind::priorEdgeLow}})}, 1);
+    QVERIFY(said.join(u' ').contains(QStringLiteral("A: every answer was right")) &&
+            said.join(u' ').contains(QStringLiteral("B: this condition has not been begun")));
+    const auto group = psychophysics::estimateGroup(
+        {estimateWith(0.01, {{WarningKind::allRight}, {WarningKind::priorEdgeLow}})}, 1);
     QVERIFY(psychophysics::hasWarning(group.warnings, WarningKind::noParticipants)); // as data have it
     QVERIFY(session_report::furtherWarnings(group.warnings).empty());
-    QVERIFY(session_report::groupSentences({}, kEnglish).front().contains(QStringLiteral("nobody takes part")));
-    QCOMPARE(session_report::groupSentences(rollOf({{"A", Presence::sealed}, {"B", Presence::sealed}}), kEnglish).size(), 1);
+    QVERIFY(
+        session_report::groupSentences({}, kEnglish).front().contains(QStringLiteral("nobody takes part")));
+    QCOMPARE(
+        session_report::groupSentences(rollOf({{"A", Presence::sealed}, {"B", Presence::sealed}}), kEnglish)
+            .size(),
+        1);
 }
 
 void TestGroupWords::closedStudiesBeginNothing() {
     session::GroupRoll roll = rollOf({{"A", Presence::notBegun}});
-    QVERIFY(session_report::groupSentences(roll, kEnglish).last().contains(QStringLiteral("Begin it under Run")));
+    QVERIFY(
+        session_report::groupSentences(roll, kEnglish).last().contains(QStringLiteral("Begin it under Run")));
     roll.planned = 12;
     roll.enrolled = 1;
-    QVERIFY(session_report::groupSentences(roll, kEnglish).last().contains(QStringLiteral("1 of 12 planned")));
+    QVERIFY(
+        session_report::groupSentences(roll, kEnglish).last().contains(QStringLiteral("1 of 12 planned")));
     roll.closed = true;
-    QVERIFY(!session_report::groupSentences(roll, kEnglish).join(u' ').contains(QStringLiteral("planned"))); // nobody can be enrolled
+    QVERIFY(!session_report::groupSentences(roll, kEnglish)
+                 .join(u' ')
+                 .contains(QStringLiteral("planned"))); // nobody can be enrolled
     QVERIFY(!session_report::groupSentences(roll, kEnglish).last().contains(QStringLiteral("Begin it")));
 }
 
 void TestGroupWords::whyARunIsNotUsed() {
     QCOMPARE(session::presenceOf(estimateWith(0.1, {}), true), Presence::used);
-    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::fewTrials, 5}}), true), Presence::used); // doubtful, and used
-    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::allRight}, {WarningKind::priorEdgeLow}}), true), Presence::allRight);
-    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::chance}, {WarningKind::priorEdgeHigh}}), true), Presence::guessing);
-    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::priorEdgeLow}}), true), Presence::unbounded);
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::fewTrials, 5}}), true),
+             Presence::used); // doubtful, and used
+    QCOMPARE(
+        session::presenceOf(estimateWith(0.1, {{WarningKind::allRight}, {WarningKind::priorEdgeLow}}), true),
+        Presence::allRight);
+    QCOMPARE(
+        session::presenceOf(estimateWith(0.1, {{WarningKind::chance}, {WarningKind::priorEdgeHigh}}), true),
+        Presence::guessing);
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::priorEdgeLow}}), true),
+             Presence::unbounded);
     QCOMPARE(session::presenceOf(estimateWith(std::nan(""), {}), true), Presence::noValue);
     psychophysics::RunEstimate none;
     QCOMPARE(session::presenceOf(none, true), Presence::noAnswers);
@@ -124,7 +159,8 @@ void TestGroupWords::whyARunIsNotUsed() {
     QCOMPARE(tokens.size(), qsizetype(kAll.size()));
 }
 
-/// As many are used as the group's value is of; also of numbers said, which have an exponent and no Weber fraction.
+/// As many are used as the group's value is of; also of numbers said, which have an exponent and no Weber
+/// fraction.
 void TestGroupWords::theGroupAgreesWithItsRoll() {
     psychophysics::RunEstimate said;
     said.method = psychophysics::EstimateMethod::numbersSaid;
@@ -132,67 +168,97 @@ void TestGroupWords::theGroupAgreesWithItsRoll() {
     said.exponent = 0.8;
     psychophysics::RunEstimate nothing = said;
     nothing.exponent = std::nan("");
-    const std::vector<std::vector<psychophysics::RunEstimate>> groups{{said, said, nothing},
-                                                                      {estimateWith(0.1, {}), estimateWith(0.2, {}), estimateWith(0.1, {{WarningKind::priorEdgeHigh}})}};
+    const std::vector<std::vector<psychophysics::RunEstimate>> groups{
+        {said, said, nothing},
+        {estimateWith(0.1, {}), estimateWith(0.2, {}), estimateWith(0.1, {{WarningKind::priorEdgeHigh}})}};
     for (const auto& runs : groups) {
         const auto group = psychophysics::estimateGroup(runs, 1);
         QCOMPARE(group.participants, 2);
         QCOMPARE(group.leftOut, 1);
         QVERIFY(!psychophysics::hasWarning(group.warnings, WarningKind::noParticipants));
-        QCOMPARE(std::count_if(runs.begin(), runs.end(), [](const auto& run) { return session::presenceOf(run, true) == Presence::used; }), 2);
+        QCOMPARE(
+            std::count_if(runs.begin(), runs.end(),
+                          [](const auto& run) { return session::presenceOf(run, true) == Presence::used; }),
+            2);
     }
 }
 
 void TestGroupWords::comparisonsSayWhatTheyWaitFor() {
     using session_report::comparisonSentences;
     const auto soft = rollOf({{"A", Presence::used}, {"B", Presence::used}});
-    QStringList said = comparisonSentences({soft, rollOf({{"A", Presence::notBegun}, {"B", Presence::allRight}})}, {}, nameOf, kEnglish);
+    QStringList said = comparisonSentences(
+        {soft, rollOf({{"A", Presence::notBegun}, {"B", Presence::allRight}})}, {}, nameOf, kEnglish);
     QVERIFY2(said.front().contains(QStringLiteral("“Stiff” has no group value")), qPrintable(said.front()));
-    QVERIFY(said.join(u' ').contains(QStringLiteral("A is not in this comparison (“Soft”: in the group value; “Stiff”: not begun)")));
-    QVERIFY(said.join(u' ').contains(QStringLiteral("B is not in this comparison (“Soft”: in the group value; “Stiff”: every answer was right)")));
-    said = comparisonSentences({soft, rollOf({{"A", Presence::used}, {"B", Presence::allRight}})}, {}, nameOf, kEnglish);
+    QVERIFY(said.join(u' ').contains(
+        QStringLiteral("A is not in this comparison (“Soft”: in the group value; “Stiff”: not begun)")));
+    QVERIFY(said.join(u' ').contains(QStringLiteral(
+        "B is not in this comparison (“Soft”: in the group value; “Stiff”: every answer was right)")));
+    said = comparisonSentences({soft, rollOf({{"A", Presence::used}, {"B", Presence::allRight}})}, {}, nameOf,
+                               kEnglish);
     QVERIFY2(said.front().contains(QStringLiteral("only A has a value in both")), qPrintable(said.front()));
     session::ComparedConditions paired{0, 1, {}, {}};
     QVERIFY(comparisonSentences({soft, soft}, {paired}, nameOf, kEnglish).isEmpty());
-    said = comparisonSentences({soft, rollOf({{"A", Presence::used}, {"B", Presence::shown}})}, {paired}, nameOf, kEnglish);
+    said = comparisonSentences({soft, rollOf({{"A", Presence::used}, {"B", Presence::shown}})}, {paired},
+                               nameOf, kEnglish);
     QCOMPARE(said.size(), 1); // it is there, and says who is not in it
     QVERIFY(said.front().startsWith(QStringLiteral("B is not in this comparison")));
     session::ComparedConditions groups{0, 1, {}, {}};
     groups.weber.paired = false;
     groups.weber.pValue = 0.5;
-    QVERIFY(comparisonSentences({rollOf({{"A", Presence::used}, {"B", Presence::notBegun}}), rollOf({{"A", Presence::notBegun}, {"B", Presence::used}})}, {groups}, nameOf, kEnglish).isEmpty());
+    QVERIFY(comparisonSentences({rollOf({{"A", Presence::used}, {"B", Presence::notBegun}}),
+                                 rollOf({{"A", Presence::notBegun}, {"B", Presence::used}})},
+                                {groups}, nameOf, kEnglish)
+                .isEmpty());
 }
 
-/// A dash has its reason, and whoever is in both of two groups that are compared is told why they are in neither.
+/// A dash has its reason, and whoever is in both of two groups that are compared is told why they are in
+/// neither.
 void TestGroupWords::whatAComparisonLacksIsSaid() {
     session::ComparedConditions groups{0, 1, {}, {}};
     groups.weber.paired = false;
     groups.weber.first = 1;
     groups.weber.second = 2;
-    const auto soft = rollOf({{"A", Presence::used}, {"B", Presence::used}, {"C", Presence::notBegun}, {"D", Presence::guessing}, {"W", Presence::withdrawn}});
-    const auto stiff = rollOf({{"A", Presence::used}, {"B", Presence::unfinished}, {"C", Presence::used}, {"D", Presence::used}, {"W", Presence::withdrawn}});
+    const auto soft = rollOf({{"A", Presence::used},
+                              {"B", Presence::used},
+                              {"C", Presence::notBegun},
+                              {"D", Presence::guessing},
+                              {"W", Presence::withdrawn}});
+    const auto stiff = rollOf({{"A", Presence::used},
+                               {"B", Presence::unfinished},
+                               {"C", Presence::used},
+                               {"D", Presence::used},
+                               {"W", Presence::withdrawn}});
     const QStringList said = session_report::comparisonSentences({soft, stiff}, {groups}, nameOf, kEnglish);
     QCOMPARE(said.size(), 3);
-    QVERIFY2(said[0].contains(QStringLiteral("needs at least two people, and these have 1 and 2")), qPrintable(said[0]));
-    QVERIFY2(said[1].startsWith(QStringLiteral("A is not in this comparison: it is of two groups")), qPrintable(said[1]));
+    QVERIFY2(said[0].contains(QStringLiteral("needs at least two people, and these have 1 and 2")),
+             qPrintable(said[0]));
+    QVERIFY2(said[1].startsWith(QStringLiteral("A is not in this comparison: it is of two groups")),
+             qPrintable(said[1]));
     QVERIFY2(said[2].startsWith(QStringLiteral("W: withdrawn")), qPrintable(said[2]));
-    QCOMPARE(session_report::comparisonHeadings(false).size(), session_report::comparisonRow(groups, QStringLiteral("a"), QStringLiteral("b"), false, kEnglish).size());
-    QCOMPARE(session_report::comparisonHeadings(true).size(), session_report::comparisonHeadings(false).size() + 1);
+    QCOMPARE(session_report::comparisonHeadings(false).size(),
+             session_report::comparisonRow(groups, QStringLiteral("a"), QStringLiteral("b"), false, kEnglish)
+                 .size());
+    QCOMPARE(session_report::comparisonHeadings(true).size(),
+             session_report::comparisonHeadings(false).size() + 1);
     QVERIFY(!session_report::comparisonNote(false).contains(QStringLiteral("thresholds")));
 }
 
-/// The same warning never counts for one run and not for another: what decides is whether the answers bound the value, in groups and comparisons.
+/// The same warning never counts for one run and not for another: what decides is whether the answers bound
+/// the value, in groups and comparisons.
 void TestGroupWords::oneRuleForGroupsAndComparisons() {
     QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::chance}}), true), Presence::used);
-    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::priorEdgeHigh}}), true), Presence::guessing);
-    QVERIFY(!session_report::presenceWords(Presence::guessing).contains(QStringLiteral("guess"))); // what leaves it out is the end of the value
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::priorEdgeHigh}}), true),
+             Presence::guessing);
+    QVERIFY(!session_report::presenceWords(Presence::guessing)
+                 .contains(QStringLiteral("guess"))); // what leaves it out is the end of the value
     QVERIFY(session_report::groupRule().contains(QStringLiteral("bound its value")));
 
     // A and B did both conditions; B's answers do not bound the second value. C did the second alone.
     session::StudyAnalysis study;
     study.design.conditions.resize(2);
     study.conditions.resize(2);
-    const auto add = [&study](std::size_t condition, const char* code, std::vector<psychophysics::Warning> warnings) {
+    const auto add = [&study](std::size_t condition, const char* code,
+                              std::vector<psychophysics::Warning> warnings) {
         session::AnalysedRun run;
         run.participant.code = code;
         run.estimate = estimateWith(0.1, std::move(warnings));
@@ -223,8 +289,10 @@ void TestGroupWords::oneRuleForGroupsAndComparisons() {
 void TestGroupWords::doubtIsSeen() {
     using session_report::markedValue;
     QCOMPARE(markedValue(QStringLiteral("10 %"), estimateWith(0.1, {})), QStringLiteral("10 %"));
-    QCOMPARE(markedValue(QStringLiteral("10 %"), estimateWith(0.1, {{WarningKind::chance}})), QStringLiteral("! 10 %"));
-    QCOMPARE(markedValue(QStringLiteral("–"), estimateWith(std::nan(""), {{WarningKind::noTrials}})), QStringLiteral("–"));
+    QCOMPARE(markedValue(QStringLiteral("10 %"), estimateWith(0.1, {{WarningKind::chance}})),
+             QStringLiteral("! 10 %"));
+    QCOMPARE(markedValue(QStringLiteral("–"), estimateWith(std::nan(""), {{WarningKind::noTrials}})),
+             QStringLiteral("–"));
     session_report::MarkedEstimates estimates;
     QVERIFY(estimates.empty());
     estimates.add(0.0, estimateWith(0.1, {}), Presence::used);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of a sitting, against what was read and kept: how each task is asked and answered key by key, what a break says, what the
-// experimenter is told trial after trial, what the places look like. Moments are given to them by hand, since a running sitting is of the
-// moment. A change that is meant is kept anew, and the difference is read in review:
-// CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/studies/test_kept_sitting
+// The parts of a sitting, against what was read and kept: how each task is asked and answered key by key,
+// what a break says, what the experimenter is told trial after trial, what the places look like. Moments are
+// given to them by hand, since a running sitting is of the moment. A change that is meant is kept anew, and
+// the difference is read in review: CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen
+// build/release/tests/gui/studies/test_kept_sitting
 #include "desktop/questionnaire/questionnaire_form.h"
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/break_panel.h"
@@ -34,16 +35,23 @@ private slots:
     /// Each key that means something to any task, one after the other, open and closed.
     void everyTaskIsAskedAndAnswered() {
         for (int t = 0; t < psychophysics::kTasks; ++t)
-            for (const psychophysics::Attribute attribute : {psychophysics::Attribute::stiffness, psychophysics::Attribute::roughness}) {
+            for (const psychophysics::Attribute attribute :
+                 {psychophysics::Attribute::stiffness, psychophysics::Attribute::roughness}) {
                 const Task task = static_cast<Task>(t);
                 desktop::AnswerPanel panel(m_theme, task, attribute);
                 say(QStringLiteral("## %1 of %2").arg(t).arg(static_cast<int>(attribute)));
                 m_changes.forget();
-                connect(&panel, &desktop::AnswerPanel::answered, &panel, [this](int answer, std::optional<double> value) {
-                    say(QStringLiteral("answers %1%2").arg(answer).arg(value ? QStringLiteral(" with %1").arg(*value) : QString()));
+                connect(&panel, &desktop::AnswerPanel::answered, &panel,
+                        [this](int answer, std::optional<double> value) {
+                            say(QStringLiteral("answers %1%2")
+                                    .arg(answer)
+                                    .arg(value ? QStringLiteral(" with %1").arg(*value) : QString()));
+                        });
+                connect(&panel, &desktop::AnswerPanel::adjusted, &panel,
+                        [this](int steps) { say(QStringLiteral("adjusts %1").arg(steps)); });
+                connect(&panel, &desktop::AnswerPanel::marksChanged, &panel, [this, &panel] {
+                    say(QStringLiteral("marks %1").arg(panel.marks().join(QLatin1Char('/'))));
                 });
-                connect(&panel, &desktop::AnswerPanel::adjusted, &panel, [this](int steps) { say(QStringLiteral("adjusts %1").arg(steps)); });
-                connect(&panel, &desktop::AnswerPanel::marksChanged, &panel, [this, &panel] { say(QStringLiteral("marks %1").arg(panel.marks().join(QLatin1Char('/')))); });
                 panel.show();
                 take("as it is made", panel);
                 panel.setOpen(false, QStringLiteral("Not yet."));
@@ -52,9 +60,14 @@ private slots:
                 panel.key(Qt::Key_1);
                 panel.setOpen(true);
                 take("open", panel);
-                for (const int key : {int(Qt::Key_2), int(Qt::Key_Equal), int(Qt::Key_2), int(Qt::Key_Backspace), int(Qt::Key_1), int(Qt::Key_Backspace), int(Qt::Key_3), int(Qt::Key_Equal), int(Qt::Key_1),
-                                      int(Qt::Key_2), int(Qt::Key_4), int(Qt::Key_0), int(Qt::Key_Minus), int(Qt::Key_Plus), int(Qt::Key_N), int(Qt::Key_Y)}) {
-                    say(QStringLiteral("key %1%2").arg(QKeySequence(key).toString(), panel.key(key) ? QString() : QStringLiteral(" means nothing")));
+                for (const int key :
+                     {int(Qt::Key_2), int(Qt::Key_Equal), int(Qt::Key_2), int(Qt::Key_Backspace),
+                      int(Qt::Key_1), int(Qt::Key_Backspace), int(Qt::Key_3), int(Qt::Key_Equal),
+                      int(Qt::Key_1), int(Qt::Key_2), int(Qt::Key_4), int(Qt::Key_0), int(Qt::Key_Minus),
+                      int(Qt::Key_Plus), int(Qt::Key_N), int(Qt::Key_Y)}) {
+                    say(QStringLiteral("key %1%2")
+                            .arg(QKeySequence(key).toString(),
+                                 panel.key(key) ? QString() : QStringLiteral(" means nothing")));
                     take("then", panel);
                 }
                 for (const char* number : {"", "0", "-3", "words", "2.5"})
@@ -88,12 +101,21 @@ private slots:
         take("a question", panel);
         panel.show();
         panel.focusButton();
-        say(panel.findChild<QPushButton*>(QStringLiteral("break.button"))->hasFocus() ? QStringLiteral("the button has the focus") : QStringLiteral("no focus"));
+        say(panel.findChild<QPushButton*>(QStringLiteral("break.button"))->hasFocus()
+                ? QStringLiteral("the button has the focus")
+                : QStringLiteral("no focus"));
         panel.findChild<QPushButton*>(QStringLiteral("break.button"))->click();
-        for (const auto& [left_s, of_s] : {std::pair{60.0, 60.0}, {44.96, 60.0}, {0.04, 60.0}, {0.0, 60.0}, {5.0, 0.0}}) {
+        for (const auto& [left_s, of_s] :
+             {std::pair{60.0, 60.0}, {44.96, 60.0}, {0.04, 60.0}, {0.0, 60.0}, {5.0, 0.0}}) {
             panel.countDown(left_s, of_s);
             const auto* bar = panel.findChild<QProgressBar*>();
-            say(QStringLiteral("-- %1 of %2 s: bar %3 of %4 to %5%6").arg(left_s).arg(of_s).arg(bar->value()).arg(bar->minimum()).arg(bar->maximum()).arg(bar->isHidden() ? QStringLiteral(" hidden") : QString()));
+            say(QStringLiteral("-- %1 of %2 s: bar %3 of %4 to %5%6")
+                    .arg(left_s)
+                    .arg(of_s)
+                    .arg(bar->value())
+                    .arg(bar->minimum())
+                    .arg(bar->maximum())
+                    .arg(bar->isHidden() ? QStringLiteral(" hidden") : QString()));
             take("then", panel);
             panel.findChild<QPushButton*>(QStringLiteral("break.button"))->click();
         }
@@ -113,9 +135,12 @@ private slots:
             m_changes.forget();
             desktop::ExperimenterPanel panel(m_theme, m_locale);
             QStringList asked;
-            connect(&panel, &desktop::ExperimenterPanel::spoilAsked, &panel, [&] { asked << QStringLiteral("spoil"); });
-            connect(&panel, &desktop::ExperimenterPanel::pauseAsked, &panel, [&] { asked << QStringLiteral("pause"); });
-            connect(&panel, &desktop::ExperimenterPanel::stopAsked, &panel, [&] { asked << QStringLiteral("stop"); });
+            connect(&panel, &desktop::ExperimenterPanel::spoilAsked, &panel,
+                    [&] { asked << QStringLiteral("spoil"); });
+            connect(&panel, &desktop::ExperimenterPanel::pauseAsked, &panel,
+                    [&] { asked << QStringLiteral("pause"); });
+            connect(&panel, &desktop::ExperimenterPanel::stopAsked, &panel,
+                    [&] { asked << QStringLiteral("stop"); });
             session::LiveStudyView view;
             session::LiveStudyNumbers numbers;
             numbers.condition = "soft";
@@ -146,10 +171,13 @@ private slots:
             if (blind)
                 numbers.lastFidelity = session::withoutForces(numbers.lastFidelity);
             else
-                numbers.estimates = {estimate("log10_sigma", -1.2, 0.2), estimate("threshold", -0.9, 0.1), estimate("slope", 2.0, 0.4)};
+                numbers.estimates = {estimate("log10_sigma", -1.2, 0.2), estimate("threshold", -0.9, 0.1),
+                                     estimate("slope", 2.0, 0.4)};
             numbers.scored = 1;
             now("the first that counts");
-            for (const char* spoiled : {"force_error", "stiffness_error", "late_ticks", "saturation", "speed", "peak_force", "time", "untouched", "experimenter", "stopped", "withheld", "of_another_program"}) {
+            for (const char* spoiled :
+                 {"force_error", "stiffness_error", "late_ticks", "saturation", "speed", "peak_force", "time",
+                  "untouched", "experimenter", "stopped", "withheld", "of_another_program"}) {
                 ++numbers.spoiled;
                 numbers.lastSpoiled = spoiled;
                 now(spoiled);
@@ -160,7 +188,8 @@ private slots:
             numbers.candidates = 7;
             numbers.limits.measured = false;
             if (!blind)
-                numbers.estimates = {estimate("log10_sigma", -1.1, std::nan("")), estimate("threshold", -0.8, 0.1), estimate("slope", 2.0, 0.4)};
+                numbers.estimates = {estimate("log10_sigma", -1.1, std::nan("")),
+                                     estimate("threshold", -0.8, 0.1), estimate("slope", 2.0, 0.4)};
             now("fewer differences, no interval");
             view.state = State::paused;
             view.ofAtMost = 0;
@@ -171,9 +200,15 @@ private slots:
             now("paused, of no number of trials, shown");
             condition.scale = {};
         }
-        for (const auto& [parameter, value] : {std::pair{"log10_sigma", -1.3}, {"threshold", 0.05}, {"threshold", -1.1}, {"slope", 1.0}})
-            for (const auto scale : {psychophysics::ProcedureScale::logDifference, psychophysics::ProcedureScale{}})
-                say(QStringLiteral("Weber of %1 %2 on %3: %4").arg(QLatin1String(parameter)).arg(value).arg(static_cast<int>(scale)).arg(desktop::weberOf(parameter, value, scale), 0, 'g', 5));
+        for (const auto& [parameter, value] :
+             {std::pair{"log10_sigma", -1.3}, {"threshold", 0.05}, {"threshold", -1.1}, {"slope", 1.0}})
+            for (const auto scale :
+                 {psychophysics::ProcedureScale::logDifference, psychophysics::ProcedureScale{}})
+                say(QStringLiteral("Weber of %1 %2 on %3: %4")
+                        .arg(QLatin1String(parameter))
+                        .arg(value)
+                        .arg(static_cast<int>(scale))
+                        .arg(desktop::weberOf(parameter, value, scale), 0, 'g', 5));
         hold("experimenter");
     }
     void theExperimenterIsToldOfTheApex() {
@@ -238,7 +273,9 @@ private slots:
 
     void refusalsHaveTheirWords() {
         session::SittingError error(core::Error{core::ErrorCode::badInput, "words of another kind"});
-        const auto words = [&] { say(QLatin1Char('"') + desktop::TrialsScreen::refusalWords(error, m_locale) + QLatin1Char('"')); };
+        const auto words = [&] {
+            say(QLatin1Char('"') + desktop::TrialsScreen::refusalWords(error, m_locale) + QLatin1Char('"'));
+        };
         words();
         error.tooStiff = session::TooStiff{812.4, 311.6};
         words();
@@ -254,8 +291,19 @@ private slots:
     /// Question after question is answered, wrongly first.
     void questionsAreAsked() {
         psychophysics::StudyDesign study = tests::smallStudy("one");
-        study.questionnaires.front().items.push_back({"hours", {{"en", "Hours of sleep"}}, psychophysics::QuestionnaireItem::Kind::number, 5, {}, {}, {}, "", 0, 0, false});
-        desktop::QuestionnaireForm form(m_theme, m_locale, study.questionnaires.front(), QStringLiteral("en"));
+        study.questionnaires.front().items.push_back({"hours",
+                                                      {{"en", "Hours of sleep"}},
+                                                      psychophysics::QuestionnaireItem::Kind::number,
+                                                      5,
+                                                      {},
+                                                      {},
+                                                      {},
+                                                      "",
+                                                      0,
+                                                      0,
+                                                      false});
+        desktop::QuestionnaireForm form(m_theme, m_locale, study.questionnaires.front(),
+                                        QStringLiteral("en"));
         int changes = 0;
         connect(&form, &desktop::QuestionnaireForm::changed, &form, [&changes] { ++changes; });
         const auto now = [&](const char* moment) {
@@ -263,9 +311,18 @@ private slots:
             take(moment, form);
             QStringList given;
             for (const database::QuestionnaireAnswer& answer : form.answers(4))
-                given << QStringLiteral("%1 %2 %3=%4\"%5\"%6").arg(answer.participant).arg(QString::fromStdString(answer.questionnaire), QString::fromStdString(answer.item), answer.number ? QString::number(*answer.number) : QString(),
-                                                                 QString::fromStdString(answer.text), answer.utc.empty() ? QStringLiteral(" never") : QString());
-            say(QStringLiteral("answered %1 missing %2 changed %3: %4").arg(form.answered()).arg(missing).arg(changes).arg(given.join(QLatin1Char('/'))));
+                given << QStringLiteral("%1 %2 %3=%4\"%5\"%6")
+                             .arg(answer.participant)
+                             .arg(QString::fromStdString(answer.questionnaire),
+                                  QString::fromStdString(answer.item),
+                                  answer.number ? QString::number(*answer.number) : QString(),
+                                  QString::fromStdString(answer.text),
+                                  answer.utc.empty() ? QStringLiteral(" never") : QString());
+            say(QStringLiteral("answered %1 missing %2 changed %3: %4")
+                    .arg(form.answered())
+                    .arg(missing)
+                    .arg(changes)
+                    .arg(given.join(QLatin1Char('/'))));
         };
         now("nothing answered");
         form.findChild<QRadioButton*>(QStringLiteral("questionnaire.realism.1"))->click();
@@ -276,7 +333,8 @@ private slots:
         }
         form.findChild<QRadioButton*>(QStringLiteral("questionnaire.hand.0"))->click();
         now("the first choice");
-        form.findChild<QPlainTextEdit*>(QStringLiteral("questionnaire.remarks"))->setPlainText(QStringLiteral("  longer \n"));
+        form.findChild<QPlainTextEdit*>(QStringLiteral("questionnaire.remarks"))
+            ->setPlainText(QStringLiteral("  longer \n"));
         form.findChild<QLineEdit*>(QStringLiteral("questionnaire.hours"))->setText(QStringLiteral("-3"));
         now("all of it, one without bounds");
         hold("questions");
@@ -327,7 +385,8 @@ private:
     QStringList m_lines;
     tests::LineChanges m_changes;
     tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/studies/kept_sitting.txt")};
-    tests::KeptText m_drawn{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/studies/kept_places.txt"), &tests::KeptText::nearly};
+    tests::KeptText m_drawn{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/studies/kept_places.txt"),
+                            &tests::KeptText::nearly};
     int m_held = 0;
 };
 

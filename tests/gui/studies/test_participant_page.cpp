@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a participant sees and can do, and what only the experimenter can: the card and the free minute before anything counts, answers only when
-// they are possible, practice taken back, the neutral end, the way to the experimenter's desk; and what happens half-way.
+// What a participant sees and can do, and what only the experimenter can: the card and the free minute before
+// anything counts, answers only when they are possible, practice taken back, the neutral end, the way to the
+// experimenter's desk; and what happens half-way.
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/asked_sitting.h"
 #include "desktop/study_run/participant_window.h"
@@ -23,7 +24,6 @@ using namespace chiron;
 using State = session::LiveStudyView::State;
 
 namespace {
-
 
 /// Two screens beside each other, as the platform is told of them.
 const char* const kScreens = R"({"screens": [{"name": "one", "x": 0, "y": 0, "width": 1280, "height": 720},
@@ -64,7 +64,9 @@ private:
     void prepare(const std::string& key, const std::function<void(psychophysics::StudyDesign&)>& change = {});
     desktop::TrialsScreen* sit(bool oneScreen = true, double freeMinute_s = 60.0);
     void press(int key) { QTest::keyClick(m_site->window.get(), static_cast<Qt::Key>(key)); }
-    QString said(desktop::TrialsScreen* screen, const char* label) { return page(screen)->findChild<QLabel*>(QLatin1String(label))->text(); }
+    QString said(desktop::TrialsScreen* screen, const char* label) {
+        return page(screen)->findChild<QLabel*>(QLatin1String(label))->text();
+    }
     /// Again and again, as somebody does who waits for it: a key that comes too early is not taken.
     bool pressUntil(int key, const std::function<bool()>& there) {
         return QTest::qWaitFor(
@@ -90,7 +92,8 @@ private:
         return words;
     }
     QWidget* page(desktop::TrialsScreen* screen) {
-        QWidget* in = screen->participantWindow() ? static_cast<QWidget*>(screen->participantWindow()) : screen;
+        QWidget* in =
+            screen->participantWindow() ? static_cast<QWidget*>(screen->participantWindow()) : screen;
         return in->findChild<QWidget*>(QStringLiteral("trials.page"));
     }
 
@@ -109,7 +112,8 @@ void TestParticipantPage::cleanup() { // what a failure left running
         (void)tests::stopSitting(*m_site, screen);
 }
 
-void TestParticipantPage::prepare(const std::string& key, const std::function<void(psychophysics::StudyDesign&)>& change) {
+void TestParticipantPage::prepare(const std::string& key,
+                                  const std::function<void(psychophysics::StudyDesign&)>& change) {
     const database::Actor rhea = m_site->actor("rhea");
     psychophysics::StudyDesign design = tests::smallStudy(key);
     design.conditions.resize(1);
@@ -119,13 +123,17 @@ void TestParticipantPage::prepare(const std::string& key, const std::function<vo
     if (change)
         change(design);
     m_study = tests::addDraft(*m_site, rhea, design);
-    tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(m_study); });
+    tests::writeAs(*m_site, rhea,
+                   [&](database::StudyRepository& studies) { return studies.freezeStudy(m_study); });
     m_participant = tests::addParticipant(*m_site, rhea, m_study, design, "somebody");
 }
 
 desktop::TrialsScreen* TestParticipantPage::sit(bool oneScreen, double freeMinute_s) {
-    m_site->go(QStringLiteral("study_trials"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), QString::fromStdString(m_participant.code)},
-                                              {QStringLiteral("one_screen"), oneScreen}, {QStringLiteral("free_minute_s"), freeMinute_s}});
+    m_site->go(QStringLiteral("study_trials"),
+               {{QStringLiteral("study"), qlonglong(m_study)},
+                {QStringLiteral("participant"), QString::fromStdString(m_participant.code)},
+                {QStringLiteral("one_screen"), oneScreen},
+                {QStringLiteral("free_minute_s"), freeMinute_s}});
     auto* screen = m_site->screen<desktop::TrialsScreen>();
     return screen && screen->live() ? screen : nullptr;
 }
@@ -134,7 +142,8 @@ std::vector<database::StudyTrial> TestParticipantPage::stored() {
     auto connection = m_site->database().openReader();
     database::StudyReader reader(**connection, m_site->context.actor());
     const auto runs = reader.runs(m_participant.id);
-    return runs && !runs->empty() ? *reader.studyTrials(runs->back().id) : std::vector<database::StudyTrial>();
+    return runs && !runs->empty() ? *reader.studyTrials(runs->back().id)
+                                  : std::vector<database::StudyTrial>();
 }
 
 void TestParticipantPage::theControlsOfEveryTaskAndDeviceAreShown() {
@@ -142,15 +151,19 @@ void TestParticipantPage::theControlsOfEveryTaskAndDeviceAreShown() {
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
     for (int task = 0; task < kTasks; ++task)
         for (int attribute = 0; attribute < kAttributes; ++attribute)
-            for (const desktop::StudyHand hand : {desktop::StudyHand{true, false}, desktop::StudyHand{false, true}}) {
+            for (const desktop::StudyHand hand :
+                 {desktop::StudyHand{true, false}, desktop::StudyHand{false, true}}) {
                 desktop::ReadyFacts facts;
-                facts.controls = desktop::studyControls(static_cast<Task>(task), static_cast<Attribute>(attribute), hand);
-                facts.keys = desktop::studyKeys(static_cast<Task>(task), static_cast<Attribute>(attribute), hand);
+                facts.controls =
+                    desktop::studyControls(static_cast<Task>(task), static_cast<Attribute>(attribute), hand);
+                facts.keys =
+                    desktop::studyKeys(static_cast<Task>(task), static_cast<Attribute>(attribute), hand);
                 facts.offersPractice = false;
                 QCOMPARE(facts.controls.size(), std::size_t(3));
                 for (const desktop::ControlHint& hint : facts.controls) {
                     QVERIFY(!hint.what.isEmpty() && !hint.how.isEmpty());
-                    QVERIFY2(hand.pointer || !hint.how.contains(QStringLiteral("mouse")), qPrintable(hint.how));
+                    QVERIFY2(hand.pointer || !hint.how.contains(QStringLiteral("mouse")),
+                             qPrintable(hint.how));
                 }
                 QVERIFY(facts.keys.contains(QStringLiteral("Esc")));
                 const desktop::ReadyCard card(theme, facts, desktop::ReadyCard::Kind::whole);
@@ -200,22 +213,26 @@ void TestParticipantPage::aTooLightTouchIsTold() {
     auto* why = page(screen)->findChild<QLabel*>(QStringLiteral("answer.why"));
     QVERIFY(reach(-0.04, 0.060) && reach(-0.04, 0.027)); // in the ring of the first
     QVERIFY(reach(-0.04, 0.03015));                      // 0.15 mm out: at most 0.14 N
-    QTRY_COMPARE_WITH_TIMEOUT(why->text(), QStringLiteral("Pull a little harder on 1: at least 0.3 N."), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(why->text(), QStringLiteral("Pull a little harder on 1: at least 0.3 N."),
+                              kPatience_ms);
     QCOMPARE(live.view().touched, 0U);
     QVERIFY(!live.view().canAnswer && (live.view().grazed & 1U) != 0);
     QVERIFY(reach(-0.04, 0.0333)); // 1 N and more
     QTRY_COMPARE_WITH_TIMEOUT(live.view().touched, 1U, kPatience_ms);
-    QTRY_VERIFY2_WITH_TIMEOUT(why->text().contains(QStringLiteral("Touch next: 2, 3")), qPrintable(why->text()), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(why->text().contains(QStringLiteral("Touch next: 2, 3")),
+                              qPrintable(why->text()), kPatience_ms);
 }
 
-/// Whoever has done a part has read the instructions: the next one begins with a short page, and all of it is a press away.
+/// Whoever has done a part has read the instructions: the next one begins with a short page, and all of it is
+/// a press away.
 void TestParticipantPage::aFurtherPartIsShort() {
     prepare("parts", [](psychophysics::StudyDesign& design) {
         design.blindParticipant = false;
         design.instructions = {{"en", "The whole instruction of the study."}};
         design.questionnaires.clear();
         design.conditions[0].task = psychophysics::Task::twoAfc;
-        design.conditions[0].procedures = {psychophysics::ConstantSpec{{design.conditions[0].stimulus.differences.back()}, 1, true}};
+        design.conditions[0].procedures = {
+            psychophysics::ConstantSpec{{design.conditions[0].stimulus.differences.back()}, 1, true}};
         design.conditions.push_back(design.conditions[0]);
         design.conditions[1].id = "second";
         design.conditions[1].title = {{"en", "Second"}};
@@ -224,15 +241,21 @@ void TestParticipantPage::aFurtherPartIsShort() {
     });
     desktop::TrialsScreen* screen = sit();
     QVERIFY(screen && screen->live()->view().firstPart);
-    const auto partText = [&] { return QString::fromStdString(screen->live()->condition().instructions.at("en")); };
-    const auto said = [&](const char* name) { return page(screen)->findChild<QLabel*>(QLatin1String(name))->text(); };
+    const auto partText = [&] {
+        return QString::fromStdString(screen->live()->condition().instructions.at("en"));
+    };
+    const auto said = [&](const char* name) {
+        return page(screen)->findChild<QLabel*>(QLatin1String(name))->text();
+    };
     QCOMPARE(said("break.title"), QStringLiteral("Before you begin"));
     QVERIFY(said("break.text").contains(QStringLiteral("The whole instruction")));
-    QVERIFY2(said("break.text").endsWith(QStringLiteral("\n\n") + partText()), qPrintable(said("break.text")));
+    QVERIFY2(said("break.text").endsWith(QStringLiteral("\n\n") + partText()),
+             qPrintable(said("break.text")));
     const QString first = partText();
     QVERIFY(tests::beginTrials(screen));
     QVERIFY(canAnswer(screen));
-    QTRY_COMPARE_WITH_TIMEOUT(said("trials.strip"), QStringLiteral("Trial 1 of 1"), kPatience_ms); // neither more nor fewer
+    QTRY_COMPARE_WITH_TIMEOUT(said("trials.strip"), QStringLiteral("Trial 1 of 1"),
+                              kPatience_ms); // neither more nor fewer
     tests::sittingButton(screen, "answer.0")->click();
     QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
     QVERIFY(screen->live()->result() && screen->live()->result()->completed);
@@ -241,15 +264,21 @@ void TestParticipantPage::aFurtherPartIsShort() {
     QVERIFY(screen && !screen->live()->view().firstPart);
     QCOMPARE(said("break.title"), QStringLiteral("The next part"));
     QVERIFY(partText() != first);
-    QVERIFY2(said("break.text").startsWith(partText() + QStringLiteral("\n\nApart from this, you explore and answer as in the part before")), qPrintable(said("break.text")));
+    QVERIFY2(
+        said("break.text")
+            .startsWith(partText() +
+                        QStringLiteral("\n\nApart from this, you explore and answer as in the part before")),
+        qPrintable(said("break.text")));
     QVERIFY(!said("break.text").contains(QStringLiteral("The whole instruction")));
     tests::sittingButton(screen, "break.more")->click();
-    QVERIFY(said("break.text").contains(QStringLiteral("The whole instruction")) && said("break.text").contains(partText()));
+    QVERIFY(said("break.text").contains(QStringLiteral("The whole instruction")) &&
+            said("break.text").contains(partText()));
     QVERIFY(tests::sittingButton(screen, "break.more")->isHidden());
     QVERIFY(tests::beginTrials(screen));
 }
 
-/// Nothing counts, and nothing is presented, before the card was read and the minute is over; the minute can be ended at once.
+/// Nothing counts, and nothing is presented, before the card was read and the minute is over; the minute can
+/// be ended at once.
 void TestParticipantPage::theCardAndTheFreeMinuteComeFirst() {
     prepare("card");
     desktop::TrialsScreen* screen = sit();
@@ -263,7 +292,11 @@ void TestParticipantPage::theCardAndTheFreeMinuteComeFirst() {
     QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::trying, kPatience_ms);
     QVERIFY(!screen->live()->view().canAnswer);
     QVERIFY(screen->live()->view().tryLeft_s > 0.0);
-    QTRY_VERIFY_WITH_TIMEOUT(page(screen)->findChild<QLabel*>(QStringLiteral("trials.strip"))->text().contains(QStringLiteral("Nothing counts yet")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(page(screen)
+                                 ->findChild<QLabel*>(QStringLiteral("trials.strip"))
+                                 ->text()
+                                 .contains(QStringLiteral("Nothing counts yet")),
+                             kPatience_ms);
     QVERIFY(stored().empty());
     tests::sittingButton(screen, "trials.enough")->click();
     QVERIFY(canAnswer(screen));
@@ -282,7 +315,8 @@ void TestParticipantPage::theCardAndTheFreeMinuteComeFirst() {
 void TestParticipantPage::aClickInTheSceneAnswersNothing() {
     prepare("click", [](psychophysics::StudyDesign& design) {
         design.conditions[0].task = psychophysics::Task::twoAfc;
-        design.conditions[0].procedures = {psychophysics::ConstantSpec{{design.conditions[0].stimulus.differences.back()}, 10, true}};
+        design.conditions[0].procedures = {
+            psychophysics::ConstantSpec{{design.conditions[0].stimulus.differences.back()}, 10, true}};
     });
     desktop::TrialsScreen* screen = sit();
     QVERIFY(screen && tests::beginTrials(screen));
@@ -319,13 +353,15 @@ void TestParticipantPage::practiceIsTakenBack() {
     QCOMPARE(stored().front().spoiled, std::string("taken_back"));
     QCOMPARE(stored().front().answer, -1);
     QVERIFY(stored().front().practice);
-    QVERIFY(answer()); // practice again
+    QVERIFY(answer());                                      // practice again
     tests::sittingButton(screen, "trials.enough")->click(); // enough of the feedback
     QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(2), kPatience_ms);
     QVERIFY(stored().back().practice && stored().back().answer >= 0);
-    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::practised, kPatience_ms); // nothing that counts comes before it was read
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::practised,
+                              kPatience_ms); // nothing that counts comes before it was read
     const auto* over = page(screen)->findChild<QLabel*>(QStringLiteral("break.text"));
-    QTRY_VERIFY2_WITH_TIMEOUT(over->text().contains(QStringLiteral("From now on every answer counts")), qPrintable(over->text()), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(over->text().contains(QStringLiteral("From now on every answer counts")),
+                              qPrintable(over->text()), kPatience_ms);
     QVERIFY(!screen->live()->view().canAnswer);
     tests::sittingButton(screen, "break.button")->click();
     QVERIFY(canAnswer(screen));
@@ -338,14 +374,16 @@ void TestParticipantPage::practiceIsTakenBack() {
     QVERIFY(!screen->live()->view().mayTakeBack); // what counts, counts
 }
 
-/// Said while the trial is done again, and gone with the next that counts. The count stands still, and somebody reads why.
+/// Said while the trial is done again, and gone with the next that counts. The count stands still, and
+/// somebody reads why.
 void TestParticipantPage::aTrialThatDoesNotCountIsTold() {
     for (const bool list : {false, true}) {
         prepare(list ? "told_list" : "told", [list](psychophysics::StudyDesign& design) {
             if (!list)
                 return;
             design.conditions[0].task = psychophysics::Task::twoAfc;
-            design.conditions[0].procedures = {psychophysics::ConstantSpec{{design.conditions[0].stimulus.differences.back()}, 10, true}};
+            design.conditions[0].procedures = {
+                psychophysics::ConstantSpec{{design.conditions[0].stimulus.differences.back()}, 10, true}};
         });
         desktop::TrialsScreen* screen = sit();
         QVERIFY(screen && tests::beginTrials(screen));
@@ -354,8 +392,9 @@ void TestParticipantPage::aTrialThatDoesNotCountIsTold() {
         screen->live()->spoil();
         QTRY_COMPARE_WITH_TIMEOUT(screen->live()->numbers().spoiled, 1, kPatience_ms);
         QVERIFY(canAnswer(screen));
-        const QString expected = QStringLiteral("The last trial did not count. The experimenter took it out. ") +
-                                 (list ? QStringLiteral("It comes again later.") : QStringLiteral("The same objects come again."));
+        const QString expected =
+            QStringLiteral("The last trial did not count. The experimenter took it out. ") +
+            (list ? QStringLiteral("It comes again later.") : QStringLiteral("The same objects come again."));
         QTRY_COMPARE_WITH_TIMEOUT(said(screen, "trials.repeated"), expected, kPatience_ms);
         QVERIFY(said(screen, "trials.strip").startsWith(QStringLiteral("Trial 1 of")));
         for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
@@ -378,30 +417,37 @@ void TestParticipantPage::everyReasonHasWords() {
             QVERIFY2(!words.contains(QLatin1String(never), Qt::CaseInsensitive), qPrintable(words));
         told << words;
     }
-    for (const char* device : {"saturation", "force_error", "stiffness_error"}) // which limit it was might tell what the object was
+    for (const char* device : {"saturation", "force_error",
+                               "stiffness_error"}) // which limit it was might tell what the object was
         QCOMPARE(desktop::TrialsScreen::repeatedWords(device, true, 0.3, locale), told.back());
 }
 
 /// Every page on which nothing else is to be done, from the instructions to the first trial that counts.
 void TestParticipantPage::enterAndSpaceGoOn() {
     for (const int key : {int(Qt::Key_Return), int(Qt::Key_Space)}) {
-        prepare(key == Qt::Key_Space ? "by_space" : "by_enter", [](psychophysics::StudyDesign& design) { design.trial.practiceTrials = 1; });
+        prepare(key == Qt::Key_Space ? "by_space" : "by_enter",
+                [](psychophysics::StudyDesign& design) { design.trial.practiceTrials = 1; });
         desktop::TrialsScreen* screen = sit(true, 1.0);
         QVERIFY(screen);
         QCOMPARE(said(screen, "break.title"), QStringLiteral("Before you begin"));
         const auto card = [&] { return page(screen)->findChild<desktop::ReadyCard*>(); };
         QVERIFY(pressUntil(key, [&] { return card() != nullptr; }));
         QVERIFY(pressUntil(key, [&] { return !card(); }));
-        QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::tried, kPatience_ms); // the free minute ends by itself
-        QTRY_COMPARE_WITH_TIMEOUT(said(screen, "break.title"), QStringLiteral("The free minute is over"), kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::tried,
+                                  kPatience_ms); // the free minute ends by itself
+        QTRY_COMPARE_WITH_TIMEOUT(said(screen, "break.title"), QStringLiteral("The free minute is over"),
+                                  kPatience_ms);
         QVERIFY(pressUntil(key, [&] { return screen->live()->view().state != State::tried; }));
         QVERIFY(canAnswer(screen));
         QVERIFY(screen->live()->view().practice && stored().empty());
         for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
             tests::sittingButton(screen, button)->click();
         QTRY_VERIFY_WITH_TIMEOUT(screen->live()->view().mayTakeBack, kPatience_ms);
-        QVERIFY(pressUntil(Qt::Key_Return, [&] { return screen->live()->view().state == State::practised; })); // here another thing can be done, so Space pauses
-        QTRY_COMPARE_WITH_TIMEOUT(said(screen, "break.title"), QStringLiteral("Practice is over"), kPatience_ms);
+        QVERIFY(pressUntil(Qt::Key_Return, [&] {
+            return screen->live()->view().state == State::practised;
+        })); // here another thing can be done, so Space pauses
+        QTRY_COMPARE_WITH_TIMEOUT(said(screen, "break.title"), QStringLiteral("Practice is over"),
+                                  kPatience_ms);
         QVERIFY(pressUntil(key, [&] { return screen->live()->view().state != State::practised; }));
         QVERIFY(canAnswer(screen));
         QCOMPARE(stored().size(), std::size_t(1));
@@ -411,9 +457,7 @@ void TestParticipantPage::enterAndSpaceGoOn() {
 
 /// The second press of two was meant for the page that is gone.
 void TestParticipantPage::aDoublePressAnswersNothing() {
-    prepare("double", [](psychophysics::StudyDesign& design) {
-        design.trial.betweenTrials_s = 0.05;
-    });
+    prepare("double", [](psychophysics::StudyDesign& design) { design.trial.betweenTrials_s = 0.05; });
     desktop::TrialsScreen* screen = sit();
     QVERIFY(screen && tests::beginTrials(screen));
     QVERIFY(canAnswer(screen));
@@ -438,7 +482,8 @@ void TestParticipantPage::stopIsReachedWithACapturedPointer() {
     QVERIFY(tests::sittingButton(screen, "trials.stop")->text().contains(QStringLiteral("Esc")));
     press(Qt::Key_Escape);
     QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::stopped, kPatience_ms);
-    QTRY_VERIFY2_WITH_TIMEOUT(said(screen, "break.text").contains(QStringLiteral("Esc to stop the session")), qPrintable(said(screen, "break.text")), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(said(screen, "break.text").contains(QStringLiteral("Esc to stop the session")),
+                              qPrintable(said(screen, "break.text")), kPatience_ms);
     bool asked = false;
     QTimer look;
     connect(&look, &QTimer::timeout, this, [&] {
@@ -453,7 +498,8 @@ void TestParticipantPage::stopIsReachedWithACapturedPointer() {
     QVERIFY(tests::stopSitting(*m_site, screen));
 }
 
-/// F2 shows nobody anything: the password of whoever is logged in is asked for, and a wrong one leaves the page as it is.
+/// F2 shows nobody anything: the password of whoever is logged in is asked for, and a wrong one leaves the
+/// page as it is.
 void TestParticipantPage::theDeskTakesThePassword() {
     prepare("desk");
     desktop::TrialsScreen* screen = sit();
@@ -465,7 +511,8 @@ void TestParticipantPage::theDeskTakesThePassword() {
     QTest::keyClick(m_site->window.get(), Qt::Key_F2);
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("gate.password")), kPatience_ms);
     QVERIFY(!screen->atDesk());
-    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::paused, kPatience_ms); // nothing runs while somebody types
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::paused,
+                              kPatience_ms); // nothing runs while somebody types
     m_site->find<QLineEdit>(QStringLiteral("gate.password"))->setText(QStringLiteral("not the password"));
     m_site->find<QPushButton>(QStringLiteral("gate.accept"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(m_site->context.background().idle(), kPatience_ms);
@@ -475,7 +522,9 @@ void TestParticipantPage::theDeskTakesThePassword() {
     QVERIFY(tests::typePassword(*m_site));
     QVERIFY(screen->atDesk());
     QVERIFY(!page(screen)->isVisible());
-    QVERIFY(screen->findChild<QLabel*>(QStringLiteral("experimenter.what"))->text().contains(QStringLiteral("Stiffness of a tube")));
+    QVERIFY(screen->findChild<QLabel*>(QStringLiteral("experimenter.what"))
+                ->text()
+                .contains(QStringLiteral("Stiffness of a tube")));
     tests::sittingButton(screen, "trials.to_page")->click();
     QVERIFY(!screen->atDesk() && page(screen)->isVisible());
     QCOMPARE(told(*page(screen)).contains(QStringLiteral("Stiffness of a tube")), false);
@@ -494,23 +543,32 @@ void TestParticipantPage::whoLeavesMidTrialSeesTheNeutralEnd() {
     look.start(100);
     tests::sittingButton(screen, "trials.stop")->click();
     QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
-    QCOMPARE(page(screen)->findChild<QLabel*>(QStringLiteral("break.title"))->text(), QStringLiteral("Thank you"));
-    QCOMPARE(page(screen)->findChild<QLabel*>(QStringLiteral("break.text"))->text(), QStringLiteral("Please call the experimenter."));
+    QCOMPARE(page(screen)->findChild<QLabel*>(QStringLiteral("break.title"))->text(),
+             QStringLiteral("Thank you"));
+    QCOMPARE(page(screen)->findChild<QLabel*>(QStringLiteral("break.text"))->text(),
+             QStringLiteral("Please call the experimenter."));
     QVERIFY(!told(*page(screen)).contains(QStringLiteral("condition"), Qt::CaseInsensitive));
-    m_site->context.navigator().go(QStringLiteral("study_run")); // the next participant is the experimenter's to call
+    m_site->context.navigator().go(
+        QStringLiteral("study_run")); // the next participant is the experimenter's to call
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("study_trials"));
     QVERIFY(tests::typePassword(*m_site));
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"),
+                              kPatience_ms);
     QCOMPARE(stored().back().spoiled, std::string("stopped")); // nothing was lost, and it comes again
 }
 
 void TestParticipantPage::aPilotIsNamed() {
     for (const bool pilot : {true, false}) {
-        prepare(pilot ? "named_pilot" : "named", [pilot](psychophysics::StudyDesign& design) { design.pilotOf = pilot ? "draft" : ""; });
+        prepare(pilot ? "named_pilot" : "named",
+                [pilot](psychophysics::StudyDesign& design) { design.pilotOf = pilot ? "draft" : ""; });
         desktop::TrialsScreen* screen = sit();
         QVERIFY(screen && tests::beginTrials(screen));
         QVERIFY(canAnswer(screen));
-        QCOMPARE(page(screen)->findChild<QLabel*>(QStringLiteral("trials.note"))->text().startsWith(QStringLiteral("Pilot run")), pilot);
+        QCOMPARE(page(screen)
+                     ->findChild<QLabel*>(QStringLiteral("trials.note"))
+                     ->text()
+                     .startsWith(QStringLiteral("Pilot run")),
+                 pilot);
         QVERIFY(tests::stopSitting(*m_site, screen));
     }
 }
@@ -524,17 +582,21 @@ void TestParticipantPage::whoWasAskedForSitsDownAfterTheLogin() {
     QVERIFY(!m_site->screen<desktop::TrialsScreen>()); // nobody is logged in
     m_site->logIn("rhea");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->screen<desktop::TrialsScreen>(), kPatience_ms);
-    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("participant")).toString(), code);
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("participant")).toString(),
+             code);
     QTRY_VERIFY_WITH_TIMEOUT(m_site->screen<desktop::TrialsScreen>()->live(), kPatience_ms);
     QVERIFY(tests::stopSitting(*m_site, m_site->screen<desktop::TrialsScreen>()));
 
     m_site->context.logOutNow();
     QStringList told;
     QObject hears; // no longer than what it writes to
-    connect(&m_site->context.messages(), &desktop::Messages::told, &hears, [&told](const desktop::Message& message) { told << message.text; });
+    connect(&m_site->context.messages(), &desktop::Messages::told, &hears,
+            [&told](const desktop::Message& message) { told << message.text; });
     desktop::followAskedSitting(m_site->context, {QStringLiteral("no_such_study"), code});
     m_site->logIn("rhea");
-    QTRY_VERIFY2_WITH_TIMEOUT(told.join(QLatin1Char('|')).contains(QStringLiteral("The study no_such_study could not be opened.")), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(
+        told.join(QLatin1Char('|')).contains(QStringLiteral("The study no_such_study could not be opened.")),
+        qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
 }
 
 void TestParticipantPage::anOpenStudyAsksForNoPassword() {
@@ -558,8 +620,11 @@ void TestParticipantPage::aSecondScreenIsTheParticipants() {
     QVERIFY(tests::beginTrials(screen));
     QVERIFY(canAnswer(screen));
     const QString seen = told(*screen->participantWindow());
-    QVERIFY2(!seen.contains(QStringLiteral("Stiffness of a tube")) && !seen.contains(QStringLiteral("Weber")), qPrintable(seen));
-    QVERIFY(screen->findChild<QLabel*>(QStringLiteral("experimenter.what"))->text().contains(QStringLiteral("Stiffness of a tube")));
+    QVERIFY2(!seen.contains(QStringLiteral("Stiffness of a tube")) && !seen.contains(QStringLiteral("Weber")),
+             qPrintable(seen));
+    QVERIFY(screen->findChild<QLabel*>(QStringLiteral("experimenter.what"))
+                ->text()
+                .contains(QStringLiteral("Stiffness of a tube")));
     QVERIFY(tests::stopSitting(*m_site, screen));
 }
 
@@ -574,7 +639,9 @@ void TestParticipantPage::anUnpluggedScreenBringsThePageBack() {
     QTRY_VERIFY_WITH_TIMEOUT(!screen->participantWindow(), kPatience_ms);
     QCOMPARE(screen->live()->view().state, State::paused);
     QVERIFY(screen->atDesk()); // the experimenter was there, and sees what happened
-    QVERIFY(screen->findChild<QLabel*>(QStringLiteral("trials.desk_note"))->text().contains(QStringLiteral("screen is gone")));
+    QVERIFY(screen->findChild<QLabel*>(QStringLiteral("trials.desk_note"))
+                ->text()
+                .contains(QStringLiteral("screen is gone")));
     tests::sittingButton(screen, "trials.to_page")->click();
     QVERIFY(page(screen)->isVisible());
     tests::sittingButton(screen, "break.button")->click();
@@ -595,7 +662,8 @@ void TestParticipantPage::sittingsNoteTheirCircumstances() {
     const session::TrialCircumstances noted = session::circumstancesOf(trial.fidelityJson);
     QCOMPARE(noted.language, std::string("en"));
     QCOMPARE(noted.masking, std::string(session::TrialCircumstances::kMaskingOff));
-    QVERIFY(noted.answerTick && *noted.answerTick >= trial.firstTick && *noted.answerTick + 100 < trial.lastTick); // the first key, not the last
+    QVERIFY(noted.answerTick && *noted.answerTick >= trial.firstTick &&
+            *noted.answerTick + 100 < trial.lastTick); // the first key, not the last
 }
 
 /// Before the run and at the desk, never on the participant's page; and with the trial.
@@ -603,7 +671,9 @@ void TestParticipantPage::maskingThatNobodyHearsIsToldTheExperimenter() {
     const QByteArray before = qgetenv("CHIRON_NO_SOUND");
     qputenv("CHIRON_NO_SOUND", "1");
     prepare("unmasked", [](psychophysics::StudyDesign& design) { design.trial.maskingSound = true; });
-    m_site->go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), QString::fromStdString(m_participant.code)}});
+    m_site->go(QStringLiteral("study_run"),
+               {{QStringLiteral("study"), qlonglong(m_study)},
+                {QStringLiteral("participant"), QString::fromStdString(m_participant.code)}});
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QWidget>(QStringLiteral("run.no_sound")), kPatience_ms);
     desktop::TrialsScreen* screen = sit();
     QVERIFY(screen && tests::beginTrials(screen));
@@ -616,13 +686,17 @@ void TestParticipantPage::maskingThatNobodyHearsIsToldTheExperimenter() {
     for (const char* button : {"answer.0", "answer.confirm"})
         tests::sittingButton(screen, button)->click();
     QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(1), kPatience_ms);
-    QCOMPARE(session::circumstancesOf(stored().front().fidelityJson).masking, std::string(session::TrialCircumstances::kMaskingSilent));
+    QCOMPARE(session::circumstancesOf(stored().front().fidelityJson).masking,
+             std::string(session::TrialCircumstances::kMaskingSilent));
     QVERIFY(tests::stopSitting(*m_site, screen));
-    m_site->go(QStringLiteral("study_data"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), 1}});
+    m_site->go(QStringLiteral("study_data"),
+               {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), 1}});
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QWidget>(QStringLiteral("data.not_masked")), kPatience_ms);
     before.isEmpty() ? qunsetenv("CHIRON_NO_SOUND") : qputenv("CHIRON_NO_SOUND", before);
     prepare("no_masking", [](psychophysics::StudyDesign& design) { design.trial.maskingSound = false; });
-    m_site->go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), QString::fromStdString(m_participant.code)}});
+    m_site->go(QStringLiteral("study_run"),
+               {{QStringLiteral("study"), qlonglong(m_study)},
+                {QStringLiteral("participant"), QString::fromStdString(m_participant.code)}});
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.begin")), kPatience_ms);
     QVERIFY(!m_site->find<QWidget>(QStringLiteral("run.no_sound")));
 }

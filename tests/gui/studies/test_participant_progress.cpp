@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What became of each condition of a participant, and what a researcher can do next: there is always something that can be done, or nothing left to do.
+// What became of each condition of a participant, and what a researcher can do next: there is always
+// something that can be done, or nothing left to do.
 #include "desktop/studies/participant_progress.h"
 #include "support/made_study.h"
 
@@ -53,26 +54,43 @@ private slots:
         const ParticipantRow half = row(ParticipantState::consented, {{"stiffness", StudyRunState::open}});
         const auto progress = desktop::conditionProgress(open, half);
         QCOMPARE(progress.size(), std::size_t(2));
-        QVERIFY2(desktop::progressWords(open, progress[0], kEnglish).contains(QStringLiteral("interrupted at trial 13 of at most 40")), qPrintable(desktop::progressWords(open, progress[0], kEnglish)));
+        QVERIFY2(desktop::progressWords(open, progress[0], kEnglish)
+                     .contains(QStringLiteral("interrupted at trial 13 of at most 40")),
+                 qPrintable(desktop::progressWords(open, progress[0], kEnglish)));
         QCOMPARE(desktop::progressWords(open, progress[1], kEnglish), QStringLiteral("not begun yet"));
         const QString next = desktop::nextStepFor(open, half, QStringLiteral("en"));
         QVERIFY2(next.contains(QStringLiteral("resume “Stiffness of a tube”")), qPrintable(next));
-        const ParticipantRow gone = row(ParticipantState::withdrawn, {{"stiffness", StudyRunState::completed}, {"mass", StudyRunState::stopped}});
+        const ParticipantRow gone = row(ParticipantState::withdrawn, {{"stiffness", StudyRunState::completed},
+                                                                      {"mass", StudyRunState::stopped}});
         const auto left = desktop::conditionProgress(open, gone);
-        QVERIFY(left[0].state == ConditionProgress::State::done && left[1].state == ConditionProgress::State::ended);
+        QVERIFY(left[0].state == ConditionProgress::State::done &&
+                left[1].state == ConditionProgress::State::ended);
         QVERIFY(desktop::progressWords(open, left[1], kEnglish).contains(QStringLiteral("broken off")));
     }
     void whatComesNext() {
-        const auto next = [](const OpenStudy& open, const ParticipantRow& of) { return desktop::nextStepFor(open, of, QStringLiteral("en")); };
+        const auto next = [](const OpenStudy& open, const ParticipantRow& of) {
+            return desktop::nextStepFor(open, of, QStringLiteral("en"));
+        };
         QVERIFY(next(study(), row(ParticipantState::enrolled, {})).contains(QStringLiteral("consent")));
-        QVERIFY(next(study(), row(ParticipantState::consented, {})).contains(QStringLiteral("begin “Stiffness of a tube”")));
-        QVERIFY(next(study(), row(ParticipantState::consented, {{"stiffness", StudyRunState::completed}})).contains(QStringLiteral("begin “Mass of an object”")));
-        const QString closed = next(study(StudyState::closed), row(ParticipantState::consented, {{"stiffness", StudyRunState::completed}}));
-        QVERIFY2(closed.contains(QStringLiteral("no longer")) && !closed.contains(QStringLiteral("Press Run")), qPrintable(closed)); // it would be refused
-        QVERIFY(next(study(StudyState::closed), row(ParticipantState::consented, {{"stiffness", StudyRunState::open}})).contains(QStringLiteral("resume"))); // that is not
-        QVERIFY(next(study(StudyState::archived), row(ParticipantState::consented, {})).contains(QStringLiteral("archive")));
-        QVERIFY(next(study(), row(ParticipantState::withdrawn, {{"mass", StudyRunState::stopped}})).contains(QStringLiteral("withdrawn")));
-        const ParticipantRow all = row(ParticipantState::completed, {{"stiffness", StudyRunState::completed}, {"mass", StudyRunState::completed}});
+        QVERIFY(next(study(), row(ParticipantState::consented, {}))
+                    .contains(QStringLiteral("begin “Stiffness of a tube”")));
+        QVERIFY(next(study(), row(ParticipantState::consented, {{"stiffness", StudyRunState::completed}}))
+                    .contains(QStringLiteral("begin “Mass of an object”")));
+        const QString closed =
+            next(study(StudyState::closed),
+                 row(ParticipantState::consented, {{"stiffness", StudyRunState::completed}}));
+        QVERIFY2(closed.contains(QStringLiteral("no longer")) &&
+                     !closed.contains(QStringLiteral("Press Run")),
+                 qPrintable(closed)); // it would be refused
+        QVERIFY(next(study(StudyState::closed),
+                     row(ParticipantState::consented, {{"stiffness", StudyRunState::open}}))
+                    .contains(QStringLiteral("resume"))); // that is not
+        QVERIFY(next(study(StudyState::archived), row(ParticipantState::consented, {}))
+                    .contains(QStringLiteral("archive")));
+        QVERIFY(next(study(), row(ParticipantState::withdrawn, {{"mass", StudyRunState::stopped}}))
+                    .contains(QStringLiteral("withdrawn")));
+        const ParticipantRow all = row(ParticipantState::completed, {{"stiffness", StudyRunState::completed},
+                                                                     {"mass", StudyRunState::completed}});
         QVERIFY(next(study(), all).contains(QStringLiteral("Nothing is left")));
         OpenStudy asks = study();
         asks.design.questionnaires = tests::smallStudy("asks").questionnaires;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The preview of a design as a researcher uses it: assumptions of a comparison as fields, what they do to what is told, errors beside figures.
+// The preview of a design as a researcher uses it: assumptions of a comparison as fields, what they do to
+// what is told, errors beside figures.
 #include "desktop/studies/preview_page.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
@@ -48,22 +49,30 @@ private slots:
 private:
     void show(const psychophysics::StudyDesign& design) {
         m_draft.load(design);
-        m_page = std::make_unique<desktop::PreviewPage>(desktop::DesignPage{m_site->context, m_draft, false, QStringLiteral("en"), {}, false});
+        m_page = std::make_unique<desktop::PreviewPage>(
+            desktop::DesignPage{m_site->context, m_draft, false, QStringLiteral("en"), {}, false});
         find<QSpinBox>("preview.runs")->setValue(kRuns);
     }
-    template <class Widget> Widget* find(const char* name) const { return m_page->findChild<Widget*>(QLatin1String(name)); }
+    template <class Widget> Widget* find(const char* name) const {
+        return m_page->findChild<Widget*>(QLatin1String(name));
+    }
     void preview() {
         find<QPushButton>("preview.start")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(!m_page->findChildren<QFrame*>(QStringLiteral("preview.result")).isEmpty(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_page->findChildren<QFrame*>(QStringLiteral("preview.result")).isEmpty(),
+                                 kPatience_ms);
     }
-    QList<QLabel*> detectable() const { return m_page->findChildren<QLabel*>(QStringLiteral("preview.detectable")); }
+    QList<QLabel*> detectable() const {
+        return m_page->findChildren<QLabel*>(QStringLiteral("preview.detectable"));
+    }
     QStringList texts() const {
         QStringList all;
         for (const QLabel* label : m_page->findChildren<QLabel*>())
             all << label->text();
         return all;
     }
-    QString ratioText(double ratio) const { return QStringLiteral("× %1").arg(desktop::study_words::number(ratio, m_site->context.locale())); }
+    QString ratioText(double ratio) const {
+        return QStringLiteral("× %1").arg(desktop::study_words::number(ratio, m_site->context.locale()));
+    }
 
     std::unique_ptr<tests::DesktopFixture> m_site;
     desktop::StudyDraft m_draft;
@@ -80,9 +89,11 @@ void TestPreviewPage::aComparisonHasItsAssumptions() {
     QCOMPARE(find<QDoubleSpinBox>("preview.alpha")->value(), 100.0 * usual.alpha);
     QCOMPARE(find<QDoubleSpinBox>("preview.power")->value(), 80.0);
     // Which spread counts follows from who does what.
-    QVERIFY(find<QDoubleSpinBox>("preview.effect_sd")->isEnabled() && !find<QDoubleSpinBox>("preview.person_sd")->isEnabled());
+    QVERIFY(find<QDoubleSpinBox>("preview.effect_sd")->isEnabled() &&
+            !find<QDoubleSpinBox>("preview.person_sd")->isEnabled());
     find<QCheckBox>("preview.paired")->click();
-    QVERIFY(!find<QDoubleSpinBox>("preview.effect_sd")->isEnabled() && find<QDoubleSpinBox>("preview.person_sd")->isEnabled());
+    QVERIFY(!find<QDoubleSpinBox>("preview.effect_sd")->isEnabled() &&
+            find<QDoubleSpinBox>("preview.person_sd")->isEnabled());
     find<QDoubleSpinBox>("preview.alpha")->setValue(0.0);
     QVERIFY(find<QDoubleSpinBox>("preview.alpha")->value() > 0.0); // no level of 0 %
     find<QSpinBox>("preview.participants")->setValue(1);
@@ -98,7 +109,8 @@ void TestPreviewPage::whatIsAssumedDecidesWhatIsFound() {
     QCOMPARE(labels.size(), 2);
     std::vector<double> runSd; // the same runs, asked for without the screen
     for (std::size_t i = 0; i < design.conditions.size(); ++i) {
-        const auto result = desktop::previewCondition(design, i, {.weber = 0.1, .lapse = 0.02}, kRuns, [](double) { return true; });
+        const auto result = desktop::previewCondition(design, i, {.weber = 0.1, .lapse = 0.02}, kRuns,
+                                                      [](double) { return true; });
         QVERIFY2(result, result ? "" : result.error().message.c_str());
         runSd.push_back(result->plan.sdLog10);
     }
@@ -109,7 +121,8 @@ void TestPreviewPage::whatIsAssumedDecidesWhatIsFound() {
         for (std::size_t i = 0; i < runSd.size(); ++i) {
             question.runSdLog10 = runSd[i];
             const double ratio = psychophysics::detectableRatio(question, wanted);
-            if (labels[static_cast<int>(i)]->text() != (std::isfinite(ratio) ? ratioText(ratio) : QStringLiteral("none up to × 10")))
+            if (labels[static_cast<int>(i)]->text() !=
+                (std::isfinite(ratio) ? ratioText(ratio) : QStringLiteral("none up to × 10")))
                 return QStringLiteral("%1 instead of %2").arg(labels[static_cast<int>(i)]->text()).arg(ratio);
         }
         return QString();
@@ -150,7 +163,8 @@ void TestPreviewPage::oneConditionComparesNothing() {
     psychophysics::StudyDesign design = twoConditions();
     design.conditions.resize(1);
     show(design);
-    for (const char* field : {"preview.paired", "preview.participants", "preview.effect_sd", "preview.person_sd", "preview.alpha", "preview.power"})
+    for (const char* field : {"preview.paired", "preview.participants", "preview.effect_sd",
+                              "preview.person_sd", "preview.alpha", "preview.power"})
         QVERIFY2(!find<QWidget>(field), field);
     preview();
     QVERIFY(detectable().isEmpty());
@@ -172,7 +186,8 @@ void TestPreviewPage::itsWordsFit() {
         for (const QString& finding : tests::settledFindings(&area))
             findings << QStringLiteral("%1 %2: %3").arg(QLatin1String(language)).arg(scale).arg(finding);
         if (const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES"); !folder.isEmpty())
-            area.widget()->grab().save(QStringLiteral("%1/preview_%2_%3.png").arg(folder, QLatin1String(language)).arg(scale));
+            area.widget()->grab().save(
+                QStringLiteral("%1/preview_%2_%3.png").arg(folder, QLatin1String(language)).arg(scale));
     }
     m_site->settings.setLanguage(QStringLiteral("en"));
     m_site->settings.setScale(1.0);

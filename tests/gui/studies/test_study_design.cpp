@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A study designed by somebody who does not know the program: from nothing to frozen, a page at a time, with what is true beside it; and by somebody in a
-// hurry, who leaves fields empty, types values that cannot be, and pastes numbers with commas.
+// A study designed by somebody who does not know the program: from nothing to frozen, a page at a time, with
+// what is true beside it; and by somebody in a hurry, who leaves fields empty, types values that cannot be,
+// and pastes numbers with commas.
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
 #include "desktop/studies/check_list.h"
@@ -16,9 +17,9 @@
 #include "desktop/studies/study_screen.h"
 #include "desktop/studies/study_titles.h"
 #include "desktop/study_run/trials_screen.h"
-#include "support/sitting_hands.h"
 #include "support/every_place.h"
 #include "support/patience.h"
+#include "support/sitting_hands.h"
 
 #include <QAbstractSpinBox>
 #include <QCheckBox>
@@ -85,19 +86,24 @@ private:
     void openDraft(const psychophysics::StudyDesign& design, int tab = StudyScreen::generalTab) {
         m_opened = design;
         m_study = tests::addDraft(*m_site, m_site->context.actor(), design);
-        m_site->go(QStringLiteral("study"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), tab}});
+        m_site->go(QStringLiteral("study"),
+                   {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), tab}});
         QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTabBar>(QStringLiteral("study.tabs")), kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     }
     StudyScreen* screen() { return m_site->screen<StudyScreen>(); }
     const psychophysics::StudyDesign& design() { return screen()->draft().design(); }
-    template <class W> W* find(const char* name) { return m_site->window->screen()->findChild<W*>(QLatin1String(name)); }
+    template <class W> W* find(const char* name) {
+        return m_site->window->screen()->findChild<W*>(QLatin1String(name));
+    }
     QString text(const char* name) {
         auto* label = m_site->find<QLabel>(QLatin1String(name));
         return label ? label->text() : QStringLiteral("(none)");
     }
     bool saved() {
-        return QTest::qWaitFor([this] { return text("study.state").contains(QStringLiteral("all changes saved")); }, kPatience_ms);
+        return QTest::qWaitFor(
+            [this] { return text("study.state").contains(QStringLiteral("all changes saved")); },
+            kPatience_ms);
     }
     /// The one that is seen: pages and screens that were left live until the event loop turns.
     template <class W> W* shown(const char* name) {
@@ -110,7 +116,8 @@ private:
     /// What a person does: each call is one action.
     void click(const char* name) {
         ++m_actions;
-        QTRY_VERIFY2_WITH_TIMEOUT(shown<QAbstractButton>(name) && shown<QAbstractButton>(name)->isEnabled(), name, kPatience_ms);
+        QTRY_VERIFY2_WITH_TIMEOUT(shown<QAbstractButton>(name) && shown<QAbstractButton>(name)->isEnabled(),
+                                  name, kPatience_ms);
         shown<QAbstractButton>(name)->click();
     }
     void type(const char* name, const QString& words) {
@@ -136,7 +143,10 @@ private:
         QTest::keyClick(shown<QWidget>(name), Qt::Key_Return);
     }
     void pilotTried();
-    bool inFocus(const char* field) const { return m_site->window->focusWidget() && m_site->window->focusWidget()->objectName() == QLatin1String(field); }
+    bool inFocus(const char* field) const {
+        return m_site->window->focusWidget() &&
+               m_site->window->focusWidget()->objectName() == QLatin1String(field);
+    }
     QString faultAt(const char* field) {
         auto* fault = find<QWidget>((QByteArray(field) + ".fault").constData());
         if (!fault)
@@ -163,14 +173,18 @@ void TestStudyDesign::templatesCiteTheirSource() {
     m_site->go(QStringLiteral("studies"));
     QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     click("studies.new");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")),
+                             kPatience_ms);
     for (const psychophysics::StudyDesign& each : templates->studies()) {
         QVERIFY2(!each.source.empty(), each.id.c_str());
-        const QString shown = text(qPrintable(QStringLiteral("new_study.template.%1.source").arg(QString::fromStdString(each.id))));
+        const QString shown = text(
+            qPrintable(QStringLiteral("new_study.template.%1.source").arg(QString::fromStdString(each.id))));
         QVERIFY2(shown.contains(QString::fromStdString(each.source)), qPrintable(shown));
         for (const auto& [language, words] : each.instructions) // of time and breaks the settings speak
-            for (const char* never : {"as you like", "no hurry", "breaks", "möchten", "Pausen", "όσες φορές", "διαλείμματα"})
-                QVERIFY2(words.find(never) == std::string::npos, (each.id + " " + language + ": " + never).c_str());
+            for (const char* never :
+                 {"as you like", "no hurry", "breaks", "möchten", "Pausen", "όσες φορές", "διαλείμματα"})
+                QVERIFY2(words.find(never) == std::string::npos,
+                         (each.id + " " + language + ": " + never).c_str());
     }
     // The templates come before the study of no template.
     const auto* first = m_site->find<QPushButton>(QStringLiteral("new_study.template.apex"));
@@ -185,10 +199,12 @@ void TestStudyDesign::templatesAreReadWhenLarge() {
     m_site->go(QStringLiteral("studies"));
     QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     click("studies.new");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.apex")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.apex")),
+                             kPatience_ms);
     const auto squeezed = [&] { // labels lower than their wrapped words
         QStringList found;
-        for (const QLabel* label : m_site->find<QPushButton>(QStringLiteral("new_study.template.apex"))->findChildren<QLabel*>())
+        for (const QLabel* label :
+             m_site->find<QPushButton>(QStringLiteral("new_study.template.apex"))->findChildren<QLabel*>())
             if (label->height() < label->heightForWidth(label->width()))
                 found << label->text();
         return found;
@@ -199,13 +215,16 @@ void TestStudyDesign::templatesAreReadWhenLarge() {
     m_site->context.applyAppearance();
 }
 
-/// One of those who design it tries it: the instructions, the controls, some of the free minute, and back to the design without a question.
+/// One of those who design it tries it: the instructions, the controls, some of the free minute, and back to
+/// the design without a question.
 void TestStudyDesign::pilotTried() {
     click("check.pilot");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("pilot.accept")), kPatience_ms);
     click("pilot.agreed");
     click("pilot.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->screen<desktop::TrialsScreen>() && m_site->screen<desktop::TrialsScreen>()->live(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->screen<desktop::TrialsScreen>() &&
+                                 m_site->screen<desktop::TrialsScreen>()->live(),
+                             kPatience_ms);
     const auto* trials = m_site->screen<desktop::TrialsScreen>();
     using State = session::LiveStudyView::State;
     click("break.button"); // the instructions
@@ -217,38 +236,45 @@ void TestStudyDesign::pilotTried() {
     QTRY_VERIFY_WITH_TIMEOUT(trials->live()->finished() && !trials->isBusy(), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(text("break.title").contains(QStringLiteral("pilot")), kPatience_ms);
     click("break.button"); // nor for a password
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study"),
+                              kPatience_ms);
 }
 
-/// Two alternatives, two tubes of 0.3 and 0.6 N/mm, 15 trials of each, a look at the preview and a pilot: every press and every typed field is one
-/// action.
+/// Two alternatives, two tubes of 0.3 and 0.6 N/mm, 15 trials of each, a look at the preview and a pilot:
+/// every press and every typed field is one action.
 void TestStudyDesign::fromNothingToFrozen() {
     m_site->go(QStringLiteral("studies"));
     QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")),
+                             kPatience_ms);
     m_actions = 0;
     click("studies.new");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.stiffness_2afc")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.stiffness_2afc")),
+                             kPatience_ms);
     click("new_study.template.stiffness_2afc");
     type("new_study.title", QStringLiteral("Soft and stiff tubes"));
-    QCOMPARE(m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->text(), QStringLiteral("soft_and_stiff_tubes")); // made of the title
+    QCOMPARE(m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->text(),
+             QStringLiteral("soft_and_stiff_tubes")); // made of the title
     click("new_study.accept");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPlainTextEdit>(QStringLiteral("design.objective")), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     m_study = m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong();
-    type("design.objective", QStringLiteral("Whether the Weber fraction of stiffness depends on the reference. We expect the same for both."));
+    type("design.objective", QStringLiteral("Whether the Weber fraction of stiffness depends on the "
+                                            "reference. We expect the same for both."));
     type("design.ethics", QStringLiteral("Ethics committee of the university, 17/2026"));
     enter("design.ethics"); // as Next
     QTRY_VERIFY_WITH_TIMEOUT(find<QWidget>("conditions.copy"), kPatience_ms);
     type("condition.reference", QStringLiteral("0.3 N/mm")); // in the unit that people say it in
     QCOMPARE(design().conditions.front().stimulus.reference, 300.0);
-    QCOMPARE(find<QLineEdit>("condition.title")->text(), QStringLiteral("Tube of 300 N/m")); // names that tell the reference follow it
+    QCOMPARE(find<QLineEdit>("condition.title")->text(),
+             QStringLiteral("Tube of 300 N/m")); // names that tell the reference follow it
     QCOMPARE(design().conditions.front().id, std::string("tube_300"));
     type("procedure.0.trials", QStringLiteral("15"));
     QCOMPARE(find<QSpinBox>("procedure.0.minimum_trials")->value(), 15); // no run has more than its most
     click("conditions.copy");
     QTRY_COMPARE_WITH_TIMEOUT(design().conditions.size(), std::size_t{2}, kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(find<QLineEdit>("condition.title")->text().endsWith(QStringLiteral("(2)")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(find<QLineEdit>("condition.title")->text().endsWith(QStringLiteral("(2)")),
+                             kPatience_ms);
     type("condition.reference", QStringLiteral("0.6 N/mm")); // the one field in which it differs
     QCOMPARE(design().conditions.back().stimulus.reference, 600.0);
     QCOMPARE(design().conditions.back().title.at("en"), std::string("Tube of 600 N/m"));
@@ -258,7 +284,8 @@ void TestStudyDesign::fromNothingToFrozen() {
     find<QTabBar>("study.tabs")->setCurrentIndex(StudyScreen::previewTab);
     QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("preview.start"), kPatience_ms);
     click("preview.start");
-    QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("preview.start")->isEnabled(), kPatience_ms); // what it found was looked at
+    QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("preview.start")->isEnabled(),
+                             kPatience_ms); // what it found was looked at
     step("check.freeze");
     QVERIFY(saved());
     pilotTried();
@@ -267,9 +294,11 @@ void TestStudyDesign::fromNothingToFrozen() {
     click("check.freeze");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QDialog>(QStringLiteral("freeze")), kPatience_ms);
     auto* list = m_site->find<QDialog>(QStringLiteral("freeze"))->findChild<desktop::CheckList*>();
-    QTRY_VERIFY_WITH_TIMEOUT(!list->has(desktop::FreezeCheck::State::waiting), kPatience_ms); // simulated observers
+    QTRY_VERIFY_WITH_TIMEOUT(!list->has(desktop::FreezeCheck::State::waiting),
+                             kPatience_ms); // simulated observers
     QVERIFY(!list->has(desktop::FreezeCheck::State::bad));
-    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("freeze.accept"))->isEnabled()); // nobody has tried it: worth a look
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("freeze.accept"))
+                 ->isEnabled()); // nobody has tried it: worth a look
     click("freeze.seen");
     click("freeze.accept");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.enrol")), kPatience_ms);
@@ -280,11 +309,14 @@ void TestStudyDesign::fromNothingToFrozen() {
     const auto stored = database::StudyReader(**connection, m_site->context.actor()).study(m_study);
     QVERIFY(stored);
     const auto frozen = catalogue::readStudy(QByteArray::fromStdString(stored->designJson), "frozen");
-    QVERIFY(frozen && frozen->conditions.size() == 2 && frozen->conditions.front().task == psychophysics::Task::twoAfc);
+    QVERIFY(frozen && frozen->conditions.size() == 2 &&
+            frozen->conditions.front().task == psychophysics::Task::twoAfc);
     QCOMPARE(stored->summary.sha256, catalogue::studySha256(QByteArray::fromStdString(stored->designJson)));
     QCOMPARE(frozen->conditions.back().stimulus.reference, 600.0);
-    QVERIFY(frozen->trial.practiceTrials > 0 && frozen->trial.probeAtLeast_N > 0.0); // without anybody asking for it
-    QVERIFY(frozen->instructions.at("en").find("at most 15 trials") != std::string::npos); // what participants read is frozen as they read it
+    QVERIFY(frozen->trial.practiceTrials > 0 &&
+            frozen->trial.probeAtLeast_N > 0.0); // without anybody asking for it
+    QVERIFY(frozen->instructions.at("en").find("at most 15 trials") !=
+            std::string::npos); // what participants read is frozen as they read it
     QVERIFY(!frozen->source.empty() && frozen->ethics == "Ethics committee of the university, 17/2026");
 }
 
@@ -295,12 +327,14 @@ void TestStudyDesign::aCopyOfAFrozenStudy() {
     auto* title = m_site->find<QLineEdit>(QStringLiteral("new_study.title"));
     QTRY_COMPARE_WITH_TIMEOUT(title->text(), QStringLiteral("Soft and stiff tubes (copy)"), kPatience_ms);
     QCOMPARE(title->selectedText(), title->text()); // to be typed over
-    QCOMPARE(m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->text(), QStringLiteral("soft_and_stiff_tubes_copy"));
+    QCOMPARE(m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->text(),
+             QStringLiteral("soft_and_stiff_tubes_copy"));
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
     click("new_study.accept");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("design.ethics")), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
-    QVERIFY(m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong() != m_study);
+    QVERIFY(m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong() !=
+            m_study);
     QCOMPARE(design().conditions.size(), original.conditions.size());
     QCOMPARE(design().conditions.back().stimulus.reference, 600.0);
     QCOMPARE(design().instructions, original.instructions);
@@ -312,8 +346,11 @@ void TestStudyDesign::aCopyOfAFrozenStudy() {
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("studies.copy")), kPatience_ms);
     click("studies.copy");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("new_study.title")), kPatience_ms);
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("new_study.title"))->text(), QStringLiteral("Soft and stiff tubes (copy 2)"), kPatience_ms); // there is a copy already
-    type("new_study.title", QStringLiteral("soft  and stiff Tubes")); // the original's, but for capitals and a space
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("new_study.title"))->text(),
+                              QStringLiteral("Soft and stiff tubes (copy 2)"),
+                              kPatience_ms); // there is a copy already
+    type("new_study.title",
+         QStringLiteral("soft  and stiff Tubes")); // the original's, but for capitals and a space
     QVERIFY(text("new_study.title.fault").contains(QStringLiteral("Another study has this title")));
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.accept"))->isEnabled());
     type("new_study.title", QStringLiteral("Softer tubes"));
@@ -326,14 +363,18 @@ void TestStudyDesign::titlesOfCopies() {
     using desktop::copyTitle;
     using desktop::titleForComparison;
     QCOMPARE(copyTitle(QStringLiteral("Tubes"), {}), QStringLiteral("Tubes (copy)"));
-    QCOMPARE(copyTitle(QStringLiteral("Tubes"), {titleForComparison(QStringLiteral("TUBES (Copy)"))}), QStringLiteral("Tubes (copy 2)"));
-    QCOMPARE(copyTitle(QStringLiteral("Tubes (copy)"), {titleForComparison(QStringLiteral("Tubes (copy)"))}), QStringLiteral("Tubes (copy 2)"));
+    QCOMPARE(copyTitle(QStringLiteral("Tubes"), {titleForComparison(QStringLiteral("TUBES (Copy)"))}),
+             QStringLiteral("Tubes (copy 2)"));
+    QCOMPARE(copyTitle(QStringLiteral("Tubes (copy)"), {titleForComparison(QStringLiteral("Tubes (copy)"))}),
+             QStringLiteral("Tubes (copy 2)"));
     QCOMPARE(copyTitle(QStringLiteral("Tubes (copy 2)"), {}), QStringLiteral("Tubes (copy)"));
     QVERIFY(copyTitle(QString(500, QLatin1Char('x')), {}).toUtf8().size() <= 500);
-    QCOMPARE(desktop::freeTitle(QStringLiteral("Tubes"), {titleForComparison(QStringLiteral("tubes"))}), QStringLiteral("Tubes 2"));
+    QCOMPARE(desktop::freeTitle(QStringLiteral("Tubes"), {titleForComparison(QStringLiteral("tubes"))}),
+             QStringLiteral("Tubes 2"));
 }
 
-/// Nothing is chosen beforehand; words find, in any order and without accents; Enter takes what is found, and never creates by itself.
+/// Nothing is chosen beforehand; words find, in any order and without accents; Enter takes what is found, and
+/// never creates by itself.
 void TestStudyDesign::aTemplateIsFoundByWords() {
     m_site->go(QStringLiteral("studies"));
     QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
@@ -348,14 +389,17 @@ void TestStudyDesign::aTemplateIsFoundByWords() {
     QCOMPARE(dialog->focusWidget(), static_cast<QWidget*>(filter));
     type("new_study.filter", QStringLiteral("nothing like this"));
     QVERIFY(shown<QLabel>("new_study.none"));
-    QVERIFY(!shown<QPushButton>("new_study.template.friction") && !shown<QPushButton>("new_study.template.new_study"));
+    QVERIFY(!shown<QPushButton>("new_study.template.friction") &&
+            !shown<QPushButton>("new_study.template.new_study"));
     QTest::keyClick(filter, Qt::Key_Return);
     QVERIFY(dialog->isVisible() && !accept->isEnabled());
     filter->setText(QStringLiteral("2AFC Stíff")); // key clicks know no accents
     QVERIFY(!shown<QLabel>("new_study.none"));
-    QVERIFY(shown<QPushButton>("new_study.template.stiffness_2afc") && !shown<QPushButton>("new_study.template.apex"));
+    QVERIFY(shown<QPushButton>("new_study.template.stiffness_2afc") &&
+            !shown<QPushButton>("new_study.template.apex"));
     QTest::keyClick(filter, Qt::Key_Down);
-    QVERIFY(dialog->focusWidget() != filter && dialog->focusWidget()->objectName().startsWith(QStringLiteral("new_study.template.")));
+    QVERIFY(dialog->focusWidget() != filter &&
+            dialog->focusWidget()->objectName().startsWith(QStringLiteral("new_study.template.")));
     QVERIFY(!accept->isEnabled()); // it was looked at, not taken
     filter->setFocus();
     QTest::keyClick(filter, Qt::Key_Return);
@@ -364,7 +408,8 @@ void TestStudyDesign::aTemplateIsFoundByWords() {
     auto* title = m_site->find<QLineEdit>(QStringLiteral("new_study.title"));
     QCOMPARE(dialog->focusWidget(), static_cast<QWidget*>(title));
     QVERIFY(!title->text().isEmpty() && title->selectedText() == title->text());
-    // What somebody typed stays when they choose another, and what is chosen is seen whatever the filter says.
+    // What somebody typed stays when they choose another, and what is chosen is seen whatever the filter
+    // says.
     type("new_study.title", QStringLiteral("Mine"));
     type("new_study.filter", QStringLiteral("friction"));
     QVERIFY(shown<QPushButton>("new_study.template.stiffness_2afc"));
@@ -380,10 +425,12 @@ void TestStudyDesign::namesThatAreTaken() {
     QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QLineEdit>(QStringLiteral("new_study.title")), kPatience_ms);
     click("studies.new");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")),
+                             kPatience_ms);
     click("new_study.template.new_study");
     type("new_study.key", QStringLiteral("taken"));
-    QTRY_VERIFY_WITH_TIMEOUT(text("new_study.key.fault").contains(QStringLiteral("Another study has this key")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        text("new_study.key.fault").contains(QStringLiteral("Another study has this key")), kPatience_ms);
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.accept"))->isEnabled());
     QVERIFY(!m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->accessibleDescription().isEmpty());
     type("new_study.key", QStringLiteral("Soft Tubes"));
@@ -402,14 +449,18 @@ void TestStudyDesign::namesThatAreTaken() {
     QVERIFY(inFocus("condition.title"));
 }
 
-/// Beside every page, and after every change: also of what is changed on another page than the one that it was first shown with.
+/// Beside every page, and after every change: also of what is changed on another page than the one that it
+/// was first shown with.
 void TestStudyDesign::theSummaryIsAlwaysTrue() {
     openDraft(tests::smallStudy("summary"), StudyScreen::conditionsTab);
     QVERIFY(text("study.card.conditions").contains(QStringLiteral("300 N/m")));
     type("condition.reference", QStringLiteral("450"));
-    QVERIFY(text("study.card.conditions").contains(QStringLiteral("450 N/m")) && !text("study.card.conditions").contains(QStringLiteral("300 N/m")));
-    QVERIFY2(text("differences.summary").contains(QStringLiteral("458 N/m")), qPrintable(text("differences.summary"))); // of the table, too: 1.86 % more
-    QVERIFY(text("study.state").contains(QStringLiteral("saving")) || text("study.state").contains(QStringLiteral("saved")));
+    QVERIFY(text("study.card.conditions").contains(QStringLiteral("450 N/m")) &&
+            !text("study.card.conditions").contains(QStringLiteral("300 N/m")));
+    QVERIFY2(text("differences.summary").contains(QStringLiteral("458 N/m")),
+             qPrintable(text("differences.summary"))); // of the table, too: 1.86 % more
+    QVERIFY(text("study.state").contains(QStringLiteral("saving")) ||
+            text("study.state").contains(QStringLiteral("saved")));
     screen()->showTab(StudyScreen::trialsTab);
     QCOMPARE(text("study.card.trials"), QStringLiteral("at most 80"));
     QCOMPARE(text("study.card.feedback"), QStringLiteral("none"));
@@ -439,12 +490,15 @@ void TestStudyDesign::instructionsFollowTheSettings() {
     const auto read = [&] { return QString::fromStdString(design().instructions.at("en")); };
     QVERIFY(read().startsWith(QStringLiteral("Hold the grasper lightly.")));
     QCOMPARE(text("design.instructions.shown"), read());
-    QVERIFY(read().contains(QStringLiteral("You have 30 seconds to explore")) && read().contains(QStringLiteral("another 20 seconds to answer")));
+    QVERIFY(read().contains(QStringLiteral("You have 30 seconds to explore")) &&
+            read().contains(QStringLiteral("another 20 seconds to answer")));
     type("trial.explore_limit", QStringLiteral("0"));
-    QVERIFY(read().contains(QStringLiteral("as long as you like")) && !read().contains(QStringLiteral("seconds to")));
+    QVERIFY(read().contains(QStringLiteral("as long as you like")) &&
+            !read().contains(QStringLiteral("seconds to")));
     QVERIFY(!find<QWidget>("trial.answer_limit")->isVisible()); // without an end of exploring it never starts
     type("trial.explore_limit", QStringLiteral("12"));
-    QVERIFY(read().contains(QStringLiteral("You have 12 seconds to explore")) && !read().contains(QStringLiteral("as long as you like over")));
+    QVERIFY(read().contains(QStringLiteral("You have 12 seconds to explore")) &&
+            !read().contains(QStringLiteral("as long as you like over")));
     QVERIFY(read().contains(QStringLiteral("You are not told whether your answers are right.")));
     click("trial.feedback");
     QVERIFY(read().contains(QStringLiteral("After each trial you are told whether your answer was right.")));
@@ -455,14 +509,16 @@ void TestStudyDesign::instructionsFollowTheSettings() {
     type("trial.practice_trials", QStringLiteral("1"));
     QVERIFY(read().contains(QStringLiteral("Each part begins with 1 practice trial, which does not count.")));
     type("design.instructions", QStringLiteral("Rest your arm."));
-    QVERIFY(read().startsWith(QStringLiteral("Rest your arm.")) && !read().contains(QStringLiteral("Hold the grasper")));
+    QVERIFY(read().startsWith(QStringLiteral("Rest your arm.")) &&
+            !read().contains(QStringLiteral("Hold the grasper")));
     QCOMPARE(text("design.instructions.shown"), read());
     QVERIFY(saved());
     // A study that was written before keeps every word, and says what to do.
     psychophysics::StudyDesign older = tests::smallStudy("older");
     older.ownInstructions.reset();
     openDraft(older, StudyScreen::trialsTab);
-    QCOMPARE(find<QPlainTextEdit>("design.instructions")->toPlainText(), QString::fromStdString(older.instructions.at("en")));
+    QCOMPARE(find<QPlainTextEdit>("design.instructions")->toPlainText(),
+             QString::fromStdString(older.instructions.at("en")));
     QCOMPARE(design().instructions, older.instructions); // not changed by looking at it
 }
 
@@ -473,18 +529,27 @@ void TestStudyDesign::instructionsInThreeLanguages() {
     study.trial.breakEvery = 13;
     study.trial.exploreLimit_s = 41;
     for (const char* language : {"en", "de", "el"}) {
-        const QString words = desktop::participantSentences(study, QLatin1String(language)).join(QLatin1Char(' '));
+        const QString words =
+            desktop::participantSentences(study, QLatin1String(language)).join(QLatin1Char(' '));
         for (const char* number : {"7", "13", "41", "40", "30", "20"})
             QVERIFY2(words.contains(QLatin1String(number)), qPrintable(words));
         QVERIFY2(!words.contains(QLatin1Char('%')), qPrintable(words));
     }
-    QVERIFY(desktop::participantSentences(study, QStringLiteral("de")) != desktop::participantSentences(study, QStringLiteral("en")));
-    QVERIFY(desktop::participantSentences(study, QStringLiteral("el")) != desktop::participantSentences(study, QStringLiteral("en")));
+    QVERIFY(desktop::participantSentences(study, QStringLiteral("de")) !=
+            desktop::participantSentences(study, QStringLiteral("en")));
+    QVERIFY(desktop::participantSentences(study, QStringLiteral("el")) !=
+            desktop::participantSentences(study, QStringLiteral("en")));
     for (psychophysics::Condition& condition : study.conditions)
         condition.task = psychophysics::Task::twoAfc;
-    QVERIFY(desktop::participantSentences(study, QStringLiteral("en")).join(QLatin1Char(' ')).contains(QStringLiteral("one of two answers")));
-    const QString apex = desktop::participantSentences(tests::apexStudy("apex", 10), QStringLiteral("en")).join(QLatin1Char(' '));
-    QVERIFY2(apex.contains(QStringLiteral("There are 10 trials.")) && apex.contains(QStringLiteral("highest point")) && !apex.contains(QStringLiteral("to answer")), qPrintable(apex));
+    QVERIFY(desktop::participantSentences(study, QStringLiteral("en"))
+                .join(QLatin1Char(' '))
+                .contains(QStringLiteral("one of two answers")));
+    const QString apex = desktop::participantSentences(tests::apexStudy("apex", 10), QStringLiteral("en"))
+                             .join(QLatin1Char(' '));
+    QVERIFY2(apex.contains(QStringLiteral("There are 10 trials.")) &&
+                 apex.contains(QStringLiteral("highest point")) &&
+                 !apex.contains(QStringLiteral("to answer")),
+             qPrintable(apex));
     // In the languages that the researcher wrote in; in all where nothing was written.
     study.ownInstructions = psychophysics::StudyText{{"en", "One."}, {"de", "Eins."}};
     desktop::renewInstructions(study);
@@ -499,15 +564,21 @@ void TestStudyDesign::everyFieldSaysWhatItMeans() {
         psychophysics::StudyDesign study = tests::smallStudy("meaning_" + std::to_string(task));
         desktop::takeTask(study.conditions.front(), static_cast<psychophysics::Task>(task));
         openDraft(study);
-        for (const int tab : {StudyScreen::generalTab, StudyScreen::conditionsTab, StudyScreen::trialsTab, StudyScreen::previewTab}) {
+        for (const int tab : {StudyScreen::generalTab, StudyScreen::conditionsTab, StudyScreen::trialsTab,
+                              StudyScreen::previewTab}) {
             screen()->showTab(tab);
             for (const desktop::FieldGrid* grid : screen()->findChildren<desktop::FieldGrid*>())
                 for (const QWidget* field : grid->findChildren<QWidget*>()) {
-                    if (!grid->hasField(field->objectName()) || field->objectName().startsWith(QStringLiteral("procedure.0.kind")))
+                    if (!grid->hasField(field->objectName()) ||
+                        field->objectName().startsWith(QStringLiteral("procedure.0.kind")))
                         continue; // a procedure's kind has its sentence beside it
-                    QVERIFY2(!field->accessibleName().isEmpty() && !field->accessibleDescription().isEmpty(), qPrintable(field->objectName()));
-                    QVERIFY2(grid->findChild<QLabel*>(field->objectName() + QStringLiteral(".meaning")), qPrintable(field->objectName()));
-                    QVERIFY2(tab == StudyScreen::previewTab || !field->accessibleName().contains(QStringLiteral("log10")), qPrintable(field->accessibleName()));
+                    QVERIFY2(!field->accessibleName().isEmpty() && !field->accessibleDescription().isEmpty(),
+                             qPrintable(field->objectName()));
+                    QVERIFY2(grid->findChild<QLabel*>(field->objectName() + QStringLiteral(".meaning")),
+                             qPrintable(field->objectName()));
+                    QVERIFY2(tab == StudyScreen::previewTab ||
+                                 !field->accessibleName().contains(QStringLiteral("log10")),
+                             qPrintable(field->accessibleName()));
                 }
         }
     }
@@ -516,22 +587,27 @@ void TestStudyDesign::everyFieldSaysWhatItMeans() {
 void TestStudyDesign::onlyWhatAppliesIsThere() {
     psychophysics::StudyDesign apex = tests::apexStudy("apex_fields", 10);
     openDraft(apex, StudyScreen::conditionsTab);
-    for (const char* name : {"condition.task", "condition.criterion", "condition.scale", "differences.levels", "procedure.0.kind", "conditions.more_procedures"})
+    for (const char* name : {"condition.task", "condition.criterion", "condition.scale", "differences.levels",
+                             "procedure.0.kind", "conditions.more_procedures"})
         QVERIFY2(!find<QWidget>(name), name);
     QVERIFY(find<QWidget>("condition.reference") && find<QSpinBox>("procedure.0.repeats"));
     type("procedure.0.repeats", QStringLiteral("24"));
     QCOMPARE(text("study.card.trials"), QStringLiteral("24"));
     screen()->showTab(StudyScreen::trialsTab);
-    QVERIFY(!find<QWidget>("trial.answer_limit") && !find<QWidget>("trial.must_touch_all") && !find<QWidget>("design.order"));
+    QVERIFY(!find<QWidget>("trial.answer_limit") && !find<QWidget>("trial.must_touch_all") &&
+            !find<QWidget>("design.order"));
     screen()->showTab(StudyScreen::previewTab);
-    QVERIFY(!find<QWidget>("preview.weber") && !find<QWidget>("preview.lapse")); // nobody's Weber fraction finds an apex
+    QVERIFY(!find<QWidget>("preview.weber") &&
+            !find<QWidget>("preview.lapse")); // nobody's Weber fraction finds an apex
     click("preview.start");
     QTRY_VERIFY_WITH_TIMEOUT(find<QFrame>("preview.result"), kPatience_ms);
     QString said;
     for (const QLabel* label : find<QFrame>("preview.result")->findChildren<QLabel*>())
         said += label->text() + QLatin1Char('\n');
-    QVERIFY2(said.contains(QStringLiteral("3.56 mm")) && said.contains(QStringLiteral("24")), qPrintable(said));
-    // Another attribute brings a task and a table back; of a function of QUEST+ there is a choice, of levels per cents.
+    QVERIFY2(said.contains(QStringLiteral("3.56 mm")) && said.contains(QStringLiteral("24")),
+             qPrintable(said));
+    // Another attribute brings a task and a table back; of a function of QUEST+ there is a choice, of levels
+    // per cents.
     screen()->showTab(StudyScreen::conditionsTab);
     auto* attribute = find<QComboBox>("condition.attribute");
     attribute->setCurrentIndex(static_cast<int>(psychophysics::Attribute::mass));
@@ -556,14 +632,19 @@ void TestStudyDesign::onlyWhatAppliesIsThere() {
     QVERIFY(find<QComboBox>("procedure.0.function")->count() >= 4);
     QCOMPARE(find<QDoubleSpinBox>("procedure.0.grid0.low")->suffix(), QStringLiteral(" %"));
     const auto& plus = std::get<psychophysics::QuestPlusSpec>(design().conditions.front().procedures.front());
-    QVERIFY(std::abs(find<QDoubleSpinBox>("procedure.0.grid0.low")->value() - 2.0) < 0.01); // the table's smallest
+    QVERIFY(std::abs(find<QDoubleSpinBox>("procedure.0.grid0.low")->value() - 2.0) <
+            0.01); // the table's smallest
     type("procedure.0.grid0.low", QStringLiteral("3"));
     QCOMPARE(plus.parameters.front().values.size(), std::size_t{41});
     QVERIFY(std::abs(plus.parameters.front().values.front() - std::log10(std::log10(1.03))) < 1e-6);
     auto* function = find<QComboBox>("procedure.0.function");
     function->setCurrentIndex(function->findData(QStringLiteral("norm_cdf")));
     emit function->activated(function->currentIndex());
-    QTRY_COMPARE_WITH_TIMEOUT(QString::fromStdString(std::get<psychophysics::QuestPlusSpec>(design().conditions.front().procedures.front()).parameters.front().name), QStringLiteral("mean"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(QString::fromStdString(std::get<psychophysics::QuestPlusSpec>(
+                                                         design().conditions.front().procedures.front())
+                                                         .parameters.front()
+                                                         .name),
+                              QStringLiteral("mean"), kPatience_ms);
     QVERIFY2(saved(), qPrintable(text("study.faults"))); // with parameters that it has
 }
 
@@ -571,17 +652,27 @@ void TestStudyDesign::faultsStandAtTheirFields() {
     openDraft(tests::smallStudy("faults"));
     const auto wrong = [&](const char* field, const QString& words, const char* expected) {
         type(field, words);
-        QTRY_VERIFY2_WITH_TIMEOUT(faultAt(field).contains(QLatin1String(expected)), qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(field), faultAt(field))), kPatience_ms);
+        QTRY_VERIFY2_WITH_TIMEOUT(
+            faultAt(field).contains(QLatin1String(expected)),
+            qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(field), faultAt(field))), kPatience_ms);
         auto* widget = find<QWidget>(field);
         QVERIFY2(widget->accessibleDescription().contains(QLatin1String(expected)), field); // heard, too
-        QVERIFY(!find<QWidget>((QByteArray(field) + ".fault").constData())->findChildren<QLabel*>().front()->pixmap(Qt::ReturnByValue).isNull()); // a sign
+        QVERIFY(!find<QWidget>((QByteArray(field) + ".fault").constData())
+                     ->findChildren<QLabel*>()
+                     .front()
+                     ->pixmap(Qt::ReturnByValue)
+                     .isNull()); // a sign
         find<QWidget>("study.next")->setFocus();
         click("study.next");
         QVERIFY2(inFocus(field), field); // and not the next page
     };
     const auto right = [&](const char* field, const QString& words) {
         type(field, words);
-        QTRY_VERIFY2_WITH_TIMEOUT(faultAt(field).isEmpty(), qPrintable(QStringLiteral("%1: %2, %3").arg(QLatin1String(field), faultAt(field), text("study.state"))), kPatience_ms);
+        QTRY_VERIFY2_WITH_TIMEOUT(
+            faultAt(field).isEmpty(),
+            qPrintable(
+                QStringLiteral("%1: %2, %3").arg(QLatin1String(field), faultAt(field), text("study.state"))),
+            kPatience_ms);
     };
     wrong("design.title", {}, "empty");
     right("design.title", QStringLiteral("Tubes"));
@@ -591,18 +682,21 @@ void TestStudyDesign::faultsStandAtTheirFields() {
     QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("not saved")), kPatience_ms);
     right("design.planned", QStringLiteral("8"));
     screen()->showTab(StudyScreen::conditionsTab);
-    wrong("condition.reference", QStringLiteral("30000"), "1.00 N/m to 20,000 N/m"); // above all that can be rendered
+    wrong("condition.reference", QStringLiteral("30000"),
+          "1.00 N/m to 20,000 N/m"); // above all that can be rendered
     right("condition.reference", QStringLiteral("300"));
     wrong("condition.id", QStringLiteral("Two Words"), "lower-case");
     wrong("condition.id", QStringLiteral("mass"), "twice"); // the other condition's
     right("condition.id", QStringLiteral("tube"));
     // From another page the button above all of them leads to the first.
-    screen()->draft().change({}, {}, [](psychophysics::StudyDesign& study) { study.conditions[1].stimulus.reference = -1.0; });
+    screen()->draft().change(
+        {}, {}, [](psychophysics::StudyDesign& study) { study.conditions[1].stimulus.reference = -1.0; });
     screen()->showTab(StudyScreen::generalTab);
     QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("study.to_fault")->isVisible(), kPatience_ms);
     QVERIFY(!find<QTabBar>("study.tabs")->tabIcon(StudyScreen::conditionsTab).isNull());
     click("study.to_fault");
-    QTRY_VERIFY_WITH_TIMEOUT(find<QDoubleSpinBox>("condition.reference") && inFocus("condition.reference"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(find<QDoubleSpinBox>("condition.reference") && inFocus("condition.reference"),
+                             kPatience_ms);
     QCOMPARE(find<QTabBar>("study.tabs")->currentIndex(), int(StudyScreen::conditionsTab));
     click("study.undo");
     QVERIFY(saved());
@@ -617,46 +711,65 @@ void TestStudyDesign::aTableOfNumbersIsPasted() {
         lines << QString::number(2.0 + 0.25 * i, 'f', 2).replace(QLatin1Char('.'), QLatin1Char(','));
     QGuiApplication::clipboard()->setText(lines.join(QStringLiteral("\r\n")));
     click("differences.levels.paste");
-    QTRY_COMPARE_WITH_TIMEOUT(design().conditions.front().stimulus.differences.size(), std::size_t{41}, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(design().conditions.front().stimulus.differences.size(), std::size_t{41},
+                              kPatience_ms);
     QVERIFY(std::abs(design().conditions.front().stimulus.differences.front() - std::log10(1.02)) < 1e-9);
     QVERIFY(std::abs(design().conditions.front().stimulus.differences.back() - std::log10(1.12)) < 1e-9);
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("differences.levels.table"))->rowCount(), 41, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(
+        m_site->find<QTableWidget>(QStringLiteral("differences.levels.table"))->rowCount(), 41, kPatience_ms);
     QVERIFY(saved());
     QGuiApplication::clipboard()->setText(QStringLiteral("2; 3; many; 5"));
     click("differences.levels.paste");
     QVERIFY(faultAt("differences.levels").contains(QStringLiteral("many")));
-    QCOMPARE(design().conditions.front().stimulus.differences.size(), std::size_t{41}); // nothing of it is taken
+    QCOMPARE(design().conditions.front().stimulus.differences.size(),
+             std::size_t{41}); // nothing of it is taken
     QGuiApplication::clipboard()->setText(QStringLiteral("-120\n5"));
     click("differences.levels.paste");
     QVERIFY(faultAt("differences.levels").contains(QStringLiteral("less than nothing")));
-    QGuiApplication::clipboard()->setText(QStringLiteral("-50; -20; -10")); // the reference above all of them: no ranking has a least one
+    QGuiApplication::clipboard()->setText(
+        QStringLiteral("-50; -20; -10")); // the reference above all of them: no ranking has a least one
     click("differences.levels.paste");
-    QTRY_VERIFY_WITH_TIMEOUT(faultAt("differences.levels").contains(QStringLiteral("above the reference")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(faultAt("differences.levels").contains(QStringLiteral("above the reference")),
+                             kPatience_ms);
     QGuiApplication::clipboard()->setText(QStringLiteral("5; 9000")); // beyond what can be rendered
     click("differences.levels.paste");
-    QTRY_VERIFY_WITH_TIMEOUT(faultAt("differences.levels").contains(QStringLiteral("can be rendered")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(faultAt("differences.levels").contains(QStringLiteral("can be rendered")),
+                             kPatience_ms);
     QGuiApplication::clipboard()->setText(QStringLiteral("5 10 20 40"));
     click("differences.levels.paste");
     QTRY_VERIFY_WITH_TIMEOUT(faultAt("differences.levels").isEmpty(), kPatience_ms);
     QVERIFY(saved());
     // A level of constant stimuli that the table has not.
-    screen()->draft().change({}, {}, [](psychophysics::StudyDesign& changed) {
-        changed.conditions.front().procedures = {psychophysics::ConstantSpec{{0.05, 0.9}, 10, true}};
-    }, true);
-    QTRY_VERIFY_WITH_TIMEOUT(faultAt("procedure.0.levels").contains(QStringLiteral("outside the table")), kPatience_ms);
+    screen()->draft().change(
+        {}, {},
+        [](psychophysics::StudyDesign& changed) {
+            changed.conditions.front().procedures = {psychophysics::ConstantSpec{{0.05, 0.9}, 10, true}};
+        },
+        true);
+    QTRY_VERIFY_WITH_TIMEOUT(faultAt("procedure.0.levels").contains(QStringLiteral("outside the table")),
+                             kPatience_ms);
 }
 
 void TestStudyDesign::numbersAreReadAsTheyWereMeant() {
     const QLocale german(QLocale::German), english(QLocale::English, QLocale::UnitedKingdom);
     using Values = std::vector<double>;
-    for (const QLocale& locale : {german, english}) { // a table copied from a colleague's program has the colleague's commas
-        QCOMPARE(desktop::readNumbers(QStringLiteral("0,5; 1; 2,25"), locale).values, (Values{0.5, 1.0, 2.25}));
-        QCOMPARE(desktop::readNumbers(QStringLiteral("0.5\t1\n2.25"), locale).values, (Values{0.5, 1.0, 2.25}));
-        QCOMPARE(desktop::readNumbers(QStringLiteral("0.5, 1, 2.25"), locale).values, (Values{0.5, 1.0, 2.25}));
+    for (const QLocale& locale :
+         {german, english}) { // a table copied from a colleague's program has the colleague's commas
+        QCOMPARE(desktop::readNumbers(QStringLiteral("0,5; 1; 2,25"), locale).values,
+                 (Values{0.5, 1.0, 2.25}));
+        QCOMPARE(desktop::readNumbers(QStringLiteral("0.5\t1\n2.25"), locale).values,
+                 (Values{0.5, 1.0, 2.25}));
+        QCOMPARE(desktop::readNumbers(QStringLiteral("0.5, 1, 2.25"), locale).values,
+                 (Values{0.5, 1.0, 2.25}));
         QCOMPARE(desktop::readNumbers(QStringLiteral("0.5,1,2.25"), locale).values, (Values{0.5, 1.0, 2.25}));
         QCOMPARE(desktop::readNumbers(QStringLiteral("5 % 10 %"), locale).values, (Values{5.0, 10.0}));
-        QCOMPARE(desktop::readNumbers(QStringLiteral("\u2212" "3; 4"), locale).values, (Values{-3.0, 4.0}));
-        QCOMPARE(desktop::readNumbers(QStringLiteral("0,5,1,5"), locale).unread, QStringLiteral("0,5,1,5")); // two numbers or four
+        QCOMPARE(desktop::readNumbers(QStringLiteral("\u2212"
+                                                     "3; 4"),
+                                      locale)
+                     .values,
+                 (Values{-3.0, 4.0}));
+        QCOMPARE(desktop::readNumbers(QStringLiteral("0,5,1,5"), locale).unread,
+                 QStringLiteral("0,5,1,5")); // two numbers or four
         QCOMPARE(desktop::readNumbers(QStringLiteral("1; x; 2"), locale).unread, QStringLiteral("x"));
         QVERIFY(desktop::readNumbers(QString(), locale).values.empty());
     }
@@ -665,7 +778,8 @@ void TestStudyDesign::numbersAreReadAsTheyWereMeant() {
 }
 
 /// What was typed and not taken is not left behind without a word: Next goes to it, and on from there.
-/// What is different in a condition is asked for once there are two; it stays with the one, and an emptied field is no text.
+/// What is different in a condition is asked for once there are two; it stays with the one, and an emptied
+/// field is no text.
 void TestStudyDesign::aConditionHasItsOwnInstructions() {
     psychophysics::StudyDesign one = tests::smallStudy("glove");
     one.conditions.resize(1);
@@ -675,18 +789,27 @@ void TestStudyDesign::aConditionHasItsOwnInstructions() {
     QTRY_COMPARE_WITH_TIMEOUT(design().conditions.size(), std::size_t{2}, kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(find<QPlainTextEdit>("condition.instructions"), kPatience_ms);
     const int shown = screen()->findChild<desktop::ConditionsPage*>()->shown();
-    const auto own = [&](int at) { return design().conditions.at(static_cast<std::size_t>(at)).instructions; };
-    find<QPlainTextEdit>("condition.instructions")->setPlainText(QStringLiteral("Put on the glove. There are four objects."));
-    QTRY_COMPARE_WITH_TIMEOUT(own(shown), (psychophysics::StudyText{{"en", "Put on the glove. There are four objects."}}), kPatience_ms);
+    const auto own = [&](int at) {
+        return design().conditions.at(static_cast<std::size_t>(at)).instructions;
+    };
+    find<QPlainTextEdit>("condition.instructions")
+        ->setPlainText(QStringLiteral("Put on the glove. There are four objects."));
+    QTRY_COMPARE_WITH_TIMEOUT(own(shown),
+                              (psychophysics::StudyText{{"en", "Put on the glove. There are four objects."}}),
+                              kPatience_ms);
     QVERIFY(own(1 - shown).empty());
-    QVERIFY2(text("condition.instructions.claims").contains(QStringLiteral("four objects")), qPrintable(text("condition.instructions.claims")));
+    QVERIFY2(text("condition.instructions.claims").contains(QStringLiteral("four objects")),
+             qPrintable(text("condition.instructions.claims")));
     find<QPlainTextEdit>("condition.instructions")->setPlainText(QStringLiteral("Put on the glove."));
     QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("condition.instructions.claims")->isHidden(), kPatience_ms);
     click("conditions.copy");
     QTRY_COMPARE_WITH_TIMEOUT(design().conditions.size(), std::size_t{3}, kPatience_ms);
     QVERIFY(own(2).empty() && !own(shown).empty());
     click(qPrintable(QStringLiteral("conditions.%1").arg(shown)));
-    QTRY_VERIFY_WITH_TIMEOUT(find<QPlainTextEdit>("condition.instructions") && find<QPlainTextEdit>("condition.instructions")->toPlainText() == QLatin1String("Put on the glove."), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(find<QPlainTextEdit>("condition.instructions") &&
+                                 find<QPlainTextEdit>("condition.instructions")->toPlainText() ==
+                                     QLatin1String("Put on the glove."),
+                             kPatience_ms);
     find<QPlainTextEdit>("condition.instructions")->setPlainText({});
     QTRY_VERIFY_WITH_TIMEOUT(own(shown).empty(), kPatience_ms);
     QVERIFY(saved());
@@ -697,13 +820,15 @@ void TestStudyDesign::anUnreadNumberKeepsItsPage() {
     const double before = design().conditions.front().stimulus.reference;
     type("condition.reference", QStringLiteral("0.5 kg"));
     enter("condition.reference");
-    QVERIFY2(faultAt("condition.reference").contains(QStringLiteral("0.5 kg")), qPrintable(faultAt("condition.reference")));
+    QVERIFY2(faultAt("condition.reference").contains(QStringLiteral("0.5 kg")),
+             qPrintable(faultAt("condition.reference")));
     QCOMPARE(design().conditions.front().stimulus.reference, before);
     QCOMPARE(find<QTabBar>("study.tabs")->currentIndex(), int(StudyScreen::conditionsTab));
     QVERIFY(inFocus("condition.reference"));
     type("condition.reference", QStringLiteral("0.25 N/mm"));
     enter("condition.reference");
-    QTRY_COMPARE_WITH_TIMEOUT(find<QTabBar>("study.tabs")->currentIndex(), int(StudyScreen::trialsTab), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(find<QTabBar>("study.tabs")->currentIndex(), int(StudyScreen::trialsTab),
+                              kPatience_ms);
     QCOMPARE(design().conditions.front().stimulus.reference, 250.0);
     QVERIFY(saved());
 }
@@ -713,34 +838,51 @@ void TestStudyDesign::placeholdersAreNotFrozen() {
     plain.id = "hasty";
     openDraft(plain, StudyScreen::checkTab);
     QTRY_VERIFY_WITH_TIMEOUT(find<QWidget>("check.aim.go"), kPatience_ms);
-    QVERIFY(find<QWidget>("check.ethics.go") && find<QWidget>("check.consent.go") && find<QWidget>("check.pilot.go"));
-    QVERIFY(!find<QWidget>("check.participants.go") && !find<QWidget>("check.practice.go") && !find<QWidget>("check.design.go"));
+    QVERIFY(find<QWidget>("check.ethics.go") && find<QWidget>("check.consent.go") &&
+            find<QWidget>("check.pilot.go"));
+    QVERIFY(!find<QWidget>("check.participants.go") && !find<QWidget>("check.practice.go") &&
+            !find<QWidget>("check.design.go"));
     click("check.freeze");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QDialog>(QStringLiteral("freeze")), kPatience_ms);
-    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("freeze.accept"))->isEnabled() && m_site->find<QWidget>(QStringLiteral("freeze.cannot"))->isVisible());
-    QVERIFY(!m_site->find<QCheckBox>(QStringLiteral("freeze.seen"))->isVisible()); // no word makes up for what is missing
-    auto* go = m_site->find<QDialog>(QStringLiteral("freeze"))->findChild<QPushButton*>(QStringLiteral("check.aim.go"));
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("freeze.accept"))->isEnabled() &&
+            m_site->find<QWidget>(QStringLiteral("freeze.cannot"))->isVisible());
+    QVERIFY(!m_site->find<QCheckBox>(QStringLiteral("freeze.seen"))
+                 ->isVisible()); // no word makes up for what is missing
+    auto* go = m_site->find<QDialog>(QStringLiteral("freeze"))
+                   ->findChild<QPushButton*>(QStringLiteral("check.aim.go"));
     QVERIFY(go);
     go->click();
-    QTRY_VERIFY_WITH_TIMEOUT(find<QPlainTextEdit>("design.objective") && inFocus("design.objective"), kPatience_ms);
-    QVERIFY(find<QPlainTextEdit>("design.objective")->toPlainText().isEmpty()); // the placeholder is not shown as somebody's aim
+    QTRY_VERIFY_WITH_TIMEOUT(find<QPlainTextEdit>("design.objective") && inFocus("design.objective"),
+                             kPatience_ms);
+    QVERIFY(find<QPlainTextEdit>("design.objective")
+                ->toPlainText()
+                .isEmpty()); // the placeholder is not shown as somebody's aim
     type("design.objective", QStringLiteral("Whether it works."));
     type("design.ethics", QStringLiteral("Not needed: the authors try it themselves."));
     QVERIFY(saved());
     screen()->showTab(StudyScreen::checkTab);
-    QTRY_VERIFY_WITH_TIMEOUT(find<QWidget>("check.aim") && !find<QWidget>("check.aim.go") && !find<QWidget>("check.ethics.go"), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(!find<desktop::CheckList>("check.list")->has(desktop::FreezeCheck::State::waiting), kPatience_ms);
-    QVERIFY2(text("check.precision.words").contains(QStringLiteral("factor of")), qPrintable(text("check.precision.words")));
-    QVERIFY2(text("check.duration.words").contains(QStringLiteral("as simulated")), qPrintable(text("check.duration.words")));
-    screen()->draft().change({}, {}, [](psychophysics::StudyDesign& study) { study.trial.practiceTrials = 0; }, true);
+    QTRY_VERIFY_WITH_TIMEOUT(find<QWidget>("check.aim") && !find<QWidget>("check.aim.go") &&
+                                 !find<QWidget>("check.ethics.go"),
+                             kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        !find<desktop::CheckList>("check.list")->has(desktop::FreezeCheck::State::waiting), kPatience_ms);
+    QVERIFY2(text("check.precision.words").contains(QStringLiteral("factor of")),
+             qPrintable(text("check.precision.words")));
+    QVERIFY2(text("check.duration.words").contains(QStringLiteral("as simulated")),
+             qPrintable(text("check.duration.words")));
+    screen()->draft().change(
+        {}, {}, [](psychophysics::StudyDesign& study) { study.trial.practiceTrials = 0; }, true);
     QTRY_VERIFY_WITH_TIMEOUT(find<QWidget>("check.practice.go"), kPatience_ms); // the lines follow the design
 }
 
 void TestStudyDesign::aPreviewThatIsLeftIsTold() {
     QStringList told;
     QObject hears; // no longer than what it writes to
-    connect(&m_site->context.messages(), &desktop::Messages::told, &hears, [&told](const desktop::Message& message) { told << message.text; });
-    const auto stopped = [&told] { return told.join(QLatin1Char('|')).contains(QStringLiteral("The preview was stopped")); };
+    connect(&m_site->context.messages(), &desktop::Messages::told, &hears,
+            [&told](const desktop::Message& message) { told << message.text; });
+    const auto stopped = [&told] {
+        return told.join(QLatin1Char('|')).contains(QStringLiteral("The preview was stopped"));
+    };
     openDraft(tests::smallStudy("left_preview"), StudyScreen::previewTab);
     QTRY_VERIFY_WITH_TIMEOUT(shown<QSpinBox>("preview.runs"), kPatience_ms);
     shown<QSpinBox>("preview.runs")->setValue(2000); // long enough to be left
@@ -754,21 +896,25 @@ void TestStudyDesign::aPreviewThatIsLeftIsTold() {
     QVERIFY(!stopped());
 }
 
-/// What freezing asks for is said where it is typed, and what freezing asks at last is in sight of its button.
+/// What freezing asks for is said where it is typed, and what freezing asks at last is in sight of its
+/// button.
 void TestStudyDesign::whatIsRequiredIsMarked() {
     openDraft(tests::smallStudy("required"));
     for (const char* field : {"design.title", "design.objective", "design.ethics", "design.consent"})
         QVERIFY2(find<QWidget>(field)->accessibleName().contains(QStringLiteral("required")), field);
-    screen()->draft().change({}, {}, [](psychophysics::StudyDesign& study) { study.ethics = "Not needed."; }, true);
+    screen()->draft().change(
+        {}, {}, [](psychophysics::StudyDesign& study) { study.ethics = "Not needed."; }, true);
     screen()->showTab(StudyScreen::checkTab);
     QVERIFY(saved());
     click("check.freeze");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QDialog>(QStringLiteral("freeze")), kPatience_ms);
     auto* dialog = m_site->find<QDialog>(QStringLiteral("freeze"));
     auto* seen = dialog->findChild<QCheckBox*>(QStringLiteral("freeze.seen"));
-    QTRY_VERIFY_WITH_TIMEOUT(!dialog->findChild<desktop::CheckList*>()->has(desktop::FreezeCheck::State::waiting), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        !dialog->findChild<desktop::CheckList*>()->has(desktop::FreezeCheck::State::waiting), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(seen->isVisible(), kPatience_ms); // nobody has tried it
-    QVERIFY(dialog->rect().contains(QRect(seen->mapTo(dialog, QPoint()), seen->size())) && !seen->visibleRegion().isEmpty());
+    QVERIFY(dialog->rect().contains(QRect(seen->mapTo(dialog, QPoint()), seen->size())) &&
+            !seen->visibleRegion().isEmpty());
     click("freeze.cancel");
 }
 
@@ -785,7 +931,9 @@ void TestStudyDesign::aPilotIsKeptApart() {
     QVERIFY(text("pilot.consent").contains(QStringLiteral("my own free will")));
     click("pilot.agreed");
     click("pilot.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->screen<desktop::TrialsScreen>() && m_site->screen<desktop::TrialsScreen>()->live(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->screen<desktop::TrialsScreen>() &&
+                                 m_site->screen<desktop::TrialsScreen>()->live(),
+                             kPatience_ms);
     auto* trials = m_site->screen<desktop::TrialsScreen>();
     QVERIFY(tests::beginTrials(trials)); // as any participant: instructions, controls, a free minute
     QTRY_VERIFY_WITH_TIMEOUT(trials->live()->view().canAnswer, kPatience_ms);
@@ -793,19 +941,23 @@ void TestStudyDesign::aPilotIsKeptApart() {
         QTRY_VERIFY_WITH_TIMEOUT(tests::sittingButton(trials, button)->isEnabled(), kPatience_ms);
         tests::sittingButton(trials, button)->click();
     }
-    QTRY_VERIFY_WITH_TIMEOUT(trials->live()->numbers().scored + trials->live()->numbers().spoiled > 0, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(trials->live()->numbers().scored + trials->live()->numbers().spoiled > 0,
+                             kPatience_ms);
     const int scored = trials->live()->numbers().scored;
     QVERIFY(tests::stopSitting(*m_site, trials, 30000, QStringLiteral("study"))); // back at the design
-    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong(), qlonglong(draft));
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong(),
+             qlonglong(draft));
     QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("check.pilot.row"), kPatience_ms);
-    QVERIFY2(text("check.pilot.row").contains(QStringLiteral("%1 trial").arg(scored)), qPrintable(text("check.pilot.row")));
+    QVERIFY2(text("check.pilot.row").contains(QStringLiteral("%1 trial").arg(scored)),
+             qPrintable(text("check.pilot.row")));
     QCOMPARE(find<QWidget>("check.pilot.go") == nullptr, scored > 0);
     auto connection = m_site->database().openReader();
     database::StudyReader reader(**connection, m_site->context.actor());
     const auto pilots = reader.listPilots("tried");
     QVERIFY(pilots && pilots->size() == 1);
     const auto list = reader.listStudies(true);
-    QVERIFY(list && std::none_of(list->begin(), list->end(), [](const database::StudySummary& each) { return !each.pilotOf.empty(); }));
+    QVERIFY(list && std::none_of(list->begin(), list->end(),
+                                 [](const database::StudySummary& each) { return !each.pilotOf.empty(); }));
     QVERIFY(reader.participants(draft)->empty());
     for (const char* place : {"studies", "study_run", "study_data"}) { // and no screen offers it
         m_site->go(QLatin1String(place));
@@ -815,7 +967,9 @@ void TestStudyDesign::aPilotIsKeptApart() {
                 QVERIFY2(!choice->itemText(i).contains(QStringLiteral("Pilot: ")), place);
         for (const QTableWidget* table : m_site->window->screen()->findChildren<QTableWidget*>())
             for (int row = 0; row < table->rowCount(); ++row)
-                QVERIFY2(!table->item(row, 0) || !table->item(row, 0)->text().startsWith(QStringLiteral("Pilot: ")), place);
+                QVERIFY2(!table->item(row, 0) ||
+                             !table->item(row, 0)->text().startsWith(QStringLiteral("Pilot: ")),
+                         place);
     }
 }
 

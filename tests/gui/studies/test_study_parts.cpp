@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts of the researcher's screens that need no site: forms, drafts, words.
 #include "catalogue/study_reader.h"
+#include "desktop/plots/plot_theme_of.h"
 #include "desktop/questionnaire/questionnaire_form.h"
 #include "desktop/studies/difference_table.h"
 #include "desktop/studies/field_grid.h"
@@ -9,7 +10,6 @@
 #include "desktop/studies/number_list.h"
 #include "desktop/studies/preview_work.h"
 #include "desktop/studies/procedure_form.h"
-#include "psychophysics/procedures/procedure_catalogue.h"
 #include "desktop/studies/quantity_text.h"
 #include "desktop/studies/study_draft.h"
 #include "desktop/studies/study_words.h"
@@ -17,7 +17,7 @@
 #include "desktop/study_run/experimenter_panel.h"
 #include "desktop/study_run/places_view.h"
 #include "desktop/widgets/flow_layout.h"
-#include "desktop/plots/plot_theme_of.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 #include "report/plot_view.h"
 #include "session_report/study_warning_words.h"
 #include "support/made_study.h"
@@ -25,10 +25,10 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QRadioButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QVBoxLayout>
-#include <QRadioButton>
 
 using namespace chiron;
 using psychophysics::Task;
@@ -81,7 +81,8 @@ void TestStudyParts::fieldsTakeNoMoreRoomThanTheyNeed() {
     QVERIFY2(top(below) - top(last) < 100, qPrintable(QString::number(top(below) - top(last))));
 }
 
-/// At every scale and in the longest words a name stays under its own place: seen in what it changes in the picture.
+/// At every scale and in the longest words a name stays under its own place: seen in what it changes in the
+/// picture.
 void TestStudyParts::namesOfPlacesStandApart() {
     for (const double scale : {1.0, 2.0}) {
         const desktop::Theme theme = *desktop::Theme::load(desktop::ThemeName::light, scale);
@@ -96,19 +97,24 @@ void TestStudyParts::namesOfPlacesStandApart() {
             return view.grab().toImage();
         };
         const QImage without = picture({});
-        const QImage with = picture({QStringLiteral("αριστερά"), QStringLiteral("στη μέση"), QStringLiteral("δεξιά εκεί")});
+        const QImage with =
+            picture({QStringLiteral("αριστερά"), QStringLiteral("στη μέση"), QStringLiteral("δεξιά εκεί")});
         const auto differs = [&](int x) {
             for (int y = 0; y < with.height(); ++y)
                 if (with.pixel(x, y) != without.pixel(x, y))
                     return true;
             return false;
         };
-        const double apart = 0.04 * 340 / 0.12 * 0.9 / (0.9 - 0.024); // of two places where their names stand, by the view's perspective
+        const double apart =
+            0.04 * 340 / 0.12 * 0.9 /
+            (0.9 - 0.024); // of two places where their names stand, by the view's perspective
         for (int place = -1; place <= 1; ++place)
-            QVERIFY2(differs(static_cast<int>(260 + place * apart)), qPrintable(QStringLiteral("at %1 nothing under place %2").arg(scale).arg(place)));
+            QVERIFY2(differs(static_cast<int>(260 + place * apart)),
+                     qPrintable(QStringLiteral("at %1 nothing under place %2").arg(scale).arg(place)));
         for (const double between : {-0.5, 0.5})
             for (int x = -2; x <= 2; ++x)
-                QVERIFY2(!differs(static_cast<int>(260 + between * apart) + x), qPrintable(QStringLiteral("at %1 names touch").arg(scale)));
+                QVERIFY2(!differs(static_cast<int>(260 + between * apart) + x),
+                         qPrintable(QStringLiteral("at %1 names touch").arg(scale)));
     }
 }
 
@@ -138,12 +144,13 @@ void TestStudyParts::intervalsAreNoHalves() {
             top = from;
         }
     }
-    QVERIFY2(most > picture.height() / 3, qPrintable(QString::number(most))); // 25 of 40 up to its end; the half of 15 would end at 25
+    QVERIFY2(most > picture.height() / 3,
+             qPrintable(QString::number(most))); // 25 of 40 up to its end; the half of 15 would end at 25
     QVERIFY2(top < picture.height() * 0.25, qPrintable(QString::number(top)));
 }
 
-/// Blind, the panel beside the trials tells neither condition nor estimate nor forces; what has to do with neither is told. CHIRON_KEEP_PICTURES=<folder>
-/// keeps a picture.
+/// Blind, the panel beside the trials tells neither condition nor estimate nor forces; what has to do with
+/// neither is told. CHIRON_KEEP_PICTURES=<folder> keeps a picture.
 void TestStudyParts::experimentersAreBlindToForces() {
     psychophysics::Condition condition;
     condition.id = "craggy";
@@ -166,7 +173,8 @@ void TestStudyParts::experimentersAreBlindToForces() {
         for (const QLabel* label : panel.findChildren<QLabel*>())
             words += label->text() + QLatin1Char('\n');
         if (const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES"); !folder.isEmpty())
-            panel.grab().save(folder + (numbers.blind ? QStringLiteral("/experimenter_blind.png") : QStringLiteral("/experimenter_open.png")));
+            panel.grab().save(folder + (numbers.blind ? QStringLiteral("/experimenter_blind.png")
+                                                      : QStringLiteral("/experimenter_open.png")));
         return words;
     };
     const QString blind = told();
@@ -191,21 +199,28 @@ void TestStudyParts::draftsAreUndone() {
     draft.load(desktop::plainStudy());
     const std::string before = draft.design().title.at("en");
     for (const char* title : {"A", "AB", "ABC"}) // typing is one step
-        draft.change(QStringLiteral("title"), QStringLiteral("title"), [&](psychophysics::StudyDesign& design) { design.title["en"] = title; });
+        draft.change(QStringLiteral("title"), QStringLiteral("title"),
+                     [&](psychophysics::StudyDesign& design) { design.title["en"] = title; });
     QCOMPARE(draft.history().count(), 1);
     draft.history().undo();
     QCOMPARE(draft.design().title.at("en"), before);
     draft.history().redo();
     QCOMPARE(draft.design().title.at("en"), std::string("ABC"));
     QSignalSpy structure(&draft, &desktop::StudyDraft::structureChanged);
-    draft.change(QStringLiteral("procedure"), {}, [](psychophysics::StudyDesign& design) { design.conditions.front().procedures.push_back(psychophysics::StaircaseSpec()); }, true);
+    draft.change(
+        QStringLiteral("procedure"), {},
+        [](psychophysics::StudyDesign& design) {
+            design.conditions.front().procedures.push_back(psychophysics::StaircaseSpec());
+        },
+        true);
     QCOMPARE(structure.count(), 1);
     QCOMPARE(draft.design().conditions.front().procedures.size(), 2U);
 }
 
 void TestStudyParts::listsAreRead() {
     const QLocale german(QLocale::German);
-    QCOMPARE(desktop::readNumbers(QStringLiteral("0,5; 1 ; 2,25"), german).values, (std::vector<double>{0.5, 1.0, 2.25}));
+    QCOMPARE(desktop::readNumbers(QStringLiteral("0,5; 1 ; 2,25"), german).values,
+             (std::vector<double>{0.5, 1.0, 2.25}));
     QCOMPARE(desktop::listText({0.5, 2.0}, german), QStringLiteral("0,5; 2"));
     const std::vector<double> both = desktop::differencesAround(0.2, 5);
     QCOMPARE(both[2], 0.0);
@@ -243,7 +258,8 @@ void TestStudyParts::requiredItemsAreMissed() {
     QVERIFY(form.showMissing());
     QCOMPARE(form.answered(), 0);
     form.findChild<QRadioButton*>(QStringLiteral("questionnaire.realism.4"))->click();
-    form.findChild<QLineEdit*>(QStringLiteral("questionnaire.years"))->setText(QStringLiteral("90")); // beyond 60
+    form.findChild<QLineEdit*>(QStringLiteral("questionnaire.years"))
+        ->setText(QStringLiteral("90")); // beyond 60
     form.findChild<QRadioButton*>(QStringLiteral("questionnaire.hand.1"))->click();
     QVERIFY(form.showMissing());
     form.findChild<QLineEdit*>(QStringLiteral("questionnaire.years"))->setText(QStringLiteral("9"));
@@ -256,14 +272,16 @@ void TestStudyParts::requiredItemsAreMissed() {
 
 void TestStudyParts::previewKnowsItsObserver() {
     const psychophysics::StudyDesign study = tests::smallStudy("one");
-    const auto result = desktop::previewCondition(study, 0, {.weber = 0.1, .lapse = 0.02}, 8, [](double) { return true; });
+    const auto result =
+        desktop::previewCondition(study, 0, {.weber = 0.1, .lapse = 0.02}, 8, [](double) { return true; });
     QVERIFY2(result, result ? "" : result.error().message.c_str());
     QCOMPARE(result->plan.runs, 8);
     QVERIFY(std::abs(result->plan.biasLog10) < 0.2);
     QVERIFY(result->plan.meanTrials >= 20.0 && result->plan.meanTrials <= 40.0);
     QVERIFY(result->curve.size() >= 3 && result->plan.minutes > 1.0);
     // One run has no spread: no point of the curve, which is of both.
-    const auto single = desktop::previewCondition(study, 0, {.weber = 0.1, .lapse = 0.02}, 1, [](double) { return true; });
+    const auto single =
+        desktop::previewCondition(study, 0, {.weber = 0.1, .lapse = 0.02}, 1, [](double) { return true; });
     QVERIFY(single && std::isfinite(single->plan.biasLog10) && !std::isfinite(single->plan.sdLog10));
     QVERIFY(single->curve.empty());
     const auto stopped = desktop::previewCondition(study, 0, {}, 8, [](double) { return false; });
@@ -278,7 +296,8 @@ void TestStudyParts::numbersWithUnits() {
     QCOMPARE(percent(std::nan(""), m_locale), QStringLiteral("–"));
     QCOMPARE(plainNumber(4.0, m_locale), QStringLiteral("4"));
     QCOMPARE(plainNumber(3.5, m_locale), QStringLiteral("3.5"));
-    QCOMPARE(session_report::warningWords({psychophysics::WarningKind::noMarks}), QStringLiteral("There is no mark to summarise."));
+    QCOMPARE(session_report::warningWords({psychophysics::WarningKind::noMarks}),
+             QStringLiteral("There is no mark to summarise."));
 }
 
 // A low field beside a high button, and below them what did not fit any more.
@@ -308,32 +327,53 @@ void TestStudyParts::quantitiesAreReadWithTheirUnits() {
         Fault fault;
         double value;
     };
-    for (const Case& each : {Case{"0.3 N/mm", "N/m", Fault::none, 300.0}, Case{"0.3N/mm", "N/m", Fault::none, 300.0}, Case{"300", "N/m", Fault::none, 300.0},
-                             Case{"300 N/m", "N/m", Fault::none, 300.0}, Case{"2 kN/m", "N/m", Fault::none, 2000.0}, Case{"20 mm", "m", Fault::none, 0.02},
-                             Case{"1500 ms", "s", Fault::none, 1.5}, Case{"2 min", "s", Fault::none, 120.0}, Case{"0.05 kg", "g", Fault::none, 50.0},
-                             Case{"0.1 mm", "\u00B5m", Fault::none, 100.0}, Case{"100 \u03BCm", "\u00B5m", Fault::none, 100.0}, Case{"300 mN", "N", Fault::none, 0.3},
-                             Case{"200 mm/s", "m/s", Fault::none, 0.2}, Case{"4 Ns/m", "N\u00B7s/m", Fault::none, 4.0}, Case{"30 %", "", Fault::none, 0.3},
-                             Case{"5 %", "%", Fault::none, 5.0}, Case{"0.3 kg", "N/m", Fault::otherUnit, 0.0}, Case{"0.3 N", "N/m", Fault::otherUnit, 0.0},
-                             Case{"0.3 N/mmm", "N/m", Fault::otherUnit, 0.0}, Case{"3 N", "", Fault::otherUnit, 0.0}, Case{"abc", "N/m", Fault::noNumber, 0.0},
+    for (const Case& each : {Case{"0.3 N/mm", "N/m", Fault::none, 300.0},
+                             Case{"0.3N/mm", "N/m", Fault::none, 300.0},
+                             Case{"300", "N/m", Fault::none, 300.0},
+                             Case{"300 N/m", "N/m", Fault::none, 300.0},
+                             Case{"2 kN/m", "N/m", Fault::none, 2000.0},
+                             Case{"20 mm", "m", Fault::none, 0.02},
+                             Case{"1500 ms", "s", Fault::none, 1.5},
+                             Case{"2 min", "s", Fault::none, 120.0},
+                             Case{"0.05 kg", "g", Fault::none, 50.0},
+                             Case{"0.1 mm", "\u00B5m", Fault::none, 100.0},
+                             Case{"100 \u03BCm", "\u00B5m", Fault::none, 100.0},
+                             Case{"300 mN", "N", Fault::none, 0.3},
+                             Case{"200 mm/s", "m/s", Fault::none, 0.2},
+                             Case{"4 Ns/m", "N\u00B7s/m", Fault::none, 4.0},
+                             Case{"30 %", "", Fault::none, 0.3},
+                             Case{"5 %", "%", Fault::none, 5.0},
+                             Case{"0.3 kg", "N/m", Fault::otherUnit, 0.0},
+                             Case{"0.3 N", "N/m", Fault::otherUnit, 0.0},
+                             Case{"0.3 N/mmm", "N/m", Fault::otherUnit, 0.0},
+                             Case{"3 N", "", Fault::otherUnit, 0.0},
+                             Case{"abc", "N/m", Fault::noNumber, 0.0},
                              Case{"", "N/m", Fault::empty, 0.0}}) {
-        const desktop::ReadQuantity read = desktop::readQuantity(QString::fromUtf8(each.typed), QString::fromUtf8(each.unit), m_locale);
+        const desktop::ReadQuantity read =
+            desktop::readQuantity(QString::fromUtf8(each.typed), QString::fromUtf8(each.unit), m_locale);
         QVERIFY2(read.fault == each.fault, each.typed);
-        QVERIFY2(each.fault != Fault::none || std::abs(read.value - each.value) < 1e-9 * std::max(1.0, each.value), each.typed);
+        QVERIFY2(each.fault != Fault::none ||
+                     std::abs(read.value - each.value) < 1e-9 * std::max(1.0, each.value),
+                 each.typed);
     }
     QCOMPARE(desktop::readQuantity(QStringLiteral("0,3 N/mm"), QStringLiteral("N/m"), german).value, 300.0);
     QCOMPARE(desktop::readQuantity(QStringLiteral("0.3 N/mm"), QStringLiteral("N/m"), german).value, 300.0);
-    QVERIFY(desktop::readQuantity(QStringLiteral("0,3"), QStringLiteral("N/m"), m_locale).fault == Fault::noNumber); // 0.3, or 0 and 3
+    QVERIFY(desktop::readQuantity(QStringLiteral("0,3"), QStringLiteral("N/m"), m_locale).fault ==
+            Fault::noNumber); // 0.3, or 0 and 3
 }
 
-/// A unit of the same dimension is converted and shown; anything else is told at the field, which keeps what it had.
+/// A unit of the same dimension is converted and shown; anything else is told at the field, which keeps what
+/// it had.
 void TestStudyParts::whatIsTypedIsTakenOrTold() {
     QWidget page;
     auto* column = new QVBoxLayout(&page);
     auto* grid = new desktop::FieldGrid(m_theme, m_locale, false);
     double taken = 60.0;
     int trials = 20;
-    auto* field = grid->number(QStringLiteral("Reference"), QStringLiteral("reference"), taken, {0, 1e9, 4, QStringLiteral("N/m"), 1}, [&](double now) { taken = now; });
-    auto* whole = grid->whole(QStringLiteral("Trials"), QStringLiteral("trials"), trials, 0, 100, [&](int now) { trials = now; });
+    auto* field = grid->number(QStringLiteral("Reference"), QStringLiteral("reference"), taken,
+                               {0, 1e9, 4, QStringLiteral("N/m"), 1}, [&](double now) { taken = now; });
+    auto* whole = grid->whole(QStringLiteral("Trials"), QStringLiteral("trials"), trials, 0, 100,
+                              [&](int now) { trials = now; });
     column->addWidget(grid);
     page.show();
     QVERIFY(QTest::qWaitForWindowExposed(&page));
@@ -352,11 +392,13 @@ void TestStudyParts::whatIsTypedIsTakenOrTold() {
         QCOMPARE(taken, 300.0); // also where a beginning of it is a number
         QCOMPARE(field->text(), QStringLiteral("300 N/m"));
         const QString told = grid->faultOf(QStringLiteral("reference"));
-        QVERIFY2(told.contains(QLatin1String(wrong)) && told.contains(QStringLiteral("N/m")), qPrintable(told));
+        QVERIFY2(told.contains(QLatin1String(wrong)) && told.contains(QStringLiteral("N/m")),
+                 qPrintable(told));
         QCOMPARE(grid->firstUnread(), QStringLiteral("reference"));
     }
     typeInto(field, QStringLiteral("2000000000")); // more than it takes
-    QVERIFY2(grid->faultOf(QStringLiteral("reference")).contains(QStringLiteral("from 0")), qPrintable(grid->faultOf(QStringLiteral("reference"))));
+    QVERIFY2(grid->faultOf(QStringLiteral("reference")).contains(QStringLiteral("from 0")),
+             qPrintable(grid->faultOf(QStringLiteral("reference"))));
     QCOMPARE(taken, 300.0);
     typeInto(field, QStringLiteral("120"));
     QCOMPARE(taken, 120.0);
@@ -369,7 +411,8 @@ void TestStudyParts::whatIsTypedIsTakenOrTold() {
     QVERIFY(grid->firstUnread().isEmpty());
 }
 
-/// Before anything is frozen: masking that nobody would hear, or that is off, and objects that count from a graze on.
+/// Before anything is frozen: masking that nobody would hear, or that is off, and objects that count from a
+/// graze on.
 void TestStudyParts::soundAndForceAreCheckedBeforeFreezing() {
     using State = desktop::FreezeCheck::State;
     psychophysics::StudyDesign design = desktop::plainStudy();
@@ -400,7 +443,9 @@ void TestStudyParts::anEarlierExportIsReplacedOrKept() {
     const auto writes = [&](const char* words) {
         return [folder, words]() -> core::Result<void> {
             QFile file(folder + QStringLiteral("/data"));
-            return QDir().mkpath(folder) && file.open(QIODevice::WriteOnly) && file.write(words) > 0 ? core::Result<void>() : core::fail(core::ErrorCode::storage, "not written");
+            return QDir().mkpath(folder) && file.open(QIODevice::WriteOnly) && file.write(words) > 0
+                       ? core::Result<void>()
+                       : core::fail(core::ErrorCode::storage, "not written");
         };
     };
     const auto content = [](const QString& in) {
@@ -412,7 +457,9 @@ void TestStudyParts::anEarlierExportIsReplacedOrKept() {
     QVERIFY(desktop::inPlaceOf(folder, true, writes("second")));
     QCOMPARE(content(folder), QStringLiteral("second"));
     QCOMPARE(folders(), QStringList{QStringLiteral("tables")});
-    const auto failed = desktop::inPlaceOf(folder, true, [] { return core::Result<void>(core::fail(core::ErrorCode::storage, "the disk is full")); });
+    const auto failed = desktop::inPlaceOf(folder, true, [] {
+        return core::Result<void>(core::fail(core::ErrorCode::storage, "the disk is full"));
+    });
     QVERIFY(!failed && failed.error().message == "the disk is full");
     QCOMPARE(content(folder), QStringLiteral("second")); // the earlier one is back
     QCOMPARE(folders(), QStringList{QStringLiteral("tables")});
@@ -420,10 +467,13 @@ void TestStudyParts::anEarlierExportIsReplacedOrKept() {
         (void)writes("half")();
         return core::fail(core::ErrorCode::storage, "the disk is full");
     });
-    QVERIFY(!half && half.error().message.find("the disk is full; the earlier export is now ") == 0 && half.error().message.find("tables-before") != std::string::npos);
-    QCOMPARE(content(place.filePath(QStringLiteral("tables-before"))), QStringLiteral("second")); // nothing is lost
+    QVERIFY(!half && half.error().message.find("the disk is full; the earlier export is now ") == 0 &&
+            half.error().message.find("tables-before") != std::string::npos);
+    QCOMPARE(content(place.filePath(QStringLiteral("tables-before"))),
+             QStringLiteral("second")); // nothing is lost
     QCOMPARE(desktop::freeFolder(folder), folder + QStringLiteral("-2"));
-    QCOMPARE(desktop::freeFolder(place.filePath(QStringLiteral("none"))), place.filePath(QStringLiteral("none")));
+    QCOMPARE(desktop::freeFolder(place.filePath(QStringLiteral("none"))),
+             place.filePath(QStringLiteral("none")));
     const auto missing = desktop::inPlaceOf(place.filePath(QStringLiteral("none")), true, writes("never"));
     QVERIFY(!missing && missing.error().message.find("cannot be moved away") != std::string::npos);
 }

@@ -10,7 +10,6 @@
 #include "support/patience.h"
 
 #include <QCheckBox>
-#include <QDialog>
 #include <QComboBox>
 #include <QDialog>
 #include <QDir>
@@ -88,18 +87,22 @@ void TestStudyScreens::emptyStates() {
         QTRY_COMPARE_WITH_TIMEOUT(panel->state(), desktop::StatePanel::State::empty, kPatience_ms);
     }
     go("study", {{QStringLiteral("study"), 4711}});
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->window->screen()->findChild<desktop::StatePanel*>()->state(), desktop::StatePanel::State::error, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->window->screen()->findChild<desktop::StatePanel*>()->state(),
+                              desktop::StatePanel::State::error, kPatience_ms);
 }
 
 void TestStudyScreens::draftFromPlain() {
     go("studies");
     click("studies.new");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")),
+                             kPatience_ms);
     click("new_study.template.new_study");
     m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->setText(QStringLiteral("first_study"));
-    QMetaObject::invokeMethod(m_site->find<QLineEdit>(QStringLiteral("new_study.key")), "textEdited", Q_ARG(QString, QStringLiteral("first_study")));
+    QMetaObject::invokeMethod(m_site->find<QLineEdit>(QStringLiteral("new_study.key")), "textEdited",
+                              Q_ARG(QString, QStringLiteral("first_study")));
     click("new_study.accept");
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study"),
+                              kPatience_ms);
     m_study = m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong();
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("design.title")), kPatience_ms);
 }
@@ -112,7 +115,8 @@ void TestStudyScreens::changedUndoneAndKept() {
     QTest::keyClicks(title, QStringLiteral("Feeling tubes"));
     QCOMPARE(screen->draft().design().title.at("en"), std::string("Feeling tubes"));
     click("study.undo");
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("design.title"))->text(), QStringLiteral("New study"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("design.title"))->text(),
+                              QStringLiteral("New study"), kPatience_ms);
     click("study.redo");
     QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("all changes saved")), kPatience_ms);
     auto connection = m_site->database().openReader();
@@ -122,18 +126,23 @@ void TestStudyScreens::changedUndoneAndKept() {
 
 void TestStudyScreens::faultsAreSaid() {
     auto* screen = m_site->screen<desktop::StudyScreen>();
-    screen->draft().change({}, {}, [](psychophysics::StudyDesign& design) { design.conditions.front().stimulus.reference = -1.0; });
+    screen->draft().change({}, {}, [](psychophysics::StudyDesign& design) {
+        design.conditions.front().stimulus.reference = -1.0;
+    });
     QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("not saved")), kPatience_ms);
     const auto* freeze = m_site->find<QPushButton>(QStringLiteral("study.freeze"));
     QVERIFY(!freeze->isEnabled() && !freeze->toolTip().isEmpty());
     click("study.undo");
     QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("all changes saved")), kPatience_ms);
-    screen->draft().change({}, {}, [](psychophysics::StudyDesign& design) { // small enough for the rest
-        design.questionnaires = tests::smallStudy("x").questionnaires;
-        design.blindExperimenter = true;
-        design.objective["en"] = "Whether tubes can be told apart."; // else nobody freezes it
-        design.ethics = "Not needed: a test.";
-    }, true);
+    screen->draft().change(
+        {}, {},
+        [](psychophysics::StudyDesign& design) { // small enough for the rest
+            design.questionnaires = tests::smallStudy("x").questionnaires;
+            design.blindExperimenter = true;
+            design.objective["en"] = "Whether tubes can be told apart."; // else nobody freezes it
+            design.ethics = "Not needed: a test.";
+        },
+        true);
     QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("all changes saved")), kPatience_ms);
     for (int tab = 0; tab < desktop::StudyScreen::tabs; ++tab) { // each page can be built
         screen->showTab(tab);
@@ -155,7 +164,8 @@ void TestStudyScreens::frozen() {
     auto* seen = m_site->find<QCheckBox>(QStringLiteral("freeze.seen"));
     QVERIFY(seen && seen->isVisible()); // nobody has tried it
     seen->click();
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("freeze.accept"))->isEnabled(), kPatience_ms); // once simulated observers have done it
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("freeze.accept"))->isEnabled(),
+                             kPatience_ms); // once simulated observers have done it
     click("freeze.accept");
     QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(sha.left(12)), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.enrol")), kPatience_ms);
@@ -175,7 +185,9 @@ void TestStudyScreens::enrolledAndConsented() {
     QVERIFY(agreed && !m_site->find<QPushButton>(QStringLiteral("consent.accept"))->isEnabled());
     agreed->click();
     click("consent.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.run")) && m_site->find<QPushButton>(QStringLiteral("participants.run"))->isEnabled(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.run")) &&
+                                 m_site->find<QPushButton>(QStringLiteral("participants.run"))->isEnabled(),
+                             kPatience_ms);
     QCOMPARE(m_site->find<QTableWidget>(QStringLiteral("participants.table"))->item(0, 0)->text(), m_code);
 }
 
@@ -195,22 +207,28 @@ void TestStudyScreens::theNewOneIsSelected() {
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QCheckBox>(QStringLiteral("consent.agreed")), kPatience_ms);
     QVERIFY(!text("consent.instructions").isEmpty()); // who agrees says that they have read them
     const auto* dialog = m_site->find<QDialog>(QStringLiteral("consent"));
-    QVERIFY(dialog && dialog->width() >= m_site->window->width() && dialog->height() >= m_site->window->height()); // what lies behind names conditions
+    QVERIFY(dialog && dialog->width() >= m_site->window->width() &&
+            dialog->height() >= m_site->window->height()); // what lies behind names conditions
     QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     QTRY_COMPARE_WITH_TIMEOUT(selected(), second, kPatience_ms);
     m_site->find<QCheckBox>(QStringLiteral("consent.agreed"))->click();
     click("consent.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.run"))->isEnabled() && tests::waitUntilLoaded(*m_site), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.run"))->isEnabled() &&
+                                 tests::waitUntilLoaded(*m_site),
+                             kPatience_ms);
     QCOMPARE(selected(), second); // read anew: still the same
     click("participants.run");
-    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("participant")).toString(), second);
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("participant")).toString(),
+             second);
     QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
 }
 
-/// Instead of an identity, or with it: who has an account gets what they do here when they ask for their data.
+/// Instead of an identity, or with it: who has an account gets what they do here when they ask for their
+/// data.
 void TestStudyScreens::anAccountIsNamed() {
     const auto number = tests::addDraft(*m_site, m_site->context.actor(), tests::smallStudy("linked"));
-    tests::writeAs(*m_site, m_site->context.actor(), [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
+    tests::writeAs(*m_site, m_site->context.actor(),
+                   [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
     go("study", {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("tab"), 5}});
     click("participants.enrol");
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("enrol.accept"))->isEnabled());
@@ -220,7 +238,9 @@ void TestStudyScreens::anAccountIsNamed() {
     click("enrol.accept");
     const auto said = [this] {
         const auto labels = m_site->find<QDialog>(QStringLiteral("enrol"))->findChildren<QLabel*>();
-        return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) { return label->isVisible() && label->text().contains(QStringLiteral("nobody here")); });
+        return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+            return label->isVisible() && label->text().contains(QStringLiteral("nobody here"));
+        });
     };
     QTRY_VERIFY_WITH_TIMEOUT(said(), kPatience_ms);
     QVERIFY(text("enrol.code").isEmpty());
@@ -237,18 +257,25 @@ void TestStudyScreens::anAccountIsNamed() {
     QCOMPARE(QString::fromStdString(held->participations.front().participant.code), code);
 }
 
-/// On the Run screen what is asked about a condition comes once it is done, and is shown by condition where the data are.
+/// On the Run screen what is asked about a condition comes once it is done, and is shown by condition where
+/// the data are.
 void TestStudyScreens::askedAfterEachCondition() {
     const database::Actor rhea = m_site->context.actor();
     psychophysics::StudyDesign design = tests::smallStudy("each_condition");
     design.questionnaires.front().when = psychophysics::Questionnaire::When::afterCondition;
     const auto number = tests::addDraft(*m_site, rhea, design);
-    tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
+    tests::writeAs(*m_site, rhea,
+                   [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
     const auto participant = tests::addParticipant(*m_site, rhea, number, design, "somebody");
-    const auto open = [&] { go("study_run", {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("participant"), QString::fromStdString(participant.code)}}); };
+    const auto open = [&] {
+        go("study_run", {{QStringLiteral("study"), qlonglong(number)},
+                         {QStringLiteral("participant"), QString::fromStdString(participant.code)}});
+    };
     const auto offered = [&] {
         const auto all = m_site->window->screen()->findChildren<QPushButton*>();
-        return std::count_if(all.begin(), all.end(), [](const QPushButton* each) { return each->objectName().startsWith(QStringLiteral("run.questionnaire.validity.")); });
+        return std::count_if(all.begin(), all.end(), [](const QPushButton* each) {
+            return each->objectName().startsWith(QStringLiteral("run.questionnaire.validity."));
+        });
     };
     open();
     QCOMPARE(offered(), 0); // nothing was done yet
@@ -259,42 +286,55 @@ void TestStudyScreens::askedAfterEachCondition() {
     while (!text(qPrintable(QStringLiteral("run.state.%1").arg(done))).startsWith(QStringLiteral("done")))
         QVERIFY(++done < 2);
     const auto* asks = m_site->find<QPushButton>(QStringLiteral("run.questionnaire.validity.%1").arg(done));
-    QVERIFY2(asks && asks->accessibleName().endsWith(QStringLiteral("about condition %1").arg(done + 1)), asks ? qPrintable(asks->accessibleName()) : "nothing");
+    QVERIFY2(asks && asks->accessibleName().endsWith(QStringLiteral("about condition %1").arg(done + 1)),
+             asks ? qPrintable(asks->accessibleName()) : "nothing");
     const auto all = m_site->window->screen()->findChildren<QPushButton*>();
-    (*std::find_if(all.begin(), all.end(), [](const QPushButton* each) { return each->objectName().startsWith(QStringLiteral("run.questionnaire.validity.")); }))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4")), kPatience_ms);
+    (*std::find_if(all.begin(), all.end(), [](const QPushButton* each) {
+        return each->objectName().startsWith(QStringLiteral("run.questionnaire.validity."));
+    }))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4")),
+                             kPatience_ms);
     m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4"))->click();
     m_site->find<QLineEdit>(QStringLiteral("questionnaire.years"))->setText(QStringLiteral("7"));
     m_site->find<QRadioButton>(QStringLiteral("questionnaire.hand.1"))->click();
     click("questionnaire.submit");
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"),
+                              kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     QCOMPARE(offered(), 0); // answered; of the other condition there is nothing to ask yet
     auto connection = m_site->database().openReader();
     const auto answers = database::StudyReader(**connection, rhea).questionnaireAnswers(number);
     QVERIFY(answers && answers->size() == 3);
-    QVERIFY(std::all_of(answers->begin(), answers->end(), [](const database::QuestionnaireAnswer& each) { return each.condition == "stiffness" && each.language == "en"; }));
-    go("study_data", {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("tab"), int(desktop::StudyDataScreen::questionnairesTab)}});
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLabel>(QStringLiteral("summary.validity.stiffness")), kPatience_ms);
+    QVERIFY(std::all_of(answers->begin(), answers->end(), [](const database::QuestionnaireAnswer& each) {
+        return each.condition == "stiffness" && each.language == "en";
+    }));
+    go("study_data", {{QStringLiteral("study"), qlonglong(number)},
+                      {QStringLiteral("tab"), int(desktop::StudyDataScreen::questionnairesTab)}});
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLabel>(QStringLiteral("summary.validity.stiffness")),
+                             kPatience_ms);
     QVERIFY(!m_site->find<QLabel>(QStringLiteral("summary.validity.mass")));
 }
 
-/// What the design says is asked for, stored with the participation, and nobody is enrolled without what must be answered.
+/// What the design says is asked for, stored with the participation, and nobody is enrolled without what must
+/// be answered.
 void TestStudyScreens::fieldsAreWrittenDownAtTheEnrolment() {
     const database::Actor rhea = m_site->context.actor();
     psychophysics::StudyDesign design = tests::smallStudy("fields");
     const auto instruments = catalogue::loadInstruments();
     QVERIFY(instruments);
     for (const catalogue::Instrument& each : *instruments)
-        if (each.questionnaire.when == psychophysics::Questionnaire::When::enrolment || each.questionnaire.id == "nasa_tlx")
+        if (each.questionnaire.when == psychophysics::Questionnaire::When::enrolment ||
+            each.questionnaire.id == "nasa_tlx")
             design.questionnaires.push_back(each.questionnaire);
     const auto number = tests::addDraft(*m_site, rhea, design);
-    tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
+    tests::writeAs(*m_site, rhea,
+                   [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
     go("study", {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("tab"), 5}});
     click("participants.enrol");
     m_site->find<QLineEdit>(QStringLiteral("enrol.identity"))->setText(QStringLiteral("Dr Example"));
     click("enrol.accept"); // age is missing: nobody is enrolled
-    QVERIFY(text("enrol.code").isEmpty() && m_site->find<QPushButton>(QStringLiteral("enrol.accept"))->isVisible());
+    QVERIFY(text("enrol.code").isEmpty() &&
+            m_site->find<QPushButton>(QStringLiteral("enrol.accept"))->isVisible());
     m_site->find<QLineEdit>(QStringLiteral("questionnaire.age"))->setText(QStringLiteral("34"));
     m_site->find<QRadioButton>(QStringLiteral("questionnaire.sex.0"))->click();
     m_site->find<QRadioButton>(QStringLiteral("questionnaire.handedness.1"))->click();
@@ -310,16 +350,22 @@ void TestStudyScreens::fieldsAreWrittenDownAtTheEnrolment() {
     QVERIFY(answers->front().item == "age" && answers->front().number == 34.0);
     QCOMPARE(answers->front().participant, reader.participantByCode(number, code.toStdString())->id);
     tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) {
-        return studies.recordConsent(answers->front().participant, catalogue::studySha256(QByteArray::fromStdString(design.consent.at("en"))));
+        return studies.recordConsent(
+            answers->front().participant,
+            catalogue::studySha256(QByteArray::fromStdString(design.consent.at("en"))));
     });
-    go("questionnaire", {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("participant"), code}, {QStringLiteral("questionnaire"), QStringLiteral("nasa_tlx")}});
+    go("questionnaire", {{QStringLiteral("study"), qlonglong(number)},
+                         {QStringLiteral("participant"), code},
+                         {QStringLiteral("questionnaire"), QStringLiteral("nasa_tlx")}});
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QSlider>(QStringLiteral("questionnaire.mental")), kPatience_ms);
     click("questionnaire.submit"); // a slider that nobody moved is no answer
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("questionnaire"));
     for (const char* scale : {"mental", "physical", "temporal", "performance", "effort", "frustration"})
-        QTest::keyClick(m_site->find<QSlider>(QStringLiteral("questionnaire.%1").arg(QLatin1String(scale))), Qt::Key_Right);
+        QTest::keyClick(m_site->find<QSlider>(QStringLiteral("questionnaire.%1").arg(QLatin1String(scale))),
+                        Qt::Key_Right);
     click("questionnaire.submit");
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"),
+                              kPatience_ms);
     const auto rated = reader.questionnaireAnswers(number);
     QVERIFY(rated && rated->size() == 9 && rated->back().number == 12.0);
 }
@@ -327,23 +373,31 @@ void TestStudyScreens::fieldsAreWrittenDownAtTheEnrolment() {
 void TestStudyScreens::runsInOrder() {
     go("study_run", study());
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.begin")), kPatience_ms);
-    QCOMPARE(m_site->find<QComboBox>(QStringLiteral("run.participant"))->currentData().toString(), m_code); // the first who still takes part
-    for (const QLabel* label : m_site->window->screen()->findChildren<QLabel*>()) // sealed: the condition's name is nowhere
+    QCOMPARE(m_site->find<QComboBox>(QStringLiteral("run.participant"))->currentData().toString(),
+             m_code); // the first who still takes part
+    for (const QLabel* label :
+         m_site->window->screen()->findChildren<QLabel*>()) // sealed: the condition's name is nowhere
         QVERIFY2(!label->text().contains(QStringLiteral("Stiffness")), qPrintable(label->text()));
 }
 
 void TestStudyScreens::questionnaire() {
-    go("questionnaire", {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_code}, {QStringLiteral("questionnaire"), QStringLiteral("validity")}});
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4")), kPatience_ms);
+    go("questionnaire", {{QStringLiteral("study"), qlonglong(m_study)},
+                         {QStringLiteral("participant"), m_code},
+                         {QStringLiteral("questionnaire"), QStringLiteral("validity")}});
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4")),
+                             kPatience_ms);
     click("questionnaire.submit"); // nothing answered: stays
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("questionnaire"));
     m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4"))->click();
     m_site->find<QLineEdit>(QStringLiteral("questionnaire.years"))->setText(QStringLiteral("7"));
     m_site->find<QRadioButton>(QStringLiteral("questionnaire.hand.1"))->click();
     click("questionnaire.submit");
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"),
+                              kPatience_ms);
     auto connection = m_site->database().openReader();
-    QCOMPARE(database::StudyReader(**connection, m_site->context.actor()).questionnaireAnswers(m_study)->size(), 3U);
+    QCOMPARE(
+        database::StudyReader(**connection, m_site->context.actor()).questionnaireAnswers(m_study)->size(),
+        3U);
 }
 
 /// CHIRON_KEEP_PICTURES=<folder> keeps pictures of the data's pages.
@@ -352,9 +406,11 @@ void TestStudyScreens::keepPicture(const QString& name) {
         m_site->window->grab().save(folder + name);
 }
 
-/// Three of four are in the group: who is not is named, with what to do, and so it is where conditions are compared. What has warnings is seen to have them.
+/// Three of four are in the group: who is not is named, with what to do, and so it is where conditions are
+/// compared. What has warnings is seen to have them.
 void TestStudyScreens::whoIsInTheGroup(const QString& waiting) {
-    QVERIFY2(text("data.group_statement").contains(QStringLiteral("3 of 4")), qPrintable(text("data.group_statement")));
+    QVERIFY2(text("data.group_statement").contains(QStringLiteral("3 of 4")),
+             qPrintable(text("data.group_statement")));
     const auto said = [this](const char* name) {
         QString words;
         for (const QWidget* notice : m_site->window->screen()->findChildren<QWidget*>(QLatin1String(name)))
@@ -370,15 +426,20 @@ void TestStudyScreens::whoIsInTheGroup(const QString& waiting) {
                 return column;
         return -1;
     };
-    const int weber = columnOf(QStringLiteral("Weber fraction")), warnings = columnOf(QStringLiteral("Warnings")), group = columnOf(QStringLiteral("In the group"));
+    const int weber = columnOf(QStringLiteral("Weber fraction")),
+              warnings = columnOf(QStringLiteral("Warnings")),
+              group = columnOf(QStringLiteral("In the group"));
     QVERIFY(weber >= 0 && warnings >= 0 && group >= 0);
     for (int row = 0; row < runs->rowCount(); ++row) {
-        QCOMPARE(runs->item(row, weber)->text().startsWith(QStringLiteral("! ")), !runs->item(row, warnings)->text().isEmpty());
+        QCOMPARE(runs->item(row, weber)->text().startsWith(QStringLiteral("! ")),
+                 !runs->item(row, warnings)->text().isEmpty());
         QCOMPARE(runs->item(row, group)->text(), QStringLiteral("yes"));
     }
     click("data.compare");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.comparison_table")), kPatience_ms);
-    QCOMPARE(m_site->find<QTabBar>(QStringLiteral("data.tabs"))->currentIndex(), int(desktop::StudyDataScreen::comparisonTab));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.comparison_table")),
+                             kPatience_ms);
+    QCOMPARE(m_site->find<QTabBar>(QStringLiteral("data.tabs"))->currentIndex(),
+             int(desktop::StudyDataScreen::comparisonTab));
     QVERIFY2(said("data.comparison_missing").contains(waiting), qPrintable(said("data.comparison_missing")));
 }
 
@@ -392,40 +453,51 @@ void TestStudyScreens::dataAndUnblinding() {
     for (int tab = 0; tab < desktop::StudyDataScreen::tabs; ++tab) {
         m_site->find<QTabBar>(QStringLiteral("data.tabs"))->setCurrentIndex(tab);
         QTest::qWait(50);
-        const bool ranks = tab == desktop::StudyDataScreen::groupTab || tab == desktop::StudyDataScreen::personTab;
-        const auto* worths = m_site->window->screen()->findChild<QTableWidget*>(QStringLiteral("data.worths"));
+        const bool ranks =
+            tab == desktop::StudyDataScreen::groupTab || tab == desktop::StudyDataScreen::personTab;
+        const auto* worths =
+            m_site->window->screen()->findChild<QTableWidget*>(QStringLiteral("data.worths"));
         QCOMPARE(worths != nullptr, ranks);
         QVERIFY(!worths || worths->rowCount() == 9); // three models of three objects
         keepPicture(QStringLiteral("/study_data_%1.png").arg(tab));
     }
     go("study_data", {{QStringLiteral("study"), qlonglong(studies.blind)}});
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.unblind")), kPatience_ms);
-    QVERIFY(m_site->find<QPushButton>(QStringLiteral("data.condition.0"))->text() != QStringLiteral("Stiffness of a tube"));
-    for (const int tab : {desktop::StudyDataScreen::groupTab, desktop::StudyDataScreen::personTab, desktop::StudyDataScreen::trialsTab}) {
+    QVERIFY(m_site->find<QPushButton>(QStringLiteral("data.condition.0"))->text() !=
+            QStringLiteral("Stiffness of a tube"));
+    for (const int tab : {desktop::StudyDataScreen::groupTab, desktop::StudyDataScreen::personTab,
+                          desktop::StudyDataScreen::trialsTab}) {
         m_site->find<QTabBar>(QStringLiteral("data.tabs"))->setCurrentIndex(tab);
         QTest::qWait(50);
         const QWidget* screen = m_site->window->screen();
         const auto* quality = screen->findChild<QTableWidget*>(QStringLiteral("data.quality"));
         QVERIFY(quality && quality->rowCount() == 1);
         keepPicture(QStringLiteral("/study_sealed_%1.png").arg(tab));
-        for (const char* name : {"data.runs", "data.trials", "data.worths"}) // how many trials there were, too, could tell
+        for (const char* name :
+             {"data.runs", "data.trials", "data.worths"}) // how many trials there were, too, could tell
             QVERIFY2(!screen->findChild<QTableWidget*>(QLatin1String(name)), name);
-        QVERIFY(!screen->findChild<QWidget*>(QStringLiteral("data.group_plot")) && !screen->findChild<QWidget*>(QStringLiteral("data.curve")));
+        QVERIFY(!screen->findChild<QWidget*>(QStringLiteral("data.group_plot")) &&
+                !screen->findChild<QWidget*>(QStringLiteral("data.curve")));
     }
     m_site->find<QTabBar>(QStringLiteral("data.tabs"))->setCurrentIndex(desktop::StudyDataScreen::groupTab);
     click("data.unblind");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.accept")), kPatience_ms);
-    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.accept"))->isEnabled()); // not without a reason
-    QString toCome; // one has begun, five are planned
-    for (const QLabel* label : m_site->find<QWidget>(QStringLiteral("data.ask_unblind.to_come"))->findChildren<QLabel*>())
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.accept")),
+                             kPatience_ms);
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.accept"))
+                 ->isEnabled()); // not without a reason
+    QString toCome;              // one has begun, five are planned
+    for (const QLabel* label :
+         m_site->find<QWidget>(QStringLiteral("data.ask_unblind.to_come"))->findChildren<QLabel*>())
         toCome += label->text();
     QVERIFY2(toCome.contains(QStringLiteral("6 participants are still to come")), qPrintable(toCome));
     m_site->find<QLineEdit>(QStringLiteral("data.ask_unblind.reason"))->setText(QStringLiteral("  "));
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.accept"))->isEnabled());
-    m_site->find<QLineEdit>(QStringLiteral("data.ask_unblind.reason"))->setText(QStringLiteral("A serious event"));
+    m_site->find<QLineEdit>(QStringLiteral("data.ask_unblind.reason"))
+        ->setText(QStringLiteral("A serious event"));
     click("data.ask_unblind.accept");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.condition.0")) &&
-                                 m_site->find<QPushButton>(QStringLiteral("data.condition.0"))->text() == QStringLiteral("Stiffness of a tube"),
+                                 m_site->find<QPushButton>(QStringLiteral("data.condition.0"))->text() ==
+                                     QStringLiteral("Stiffness of a tube"),
                              30000);
 }
 
@@ -435,8 +507,11 @@ void TestStudyScreens::everyWayOutOfAnExportIsTold() {
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.runs")), kPatience_ms);
     QStringList told;
     QObject hears; // no longer than what it writes to
-    QObject::connect(&m_site->context.messages(), &desktop::Messages::told, &hears, [&told](const desktop::Message& message) { told << message.text; });
-    const auto hasTold = [&](const char* words) { return told.join(QLatin1Char('|')).contains(QLatin1String(words)); };
+    QObject::connect(&m_site->context.messages(), &desktop::Messages::told, &hears,
+                     [&told](const desktop::Message& message) { told << message.text; });
+    const auto hasTold = [&](const char* words) {
+        return told.join(QLatin1Char('|')).contains(QLatin1String(words));
+    };
     click("data.csv");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QFileDialog>(QStringLiteral("data.folder")), kPatience_ms);
     m_site->find<QFileDialog>(QStringLiteral("data.folder"))->reject();
@@ -448,46 +523,58 @@ void TestStudyScreens::everyWayOutOfAnExportIsTold() {
     screen->exportCsvTo(folder.path());
     click("data.csv"); // while it is written
     QVERIFY2(hasTold("still being written"), qPrintable(told.join(QLatin1Char('|'))));
-    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))),
+                              kPatience_ms);
     QVERIFY(!QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).isEmpty());
     told.clear();
-    const QString tables = QDir(folder.path()).filePath(QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).front());
-    const auto again = [&](const char* choice, bool mayReplace = true) { // it is there already: somebody is asked
+    const QString tables =
+        QDir(folder.path())
+            .filePath(QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).front());
+    const auto again = [&](const char* choice,
+                           bool mayReplace = true) { // it is there already: somebody is asked
         told.clear();
         screen->exportCsvTo(folder.path());
         QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QMessageBox>(QStringLiteral("data.there")), kPatience_ms);
         auto* box = m_site->find<QMessageBox>(QStringLiteral("data.there"));
         QCOMPARE(box->findChild<QPushButton*>(QStringLiteral("data.there.replace")) != nullptr, mayReplace);
         box->findChild<QPushButton*>(QLatin1String(choice))->click();
-        QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QMessageBox>(QStringLiteral("data.there")), kPatience_ms); // the next one is not mistaken for it
+        QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QMessageBox>(QStringLiteral("data.there")),
+                                 kPatience_ms); // the next one is not mistaken for it
     };
     QFile mark(QDir(tables).filePath(QStringLiteral("mark")));
     QVERIFY(mark.open(QIODevice::WriteOnly));
     again("data.there.cancel");
     QVERIFY2(hasTold("is as it was"), qPrintable(told.join(QLatin1Char('|'))));
     again("data.there.beside");
-    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))),
+                              kPatience_ms);
     QVERIFY(QFileInfo::exists(tables + QStringLiteral("-2/trials.csv")) && mark.exists());
     again("data.there.replace");
-    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))),
+                              kPatience_ms);
     QVERIFY(QFileInfo::exists(tables + QStringLiteral("/trials.csv")) && !mark.exists());
     QCOMPARE(QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 2);
-    QVERIFY(QDir(tables).removeRecursively() && QDir().mkpath(tables)); // a folder that is nobody's export is never replaced
+    QVERIFY(QDir(tables).removeRecursively() &&
+            QDir().mkpath(tables)); // a folder that is nobody's export is never replaced
     again("data.there.beside", false);
-    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))),
+                              kPatience_ms);
 
     const QTemporaryDir other;
     told.clear();
     screen->exportCsvTo(other.path());
     m_site->go(QStringLiteral("studies")); // and the screen is gone when it is done
-    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))),
+                              kPatience_ms);
 }
 
 /// Whoever looks again finds it as they left it.
 void TestStudyScreens::whatGroupsIncludeIsRemembered() {
     const auto open = [this] {
         go("study_data", {{QStringLiteral("study"), qlonglong(m_data)}});
-        return QTest::qWaitFor([this] { return m_site->find<QCheckBox>(QStringLiteral("data.with_shown")) != nullptr; }, kPatience_ms);
+        return QTest::qWaitFor(
+            [this] { return m_site->find<QCheckBox>(QStringLiteral("data.with_shown")) != nullptr; },
+            kPatience_ms);
     };
     QVERIFY(open());
     auto* shown = m_site->find<QCheckBox>(QStringLiteral("data.with_shown"));
@@ -498,7 +585,9 @@ void TestStudyScreens::whatGroupsIncludeIsRemembered() {
     QVERIFY(open());
     QVERIFY(m_site->find<QCheckBox>(QStringLiteral("data.with_shown"))->isChecked());
     m_site->find<QCheckBox>(QStringLiteral("data.with_shown"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QCheckBox>(QStringLiteral("data.with_shown")) && !m_site->find<QCheckBox>(QStringLiteral("data.with_shown"))->isChecked(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QCheckBox>(QStringLiteral("data.with_shown")) &&
+                                 !m_site->find<QCheckBox>(QStringLiteral("data.with_shown"))->isChecked(),
+                             kPatience_ms);
 }
 
 /// From the page where somebody was just seen off: enrolled, agreed, and ready to begin.
@@ -519,7 +608,9 @@ void TestStudyScreens::theNextParticipantIsEnrolledWhereTheyAreRun() {
         const auto* participant = m_site->find<QComboBox>(QStringLiteral("run.participant"));
         return participant ? participant->currentData().toString() : QString();
     };
-    QTRY_COMPARE_WITH_TIMEOUT(chosen(), code, kPatience_ms); // the page behind the dialog shows somebody else until it is read again
+    QTRY_COMPARE_WITH_TIMEOUT(
+        chosen(), code,
+        kPatience_ms); // the page behind the dialog shows somebody else until it is read again
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.begin")), kPatience_ms);
 }
 
@@ -528,12 +619,15 @@ void TestStudyScreens::theTableOfTrialsFits() {
     constexpr int kReadable_px = 120; // "Zählt", "Practice" and the beginning of a reason
     for (const char* language : {"de", "el", "en"}) {
         m_site->settings.setLanguage(QLatin1String(language));
-        go("study_data", {{QStringLiteral("study"), qlonglong(m_data)}, {QStringLiteral("tab"), desktop::StudyDataScreen::trialsTab}});
+        go("study_data", {{QStringLiteral("study"), qlonglong(m_data)},
+                          {QStringLiteral("tab"), desktop::StudyDataScreen::trialsTab}});
         QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.trials")), kPatience_ms);
         auto* table = m_site->find<QTableWidget>(QStringLiteral("data.trials"));
         QCOMPARE(m_site->window->width(), 1280);
         QTRY_VERIFY2_WITH_TIMEOUT(table->horizontalScrollBar()->maximum() == 0, language, kPatience_ms);
-        QVERIFY2(table->columnWidth(3) >= kReadable_px, qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(language)).arg(table->columnWidth(3))));
+        QVERIFY2(
+            table->columnWidth(3) >= kReadable_px,
+            qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(language)).arg(table->columnWidth(3))));
         for (int column = 0; column < table->columnCount(); ++column)
             QVERIFY(!table->horizontalHeaderItem(column)->toolTip().isEmpty());
         QVERIFY(!table->item(0, 3)->toolTip().isEmpty());
@@ -542,7 +636,8 @@ void TestStudyScreens::theTableOfTrialsFits() {
 
 void TestStudyScreens::archivedWithUndo() {
     std::function<void()> undo;
-    QObject::connect(&m_site->context.messages(), &desktop::Messages::told, this, [&undo](const desktop::Message& message) { undo = message.action; });
+    QObject::connect(&m_site->context.messages(), &desktop::Messages::told, this,
+                     [&undo](const desktop::Message& message) { undo = message.action; });
     go("studies", study());
     auto* table = m_site->find<QTableWidget>(QStringLiteral("studies.table"));
     QTRY_VERIFY_WITH_TIMEOUT(table->rowCount() > 0, kPatience_ms); // those of the tests before

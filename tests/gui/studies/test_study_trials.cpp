@@ -27,7 +27,9 @@ private slots:
 
 private:
     desktop::TrialsScreen* sit(const QString& code);
-    void press(desktop::TrialsScreen* screen, const char* button) { screen->findChild<QPushButton*>(QLatin1String(button))->click(); }
+    void press(desktop::TrialsScreen* screen, const char* button) {
+        screen->findChild<QPushButton*>(QLatin1String(button))->click();
+    }
     QString where(desktop::TrialsScreen* screen);
     bool canAnswer(desktop::TrialsScreen* screen);
     void stop(desktop::TrialsScreen* screen);
@@ -49,17 +51,21 @@ void TestStudyTrials::initTestCase() {
     design.trial.betweenTrials_s = 0.1;
     m_design = design;
     m_study = tests::addDraft(*m_site, rhea, design);
-    tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(m_study); });
+    tests::writeAs(*m_site, rhea,
+                   [&](database::StudyRepository& studies) { return studies.freezeStudy(m_study); });
     m_participant = tests::addParticipant(*m_site, rhea, m_study, design, "somebody");
     m_site->logIn("rhea");
 }
 
 desktop::TrialsScreen* TestStudyTrials::sit(const QString& code) {
-    m_site->go(QStringLiteral("study_trials"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), code}, {QStringLiteral("condition"), QStringLiteral("stiffness")}});
+    m_site->go(QStringLiteral("study_trials"), {{QStringLiteral("study"), qlonglong(m_study)},
+                                                {QStringLiteral("participant"), code},
+                                                {QStringLiteral("condition"), QStringLiteral("stiffness")}});
     return m_site->screen<desktop::TrialsScreen>();
 }
 
-/// What a failure says of a sitting. Buttons are looked for on its own screen: the one before it still lives until the event loop turns.
+/// What a failure says of a sitting. Buttons are looked for on its own screen: the one before it still lives
+/// until the event loop turns.
 QString TestStudyTrials::where(desktop::TrialsScreen* screen) {
     if (!screen->live())
         return QStringLiteral("no sitting");
@@ -67,8 +73,13 @@ QString TestStudyTrials::where(desktop::TrialsScreen* screen) {
     const session::LiveStudyNumbers numbers = screen->live()->numbers();
     const auto* panel = screen->findChild<desktop::StatePanel*>();
     return QStringLiteral("state %1, session %2, scored %3, spoiled %4 (%5), panel %6, ended %7")
-        .arg(static_cast<int>(view.state)).arg(screen->live()->training().sessionId()).arg(numbers.scored).arg(numbers.spoiled)
-        .arg(QString::fromStdString(numbers.lastSpoiled)).arg(static_cast<int>(panel->state())).arg(screen->live()->training().finished());
+        .arg(static_cast<int>(view.state))
+        .arg(screen->live()->training().sessionId())
+        .arg(numbers.scored)
+        .arg(numbers.spoiled)
+        .arg(QString::fromStdString(numbers.lastSpoiled))
+        .arg(static_cast<int>(panel->state()))
+        .arg(screen->live()->training().finished());
 }
 
 bool TestStudyTrials::canAnswer(desktop::TrialsScreen* screen) {
@@ -79,10 +90,13 @@ std::vector<database::StudyTrial> TestStudyTrials::stored() {
     auto connection = m_site->database().openReader();
     database::StudyReader reader(**connection, m_site->context.actor());
     const auto runs = reader.runs(m_participant.id);
-    return runs && !runs->empty() ? *reader.studyTrials(runs->back().id) : std::vector<database::StudyTrial>();
+    return runs && !runs->empty() ? *reader.studyTrials(runs->back().id)
+                                  : std::vector<database::StudyTrial>();
 }
 
-void TestStudyTrials::stop(desktop::TrialsScreen* screen) { QVERIFY(tests::stopSitting(*m_site, screen)); }
+void TestStudyTrials::stop(desktop::TrialsScreen* screen) {
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
 
 void TestStudyTrials::unknownParticipantIsSaid() {
     desktop::TrialsScreen* screen = sit(QStringLiteral("ZZZ-ZZZ"));
@@ -94,39 +108,50 @@ void TestStudyTrials::trialsAreAnsweredAndKept() {
     desktop::TrialsScreen* screen = sit(QString::fromStdString(m_participant.code));
     QVERIFY(screen && screen->live());
     for (const QLabel* label : screen->findChildren<QLabel*>()) // no value and no name of a condition
-        QVERIFY2(!label->text().contains(QStringLiteral("N/m")) && !label->text().contains(QStringLiteral("Stiffness")), qPrintable(label->text()));
+        QVERIFY2(!label->text().contains(QStringLiteral("N/m")) &&
+                     !label->text().contains(QStringLiteral("Stiffness")),
+                 qPrintable(label->text()));
     QVERIFY2(tests::beginTrials(screen), qPrintable(where(screen)));
     for (int trial = 0; trial < 3; ++trial) {
         QVERIFY2(canAnswer(screen), qPrintable(where(screen)));
         const session::LiveStudyNumbers before = screen->live()->numbers();
         for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
             press(screen, button);
-        QTRY_VERIFY_WITH_TIMEOUT(screen->live()->numbers().scored + screen->live()->numbers().spoiled > before.scored + before.spoiled, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(screen->live()->numbers().scored + screen->live()->numbers().spoiled >
+                                     before.scored + before.spoiled,
+                                 kPatience_ms);
     }
     press(screen, "trials.experimenter");
     QVERIFY(tests::typePassword(*m_site));
-    QTRY_VERIFY_WITH_TIMEOUT(!screen->findChild<QLabel*>(QStringLiteral("experimenter.progress"))->text().isEmpty(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        !screen->findChild<QLabel*>(QStringLiteral("experimenter.progress"))->text().isEmpty(), kPatience_ms);
     stop(screen);
     m_trials = stored();
     m_stored = m_trials.size();
     QVERIFY(m_stored >= 3);
 }
 
-/// What was left is said with its trial and moment, also beside somebody else's conditions; one click goes on.
+/// What was left is said with its trial and moment, also beside somebody else's conditions; one click goes
+/// on.
 void TestStudyTrials::offeredOnTheRunScreen() {
     const QString code = QString::fromStdString(m_participant.code);
-    const QString other = QString::fromStdString(tests::addParticipant(*m_site, m_site->context.actor(), m_study, m_design, "somebody else").code);
+    const QString other = QString::fromStdString(
+        tests::addParticipant(*m_site, m_site->context.actor(), m_study, m_design, "somebody else").code);
     const auto open = [&](const QString& participant) {
-        m_site->go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), participant}});
+        m_site->go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)},
+                                                 {QStringLiteral("participant"), participant}});
         QVERIFY(tests::waitUntilLoaded(*m_site));
     };
     open({}); // nobody asked for: whoever was interrupted
-    const auto scored = std::count_if(m_trials.begin(), m_trials.end(), [](const database::StudyTrial& trial) { return trial.spoiled.empty(); });
+    const auto scored =
+        std::count_if(m_trials.begin(), m_trials.end(),
+                      [](const database::StudyTrial& trial) { return trial.spoiled.empty(); });
     auto* state = m_site->find<QLabel>(QStringLiteral("run.state.0"));
     auto* second = m_site->find<QLabel>(QStringLiteral("run.state.1"));
     QVERIFY(state && second);
     const QString told = state->text() + second->text();
-    QVERIFY2(told.contains(QStringLiteral("interrupted at trial %1 of at most 40").arg(scored + 1)), qPrintable(told));
+    QVERIFY2(told.contains(QStringLiteral("interrupted at trial %1 of at most 40").arg(scored + 1)),
+             qPrintable(told));
     QVERIFY(!m_site->find<QFrame>(QStringLiteral("run.left"))); // nobody else was
     open(other);
     auto* go = m_site->find<QPushButton>(QStringLiteral("run.resume.%1").arg(code));
@@ -140,23 +165,28 @@ void TestStudyTrials::offeredOnTheRunScreen() {
     QVERIFY(screen->live());
     QCOMPARE(screen->live()->numbers().scored, static_cast<int>(scored));
     stop(screen);
-    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("participant")).toString(), code);
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("participant")).toString(),
+             code);
     m_stored = stored().size();
 }
 
 void TestStudyTrials::goesOnWhereItStopped() {
     desktop::TrialsScreen* screen = sit(QString::fromStdString(m_participant.code));
     QVERIFY(screen && screen->live());
-    QCOMPARE(screen->live()->numbers().scored + screen->live()->numbers().spoiled, static_cast<int>(m_stored));
+    QCOMPARE(screen->live()->numbers().scored + screen->live()->numbers().spoiled,
+             static_cast<int>(m_stored));
     press(screen, "trials.experimenter");
-    QVERIFY(tests::typePassword(*m_site)); // no trial of this sitting yet: nothing counted, and nothing is sealed
+    QVERIFY(
+        tests::typePassword(*m_site)); // no trial of this sitting yet: nothing counted, and nothing is sealed
     const auto beside = [screen] {
         QString words;
         for (const QLabel* label : screen->findChildren<QLabel*>())
             words += label->text() + QLatin1Char('\n');
         return words;
     };
-    QTRY_VERIFY2_WITH_TIMEOUT(beside().contains(QStringLiteral("The fidelity of each trial will appear here")), qPrintable(beside()), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(
+        beside().contains(QStringLiteral("The fidelity of each trial will appear here")),
+        qPrintable(beside()), kPatience_ms);
     QVERIFY(!beside().contains(QStringLiteral("sealed")));
     stop(screen);
     QVERIFY(stored().size() >= m_stored);
@@ -164,13 +194,16 @@ void TestStudyTrials::goesOnWhereItStopped() {
 
 /// In the language of the program; whatever else is refused keeps its own words.
 void TestStudyTrials::refusalsOfADeviceHaveWords() {
-    session::SittingError none({core::ErrorCode::badInput, "condition \"stiffness\": the device renders none of its differences"});
+    session::SittingError none(
+        {core::ErrorCode::badInput, "condition \"stiffness\": the device renders none of its differences"});
     none.device = session::DeviceRefusal::rendersNone;
-    session::SittingError less({core::ErrorCode::wrongUse, "run 1 was begun on a device that renders larger differences"});
+    session::SittingError less(
+        {core::ErrorCode::wrongUse, "run 1 was begun on a device that renders larger differences"});
     less.device = session::DeviceRefusal::rendersLess;
     session::SittingError stiff({core::ErrorCode::badInput, "a sphere of 500 N/m"});
     stiff.tooStiff = {500.0, 98.0};
-    session::SittingError version({core::ErrorCode::wrongUse, "run 1 was begun with quest@2, and this program has quest@3"});
+    session::SittingError version(
+        {core::ErrorCode::wrongUse, "run 1 was begun with quest@2, and this program has quest@3"});
     version.otherVersion = true;
     const session::SittingError other({core::ErrorCode::notFound, "nobody"});
     QStringList told;
@@ -192,7 +225,8 @@ void TestStudyTrials::refusalsOfADeviceHaveWords() {
 void TestStudyTrials::studiesOfOneTitleAreToldApart() {
     const psychophysics::StudyDesign twin = tests::smallStudy("twin"); // of the same title
     const auto second = tests::addDraft(*m_site, m_site->context.actor(), twin);
-    tests::writeAs(*m_site, m_site->context.actor(), [&](database::StudyRepository& studies) { return studies.freezeStudy(second); });
+    tests::writeAs(*m_site, m_site->context.actor(),
+                   [&](database::StudyRepository& studies) { return studies.freezeStudy(second); });
     for (const auto& [screen, name] : {std::pair{"study_run", "run.study"}, {"study_data", "data.study"}}) {
         m_site->go(QLatin1String(screen), {{QStringLiteral("study"), qlonglong(m_study)}});
         QVERIFY(tests::waitUntilLoaded(*m_site));

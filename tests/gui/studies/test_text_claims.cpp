@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every template in every language says what its settings do; and once a setting is changed, what says otherwise is found.
+// Every template in every language says what its settings do; and once a setting is changed, what says
+// otherwise is found.
 #include "catalogue/study_catalogue.h"
 #include "desktop/studies/freeze_checks.h"
 #include "desktop/studies/new_study_dialog.h"
@@ -59,7 +60,8 @@ private slots:
 
 private:
     StudyDesign of(const std::string& id) const {
-        const auto found = std::find_if(m_templates.begin(), m_templates.end(), [&](const StudyDesign& each) { return each.id == id; });
+        const auto found = std::find_if(m_templates.begin(), m_templates.end(),
+                                        [&](const StudyDesign& each) { return each.id == id; });
         return found == m_templates.end() ? StudyDesign() : *found;
     }
     std::vector<StudyDesign> m_templates;
@@ -69,7 +71,8 @@ void TestTextClaims::everyTemplateIsTrue() {
     m_templates.push_back(desktop::plainStudy());
     for (const StudyDesign& each : m_templates) {
         const auto claims = desktop::falseClaims(each, kEnglish);
-        QVERIFY2(claims.empty(), qPrintable(QString::fromStdString(each.id) + QStringLiteral(": ") + told(claims)));
+        QVERIFY2(claims.empty(),
+                 qPrintable(QString::fromStdString(each.id) + QStringLiteral(": ") + told(claims)));
     }
     m_templates.pop_back();
 }
@@ -79,7 +82,8 @@ void TestTextClaims::anotherReferenceIsFoundInEveryTitle() {
     int found = 0;
     for (StudyDesign design : m_templates)
         for (std::size_t i = 0; i < design.conditions.size(); ++i) {
-            if (!QString::fromStdString(design.conditions[i].title.at("en")).contains(QRegularExpression(QStringLiteral("\\d"))))
+            if (!QString::fromStdString(design.conditions[i].title.at("en"))
+                     .contains(QRegularExpression(QStringLiteral("\\d"))))
                 continue;
             design.conditions[i].stimulus.reference *= 2.0;
             const auto claims = desktop::falseClaims(design, kEnglish);
@@ -91,11 +95,14 @@ void TestTextClaims::anotherReferenceIsFoundInEveryTitle() {
 }
 
 void TestTextClaims::anotherTaskIsFound() {
-    for (const auto& [id, task] : {std::pair{"stiffness_2afc", Task::rank3}, {"stiffness_elastic_tube", Task::twoAfc}, {"surgeons", Task::twoAfc}}) {
+    for (const auto& [id, task] : {std::pair{"stiffness_2afc", Task::rank3},
+                                   {"stiffness_elastic_tube", Task::twoAfc},
+                                   {"surgeons", Task::twoAfc}}) {
         StudyDesign design = of(id);
         for (psychophysics::Condition& condition : design.conditions)
             condition.task = task;
-        QVERIFY2(languagesOf(desktop::falseClaims(design, kEnglish), FalseClaim::Where::instructions) == kAll, id);
+        QVERIFY2(languagesOf(desktop::falseClaims(design, kEnglish), FalseClaim::Where::instructions) == kAll,
+                 id);
     }
 }
 
@@ -103,7 +110,9 @@ void TestTextClaims::whatIsSeenIsFound() {
     StudyDesign apex = of("apex");
     apex.trial.visibleObjects = true;
     const auto claims = desktop::falseClaims(apex, kEnglish);
-    QVERIFY2(languagesOf(claims, FalseClaim::Where::instructions) == kAll && languagesOf(claims, FalseClaim::Where::aim) == kAll, qPrintable(told(claims)));
+    QVERIFY2(languagesOf(claims, FalseClaim::Where::instructions) == kAll &&
+                 languagesOf(claims, FalseClaim::Where::aim) == kAll,
+             qPrintable(told(claims)));
     StudyDesign mass = of("mass");
     mass.trial.visibleObjects = false;
     QVERIFY(languagesOf(desktop::falseClaims(mass, kEnglish), FalseClaim::Where::instructions) == kAll);
@@ -118,7 +127,8 @@ void TestTextClaims::aConditionIsMeasuredByItsOwnSettings() {
     design.objective = {{"en", "To see."}};
     design.conditions[0].instructions = {{"en", "You have three objects."}};
     design.conditions[1].instructions = {{"en", "You have two objects."}};
-    QVERIFY2(desktop::falseClaims(design, kEnglish).empty(), qPrintable(told(desktop::falseClaims(design, kEnglish))));
+    QVERIFY2(desktop::falseClaims(design, kEnglish).empty(),
+             qPrintable(told(desktop::falseClaims(design, kEnglish))));
     std::swap(design.conditions[0].instructions, design.conditions[1].instructions);
     const auto claims = desktop::falseClaims(design, kEnglish);
     QCOMPARE(claims.size(), std::size_t{2});
@@ -134,10 +144,13 @@ void TestTextClaims::anotherCriterionIsFound() {
 
 void TestTextClaims::timeAndTrialsAreFound() {
     StudyDesign design = of("stiffness_elastic_tube");
-    design.ownInstructions = psychophysics::StudyText{{"en", "Take as long as you like."}, {"de", "Sie haben 45 Sekunden."}, {"el", "Υπάρχουν 12 δοκιμές."}};
+    design.ownInstructions = psychophysics::StudyText{{"en", "Take as long as you like."},
+                                                      {"de", "Sie haben 45 Sekunden."},
+                                                      {"el", "Υπάρχουν 12 δοκιμές."}};
     QVERIFY(languagesOf(desktop::falseClaims(design, kEnglish), FalseClaim::Where::instructions) == kAll);
     design.trial.exploreLimit_s = 0.0; // then one may take as long as one likes, and 45 s are nothing still
-    QCOMPARE(languagesOf(desktop::falseClaims(design, kEnglish), FalseClaim::Where::instructions), (std::set<QString>{QStringLiteral("de"), QStringLiteral("el")}));
+    QCOMPARE(languagesOf(desktop::falseClaims(design, kEnglish), FalseClaim::Where::instructions),
+             (std::set<QString>{QStringLiteral("de"), QStringLiteral("el")}));
     design.trial.answerLimit_s = 45.0;
     design.trial.breakEvery = 12;
     QVERIFY(desktop::falseClaims(design, kEnglish).empty());
@@ -158,7 +171,8 @@ void TestTextClaims::freezingCountsParticipants_data() {
     QTest::addColumn<desktop::FreezeCheck::State>("state");
     QTest::addColumn<QString>("words");
     QTest::newRow("none") << 0 << desktop::FreezeCheck::State::bad << QStringLiteral("at least one");
-    QTest::newRow("one") << 1 << desktop::FreezeCheck::State::advice << QStringLiteral("One participant says nothing of others");
+    QTest::newRow("one") << 1 << desktop::FreezeCheck::State::advice
+                         << QStringLiteral("One participant says nothing of others");
     QTest::newRow("two") << 2 << desktop::FreezeCheck::State::good << QStringLiteral("2");
     QTest::newRow("twelve") << 12 << desktop::FreezeCheck::State::good << QStringLiteral("12");
 }
@@ -190,7 +204,9 @@ void TestTextClaims::freezingSaysSo() {
     QCOMPARE(check().state, desktop::FreezeCheck::State::good);
     design.conditions.front().stimulus.reference = 120.0;
     QCOMPARE(check().state, desktop::FreezeCheck::State::advice);
-    QVERIFY2(check().words.contains(QStringLiteral("60 N/m")) && check().words.contains(QStringLiteral("120")), qPrintable(check().words));
+    QVERIFY2(check().words.contains(QStringLiteral("60 N/m")) &&
+                 check().words.contains(QStringLiteral("120")),
+             qPrintable(check().words));
     QCOMPARE(check().field, QStringLiteral("condition.title"));
 }
 

@@ -11,4 +11,6 @@ extern "C" Q_DECL_EXPORT const char* chironSoundAbi() {
 #endif
 }
 
-extern "C" Q_DECL_EXPORT chiron::desktop::ISoundOutput* chironMakeSound() { return nullptr; }
+extern "C" Q_DECL_EXPORT chiron::desktop::ISoundOutput* chironMakeSound() {
+    return nullptr;
+}

@@ -15,8 +15,9 @@ struct Posed {
     core::Vec3 y_A = core::Vec3::UnitY();    ///< y′
 };
 
-inline Posed posedAt(const simulation::UrethraInsertionParameters& p, double s_m, const core::Vec3& off_A = core::Vec3::Zero(), double tiltX_rad = 0.0,
-           double tiltY_rad = 0.0) {
+inline Posed posedAt(const simulation::UrethraInsertionParameters& p, double s_m,
+                     const core::Vec3& off_A = core::Vec3::Zero(), double tiltX_rad = 0.0,
+                     double tiltY_rad = 0.0) {
     const simulation::UrethraCentreline line(p.anatomy);
     const simulation::CentrelinePoint at = line.at(s_m);
     const double pitch = at.psi_rad + tiltX_rad;

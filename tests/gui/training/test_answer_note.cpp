@@ -4,8 +4,8 @@
 #include "catalogue/catalogue.h"
 #include "desktop/scene3d/scene_note_painter.h"
 #include "desktop/training/answer_note.h"
-#include "session/exercise_kind.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "session/exercise_kind.h"
 
 #include <QImage>
 #include <QPainter>
@@ -38,7 +38,8 @@ haptics::DisplayState stateAt(double t_s, int trial, core::TrialPhase phase) {
 constexpr std::uint64_t kSeed = 20'261'128;
 
 AnswerNote noteOf(const catalogue::ExerciseLevel& level, const char* language = "en") {
-    return AnswerNote(level, QLocale(QLatin1String(language)), (*session::exerciseKind(level.exercise))->makeSurfaces(level, kSeed));
+    return AnswerNote(level, QLocale(QLatin1String(language)),
+                      (*session::exerciseKind(level.exercise))->makeSurfaces(level, kSeed));
 }
 
 /// Where the top of this trial's ball is, as scoring has it.
@@ -50,15 +51,19 @@ core::Vec2 topOf(const catalogue::ExerciseLevel& level, int trial) {
 }
 
 /// What is said after this tick of a trial; the state that comes with it is of the time between trials.
-QString said(const catalogue::ExerciseLevel& level, int trial, const session::LiveSample& sample, const char* language = "en") {
+QString said(const catalogue::ExerciseLevel& level, int trial, const session::LiveSample& sample,
+             const char* language = "en") {
     AnswerNote note = noteOf(level, language);
     note.take(stateAt(1.0, trial, core::TrialPhase::running), {});
     note.take(stateAt(1.1, trial, core::TrialPhase::between), std::array{sample});
     return note.note(1'100'000'000).title;
 }
-QString saidBeside(const catalogue::ExerciseLevel& level, int trial, double x_m, double y_m, const char* language = "en") {
+QString saidBeside(const catalogue::ExerciseLevel& level, int trial, double x_m, double y_m,
+                   const char* language = "en") {
     const core::Vec2 top = topOf(level, trial);
-    return said(level, trial, sampleOf(bits::kMarked, static_cast<float>(top.x() + x_m), static_cast<float>(top.y() + y_m)), language);
+    return said(level, trial,
+                sampleOf(bits::kMarked, static_cast<float>(top.x() + x_m), static_cast<float>(top.y() + y_m)),
+                language);
 }
 
 QImage painted(const SceneNote& note, double scale = 1.0) {
@@ -89,14 +94,18 @@ private slots:
             if (!level.feedback)
                 continue;
             ++training;
-            QVERIFY(topOf(level, 0) != topOf(level, 7) && topOf(level, 0).norm() > 1e-3); // or the test would take any ball for the right one
+            QVERIFY(topOf(level, 0) != topOf(level, 7) &&
+                    topOf(level, 0).norm() > 1e-3); // or the test would take any ball for the right one
             for (const int trial : {0, 7}) {
                 QCOMPARE(saidBeside(level, trial, 0.003, 0.004), QStringLiteral("5.0 mm from the top"));
                 QCOMPARE(saidBeside(level, trial, 0.0, 0.0), QStringLiteral("0.0 mm from the top"));
-                QVERIFY(saidBeside(level, trial, -0.040, 0.0).startsWith(QStringLiteral("40.0 mm from the top: not on")));
+                QVERIFY(saidBeside(level, trial, -0.040, 0.0)
+                            .startsWith(QStringLiteral("40.0 mm from the top: not on")));
                 QCOMPARE(saidBeside(level, trial, 0.003, 0.004, "de").left(3), QStringLiteral("5,0"));
                 // In the air over the very top: a miss, as it is scored.
-                session::LiveSample inTheAir = sampleOf(bits::kMarked, static_cast<float>(topOf(level, trial).x()), static_cast<float>(topOf(level, trial).y()));
+                session::LiveSample inTheAir =
+                    sampleOf(bits::kMarked, static_cast<float>(topOf(level, trial).x()),
+                             static_cast<float>(topOf(level, trial).y()));
                 inTheAir.tissueNorm_N = 0.02F;
                 QVERIFY(said(level, trial, inTheAir).startsWith(QStringLiteral("Not counted: mark while")));
             }
@@ -122,31 +131,40 @@ private slots:
                     haptics::DisplayState state = stateAt(1.0, trial, core::TrialPhase::running);
                     state.exercise.own<simulation::PalpationCues>().present = true;
                     for (std::size_t i = 0; i < places.size(); ++i)
-                        state.exercise.own<simulation::PalpationCues>().finding[i] = {true, {places[i].x(), places[i].y(), places[i].z()}, 0.0, 0, 0};
+                        state.exercise.own<simulation::PalpationCues>().finding[i] = {
+                            true, {places[i].x(), places[i].y(), places[i].z()}, 0.0, 0, 0};
                     note.take(state, {});
-                    note.take(stateAt(1.1, trial, core::TrialPhase::between), std::array{sampleOf(bits::kCompleted)});
+                    note.take(stateAt(1.1, trial, core::TrialPhase::between),
+                              std::array{sampleOf(bits::kCompleted)});
                     return note.note(1'100'000'000).title;
                 };
                 if (lumps.empty()) {
                     QCOMPARE(after({}), QStringLiteral("Trial completed. Right: there was no lump"));
-                    QVERIFY(after({core::Vec3::Zero()}).startsWith(QStringLiteral("Trial completed. There was no lump, 1 false alarm")));
+                    QVERIFY(
+                        after({core::Vec3::Zero()})
+                            .startsWith(QStringLiteral("Trial completed. There was no lump, 1 false alarm")));
                     continue;
                 }
                 const core::Vec3 above = lumps.front().p_WAbove;
                 const double reach = lumps.front().reach_m;
                 const core::Vec3 inward = core::Vec3((above.x() > 0.0 ? -1.0 : 1.0) * core::Vec3::UnitX());
-                QCOMPARE(after({above + 0.004 * inward}), QStringLiteral("Trial completed. Lump found, 4.0 mm off"));
+                QCOMPARE(after({above + 0.004 * inward}),
+                         QStringLiteral("Trial completed. Lump found, 4.0 mm off"));
                 QVERIFY(after({above + (reach - 1e-6) * inward}).contains(QStringLiteral("found")));
-                QVERIFY(after({above + (reach + 1e-4) * inward}).startsWith(QStringLiteral("Trial completed. The lump was missed, 1 false alarm")));
+                QVERIFY(
+                    after({above + (reach + 1e-4) * inward})
+                        .startsWith(QStringLiteral("Trial completed. The lump was missed, 1 false alarm")));
                 QCOMPARE(after({}), QStringLiteral("Trial completed. The lump was missed"));
-                QVERIFY(after({above, above + 0.001 * inward}).contains(QStringLiteral("1 false alarm"))); // one lump is found once
+                QVERIFY(after({above, above + 0.001 * inward})
+                            .contains(QStringLiteral("1 false alarm"))); // one lump is found once
             }
             QVERIFY(without); // a level without an empty pad would hide a mistake here
         }
         QCOMPARE(training, 2);
     }
 
-    /// Beside the mark the true top is drawn, hidden ball or not; after time ran out without a mark. As long as it is spoken of, and no longer.
+    /// Beside the mark the true top is drawn, hidden ball or not; after time ran out without a mark. As long
+    /// as it is spoken of, and no longer.
     void aTrainingLevelShowsWhereTheTopIs() {
         for (const catalogue::ExerciseLevel& level : m_catalogue->find("sphere_apex")->levels) {
             if (!level.feedback)
@@ -155,16 +173,20 @@ private slots:
             note.take(stateAt(1.0, 3, core::TrialPhase::running), {});
             scene3d::SceneState before;
             note.show(1'000'000'000, before);
-            QVERIFY(!before.answered && !before.marked && !before.objectShown && !note.holdsNext(1'000'000'000)); // nothing while the trial runs
-            note.take(stateAt(1.1, 3, core::TrialPhase::between), std::array{sampleOf(bits::kMarked, 0.012F, -0.008F)});
+            QVERIFY(!before.answered && !before.marked && !before.objectShown &&
+                    !note.holdsNext(1'000'000'000)); // nothing while the trial runs
+            note.take(stateAt(1.1, 3, core::TrialPhase::between),
+                      std::array{sampleOf(bits::kMarked, 0.012F, -0.008F)});
             scene3d::SceneState drawn;
             note.show(1'100'000'000, drawn);
             QVERIFY(drawn.answered && drawn.marked && drawn.objectShown);
             const core::Vec2 top = topOf(level, 3);
-            QVERIFY((drawn.p_WAnswer.head<2>() - top).norm() < 1e-9 && (drawn.p_WObject.head<2>() - top).norm() < 1e-9);
+            QVERIFY((drawn.p_WAnswer.head<2>() - top).norm() < 1e-9 &&
+                    (drawn.p_WObject.head<2>() - top).norm() < 1e-9);
             QVERIFY(drawn.p_WAnswer.z() - drawn.p_WObject.z() > 0.01); // upon the ball
             QVERIFY((drawn.p_WMark - core::Vec3(0.012, -0.008, 0.0)).norm() < 1e-6);
-            QVERIFY(note.holdsNext(1'100'000'000 + AnswerNote::kHeld_ns - 1) && !note.holdsNext(1'100'000'000 + AnswerNote::kHeld_ns));
+            QVERIFY(note.holdsNext(1'100'000'000 + AnswerNote::kHeld_ns - 1) &&
+                    !note.holdsNext(1'100'000'000 + AnswerNote::kHeld_ns));
             scene3d::SceneState after;
             note.show(1'100'000'001 + AnswerNote::kSaid_ns, after);
             QVERIFY(!after.answered && !after.marked && !after.objectShown);
@@ -190,19 +212,29 @@ private slots:
                 AnswerNote note = noteOf(level);
                 haptics::DisplayState state = stateAt(1.0, 0, core::TrialPhase::running);
                 state.exercise.own<simulation::PalpationCues>().present = true;
-                const core::Vec3 at = found ? lump.p_WAbove : core::Vec3(lump.p_WAbove + core::Vec3(lump.p_WAbove.x() > 0.0 ? -0.030 : 0.030, 0.0, 0.0));
-                state.exercise.own<simulation::PalpationCues>().finding[2] = {true, {at.x(), at.y(), at.z()}, 0.0, 0, 0};
-                note.take(state, std::array{sampleOf(bits::kMarked)}); // a finding is marked, and nothing is told of it yet
+                const core::Vec3 at =
+                    found ? lump.p_WAbove
+                          : core::Vec3(lump.p_WAbove +
+                                       core::Vec3(lump.p_WAbove.x() > 0.0 ? -0.030 : 0.030, 0.0, 0.0));
+                state.exercise.own<simulation::PalpationCues>().finding[2] = {
+                    true, {at.x(), at.y(), at.z()}, 0.0, 0, 0};
+                note.take(state, std::array{sampleOf(
+                                     bits::kMarked)}); // a finding is marked, and nothing is told of it yet
                 scene3d::SceneState drawn;
                 note.show(1'000'000'000, drawn);
                 QCOMPARE(drawn.exercise.of<simulation::PalpationCues>().lumps, 0);
                 note.take(stateAt(1.1, 0, core::TrialPhase::between), std::array{sampleOf(bits::kCompleted)});
                 note.show(1'100'000'000, drawn);
                 QCOMPARE(drawn.exercise.of<simulation::PalpationCues>().lumps, 1);
-                QVERIFY((core::Vec3(drawn.exercise.of<simulation::PalpationCues>().lump[0].p_W[0], drawn.exercise.of<simulation::PalpationCues>().lump[0].p_W[1], drawn.exercise.of<simulation::PalpationCues>().lump[0].p_W[2]) - lump.p_WCentre).norm() < 1e-9);
+                QVERIFY((core::Vec3(drawn.exercise.of<simulation::PalpationCues>().lump[0].p_W[0],
+                                    drawn.exercise.of<simulation::PalpationCues>().lump[0].p_W[1],
+                                    drawn.exercise.of<simulation::PalpationCues>().lump[0].p_W[2]) -
+                         lump.p_WCentre)
+                            .norm() < 1e-9);
                 QCOMPARE(drawn.exercise.of<simulation::PalpationCues>().lump[0].radius_m, lump.radius_m);
                 QCOMPARE(int(drawn.overlay.of<scene3d::PalpationOverlay>().lumpsMissed), found ? 0 : 1);
-                QVERIFY(drawn.overlay.of<scene3d::PalpationOverlay>().outcome[2] == (found ? simulation::FindingOutcome::hit : simulation::FindingOutcome::falseAlarm));
+                QVERIFY(drawn.overlay.of<scene3d::PalpationOverlay>().outcome[2] ==
+                        (found ? simulation::FindingOutcome::hit : simulation::FindingOutcome::falseAlarm));
                 QVERIFY(drawn.exercise.of<simulation::PalpationCues>().finding[2].present && !drawn.answered);
                 ++hidden;
             }
@@ -210,7 +242,8 @@ private slots:
         QVERIFY(hidden >= 4);
     }
 
-    /// Where nothing is taught, nothing of the truth comes into the picture, and no time is given to look at it.
+    /// Where nothing is taught, nothing of the truth comes into the picture, and no time is given to look at
+    /// it.
     void anAssessmentShowsNothing() {
         for (const catalogue::Exercise& exercise : m_catalogue->exercises())
             for (const catalogue::ExerciseLevel& level : exercise.levels)
@@ -224,7 +257,10 @@ private slots:
                     note.take(stateAt(1.1, 0, core::TrialPhase::between), std::array{sampleOf(end)});
                     scene3d::SceneState drawn;
                     note.show(1'100'000'000, drawn);
-                    QVERIFY2(!drawn.answered && !drawn.marked && !drawn.objectShown && drawn.exercise.of<simulation::PalpationCues>().lumps == 0 && !note.holdsNext(1'100'000'000), level.id.c_str());
+                    QVERIFY2(!drawn.answered && !drawn.marked && !drawn.objectShown &&
+                                 drawn.exercise.of<simulation::PalpationCues>().lumps == 0 &&
+                                 !note.holdsNext(1'100'000'000),
+                             level.id.c_str());
                 }
     }
 
@@ -233,7 +269,8 @@ private slots:
         for (const char* exercise : {"elastic_tube", "object_handling"}) {
             bool told = false, silent = false;
             for (const catalogue::ExerciseLevel& level : m_catalogue->find(exercise)->levels) {
-                const QString slipped = said(level, 0, sampleOf(bits::kSlipped)), damaged = said(level, 0, sampleOf(bits::kSlipped | bits::kDamaged));
+                const QString slipped = said(level, 0, sampleOf(bits::kSlipped)),
+                              damaged = said(level, 0, sampleOf(bits::kSlipped | bits::kDamaged));
                 QCOMPARE(slipped.contains(QStringLiteral("slipped")), level.feedback);
                 QCOMPARE(damaged.contains(QStringLiteral("damaged")), level.feedback); // the worse of the two
                 (level.feedback ? told : silent) = true;
@@ -269,15 +306,19 @@ private slots:
         QVERIFY(note.note(6'000'000'000).kind == SceneNote::Kind::none);
     }
 
-    /// A scene that stands still is dark all over, and a pause does not look like a stop; what is said leaves the scene as it is.
+    /// A scene that stands still is dark all over, and a pause does not look like a stop; what is said leaves
+    /// the scene as it is.
     void aVeilIsUnmistakable() {
         const QImage bare = painted({});
-        const SceneNote paused{SceneNote::Kind::paused, QStringLiteral("Paused"), QStringLiteral("Press Space.")};
-        const SceneNote stopped{SceneNote::Kind::stopped, QStringLiteral("Force is stopped"), QStringLiteral("Press R.")};
+        const SceneNote paused{SceneNote::Kind::paused, QStringLiteral("Paused"),
+                               QStringLiteral("Press Space.")};
+        const SceneNote stopped{SceneNote::Kind::stopped, QStringLiteral("Force is stopped"),
+                                QStringLiteral("Press R.")};
         for (const double scale : {1.0, 2.0})
             for (const SceneNote& note : {paused, stopped}) {
                 const QImage veiled = painted(note, scale);
-                for (const QPoint at : {QPoint(5, 5), QPoint(634, 5), QPoint(5, 354), QPoint(634, 354), QPoint(320, 350)})
+                for (const QPoint at :
+                     {QPoint(5, 5), QPoint(634, 5), QPoint(5, 354), QPoint(634, 354), QPoint(320, 350)})
                     QVERIFY(veiled.pixelColor(at).lightness() < bare.pixelColor(at).lightness() / 2);
                 int white = 0;
                 for (int y = 0; y < veiled.height(); ++y)

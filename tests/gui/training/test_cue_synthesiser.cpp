@@ -69,7 +69,8 @@ private slots:
 void TestCueSynthesiser::silentAtRest() {
     CueSynthesiser synthesiser(kRate_Hz);
     QCOMPARE(peak(rendered(synthesiser, 0.1)), 0.0f);
-    synthesiser.set({.force_N = 0.0, .limit_N = 4.0, .contacts = 7, .audible = true}); // contacts of before are old news
+    synthesiser.set(
+        {.force_N = 0.0, .limit_N = 4.0, .contacts = 7, .audible = true}); // contacts of before are old news
     QCOMPARE(peak(rendered(synthesiser, 0.5)), 0.0f);
     synthesiser.set({.force_N = 3.0, .limit_N = 4.0, .contacts = 8, .audible = false});
     QCOMPARE(peak(rendered(synthesiser, 0.5)), 0.0f);
@@ -113,7 +114,8 @@ void TestCueSynthesiser::theWarningSoundsAboveTheLimitOnly() {
     // It beats: somewhere in between the tone is alone again.
     bool quiet = false;
     for (std::size_t at = 4800; at + 2400 < warned.size(); at += 240)
-        quiet = quiet || peak({warned.begin() + static_cast<long>(at), warned.begin() + static_cast<long>(at) + 2400}) < atLimit + 0.02f;
+        quiet = quiet || peak({warned.begin() + static_cast<long>(at),
+                               warned.begin() + static_cast<long>(at) + 2400}) < atLimit + 0.02f;
     QVERIFY(quiet);
 }
 
@@ -122,7 +124,8 @@ void TestCueSynthesiser::eachCueCanBeSwitchedOffAlone() {
         CueSynthesiser synthesiser(kRate_Hz);
         synthesiser.set({.on = on, .audible = true});
         (void)rendered(synthesiser, 0.05);
-        synthesiser.set({.force_N = force_N, .limit_N = 4.0, .contacts = contacts, .on = on, .audible = true});
+        synthesiser.set(
+            {.force_N = force_N, .limit_N = 4.0, .contacts = contacts, .on = on, .audible = true});
         return peak(rendered(synthesiser, 0.1));
     };
     const desktop::SoundSwitches none{false, false, false, false};
@@ -139,7 +142,8 @@ void TestCueSynthesiser::eachCueCanBeSwitchedOffAlone() {
 void TestCueSynthesiser::leaningMakesTheToneBrighter() {
     const auto harmonic = [](double lean, bool on, int times) {
         CueSynthesiser synthesiser(kRate_Hz);
-        synthesiser.set({.force_N = 2.0, .limit_N = 4.0, .lean = lean, .on = {true, true, on, true}, .audible = true});
+        synthesiser.set(
+            {.force_N = 2.0, .limit_N = 4.0, .lean = lean, .on = {true, true, on, true}, .audible = true});
         (void)rendered(synthesiser, 0.5);
         const auto samples = rendered(synthesiser, 1.0);
         const double frequency_Hz = times * 220.0 * std::exp2(1.0);
@@ -173,7 +177,10 @@ void TestCueSynthesiser::everythingStaysContinuousAndUnclipped() {
     for (int block = 0; block < 2000; ++block) { // as jumpy as a window that stalls: any cue after any other
         seed = seed * 1664525u + 1013904223u;
         contacts += seed >> 31;
-        synthesiser.set({.force_N = ((seed >> 8) % 900) / 100.0, .limit_N = 4.0, .contacts = contacts, .lean = ((seed >> 12) % 5) / 4.0,
+        synthesiser.set({.force_N = ((seed >> 8) % 900) / 100.0,
+                         .limit_N = 4.0,
+                         .contacts = contacts,
+                         .lean = ((seed >> 12) % 5) / 4.0,
                          .audible = (seed >> 4) % 5 != 0});
         const auto samples = rendered(synthesiser, 256 / kRate_Hz);
         QVERIFY(largestStep(samples, last) < 0.35f); // the steepest sum of sines: 14 kHz never comes up
@@ -211,7 +218,8 @@ void TestCueSynthesiser::theStreamIsWholeFramesOnEveryChannel() {
     QVERIFY(source.isSequential() && source.bytesAvailable() > 0);
     cues.publish({.force_N = 2.0, .limit_N = 4.0, .contacts = 0, .audible = true});
     std::vector<std::int16_t> samples(2 * 4801);
-    QCOMPARE(source.read(reinterpret_cast<char*>(samples.data()), 4 * 4800 + 3), qint64{4 * 4800}); // no half frame
+    QCOMPARE(source.read(reinterpret_cast<char*>(samples.data()), 4 * 4800 + 3),
+             qint64{4 * 4800}); // no half frame
     int loudest = 0;
     for (std::size_t i = 0; i < 2 * 4800; i += 2) {
         QCOMPARE(samples[i], samples[i + 1]);

@@ -23,8 +23,12 @@ private slots:
 };
 
 namespace {
-devices::EndoscopeMovement moved(EndoscopeMailbox& mailbox) { return EndoscopeMailbox::toMovement(mailbox.read().moved); }
-devices::EndoscopeMovement rate(EndoscopeMailbox& mailbox) { return EndoscopeMailbox::toMovement(mailbox.read().rate_per_s); }
+devices::EndoscopeMovement moved(EndoscopeMailbox& mailbox) {
+    return EndoscopeMailbox::toMovement(mailbox.read().moved);
+}
+devices::EndoscopeMovement rate(EndoscopeMailbox& mailbox) {
+    return EndoscopeMailbox::toMovement(mailbox.read().rate_per_s);
+}
 } // namespace
 
 void TestEndoscopeControl::pixelsTurnAndShift() {
@@ -99,7 +103,8 @@ void TestEndoscopeControl::aMirroredWorkspaceKeepsRightRight() {
     EndoscopeMailbox mailbox;
     EndoscopeControl hand(mailbox, 1.0, true);
     hand.drag({10.0, 10.0}, false);
-    QCOMPARE(moved(mailbox).turnRight_rad, -10.0 * EndoscopeControl::kRadiansPerPixel); // D is mirrored, the picture is not
+    QCOMPARE(moved(mailbox).turnRight_rad,
+             -10.0 * EndoscopeControl::kRadiansPerPixel); // D is mirrored, the picture is not
     QCOMPARE(moved(mailbox).turnUp_rad, -10.0 * EndoscopeControl::kRadiansPerPixel);
 }
 
@@ -111,7 +116,8 @@ void TestEndoscopeControl::shiftAndDragShift() {
     ScenePointer pointer(hand, area, area);
     pointer.capture();
     const auto moveTo = [&](double x, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers) {
-        QMouseEvent event(QEvent::MouseMove, QPointF(x, 300.0), QPointF(x, 300.0), Qt::NoButton, buttons, modifiers);
+        QMouseEvent event(QEvent::MouseMove, QPointF(x, 300.0), QPointF(x, 300.0), Qt::NoButton, buttons,
+                          modifiers);
         QApplication::sendEvent(&area, &event);
     };
     moveTo(400.0, Qt::NoButton, Qt::NoModifier);

@@ -2,17 +2,17 @@
 // The ready card of every exercise and level: one number for each limit, and "Go" always in sight.
 #include "gui/training/training_bench.h"
 
+#include "app/exercises/object_handling/desktop/handling_grasping.h"
+#include "core/laparoscopy_cues.h"
 #include "desktop/exercise_setup/gate_words.h"
 #include "desktop/exercise_setup/level_facts.h"
-#include "app/exercises/object_handling/desktop/handling_grasping.h"
+#include "desktop/training/grasping.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_feed.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 #include "report/report_text.h"
 #include "session/level_limits.h"
 #include "support/patience.h"
-#include "core/laparoscopy_cues.h"
-#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
-#include "desktop/training/grasping.h"
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -20,7 +20,9 @@ using namespace chiron::tests;
 namespace {
 const QLocale kEnglish(QLocale::English, QLocale::UnitedKingdom);
 
-QString newtons(double value_N) { return kEnglish.toString(value_N, 'g', 3) + QStringLiteral(" N"); }
+QString newtons(double value_N) {
+    return kEnglish.toString(value_N, 'g', 3) + QStringLiteral(" N");
+}
 
 /// The metric of a pass mark on a largest value, and the limit that is shown of it.
 std::optional<double> shownLimit(const session::LevelLimits& limits, const std::string& metric) {
@@ -59,29 +61,40 @@ void TestEveryReadyCard::theLimitShownIsTheOneThatCounts() {
     everyLevel([&](const catalogue::ExerciseLevel& level, const QString& name) {
         const session::LevelLimits limits = session::levelLimits(level);
         const QString card = desktop::limitsInWords(level, kEnglish).join(QLatin1Char('\n'));
-        for (const std::optional<double>& limit : {std::optional(limits.force_N), limits.squeeze_N, limits.lateral_N, limits.retraction_N})
+        for (const std::optional<double>& limit :
+             {std::optional(limits.force_N), limits.squeeze_N, limits.lateral_N, limits.retraction_N})
             QVERIFY2(!limit || card.contains(newtons(*limit)), qPrintable(name + QLatin1Char('\n') + card));
         for (const QString& line : desktop::limitsInWords(level, kEnglish)) // the set-up screen says the same
-            QVERIFY2(desktop::levelFacts(level, kEnglish).contains(line), qPrintable(name + QStringLiteral(": ") + line));
+            QVERIFY2(desktop::levelFacts(level, kEnglish).contains(line),
+                     qPrintable(name + QStringLiteral(": ") + line));
         for (const scoring::Gate& gate : level.gates) {
             const std::optional<double> shown = shownLimit(limits, gate.metric);
             if (!shown || !gate.maximum)
                 continue;
             ++gates;
             const std::optional<double> behind = session::limitBehind(level, gate);
-            QVERIFY2(*shown == behind.value_or(*gate.maximum), qPrintable(name + QStringLiteral(": ") + QString::fromStdString(gate.metric)));
+            QVERIFY2(*shown == behind.value_or(*gate.maximum),
+                     qPrintable(name + QStringLiteral(": ") + QString::fromStdString(gate.metric)));
         }
-        // What is timed over a limit is timed over the one shown, or a stricter pass mark makes it say nothing more.
+        // What is timed over a limit is timed over the one shown, or a stricter pass mark makes it say
+        // nothing more.
         const auto kind = session::exerciseKind(level.exercise);
         QVERIFY(kind);
         const bool stricter = limits.force_N < (*kind)->forceLimit_N(level);
         QVERIFY2(stricter || limits.force_N == (*kind)->forceLimit_N(level), qPrintable(name));
-        const QString timed = desktop::gateInWords({.metric = "force_time_over_limit", .minimum = {}, .maximum = 0.2}, kEnglish).section(QLatin1Char(':'), 0, 0);
-        QVERIFY2(!stricter || desktop::gatesInWords(level, kEnglish).filter(timed).isEmpty(), qPrintable(name));
+        const QString timed =
+            desktop::gateInWords({.metric = "force_time_over_limit", .minimum = {}, .maximum = 0.2}, kEnglish)
+                .section(QLatin1Char(':'), 0, 0);
+        QVERIFY2(!stricter || desktop::gatesInWords(level, kEnglish).filter(timed).isEmpty(),
+                 qPrintable(name));
         if (const auto* handling = level.parameters.find<simulation::ObjectHandlingParameters>())
-            QCOMPARE(limits.squeeze_N.value_or(0.0), handling->squeezeLimit_N); // as the bar, the damage and the time over it have it
+            QCOMPARE(limits.squeeze_N.value_or(0.0),
+                     handling->squeezeLimit_N); // as the bar, the damage and the time over it have it
         // The scene's arrow and gauges, too.
-        QCOMPARE(desktop::sceneSetupOf(level, session::cuesOf(level, false), m_bench.desktop.context.theme(), false).forceLimit_N, limits.force_N);
+        QCOMPARE(desktop::sceneSetupOf(level, session::cuesOf(level, false), m_bench.desktop.context.theme(),
+                                       false)
+                     .forceLimit_N,
+                 limits.force_N);
     });
     QVERIFY(gates >= 3); // a squeeze, a force, a pull: content without any would prove nothing
 }
@@ -95,14 +108,19 @@ void TestEveryReadyCard::aPassMarkBesideItsLimitSaysWhy() {
                 continue;
             ++allowed;
             const QString words = desktop::gatesInWords(level, kEnglish).join(QLatin1Char('\n'));
-            QVERIFY2(words.contains(newtons(*limit)) && words.contains(QStringLiteral("time it takes to react")), qPrintable(name + QLatin1Char('\n') + words));
-            QVERIFY2(!words.contains(newtons(*gate.maximum)), qPrintable(name + QLatin1Char('\n') + words)); // one number
+            QVERIFY2(words.contains(newtons(*limit)) &&
+                         words.contains(QStringLiteral("time it takes to react")),
+                     qPrintable(name + QLatin1Char('\n') + words));
+            QVERIFY2(!words.contains(newtons(*gate.maximum)),
+                     qPrintable(name + QLatin1Char('\n') + words)); // one number
             report::MetricRow row;
             row.unit = QStringLiteral("N");
             row.gateMaximum = gate.maximum;
             row.limit = limit;
             const QString mark = report::formatGate(row, kEnglish); // debrief and report
-            QVERIFY2(mark.contains(report::formatValue(limit, row.unit, kEnglish)) && mark.contains(QLatin1Char('+')), qPrintable(mark));
+            QVERIFY2(mark.contains(report::formatValue(limit, row.unit, kEnglish)) &&
+                         mark.contains(QLatin1Char('+')),
+                     qPrintable(mark));
             QVERIFY2(!mark.contains(report::formatValue(gate.maximum, row.unit, kEnglish)), qPrintable(mark));
         }
     });
@@ -122,15 +140,22 @@ void TestEveryReadyCard::theTargetHasOneName() {
         for (const char* step : {"carry", "place", "hold"}) {
             core::LaparoscopyCues cues;
             cues.objectShown = true;
-            cues.step = step[0] == 'c' ? core::LaparoscopyStep::carry : step[0] == 'p' ? core::LaparoscopyStep::place : core::LaparoscopyStep::hold;
+            cues.step = step[0] == 'c'   ? core::LaparoscopyStep::carry
+                        : step[0] == 'p' ? core::LaparoscopyStep::place
+                                         : core::LaparoscopyStep::hold;
             const QString told = grasping.step(cues, kEnglish);
             QVERIFY2(told.contains(QStringLiteral("ring")), qPrintable(name + QStringLiteral(": ") + told));
             words += QLatin1Char(' ') + told;
-            const std::optional<double> end_mm = session::levelLimits(level).placement_mm; // told where it is judged, before and while it is done
+            const std::optional<double> end_mm =
+                session::levelLimits(level)
+                    .placement_mm; // told where it is judged, before and while it is done
             const QString end = QStringLiteral("%1 mm").arg(kEnglish.toString(end_mm.value_or(0.0), 'g', 3));
-            QVERIFY2(!end_mm || (desktop::limitsInWords(level, kEnglish).filter(end).size() == 1 && (step[0] != 'p' || told.contains(end))), qPrintable(name + QStringLiteral(": ") + told));
+            QVERIFY2(!end_mm || (desktop::limitsInWords(level, kEnglish).filter(end).size() == 1 &&
+                                 (step[0] != 'p' || told.contains(end))),
+                     qPrintable(name + QStringLiteral(": ") + told));
         }
-        QVERIFY2(QString::fromStdString(level.goal.at("en")).contains(QStringLiteral("ring")), qPrintable(name));
+        QVERIFY2(QString::fromStdString(level.goal.at("en")).contains(QStringLiteral("ring")),
+                 qPrintable(name));
         QVERIFY2(!words.contains(QStringLiteral("dish")), qPrintable(words));
     });
     QVERIFY(levels > 0);
@@ -159,7 +184,10 @@ void TestEveryReadyCard::goIsAlwaysInSight() {
         QTest::qWait(0);
         auto* go = window.findChild<QPushButton*>(QStringLiteral("training.ready.go"));
         QVERIFY2(go, qPrintable(name));
-        QVERIFY2(QTest::qWaitFor([go] { return go->isVisible() && go->width() >= go->minimumSizeHint().width(); }, kPatience_ms), qPrintable(name));
+        QVERIFY2(
+            QTest::qWaitFor([go] { return go->isVisible() && go->width() >= go->minimumSizeHint().width(); },
+                            kPatience_ms),
+            qPrintable(name));
         QCoreApplication::processEvents();
         const QRect at(go->mapTo(&window, QPoint()), go->size());
         if (!window.rect().contains(at) || go->visibleRegion().boundingRect() != go->rect())
@@ -167,7 +195,8 @@ void TestEveryReadyCard::goIsAlwaysInSight() {
         QCOMPARE(window.size(), QSize(1280, 720));
     };
     everyLevel([&](const catalogue::ExerciseLevel& level, const QString& name) {
-        m_bench.show({{QStringLiteral("exercise"), QString::fromStdString(level.exercise)}, {QStringLiteral("level"), level.number}});
+        m_bench.show({{QStringLiteral("exercise"), QString::fromStdString(level.exercise)},
+                      {QStringLiteral("level"), level.number}});
         look(name);
         auto* more = window.findChild<QPushButton*>(QStringLiteral("training.ready.more"));
         QVERIFY2(more, qPrintable(name));

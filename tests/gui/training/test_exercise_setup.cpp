@@ -28,7 +28,9 @@ void open(TrainingBench& bench, const QVariantMap& more = {}) {
     bench.desktop.go(QStringLiteral("exercise_setup"), parameters);
 }
 
-ExerciseSetupScreen* screen(TrainingBench& bench) { return bench.desktop.screen<ExerciseSetupScreen>(); }
+ExerciseSetupScreen* screen(TrainingBench& bench) {
+    return bench.desktop.screen<ExerciseSetupScreen>();
+}
 
 } // namespace
 
@@ -83,7 +85,8 @@ void TestExerciseSetup::anExpertCanBeWatchedFirst() {
     watch->setFocus();
     QTest::keyClick(watch, Qt::Key_Return); // the button that has the focus, and not Start
     QVERIFY(bench.at(QStringLiteral("training")));
-    const desktop::TrainingPlan plan = desktop::TrainingPlan::fromMap(bench.desktop.context.navigator().current().parameters);
+    const desktop::TrainingPlan plan =
+        desktop::TrainingPlan::fromMap(bench.desktop.context.navigator().current().parameters);
     QVERIFY(plan.movedBy(devices::MovedBy::scriptedOperator));
     QCOMPARE(plan.operatorName, QStringLiteral("expert"));
     QCOMPARE(plan.level, 2);
@@ -107,7 +110,9 @@ void TestExerciseSetup::saysWhatIsAskedFor() {
 void TestExerciseSetup::recommendsTheNextLevel() {
     TrainingBench bench;
     open(bench);
-    const auto words = [&](int level) { return tile(bench, QStringLiteral("setup.level.%1").arg(level))->accessibleName(); };
+    const auto words = [&](int level) {
+        return tile(bench, QStringLiteral("setup.level.%1").arg(level))->accessibleName();
+    };
     QTRY_VERIFY_WITH_TIMEOUT(words(1).contains(QStringLiteral("recommended next")), kPatience_ms);
     QVERIFY(words(2).contains(QStringLiteral("Not tried yet")));
     QCOMPARE(screen(bench)->plan().level, 1);
@@ -125,7 +130,8 @@ void TestExerciseSetup::demonstrationIsNobodysScore() {
     QCOMPARE(tile(bench, QStringLiteral("setup.start"))->text(), QStringLiteral("Watch"));
     tile(bench, QStringLiteral("setup.start"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().started, kPatience_ms);
-    QVERIFY(bench.screen()->feed()->training().felt()); // a gimbal that renders force, with a script's hand on it
+    QVERIFY(
+        bench.screen()->feed()->training().felt()); // a gimbal that renders force, with a script's hand on it
     const database::SessionId id = bench.screen()->feed()->training().sessionId();
     auto connection = bench.desktop.database().openReader();
     const auto record = database::SessionReader(**connection, bench.desktop.context.actor()).session(id);
@@ -142,8 +148,10 @@ void TestExerciseSetup::faultsOfATraceAreNamedByRow() {
     out.write("t_s,x_mm,y_mm,z_mm\n0,0,0,50\n0.01,0,zero,50\n");
     out.close();
     open(bench, {{QStringLiteral("device"), QStringLiteral("trace")}, {QStringLiteral("trace"), file}});
-    QTRY_VERIFY2_WITH_TIMEOUT(bench.text("setup.trace.words").contains(QStringLiteral("cannot be played")), qPrintable(bench.text("setup.trace.words")), kPatience_ms);
-    QVERIFY2(bench.text("setup.trace.words").contains(QStringLiteral("bad.csv:3")), qPrintable(bench.text("setup.trace.words")));
+    QTRY_VERIFY2_WITH_TIMEOUT(bench.text("setup.trace.words").contains(QStringLiteral("cannot be played")),
+                              qPrintable(bench.text("setup.trace.words")), kPatience_ms);
+    QVERIFY2(bench.text("setup.trace.words").contains(QStringLiteral("bad.csv:3")),
+             qPrintable(bench.text("setup.trace.words")));
     QVERIFY(!tile(bench, QStringLiteral("setup.start"))->isEnabled());
 }
 
@@ -154,10 +162,12 @@ void TestExerciseSetup::aGoodTraceCanBeReplayed() {
     QVERIFY(out.open(QIODevice::WriteOnly));
     out.write("t_s,x_mm,y_mm,z_mm\n");
     for (int n = 0; n <= 20; ++n)
-        out.write(QByteArray::number(0.02 * n) + "," + QByteArray::number(0.5 * n) + ",0," + QByteArray::number(50.0 - n) + "\n");
+        out.write(QByteArray::number(0.02 * n) + "," + QByteArray::number(0.5 * n) + ",0," +
+                  QByteArray::number(50.0 - n) + "\n");
     out.close();
     open(bench, {{QStringLiteral("device"), QStringLiteral("trace")}, {QStringLiteral("trace"), file}});
-    QTRY_VERIFY2_WITH_TIMEOUT(bench.text("setup.trace.words").contains(QStringLiteral("21 rows")), qPrintable(bench.text("setup.trace.words")), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(bench.text("setup.trace.words").contains(QStringLiteral("21 rows")),
+                              qPrintable(bench.text("setup.trace.words")), kPatience_ms);
     tile(bench, QStringLiteral("setup.start"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms); // its end ends the session
 }
@@ -194,7 +204,8 @@ void TestExerciseSetup::aDemonstrationCanBeMountedOtherwise() {
         open(bench);
         auto* box = tile(bench, QStringLiteral("setup.workspace"))->parentWidget();
         tile(bench, QStringLiteral("setup.workspace"))->click();
-        QVERIFY(!bench.desktop.find<QDoubleSpinBox>(QStringLiteral("setup.turn"))->isVisibleTo(screen(bench))); // a mouse has no base
+        QVERIFY(!bench.desktop.find<QDoubleSpinBox>(QStringLiteral("setup.turn"))
+                     ->isVisibleTo(screen(bench))); // a mouse has no base
         tile(bench, QStringLiteral("setup.device.1"))->click();
         QVERIFY(!box->isVisibleTo(screen(bench))); // the apex's hands take D for W
     }
@@ -208,7 +219,8 @@ void TestExerciseSetup::aDemonstrationCanBeMountedOtherwise() {
     bench.desktop.find<QDoubleSpinBox>(QStringLiteral("setup.tilt"))->setValue(-10.0);
     tile(bench, QStringLiteral("setup.start"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().started, kPatience_ms);
-    const auto expected = session::mappingOf({.turn_rad = {core::radFromDeg(20.0), core::radFromDeg(-10.0), 0.0}});
+    const auto expected =
+        session::mappingOf({.turn_rad = {core::radFromDeg(20.0), core::radFromDeg(-10.0), 0.0}});
     const auto q_WD = bench.screen()->feed()->training().station().mappings().front().q_WD;
     for (std::size_t i = 0; i < 4; ++i)
         QVERIFY(std::abs(q_WD[i] - expected->q_WD[i]) < 1e-12);

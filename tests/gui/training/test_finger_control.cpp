@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One mouse and one keyboard for the fingers of two hands.
+#include "app/exercises/palpation/desktop/palpation_words.h"
 #include "core/tool_state.h"
 #include "desktop/training/finger_control.h"
 #include "desktop/training/scene_pointer.h"
-#include "app/exercises/palpation/desktop/palpation_words.h"
 
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -75,7 +75,8 @@ private slots:
         QCOMPARE(told, 0);
     }
 
-    /// In the air a hand comes down in a few notches; where one of its fingers touches, all of them press finely.
+    /// In the air a hand comes down in a few notches; where one of its fingers touches, all of them press
+    /// finely.
     void quicklyThroughTheAirFinelyInContact() {
         Fingers fingers(4, 2);
         fingers.feel({0.0, 0.0, 0.0, 0.0});
@@ -159,7 +160,8 @@ private slots:
 
     void everyKeyIsDocumented() {
         const QString words = palpationKeysInWords(true, 2, true);
-        for (const char* key : {"Page Down", "1 to 5", "V for", "+ and −", "N.", "Delete", "D.", "H.", "Enter", "wheel"})
+        for (const char* key :
+             {"Page Down", "1 to 5", "V for", "+ and −", "N.", "Delete", "D.", "H.", "Enter", "wheel"})
             QVERIFY2(words.contains(QString::fromUtf8(key)), key);
         QVERIFY(!palpationKeysInWords(true, 1, true).contains(QStringLiteral("Other hand")));
         QVERIFY(!palpationKeysInWords(true, 1, false).contains(QStringLiteral("1 to 5")));

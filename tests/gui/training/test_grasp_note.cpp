@@ -42,7 +42,8 @@ haptics::DisplayState atTube(double t_s, double jaw_rad, double away_m) {
 desktop::Grasping graspingOf(const catalogue::ExerciseLevel& level) {
     if (const auto* tube = level.parameters.find<simulation::ElasticTubeParameters>())
         return desktop::tubeGrasping(*tube, session::levelLimits(level));
-    return desktop::handlingGrasping(level.parameters.as<simulation::ObjectHandlingParameters>(), session::levelLimits(level));
+    return desktop::handlingGrasping(level.parameters.as<simulation::ObjectHandlingParameters>(),
+                                     session::levelLimits(level));
 }
 
 class Closing {
@@ -77,18 +78,22 @@ private slots:
     void besideTheTube() {
         Closing closing(level("elastic_tube", true));
         const QString said = closing.after({atTube(1.0, kOpen_rad, 0.012), atTube(1.1, kClosed_rad, 0.012)});
-        QVERIFY2(said.contains(QStringLiteral("Nothing was grasped")) && said.contains(QStringLiteral("12 mm")), qPrintable(said)); // from the free end
+        QVERIFY2(said.contains(QStringLiteral("Nothing was grasped")) &&
+                     said.contains(QStringLiteral("12 mm")),
+                 qPrintable(said)); // from the free end
     }
 
     void besideAnObject() {
         const auto& of = level("object_handling", true);
-        haptics::DisplayState open = stateAt(1.0, kOpen_rad, 0.031), closed = stateAt(1.1, kClosed_rad, 0.031);
+        haptics::DisplayState open = stateAt(1.0, kOpen_rad, 0.031),
+                              closed = stateAt(1.1, kClosed_rad, 0.031);
         for (haptics::DisplayState* state : {&open, &closed}) {
             state->exercise.own<core::LaparoscopyCues>().bodies = 1;
             state->exercise.own<core::LaparoscopyCues>().body[0].radius_m = 0.011;
         }
         const QString said = Closing(of).after({open, closed});
-        QVERIFY2(said.contains(QStringLiteral("the object was 20 mm away")), qPrintable(said)); // from its surface
+        QVERIFY2(said.contains(QStringLiteral("the object was 20 mm away")),
+                 qPrintable(said)); // from its surface
     }
 
     void whoHoldsIsToldNothing() {
@@ -96,7 +101,8 @@ private slots:
         haptics::DisplayState held = atTube(1.1, kClosed_rad, 0.003);
         held.exercise.own<core::LaparoscopyCues>().gripHeldBy[1] = 1;
         QVERIFY(closing.after({atTube(1.0, kOpen_rad, 0.003), held}).isEmpty());
-        haptics::DisplayState slipped = atTube(1.2, kClosed_rad, 0.020); // out of closed jaws: that is told of elsewhere
+        haptics::DisplayState slipped =
+            atTube(1.2, kClosed_rad, 0.020); // out of closed jaws: that is told of elsewhere
         QVERIFY(closing.after({slipped}).isEmpty());
     }
 
@@ -110,7 +116,8 @@ private slots:
 
     void closedJawsAtTheTubeHaveToOpen() {
         Closing closing(level("elastic_tube", true));
-        QVERIFY(closing.after({atTube(1.0, kClosed_rad, 0.002), atTube(1.3, kClosed_rad, 0.002)}).isEmpty()); // on the way elsewhere, perhaps
+        QVERIFY(closing.after({atTube(1.0, kClosed_rad, 0.002), atTube(1.3, kClosed_rad, 0.002)})
+                    .isEmpty()); // on the way elsewhere, perhaps
         const QString said = closing.after({atTube(2.0, kClosed_rad, 0.002)});
         QVERIFY2(said.contains(QStringLiteral("jaws are closed")), qPrintable(said));
     }
@@ -119,8 +126,10 @@ private slots:
         for (const catalogue::ExerciseLevel& each : m_catalogue->find("elastic_tube")->levels) {
             if (!each.parameters.as<simulation::ElasticTubeParameters>().hasFold())
                 continue;
-            haptics::DisplayState open = atTube(1.0, kOpen_rad, 0.002), closed = atTube(1.1, kClosed_rad, 0.002);
-            open.exercise.own<core::LaparoscopyCues>().fold = closed.exercise.own<core::LaparoscopyCues>().fold = true;
+            haptics::DisplayState open = atTube(1.0, kOpen_rad, 0.002),
+                                  closed = atTube(1.1, kClosed_rad, 0.002);
+            open.exercise.own<core::LaparoscopyCues>().fold =
+                closed.exercise.own<core::LaparoscopyCues>().fold = true;
             QVERIFY(Closing(each, true).after({open, closed}).contains(QStringLiteral("fold")));
             return;
         }
@@ -133,7 +142,9 @@ private slots:
         const auto missed = {atTube(1.0, kOpen_rad, 0.012), atTube(1.1, kClosed_rad, 0.012)};
         QCOMPARE(Closing(assessed).after(missed), QStringLiteral("Nothing was grasped"));
         QVERIFY(Closing(assessed, true).after(missed).contains(QStringLiteral("12 mm")));
-        QVERIFY(Closing(assessed).after({atTube(1.0, kClosed_rad, 0.002), atTube(4.0, kClosed_rad, 0.002)}).isEmpty());
+        QVERIFY(Closing(assessed)
+                    .after({atTube(1.0, kClosed_rad, 0.002), atTube(4.0, kClosed_rad, 0.002)})
+                    .isEmpty());
         haptics::DisplayState blind = atTube(1.1, kClosed_rad, 0.012); // nothing is told of what is hidden
         blind.exercise.own<core::LaparoscopyCues>().objectShown = false;
         QVERIFY(Closing(assessed, true).after({atTube(1.0, kOpen_rad, 0.012), blind}).isEmpty());
@@ -142,11 +153,14 @@ private slots:
     /// Not with every movement: the words stay for their time, and then there is quiet.
     void itIsNotSaidAllTheTime() {
         Closing closing(level("elastic_tube", true));
-        QVERIFY(closing.after({atTube(1.0, kOpen_rad, 0.012), atTube(1.1, kClosed_rad, 0.012)}).contains(QStringLiteral("12 mm")));
-        QVERIFY(closing.after({atTube(1.5, kOpen_rad, 0.030), atTube(1.6, kClosed_rad, 0.030)}).contains(QStringLiteral("12 mm")));
+        QVERIFY(closing.after({atTube(1.0, kOpen_rad, 0.012), atTube(1.1, kClosed_rad, 0.012)})
+                    .contains(QStringLiteral("12 mm")));
+        QVERIFY(closing.after({atTube(1.5, kOpen_rad, 0.030), atTube(1.6, kClosed_rad, 0.030)})
+                    .contains(QStringLiteral("12 mm")));
         QVERIFY(closing.at(1.1 + 1e-9 * GraspNote::kSaid_ns + 0.01).isEmpty());
         QVERIFY(closing.after({atTube(5.0, kOpen_rad, 0.030), atTube(5.1, kClosed_rad, 0.030)}).isEmpty());
-        QVERIFY(closing.after({atTube(8.0, kOpen_rad, 0.030), atTube(8.1, kClosed_rad, 0.030)}).contains(QStringLiteral("30 mm")));
+        QVERIFY(closing.after({atTube(8.0, kOpen_rad, 0.030), atTube(8.1, kClosed_rad, 0.030)})
+                    .contains(QStringLiteral("30 mm")));
         haptics::DisplayState between = atTube(8.2, kClosed_rad, 0.030);
         between.phase = core::TrialPhase::between;
         QVERIFY(closing.after({between}).isEmpty());

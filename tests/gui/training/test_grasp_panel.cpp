@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "desktop/training/force_bar.h"
-#include "desktop/training/grasp_panel.h"
 #include "app/exercises/elastic_tube/desktop/tube_grasping.h"
 #include "app/exercises/object_handling/desktop/handling_grasping.h"
+#include "desktop/training/force_bar.h"
+#include "desktop/training/grasp_panel.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/target_bar.h"
-#include "session_report/tool_words.h"
-#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "session_report/tool_words.h"
 
 #include <QLabel>
 #include <QProgressBar>
@@ -52,7 +52,8 @@ private slots:
         for (int step = 0; step <= core::kLastLaparoscopyStep; ++step) {
             core::LaparoscopyCues cues;
             cues.step = static_cast<LaparoscopyStep>(step);
-            for (const TubeTask task : {TubeTask::hold, TubeTask::stretch, TubeTask::twoHanded, TubeTask::transfer}) {
+            for (const TubeTask task :
+                 {TubeTask::hold, TubeTask::stretch, TubeTask::twoHanded, TubeTask::transfer}) {
                 tube.task = task;
                 QVERIFY(!tubeGrasping(tube, {}).step(cues, QLocale(QLocale::English)).isEmpty());
             }
@@ -64,10 +65,13 @@ private slots:
         over.step = LaparoscopyStep::place;
         session::LevelLimits limits;
         limits.placement_mm = 5.0; // who sets it down knows how far from the middle is too far
-        QVERIFY(handlingGrasping(handling, limits).step(over, QLocale(QLocale::English)).contains(QStringLiteral("5 mm")));
+        QVERIFY(handlingGrasping(handling, limits)
+                    .step(over, QLocale(QLocale::English))
+                    .contains(QStringLiteral("5 mm")));
         core::LaparoscopyCues torn;
         torn.torn = true;
-        QVERIFY(tubeGrasping(tube, {}).step(torn, QLocale(QLocale::English)).contains(QStringLiteral("torn")));
+        QVERIFY(
+            tubeGrasping(tube, {}).step(torn, QLocale(QLocale::English)).contains(QStringLiteral("torn")));
     }
 
     void everyValueIsShown() {
@@ -75,14 +79,17 @@ private slots:
         tube.task = TubeTask::twoHanded;
         GraspPanel panel(m_theme, QLocale::c(), allCues(), tubeGrasping(tube, {}));
         panel.show(pulling(1.12), {});
-        QCOMPARE(find<TargetBar>(panel, "training.tension_bar")->words(), QStringLiteral("1.12 N, in the band"));
-        QVERIFY(find<ForceBar>(panel, "training.force_bar_0") && find<ForceBar>(panel, "training.force_bar_1"));
+        QCOMPARE(find<TargetBar>(panel, "training.tension_bar")->words(),
+                 QStringLiteral("1.12 N, in the band"));
+        QVERIFY(find<ForceBar>(panel, "training.force_bar_0") &&
+                find<ForceBar>(panel, "training.force_bar_1"));
         QCOMPARE(find<QProgressBar>(panel, "training.dwell")->value(), 42);
         QVERIFY(find<QLabel>(panel, "training.load")->text().contains(QStringLiteral("12.3")));
         QCOMPARE(find<QLabel>(panel, "training.tool_0_0")->text(), QStringLiteral("31.2"));
         QVERIFY(find<QLabel>(panel, "training.tool_1_3") != nullptr);
         QVERIFY(find<QLabel>(panel, "training.held")->text().contains(QStringLiteral("two points")));
-        QVERIFY(find<LivePlot>(panel, "training.tension_plot") && !find<LivePlot>(panel, "training.force_plot"));
+        QVERIFY(find<LivePlot>(panel, "training.tension_plot") &&
+                !find<LivePlot>(panel, "training.force_plot"));
     }
 
     void aFoldHasABarOfItsOwn() {
@@ -100,7 +107,8 @@ private slots:
         cues.retractionLow_N = 0.6;
         cues.retractionHigh_N = 1.0;
         panel.show(state, {});
-        QCOMPARE(find<TargetBar>(panel, "training.retraction_bar")->words(), QStringLiteral("0.80 N, in the band"));
+        QCOMPARE(find<TargetBar>(panel, "training.retraction_bar")->words(),
+                 QStringLiteral("0.80 N, in the band"));
         QVERIFY(find<ForceBar>(panel, "training.force_bar_2") && find<QLabel>(panel, "training.tool_2_3"));
         QVERIFY(find<QLabel>(panel, "training.held")->text().contains(QStringLiteral("fold")));
         simulation::ElasticTubeParameters without;
@@ -120,7 +128,8 @@ private slots:
         QCOMPARE(bar.words(), QStringLiteral("1.50 N, over the limit"));
         bar.setValue(std::nan(""));
         QCOMPARE(bar.words(), QStringLiteral("1.50 N, over the limit"));
-        TargetBar blind(m_theme, QLocale::c(), {QStringLiteral("Tension"), QStringLiteral("N"), 3.0, 2}, false);
+        TargetBar blind(m_theme, QLocale::c(), {QStringLiteral("Tension"), QStringLiteral("N"), 3.0, 2},
+                        false);
         blind.setBand(1.0, 1.3);
         blind.setValue(1.1);
         QCOMPARE(blind.words(), QStringLiteral("in the band"));
@@ -145,7 +154,9 @@ private slots:
         cues.bodies = 3;
         QVERIFY(handlingGrasping(handling, {}).held(cues, QLocale::c()).contains(QStringLiteral("nothing")));
         cues.body[1].heldBy = 1;
-        QVERIFY(handlingGrasping(handling, {}).held(cues, QLocale::c()).contains(QStringLiteral("object 2 of 3")));
+        QVERIFY(handlingGrasping(handling, {})
+                    .held(cues, QLocale::c())
+                    .contains(QStringLiteral("object 2 of 3")));
         QVERIFY(session_report::instrumentName(0, 2) != session_report::instrumentName(1, 2));
     }
 
@@ -155,7 +166,9 @@ private:
         cues.object = cues.tool = cues.arrow = cues.bars = cues.numbers = cues.plots = true;
         return cues;
     }
-    template <class W> static W* find(QWidget& in, const char* name) { return in.findChild<W*>(QLatin1String(name)); }
+    template <class W> static W* find(QWidget& in, const char* name) {
+        return in.findChild<W*>(QLatin1String(name));
+    }
 
     Theme m_theme = Theme::load(ThemeName::light, 1.0).value();
 };

@@ -72,7 +72,8 @@ private slots:
         QCOMPARE(hands.right.read().markPresses, 0u); // nothing is marked with a grasper
     }
 
-    /// Whatever the hand held it lets go of when it changes hands, pauses or loses the keyboard: nothing goes on by itself.
+    /// Whatever the hand held it lets go of when it changes hands, pauses or loses the keyboard: nothing goes
+    /// on by itself.
     void changingHandsStopsTheOther() {
         Hands hands;
         hands.control.keyDown(Qt::Key_Right);
@@ -101,7 +102,8 @@ private slots:
         QVERIFY(std::find(more.begin(), more.end(), Qt::Key_Tab) == more.end()); // Tab leaves the scene
     }
 
-    /// Over the scene: the first click takes the pointer and closes nothing; held, the button closes; let go, it stops.
+    /// Over the scene: the first click takes the pointer and closes nothing; held, the button closes; let go,
+    /// it stops.
     void theButtonOverTheSceneCloses() {
         Hands hands;
         QWidget scene;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "desktop/training/force_bar.h"
 #include "app/exercises/urethra_insertion/desktop/insertion_panel.h"
+#include "desktop/training/force_bar.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/signed_bar.h"
 #include "gui/training/posed_endoscope.h"
@@ -79,7 +79,8 @@ void TestInsertionPanel::stagesInWords() {
     QVERIFY(stageText(cues, telling, m_locale).contains(QStringLiteral("Hold still")));
     telling.guidance = false;
     QVERIFY(!stageText(cues, telling, m_locale).contains(QStringLiteral("Hold still")));
-    cues.stage = ProcedureStage::withdrawal; // ends where the beak is out, too: said, and the bar is full only there
+    cues.stage =
+        ProcedureStage::withdrawal; // ends where the beak is out, too: said, and the bar is full only there
     cues.depth_m = -0.006;
     telling.clear_m = 0.010;
     QVERIFY(!stageText(cues, telling, m_locale).contains(QRegularExpression(QStringLiteral("\\d"))));
@@ -108,9 +109,11 @@ void TestInsertionPanel::progressOnlyWhereItMayBeTold() {
 
 void TestInsertionPanel::everyValueIsShown() {
     const simulation::UrethraInsertionParameters p;
-    InsertionPanel panel(m_theme, m_locale, {.bars = true, .numbers = true, .plots = true, .guidance = true}, p);
+    InsertionPanel panel(m_theme, m_locale, {.bars = true, .numbers = true, .plots = true, .guidance = true},
+                         p);
     const Posed posed = posedAt(p, 0.05, 0.001 * Vec3::UnitX(), 0.1, 0.0);
-    haptics::DisplayState state = stateOf(posed, {p.pose.vectorToW(Vec3(0.5, 0.25, -1.0)), p.pose.vectorToW(Vec3(0.02, 0.0, 0.0))});
+    haptics::DisplayState state =
+        stateOf(posed, {p.pose.vectorToW(Vec3(0.5, 0.25, -1.0)), p.pose.vectorToW(Vec3(0.02, 0.0, 0.0))});
     state.exercise.own<simulation::EndoscopeCues>().stage = ProcedureStage::insertion;
     state.exercise.own<simulation::EndoscopeCues>().depth_m = 0.05;
     session::LiveSample sample;
@@ -127,18 +130,23 @@ void TestInsertionPanel::everyValueIsShown() {
     QCOMPARE(text("training.alignment"), QStringLiteral("5.7")); // 0.1 rad
     QCOMPARE(text("training.tip_x"), QStringLiteral("1.0"));
     QVERIFY(text("training.stage").startsWith(QStringLiteral("Insertion: 50 of")));
-    const auto bar = [&](const char* name) { return panel.findChild<SignedBar*>(QLatin1String(name))->value(); };
+    const auto bar = [&](const char* name) {
+        return panel.findChild<SignedBar*>(QLatin1String(name))->value();
+    };
     QVERIFY(std::abs(bar("training.force_x") - 0.5) < 1e-9);
     QVERIFY(std::abs(bar("training.force_z") + 1.0) < 1e-9);
     QVERIFY(std::abs(bar("training.torque_x") - 20.0) < 1e-6);
-    const auto highest = [&](const char* name) { return panel.findChild<LivePlot*>(QLatin1String(name))->trace().highest(); };
+    const auto highest = [&](const char* name) {
+        return panel.findChild<LivePlot*>(QLatin1String(name))->trace().highest();
+    };
     QVERIFY(std::abs(highest("training.offset_plot") - 1.0) < 1e-3);
     QVERIFY(std::abs(highest("training.alignment_plot") - 0.1 * 180.0 / std::numbers::pi) < 1e-2);
     QVERIFY(spoken(panel).contains(QStringLiteral("0.50 N")));
     state.exercise.own<simulation::EndoscopeCues>().depth_m = 0.06;
     for (int frame = 0; frame < 5; ++frame)
         panel.show(state, {});
-    QVERIFY(text("training.stage").startsWith(QStringLiteral("Insertion: 50 of"))); // digits that can be read stand for a while
+    QVERIFY(text("training.stage")
+                .startsWith(QStringLiteral("Insertion: 50 of"))); // digits that can be read stand for a while
     panel.show(state, {});
     QVERIFY(text("training.stage").startsWith(QStringLiteral("Insertion: 60 of")));
 }
@@ -146,7 +154,8 @@ void TestInsertionPanel::everyValueIsShown() {
 void TestInsertionPanel::aLevelWithoutCuesTellsNothing() {
     const simulation::UrethraInsertionParameters p;
     InsertionPanel panel(m_theme, m_locale, {.object = true}, p);
-    haptics::DisplayState state = stateOf(posedAt(p, 0.05, 0.001 * Vec3::UnitX()), {Vec3(9.0, 9.0, 9.0), Vec3(1.0, 1.0, 1.0)});
+    haptics::DisplayState state =
+        stateOf(posedAt(p, 0.05, 0.001 * Vec3::UnitX()), {Vec3(9.0, 9.0, 9.0), Vec3(1.0, 1.0, 1.0)});
     state.exercise.own<simulation::EndoscopeCues>().stage = ProcedureStage::insertion;
     state.exercise.own<simulation::EndoscopeCues>().depth_m = 0.05;
     state.exercise.own<simulation::EndoscopeCues>().dwell = 0.5;
@@ -162,17 +171,23 @@ void TestInsertionPanel::aLevelWithoutCuesTellsNothing() {
     QVERIFY(!words.contains(QStringLiteral("limit")));
 }
 
-/// Who learns sees depth, place and two plots; an expert also the six components; lost samples are everybody's business.
+/// Who learns sees depth, place and two plots; an expert also the six components; lost samples are
+/// everybody's business.
 void TestInsertionPanel::aTraineeSeesWhatTheyNeed() {
     const simulation::UrethraInsertionParameters p;
-    InsertionPanel panel(m_theme, m_locale, {.bars = true, .numbers = true, .plots = true, .guidance = true}, p);
+    InsertionPanel panel(m_theme, m_locale, {.bars = true, .numbers = true, .plots = true, .guidance = true},
+                         p);
     const auto shown = [&](const char* name) {
         auto* part = panel.findChild<QWidget*>(QLatin1String(name));
         return part && part->isVisibleTo(&panel);
     };
-    const std::array needed{"training.stage", "training.resistance_bar", "training.lateral_bar", "training.depth", "training.offset", "training.alignment", "training.force_plot", "training.offset_plot"};
-    const std::array details{"training.force_x", "training.force_y", "training.force_z", "training.torque_x", "training.torque_y", "training.torque_z", "training.tip_x",
-                             "training.lateral_plot", "training.alignment_plot", "training.loop"};
+    const std::array needed{"training.stage",      "training.resistance_bar", "training.lateral_bar",
+                            "training.depth",      "training.offset",         "training.alignment",
+                            "training.force_plot", "training.offset_plot"};
+    const std::array details{"training.force_x",  "training.force_y",      "training.force_z",
+                             "training.torque_x", "training.torque_y",     "training.torque_z",
+                             "training.tip_x",    "training.lateral_plot", "training.alignment_plot",
+                             "training.loop"};
     QVERIFY(!panel.detailed());
     for (const bool detailed : {false, true, false}) {
         panel.setDetailed(detailed);
@@ -192,7 +207,10 @@ void TestInsertionPanel::aTraineeSeesWhatTheyNeed() {
 }
 
 void TestInsertionPanel::overTheLimitIsSaid() {
-    SignedBar bar(m_theme, m_locale, {QStringLiteral("Tz"), QStringLiteral("Torque about the axis"), QStringLiteral("mN·m"), 10.0, 1}, true, true);
+    SignedBar bar(
+        m_theme, m_locale,
+        {QStringLiteral("Tz"), QStringLiteral("Torque about the axis"), QStringLiteral("mN·m"), 10.0, 1},
+        true, true);
     bar.setValue(-9.9);
     bar.speak();
     QVERIFY(!bar.isOver());
@@ -205,7 +223,8 @@ void TestInsertionPanel::overTheLimitIsSaid() {
     bar.resize(120, 40);
     QPixmap picture(bar.size());
     bar.render(&picture);
-    QVERIFY(picture.toImage().pixelColor(30, 25) != picture.toImage().pixelColor(90, 25)); // filled to the left alone
+    QVERIFY(picture.toImage().pixelColor(30, 25) !=
+            picture.toImage().pixelColor(90, 25)); // filled to the left alone
 }
 
 /// At a small window nothing of it is wider than its place, at either end of the scale.
@@ -213,10 +232,12 @@ void TestInsertionPanel::fitsItsPlace() {
     const simulation::UrethraInsertionParameters p;
     for (const double scale : {1.0, 2.0}) {
         const Theme theme = Theme::load(ThemeName::light, scale).value();
-        InsertionPanel panel(theme, m_locale, {.bars = true, .numbers = true, .plots = true, .guidance = true}, p);
+        InsertionPanel panel(theme, m_locale,
+                             {.bars = true, .numbers = true, .plots = true, .guidance = true}, p);
         panel.setStyleSheet(theme.styleSheet());
         const int place_px = scale == 1.0 ? 372 : 537; // 0.42 of 1280
-        QVERIFY2(panel.minimumSizeHint().width() <= place_px - 14, qPrintable(QString::number(panel.minimumSizeHint().width())));
+        QVERIFY2(panel.minimumSizeHint().width() <= place_px - 14,
+                 qPrintable(QString::number(panel.minimumSizeHint().width())));
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/random.h"
 #include "app/exercises/urethra_insertion/scene/scope_marks.h"
+#include "core/random.h"
 #include "gui/scene3d/urethra_samples.h"
 #include "gui/training/posed_endoscope.h"
 #include "modules/exercises/urethra_insertion/simulation/lumen_sight.h"
@@ -11,8 +11,8 @@
 using namespace chiron;
 using namespace chiron::desktop;
 using core::Vec3;
-using tests::posedAt;
 using tests::Posed;
+using tests::posedAt;
 
 namespace {
 
@@ -69,7 +69,8 @@ void TestInsertionValues::alongAndAcross() {
     const simulation::CentrelinePoint at = simulation::UrethraCentreline(p.anatomy).at(0.08);
     const Posed posed = posedAt(p, 0.08);
     const Vec3 force_A = -2.0 * at.t_A + 1.5 * at.n_A - 2.0 * Vec3::UnitX();
-    const InsertionValues v = InsertionGauge(p).at(posed.p_W, posed.q_WT, {p.pose.vectorToW(force_A), Vec3::Zero()});
+    const InsertionValues v =
+        InsertionGauge(p).at(posed.p_W, posed.q_WT, {p.pose.vectorToW(force_A), Vec3::Zero()});
     QVERIFY(std::abs(v.resistance_N - 2.0) < 1e-9); // pushes out: above zero
     QVERIFY(std::abs(v.lateral_N - 2.5) < 1e-9);
     QVERIFY((v.force_A_N - force_A).norm() < 1e-12);
@@ -82,10 +83,13 @@ void TestInsertionValues::torquesAreP1s() {
     core::Random random(11);
     for (int n = 0; n < 200; ++n) {
         const double tiltY = 1.0 * (random.uniform() - 0.5);
-        const Posed posed = posedAt(p, 0.02 + 0.1 * random.uniform(), Vec3::Zero(), random.uniform() - 0.5, tiltY);
-        const Vec3 t_Nm(0.15 * (random.uniform() - 0.5), 0.15 * (random.uniform() - 0.5), 0.01 * (random.uniform() - 0.5));
+        const Posed posed =
+            posedAt(p, 0.02 + 0.1 * random.uniform(), Vec3::Zero(), random.uniform() - 0.5, tiltY);
+        const Vec3 t_Nm(0.15 * (random.uniform() - 0.5), 0.15 * (random.uniform() - 0.5),
+                        0.01 * (random.uniform() - 0.5));
         const Vec3 z_A = (posed.axis_A - std::sin(tiltY) * Vec3::UnitX()) / std::cos(tiltY); // z″
-        const Vec3 torque_A = t_Nm.x() * Vec3::UnitX() + t_Nm.y() * posed.y_A - t_Nm.x() * std::tan(tiltY) * z_A + t_Nm.z() * posed.axis_A;
+        const Vec3 torque_A = t_Nm.x() * Vec3::UnitX() + t_Nm.y() * posed.y_A -
+                              t_Nm.x() * std::tan(tiltY) * z_A + t_Nm.z() * posed.axis_A;
         const InsertionValues v = gauge.at(posed.p_W, posed.q_WT, {Vec3::Zero(), p.pose.vectorToW(torque_A)});
         QVERIFY((v.torque_Nm - t_Nm).norm() < 1e-9);
     }
@@ -100,7 +104,8 @@ void TestInsertionValues::theSceneMayStandAnywhere() {
     std::array<InsertionValues, 2> values;
     for (const auto* p : {&here, &there}) {
         const Posed posed = posedAt(*p, 0.07, off, 0.1, -0.2);
-        values[p == &there] = InsertionGauge(*p).at(posed.p_W, posed.q_WT, {p->pose.vectorToW(force_A), p->pose.vectorToW(torque_A)});
+        values[p == &there] = InsertionGauge(*p).at(
+            posed.p_W, posed.q_WT, {p->pose.vectorToW(force_A), p->pose.vectorToW(torque_A)});
     }
     QVERIFY((values[0].tip_A_m - values[1].tip_A_m).norm() < 1e-12);
     QVERIFY((values[0].force_A_N - values[1].force_A_N).norm() < 1e-12);
@@ -119,40 +124,55 @@ scene3d::SceneState seenFrom(const scene3d::SceneSetup& setup, const scene3d::sa
     const Vec3 p_A = p.pose.pointToA(state.tool[0].p_WT);
     const Vec3 axis_A = p.pose.vectorToA(state.tool[0].q_WT * Vec3(0.0, 0.0, -1.0));
     const simulation::LumenSight::View view = simulation::LumenSight(p).look(p_A, axis_A, line.foot(p_A));
-    const Vec3 to_T = view.open ? Vec3(state.tool[0].q_WT.conjugate() * p.pose.vectorToW((view.p_A - p_A).normalized())) : Vec3(Vec3::Zero());
+    const Vec3 to_T =
+        view.open ? Vec3(state.tool[0].q_WT.conjugate() * p.pose.vectorToW((view.p_A - p_A).normalized()))
+                  : Vec3(Vec3::Zero());
     state.exercise.own<simulation::EndoscopeCues>().toLumen_T = {to_T.x(), to_T.y(), to_T.z()};
     return state;
 }
 
 } // namespace
 
-/// Along the whole canal, the bend included, on its centre-line and beside it: the ring is double where the measured alignment is small, and
-/// only there; and the way from the mark to the ring is the turn that is left.
+/// Along the whole canal, the bend included, on its centre-line and beside it: the ring is double where the
+/// measured alignment is small, and only there; and the way from the mark to the ring is the turn that is
+/// left.
 void TestInsertionValues::theRingAsksForWhatIsMeasured() {
     const scene3d::SceneSetup setup = scene3d::samples::urethraSetup();
     const auto& p = setup.parameters.as<simulation::UrethraInsertionParameters>();
     const scene3d::UrethraDrawing drawing(p);
     const InsertionGauge gauge(p);
-    constexpr double kDouble_deg = 2.5, kSingle_deg = 4.0; // what lies between may be either: the picture's scale grows towards its edge
+    constexpr double kDouble_deg = 2.5,
+                     kSingle_deg =
+                         4.0; // what lies between may be either: the picture's scale grows towards its edge
     int looked = 0;
     double mostAside = 0.0;
     for (double s_m = -0.02; s_m < gauge.length_m(); s_m += 0.0025)
         for (const double off_m : {0.0, 0.002, -0.002})
             for (const double turn_deg : {0.0, 2.0, 6.0, -6.0, 10.0, -10.0}) {
-                const scene3d::SceneState state = seenFrom(setup, {.s_m = s_m, .ex_m = off_m, .en_m = 0.5 * off_m, .pitch_rad = core::radFromDeg(turn_deg)});
+                const scene3d::SceneState state = seenFrom(setup, {.s_m = s_m,
+                                                                   .ex_m = off_m,
+                                                                   .en_m = 0.5 * off_m,
+                                                                   .pitch_rad = core::radFromDeg(turn_deg)});
                 const scene3d::ScopeMarks marks = scene3d::ScopeMarks::of(setup, drawing, state);
                 if (!marks.guided || marks.beyond)
                     continue; // an arrow at the rim, or wall alone
                 ++looked;
-                const double alignment_deg = core::degFromRad(gauge.at(state.tool[0].p_WT, state.tool[0].q_WT, {}).alignment_rad);
-                const QString at = QStringLiteral("s %1 mm, %2 mm aside, turned by %3: %4").arg(s_m * 1e3).arg(off_m * 1e3).arg(turn_deg).arg(alignment_deg);
+                const double alignment_deg =
+                    core::degFromRad(gauge.at(state.tool[0].p_WT, state.tool[0].q_WT, {}).alignment_rad);
+                const QString at = QStringLiteral("s %1 mm, %2 mm aside, turned by %3: %4")
+                                       .arg(s_m * 1e3)
+                                       .arg(off_m * 1e3)
+                                       .arg(turn_deg)
+                                       .arg(alignment_deg);
                 QVERIFY2(alignment_deg > kDouble_deg || marks.aligned, qPrintable(at));
                 QVERIFY2(alignment_deg < kSingle_deg || !marks.aligned, qPrintable(at));
-                QVERIFY2(turn_deg == 0.0 || (marks.lumen - marks.target).y() * turn_deg < 0.0, qPrintable(at)); // turned too far up: the ring lies below
+                QVERIFY2(turn_deg == 0.0 || (marks.lumen - marks.target).y() * turn_deg < 0.0,
+                         qPrintable(at)); // turned too far up: the ring lies below
                 mostAside = std::max(mostAside, turn_deg == 0.0 && off_m == 0.0 ? marks.target.norm() : 0.0);
             }
     QVERIFY(looked > 500);
-    QVERIFY2(mostAside > 0.2, qPrintable(QString::number(mostAside))); // in the bend an aligned endoscope does see the lumen aside
+    QVERIFY2(mostAside > 0.2, qPrintable(QString::number(
+                                  mostAside))); // in the bend an aligned endoscope does see the lumen aside
 }
 
 QTEST_APPLESS_MAIN(TestInsertionValues)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The training screen of every level, against what was looked at and kept: how it is made (support/screen_outline.h), and what its
-// panels say and draw of moments that are given to them by hand, so that nothing is of this run: no session begins, since the screen
-// begins one when it has been painted. A change that is meant is kept anew, and the difference is read in review:
-// CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/training/test_kept_training
+// The training screen of every level, against what was looked at and kept: how it is made
+// (support/screen_outline.h), and what its panels say and draw of moments that are given to them by hand, so
+// that nothing is of this run: no session begins, since the screen begins one when it has been painted. A
+// change that is meant is kept anew, and the difference is read in review: CHIRON_STORE_OUTLINES=1
+// QT_QPA_PLATFORM=offscreen build/release/tests/gui/training/test_kept_training
+#include "core/laparoscopy_cues.h"
 #include "desktop/training/control_bar.h"
 #include "desktop/training/force_notice.h"
 #include "desktop/training/force_words.h"
@@ -10,13 +12,12 @@
 #include "desktop/training/info_view.h"
 #include "desktop/training/sound_sign.h"
 #include "desktop/training/training_screen.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "support/desktop_fixture.h"
 #include "support/drawing_outline.h"
 #include "support/kept_text.h"
 #include "support/screen_outline.h"
-#include "core/laparoscopy_cues.h"
-#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
-#include "modules/exercises/palpation/cues/palpation_cues.h"
 
 #include <QProgressBar>
 
@@ -179,7 +180,8 @@ std::vector<session::LiveSample> samplesOf(const haptics::DisplayState& state, d
         }
         for (std::size_t k = 0; k < 4; ++k)
             sample.q_WT[k] = static_cast<float>(state.tool[0].q_WT[k]);
-        sample.tissueNorm_N = static_cast<float>(share * std::hypot(state.tool[0].tissue[0], state.tool[0].tissue[1], state.tool[0].tissue[2]));
+        sample.tissueNorm_N = static_cast<float>(
+            share * std::hypot(state.tool[0].tissue[0], state.tool[0].tissue[1], state.tool[0].tissue[2]));
         sample.speed_m_per_s = static_cast<float>(0.02 * (1.0 - share) + (i % 200 < 100 ? 0.01 : 0.0));
         sample.phase = state.phase;
         sample.paused = state.paused;
@@ -203,7 +205,8 @@ private slots:
         QTest::addColumn<double>("scale");
         for (const catalogue::Exercise& exercise : m_desktop->site.catalogue().exercises())
             for (const catalogue::ExerciseLevel& level : exercise.levels) {
-                QVariantMap plan{{QStringLiteral("exercise"), QString::fromStdString(exercise.id)}, {QStringLiteral("level"), level.number}};
+                QVariantMap plan{{QStringLiteral("exercise"), QString::fromStdString(exercise.id)},
+                                 {QStringLiteral("level"), level.number}};
                 const std::string name = exercise.id + " " + std::to_string(level.number);
                 QTest::newRow(name.c_str()) << plan << 1.0;
                 if (level.number == 1) {
@@ -235,7 +238,9 @@ private slots:
                 if (!before.contains(line))
                     now << line;
             for (const QString& line : before)
-                if (!all.contains(line) && std::none_of(all.begin(), all.end(), [&](const QString& other) { return nameIn(other) == nameIn(line); }))
+                if (!all.contains(line) && std::none_of(all.begin(), all.end(), [&](const QString& other) {
+                        return nameIn(other) == nameIn(line);
+                    }))
                     now << QStringLiteral("no more ") + nameIn(line);
             before = all;
         };
@@ -243,15 +248,20 @@ private slots:
         const QLocale& locale = m_desktop->context.locale();
         double from_s = 0.0;
         const QString exercise = plan[QStringLiteral("exercise")].toString();
-        for (const auto& [moment, state] : {std::pair{"working", working(exercise)}, {"over the limits", overLimits(exercise)}, {"between", between(exercise)}, {"working again", working(exercise)}}) {
+        for (const auto& [moment, state] : {std::pair{"working", working(exercise)},
+                                            {"over the limits", overLimits(exercise)},
+                                            {"between", between(exercise)},
+                                            {"working again", working(exercise)}}) {
             const auto samples = samplesOf(state, from_s);
             from_s += 3.0;
             for (auto* info : screen->findChildren<QFrame*>())
                 if (auto* view = dynamic_cast<desktop::InfoView*>(info))
                     for (int frame = 0; frame < 6; ++frame) // what is read in numbers comes every sixth
-                        view->show(state, frame == 0 ? std::span<const session::LiveSample>(samples) : std::span<const session::LiveSample>());
+                        view->show(state, frame == 0 ? std::span<const session::LiveSample>(samples)
+                                                     : std::span<const session::LiveSample>());
             screen->findChild<desktop::HeaderBar*>()->show(state);
-            screen->findChild<desktop::ForceNotice*>()->show(desktop::forceWords(state, {.paused = state.paused}, locale));
+            screen->findChild<desktop::ForceNotice*>()->show(
+                desktop::forceWords(state, {.paused = state.paused}, locale));
             if (auto* sign = screen->findChild<desktop::SoundSign*>()) {
                 desktop::SoundCues cues;
                 cues.force_N = std::abs(state.tool[0].tissue[2]);
@@ -260,7 +270,9 @@ private slots:
             }
             auto* controls = screen->findChild<desktop::ControlBar*>();
             controls->setRunning(!state.ended);
-            controls->setMain(state.paused ? desktop::ControlBar::Main::resume : state.lateTicks > 0 ? desktop::ControlBar::Main::rearm : desktop::ControlBar::Main::pause);
+            controls->setMain(state.paused          ? desktop::ControlBar::Main::resume
+                              : state.lateTicks > 0 ? desktop::ControlBar::Main::rearm
+                                                    : desktop::ControlBar::Main::pause);
             controls->setResumeHere(state.paused);
             take(moment);
         }
@@ -282,25 +294,40 @@ private:
     /// Of what a line tells.
     static QString nameIn(const QString& line) {
         const QStringList words = line.trimmed().split(QLatin1Char(' '));
-        return words.front() == QLatin1String("drawn") || words.front() == QLatin1String("progress") ? words.mid(0, 2).join(QLatin1Char(' ')) : words.front();
+        return words.front() == QLatin1String("drawn") || words.front() == QLatin1String("progress")
+                   ? words.mid(0, 2).join(QLatin1Char(' '))
+                   : words.front();
     }
     /// The screen, and of what draws itself what it draws at a size of its own.
     static QStringList outline(desktop::TrainingScreen& screen) {
         QStringList lines = tests::ScreenOutline::of(screen, true, true);
-        lines.removeIf([](const QString& line) { return line.contains(QLatin1String("QScrollBar")) || line.contains(QLatin1String("524287")); }); // Qt's own
+        lines.removeIf([](const QString& line) {
+            return line.contains(QLatin1String("QScrollBar")) || line.contains(QLatin1String("524287"));
+        }); // Qt's own
         for (QWidget* widget : screen.findChildren<QWidget*>()) {
             const QString kind = QString::fromLatin1(widget->metaObject()->className());
             if (const auto* progress = qobject_cast<QProgressBar*>(widget))
-                lines << QStringLiteral("progress %1 \"%2\" \"%3\" \"%4\" %5 of %6 to %7%8").arg(progress->objectName(), progress->accessibleName(), progress->toolTip(), progress->format())
-                             .arg(progress->value()).arg(progress->minimum()).arg(progress->maximum()).arg(progress->isHidden() ? QStringLiteral(" hidden") : QString());
-            if (!kind.startsWith(QLatin1String("chiron::desktop::")) || widget->layout() || !widget->findChildren<QWidget*>().isEmpty() || qobject_cast<QLabel*>(widget) ||
+                lines << QStringLiteral("progress %1 \"%2\" \"%3\" \"%4\" %5 of %6 to %7%8")
+                             .arg(progress->objectName(), progress->accessibleName(), progress->toolTip(),
+                                  progress->format())
+                             .arg(progress->value())
+                             .arg(progress->minimum())
+                             .arg(progress->maximum())
+                             .arg(progress->isHidden() ? QStringLiteral(" hidden") : QString());
+            if (!kind.startsWith(QLatin1String("chiron::desktop::")) || widget->layout() ||
+                !widget->findChildren<QWidget*>().isEmpty() || qobject_cast<QLabel*>(widget) ||
                 qobject_cast<QAbstractButton*>(widget))
                 continue;
-            const QSize size = widget->sizeHint().expandedTo(widget->minimumSize()).expandedTo(QSize(240, 16));
+            const QSize size =
+                widget->sizeHint().expandedTo(widget->minimumSize()).expandedTo(QSize(240, 16));
             widget->resize(size);
             tests::DrawingOutline drawing(size);
             widget->render(&drawing, {}, {}, QWidget::RenderFlags());
-            lines << QStringLiteral("drawn %1#%2 %3x%4: ").arg(kind.section(QStringLiteral("::"), -1), widget->objectName()).arg(size.width()).arg(size.height()) + drawing.said();
+            lines << QStringLiteral("drawn %1#%2 %3x%4: ")
+                             .arg(kind.section(QStringLiteral("::"), -1), widget->objectName())
+                             .arg(size.width())
+                             .arg(size.height()) +
+                         drawing.said();
         }
         return lines;
     }

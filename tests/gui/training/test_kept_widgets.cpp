@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the desktop paints by hand: bars, dials, plots that scroll, charts, pictures of exercises. As it was looked at (support/kept_pictures.h),
-// and as lines of what is painted (support/paint_outline.h). Kept anew, and the difference read:
-// CHIRON_STORE_PICTURES=1 CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/training/test_kept_widgets
+// What the desktop paints by hand: bars, dials, plots that scroll, charts, pictures of exercises. As it was
+// looked at (support/kept_pictures.h), and as lines of what is painted (support/paint_outline.h). Kept anew,
+// and the difference read: CHIRON_STORE_PICTURES=1 CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen
+// build/release/tests/gui/training/test_kept_widgets
+#include "app/exercises/palpation/desktop/lean_dial.h"
+#include "app/exercises/palpation/desktop/palpation_map_view.h"
+#include "app/exercises/palpation/desktop/size_row.h"
 #include "catalogue/catalogue.h"
 #include "desktop/debrief/band_bar.h"
 #include "desktop/home/exercise_picture.h"
 #include "desktop/people/people_model.h"
 #include "desktop/people/role_chips.h"
 #include "desktop/playback/scrubber.h"
-#include "app/exercises/palpation/desktop/palpation_map_view.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/sessions/plain_cell_delegate.h"
 #include "desktop/station/lateness_chart.h"
 #include "desktop/study_run/places_view.h"
 #include "desktop/training/force_bar.h"
-#include "app/exercises/palpation/desktop/lean_dial.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/mouse_pictogram.h"
 #include "desktop/training/signed_bar.h"
-#include "app/exercises/palpation/desktop/size_row.h"
 #include "desktop/training/sound_sign.h"
 #include "desktop/training/target_bar.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 #include "session/playback_track.h"
 #include "support/kept_pictures.h"
 #include "support/kept_text.h"
 #include "support/paint_outline.h"
-#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <QStandardItemModel>
 #include <QTableView>
@@ -45,9 +46,13 @@ Made cells(const Theme& theme, bool chips) {
     auto* model = new QStandardItemModel(2, 3, view.get());
     for (int row = 0; row < 2; ++row)
         for (int column = 0; column < 3; ++column) {
-            auto* item = new QStandardItem(column == 2 ? QStringLiteral("far too long for the room of a cell") : QStringLiteral("cell %1").arg(column));
+            auto* item = new QStandardItem(column == 2 ? QStringLiteral("far too long for the room of a cell")
+                                                       : QStringLiteral("cell %1").arg(column));
             if (chips)
-                item->setData(column == 0 ? QStringList{QStringLiteral("Trainer")} : QStringList{QStringLiteral("Trainee"), QStringLiteral("Researcher")}, PeopleModel::kChips);
+                item->setData(column == 0
+                                  ? QStringList{QStringLiteral("Trainer")}
+                                  : QStringList{QStringLiteral("Trainee"), QStringLiteral("Researcher")},
+                              PeopleModel::kChips);
             else if (column == 1) {
                 item->setData(static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), Qt::TextAlignmentRole);
                 item->setData(theme.color(Colour::bad), Qt::ForegroundRole);
@@ -56,8 +61,10 @@ Made cells(const Theme& theme, bool chips) {
             model->setItem(row, column, item);
         }
     view->setModel(model);
-    view->setItemDelegate(chips ? static_cast<QAbstractItemDelegate*>(new RoleChips(theme, view.get())) : new PlainCellDelegate(theme, view.get()));
-    view->selectionModel()->select(model->index(1, 0), QItemSelectionModel::Select | QItemSelectionModel::Rows);
+    view->setItemDelegate(chips ? static_cast<QAbstractItemDelegate*>(new RoleChips(theme, view.get()))
+                                : new PlainCellDelegate(theme, view.get()));
+    view->selectionModel()->select(model->index(1, 0),
+                                   QItemSelectionModel::Select | QItemSelectionModel::Rows);
     return view;
 }
 
@@ -68,7 +75,8 @@ Made palpationMap(const Theme& theme, const QLocale& locale) {
     report::PalpationMapView view;
     view.kind = simulation::SurfaceMapKind::force;
     view.lumps = {{0.010, 0.005, 0.006, 0.005, 3, true}, {-0.020, -0.015, 0.004, 0.004, 5, false}};
-    view.findings = {{1, 0.012, 0.004, 0.006, simulation::FindingOutcome::hit, true}, {2, 0.030, -0.020, 0.0, simulation::FindingOutcome::falseAlarm, false},
+    view.findings = {{1, 0.012, 0.004, 0.006, simulation::FindingOutcome::hit, true},
+                     {2, 0.030, -0.020, 0.0, simulation::FindingOutcome::falseAlarm, false},
                      {3, -0.030, 0.020, 0.005, simulation::FindingOutcome::open, false}};
     auto widget = std::make_unique<PalpationMapView>(plotThemeOf(theme, locale));
     widget->setMinimumSize(theme.px(560), theme.px(380));
@@ -76,26 +84,34 @@ Made palpationMap(const Theme& theme, const QLocale& locale) {
     return widget;
 }
 
-std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const catalogue::Catalogue& catalogue) {
+std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale,
+                                const catalogue::Catalogue& catalogue) {
     std::map<QString, Made> all;
     // ---- bars ----
     for (const auto& [name, value] : {std::pair{"low", 0.7}, {"near", 3.9}, {"over", 5.2}, {"none", 0.0}}) {
-        auto bar = std::make_unique<ForceBar>(theme, locale, ForceBar::Quantity{QStringLiteral("Force"), QStringLiteral("N"), 4.0, 2}, true);
+        auto bar = std::make_unique<ForceBar>(
+            theme, locale, ForceBar::Quantity{QStringLiteral("Force"), QStringLiteral("N"), 4.0, 2}, true);
         bar->setValue(value);
         all[QStringLiteral("force_bar_%1").arg(QLatin1String(name))] = std::move(bar);
     }
-    auto silent = std::make_unique<ForceBar>(theme, locale, ForceBar::Quantity{QStringLiteral("Force"), QStringLiteral("N"), 4.0, 2}, false);
+    auto silent = std::make_unique<ForceBar>(
+        theme, locale, ForceBar::Quantity{QStringLiteral("Force"), QStringLiteral("N"), 4.0, 2}, false);
     silent->setValue(2.0);
     all[QStringLiteral("force_bar_no_number")] = std::move(silent);
     for (const auto& [name, value] : {std::pair{"below", 0.6}, {"in", 1.2}, {"above", 1.9}, {"over", 2.8}}) {
-        auto bar = std::make_unique<TargetBar>(theme, locale, TargetBar::Quantity{QStringLiteral("Tension"), QStringLiteral("N"), 3.0, 2}, true);
+        auto bar = std::make_unique<TargetBar>(
+            theme, locale, TargetBar::Quantity{QStringLiteral("Tension"), QStringLiteral("N"), 3.0, 2}, true);
         bar->setBand(1.05, 1.35);
         bar->setLimit(2.5);
         bar->setValue(value);
         all[QStringLiteral("target_bar_%1").arg(QLatin1String(name))] = std::move(bar);
     }
     for (const auto& [name, value] : {std::pair{"left", -1.4}, {"right", 0.8}, {"over", -2.6}}) {
-        auto bar = std::make_unique<SignedBar>(theme, locale, SignedBar::Quantity{QStringLiteral("Fx"), QStringLiteral("Force along x"), QStringLiteral("N"), 2.0, 2}, true, true);
+        auto bar = std::make_unique<SignedBar>(theme, locale,
+                                               SignedBar::Quantity{QStringLiteral("Fx"),
+                                                                   QStringLiteral("Force along x"),
+                                                                   QStringLiteral("N"), 2.0, 2},
+                                               true, true);
         bar->setValue(value);
         all[QStringLiteral("signed_bar_%1").arg(QLatin1String(name))] = std::move(bar);
     }
@@ -122,7 +138,8 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const
     }
     // ---- plots and charts ----
     for (const bool banded : {false, true}) {
-        auto plot = std::make_unique<LivePlot>(theme, locale, QStringLiteral("Force (N)"), 2.0, banded ? std::optional<double>() : std::optional<double>(4.0));
+        auto plot = std::make_unique<LivePlot>(theme, locale, QStringLiteral("Force (N)"), 2.0,
+                                               banded ? std::optional<double>() : std::optional<double>(4.0));
         if (banded)
             plot->setBand(1.05, 1.35);
         for (int i = 0; i < 14'000; ++i)
@@ -149,9 +166,12 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const
     all[QStringLiteral("band_bar_minimum")] = std::make_unique<BandBar>(theme, row);
     row.value = -4.0; // below zero there is room, too
     all[QStringLiteral("band_bar_below_zero")] = std::make_unique<BandBar>(theme, row);
-    for (const Pictogram picture : {Pictogram::moveMouse, Pictogram::wheelTowards, Pictogram::wheelAway, Pictogram::leftClick, Pictogram::leftHeld, Pictogram::rightHeld,
-                                    Pictogram::moveStylus, Pictogram::pressStylus, Pictogram::stylusButton, Pictogram::keys})
-        all[QStringLiteral("pictogram_%1").arg(static_cast<int>(picture))] = std::make_unique<MousePictogram>(theme, picture);
+    for (const Pictogram picture :
+         {Pictogram::moveMouse, Pictogram::wheelTowards, Pictogram::wheelAway, Pictogram::leftClick,
+          Pictogram::leftHeld, Pictogram::rightHeld, Pictogram::moveStylus, Pictogram::pressStylus,
+          Pictogram::stylusButton, Pictogram::keys})
+        all[QStringLiteral("pictogram_%1").arg(static_cast<int>(picture))] =
+            std::make_unique<MousePictogram>(theme, picture);
     auto scrubber = std::make_unique<Scrubber>(theme);
     session::PlaybackTrack track;
     track.duration_s = 40.0;
@@ -164,7 +184,9 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const
     }
     track.paused = {{9.0, 12.0}};
     using session::PlaybackMarkKind;
-    for (const auto& [t_s, end_s, kind] : {std::tuple{5.0, 6.5, PlaybackMarkKind::overLimit}, {18.0, 18.0, PlaybackMarkKind::marked}, {30.0, 30.0, PlaybackMarkKind::slipped},
+    for (const auto& [t_s, end_s, kind] : {std::tuple{5.0, 6.5, PlaybackMarkKind::overLimit},
+                                           {18.0, 18.0, PlaybackMarkKind::marked},
+                                           {30.0, 30.0, PlaybackMarkKind::slipped},
                                            {38.0, 38.0, PlaybackMarkKind::timedOut}}) {
         session::PlaybackMark mark;
         mark.t_s = t_s;
@@ -184,9 +206,11 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const
         for (const catalogue::ExerciseLevel& level : exercise.levels)
             all[QStringLiteral("picture_%1_%2").arg(QString::fromStdString(exercise.id)).arg(level.number)] =
                 std::make_unique<ExercisePicture>(theme, level, QSize(theme.px(240), theme.px(150)));
-    catalogue::ExerciseLevel dimpled = *catalogue.find("sphere_apex", 1); // seen, as a level of one's own may have it
+    catalogue::ExerciseLevel dimpled =
+        *catalogue.find("sphere_apex", 1); // seen, as a level of one's own may have it
     dimpled.parameters.as<simulation::SphereApexParameters>().dimpleDepth_m = 0.002;
-    all[QStringLiteral("picture_dimple_seen")] = std::make_unique<ExercisePicture>(theme, dimpled, QSize(theme.px(240), theme.px(150)));
+    all[QStringLiteral("picture_dimple_seen")] =
+        std::make_unique<ExercisePicture>(theme, dimpled, QSize(theme.px(240), theme.px(150)));
     for (const bool hooked : {false, true}) {
         PlacesSetup setup;
         setup.hooked = hooked;
@@ -220,7 +244,8 @@ private slots:
         const Theme theme = Theme::load(ThemeName::light, 1.0).value();
         for (const auto& [name, widget] : widgets(theme, QLocale::c(), m_catalogue)) {
             QTest::newRow(qPrintable(name)) << name << static_cast<int>(ThemeName::light) << 1.0;
-            QTest::newRow(qPrintable(name + QStringLiteral(" dark, larger"))) << name << static_cast<int>(ThemeName::dark) << 1.5;
+            QTest::newRow(qPrintable(name + QStringLiteral(" dark, larger")))
+                << name << static_cast<int>(ThemeName::dark) << 1.5;
         }
     }
     void isAsItWasLookedAt() {
@@ -233,12 +258,17 @@ private slots:
         qApp->setStyleSheet(look.styleSheet());
         auto all = widgets(look, QLocale(QLocale::English, QLocale::UnitedKingdom), m_catalogue);
         QWidget& widget = *all.at(name);
-        const QSize size = widget.sizeHint().expandedTo(widget.minimumSizeHint()).expandedTo(QSize(look.px(60), look.px(16)));
+        const QSize size = widget.sizeHint()
+                               .expandedTo(widget.minimumSizeHint())
+                               .expandedTo(QSize(look.px(60), look.px(16)));
         widget.resize(name.startsWith(QLatin1String("places")) ? QSize(look.px(640), look.px(420))
-                      : size.width() < look.px(200) && size.width() < size.height() * 4 ? size
-                                                                                        : QSize(look.px(420), std::max(size.height(), look.px(24))));
-        const QString differs = m_kept.differs(QLatin1String(QTest::currentDataTag()), widget.grab().toImage());
-        const QString outline = m_outlines.differs(QLatin1String(QTest::currentDataTag()), tests::OutlineDevice::of(widget));
+                      : size.width() < look.px(200) && size.width() < size.height() * 4
+                          ? size
+                          : QSize(look.px(420), std::max(size.height(), look.px(24))));
+        const QString differs =
+            m_kept.differs(QLatin1String(QTest::currentDataTag()), widget.grab().toImage());
+        const QString outline =
+            m_outlines.differs(QLatin1String(QTest::currentDataTag()), tests::OutlineDevice::of(widget));
         QVERIFY2(outline.isEmpty(), qPrintable(outline));
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
@@ -247,7 +277,8 @@ private slots:
 private:
     catalogue::Catalogue m_catalogue = *catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
     tests::KeptPictures m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/training/kept_widgets.json")};
-    tests::KeptText m_outlines{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/training/kept_widgets.txt"), &tests::KeptText::nearly};
+    tests::KeptText m_outlines{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/training/kept_widgets.txt"),
+                               &tests::KeptText::nearly};
 };
 
 QTEST_MAIN(TestKeptWidgets)

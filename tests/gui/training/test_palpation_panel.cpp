@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modules/exercises/palpation/cues/findings_book.h"
 #include "app/exercises/palpation/desktop/lean_dial.h"
-#include "desktop/training/live_plot.h"
 #include "app/exercises/palpation/desktop/palpation_map.h"
 #include "app/exercises/palpation/desktop/palpation_panel.h"
 #include "app/exercises/palpation/desktop/palpation_words.h"
 #include "app/exercises/palpation/desktop/rating_row.h"
 #include "app/exercises/palpation/desktop/size_row.h"
+#include "app/exercises/palpation/session_report/finger_words.h"
+#include "desktop/training/live_plot.h"
 #include "desktop/training/sound_sign.h"
 #include "desktop/training/target_bar.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 #include "simulation/palpation/lean.h"
-#include "app/exercises/palpation/session_report/finger_words.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -44,11 +44,12 @@ struct Bench {
         : parameters(std::move(with)), panel(theme, QLocale::c(), cues, parameters) {
         panel.resize(372, 900);
         panel.setVisible(true);
-        QObject::connect(&panel.findings(), &FindingsBox::reported, &panel, [this](ReportField field, unsigned value) {
-            sent.push_back(core::reportWord(field, value));
-            book.report(field, value);
-            answer();
-        });
+        QObject::connect(&panel.findings(), &FindingsBox::reported, &panel,
+                         [this](ReportField field, unsigned value) {
+                             sent.push_back(core::reportWord(field, value));
+                             book.report(field, value);
+                             answer();
+                         });
         state.tools = parameters.tools();
         state.phase = core::TrialPhase::running;
         state.exercise.own<simulation::PalpationCues>().present = true;
@@ -88,7 +89,8 @@ private slots:
         QVERIFY(bench.find<QLabel>("training.no_findings")->isVisible());
         QVERIFY(!bench.find<RatingRow>("training.hardness")->isEnabled());
         bench.mark();
-        QVERIFY(bench.button("training.finding_0")->isVisible() && bench.button("training.finding_0")->isChecked());
+        QVERIFY(bench.button("training.finding_0")->isVisible() &&
+                bench.button("training.finding_0")->isChecked());
         QVERIFY(!bench.button("training.finding_1")->isVisible());
         bench.find<RatingRow>("training.hardness")->findChild<QPushButton*>(QStringLiteral("4"))->click();
         bench.find<RatingRow>("training.confidence")->findChild<QPushButton*>(QStringLiteral("5"))->click();
@@ -100,7 +102,8 @@ private slots:
         QCOMPARE(said.radius_m, 0.0055);
         QCOMPARE(bench.find<RatingRow>("training.hardness")->words(), QStringLiteral("Hardness: firm"));
         QCOMPARE(bench.find<SizeRow>("training.size")->words(), QStringLiteral("Size: 11 mm across"));
-        QCOMPARE(bench.find<QLabel>("training.finding")->text(), QStringLiteral("Finding 1: 11 mm across, firm, certain"));
+        QCOMPARE(bench.find<QLabel>("training.finding")->text(),
+                 QStringLiteral("Finding 1: 11 mm across, firm, certain"));
     }
 
     /// The row shows what the session took, not what was pressed.
@@ -155,12 +158,16 @@ private slots:
         bench.button("training.done")->click();
         QVERIFY(!bench.book.done());
         QVERIFY(bench.find<QWidget>("training.missing")->isVisible());
-        QVERIFY(bench.find<QLabel>("training.missing_text")->text().contains(QStringLiteral("Finding 1: size, hardness, confidence")));
+        QVERIFY(bench.find<QLabel>("training.missing_text")
+                    ->text()
+                    .contains(QStringLiteral("Finding 1: size, hardness, confidence")));
         bench.key(Qt::Key_3); // something was said: the question is put anew
         QVERIFY(!bench.find<QWidget>("training.missing")->isVisible());
         bench.key(Qt::Key_D);
         QVERIFY(!bench.book.done());
-        QVERIFY(bench.find<QLabel>("training.missing_text")->text().contains(QStringLiteral("Finding 1: size, confidence")));
+        QVERIFY(bench.find<QLabel>("training.missing_text")
+                    ->text()
+                    .contains(QStringLiteral("Finding 1: size, confidence")));
         bench.key(Qt::Key_D);
         QVERIFY(bench.book.done());
     }
@@ -176,8 +183,10 @@ private slots:
     void onlyWhatTheLevelAsksIsThere() {
         Bench bench(level(false), {});
         bench.mark();
-        QVERIFY(!bench.find<QWidget>("training.hardness") && !bench.find<QWidget>("training.size") && !bench.find<QWidget>("training.confidence"));
-        QVERIFY(bench.panel.findChildren<TargetBar*>().isEmpty() && bench.panel.findChildren<LeanDial*>().isEmpty());
+        QVERIFY(!bench.find<QWidget>("training.hardness") && !bench.find<QWidget>("training.size") &&
+                !bench.find<QWidget>("training.confidence"));
+        QVERIFY(bench.panel.findChildren<TargetBar*>().isEmpty() &&
+                bench.panel.findChildren<LeanDial*>().isEmpty());
         QVERIFY(bench.panel.findChildren<LivePlot*>().isEmpty() && !bench.find<QLabel>("training.coverage"));
         bench.key(Qt::Key_4);
         QVERIFY(bench.sent.empty());
@@ -193,7 +202,8 @@ private slots:
         bench.key(Qt::Key_3);
         bench.key(Qt::Key_D);
         QVERIFY(bench.sent.empty());
-        QVERIFY(!bench.button("training.done")->isEnabled() && !bench.button("training.take_back")->isEnabled());
+        QVERIFY(!bench.button("training.done")->isEnabled() &&
+                !bench.button("training.take_back")->isEnabled());
     }
 
     void everyValueIsShown() {
@@ -211,12 +221,14 @@ private slots:
         bench.state.exercise.own<simulation::PalpationCues>().leanSaturated = 2;
         for (int frame = 0; frame < 12; ++frame)
             bench.answer();
-        QCOMPARE(bench.find<TargetBar>("training.force_bar_0")->words(), QStringLiteral("1.20 N, in the band"));
+        QCOMPARE(bench.find<TargetBar>("training.force_bar_0")->words(),
+                 QStringLiteral("1.20 N, in the band"));
         QCOMPARE(bench.find<QLabel>("training.coverage")->text(), QStringLiteral("Searched: 42 %"));
         QCOMPARE(bench.find<QLabel>("training.finger_1_0")->text(), QStringLiteral("1.15"));
         QCOMPARE(bench.find<QLabel>("training.finger_1_1")->text(), QStringLiteral("40"));
         QCOMPARE(bench.find<QLabel>("training.finger_1_2")->text(), QStringLiteral("3.4"));
-        QCOMPARE(bench.find<LeanDial>("training.lean")->accessibleDescription(), QStringLiteral("1: 0°\n2: 18°, at its limit"));
+        QCOMPARE(bench.find<LeanDial>("training.lean")->accessibleDescription(),
+                 QStringLiteral("1: 0°\n2: 18°, at its limit"));
         QVERIFY(bench.find<LivePlot>("training.force_plot") && bench.find<LivePlot>("training.lean_plot"));
     }
 
@@ -228,7 +240,8 @@ private slots:
         };
         QVERIFY(dotUnder(0.5, 0.0).x() > 0.1 && std::abs(dotUnder(0.5, 0.0).y()) < 1e-12);
         QVERIFY(dotUnder(-0.5, 0.0).x() < -0.1);
-        QVERIFY(dotUnder(0.0, 0.5).y() < -0.1 && std::abs(dotUnder(0.0, 0.5).x()) < 1e-12); // away from the trainee: up on the screen
+        QVERIFY(dotUnder(0.0, 0.5).y() < -0.1 &&
+                std::abs(dotUnder(0.0, 0.5).x()) < 1e-12); // away from the trainee: up on the screen
         QVERIFY(dotUnder(0.0, -0.5).y() > 0.1);
         const QPointF both = dotUnder(0.3, 0.4);
         QVERIFY(std::abs(both.x() / both.y() + 0.75) < 1e-9);
@@ -264,7 +277,8 @@ private slots:
         QCOMPARE(shown(2.01, 2), QStringLiteral("Warning: pressed too hard")); // before a contact
         QCOMPARE(sign.accessibleDescription(), sign.words());
         QCOMPARE(shown(2.01, 3, false), QStringLiteral("No tone")); // paused
-        QVERIFY2(!sign.words().contains(QRegularExpression(QStringLiteral("\\d"))), "no numbers: the level has none");
+        QVERIFY2(!sign.words().contains(QRegularExpression(QStringLiteral("\\d"))),
+                 "no numbers: the level has none");
         QCOMPARE(SoundSign::stepsOf(std::nan(""), 2.0), 0);
         QCOMPARE(SoundSign::stepsOf(0.03, 2.0), 1);
         QCOMPARE(SoundSign::stepsOf(50.0, 2.0), SoundSign::kSteps);
@@ -281,7 +295,8 @@ private slots:
         for (int tool = 0; tool < 4; ++tool)
             fingers.insert(fingerName(tool, 2, 2));
         QCOMPARE(fingers.size(), std::size_t(4));
-        // The second finger is on the first one's right: of a right hand the middle one, of a left hand the index finger.
+        // The second finger is on the first one's right: of a right hand the middle one, of a left hand the
+        // index finger.
         QCOMPARE(fingerName(1, 2, 2), QString("Right middle finger"));
         QCOMPARE(fingerName(2, 2, 2), QString("Left middle finger"));
         QCOMPARE(fingerName(3, 2, 2), QString("Left index finger"));
@@ -293,7 +308,8 @@ private slots:
         Bench bench;
         bench.mark();
         for (const auto* button : bench.panel.findChildren<QPushButton*>()) {
-            QVERIFY2(!button->accessibleName().isEmpty() || !button->text().isEmpty(), qPrintable(button->objectName()));
+            QVERIFY2(!button->accessibleName().isEmpty() || !button->text().isEmpty(),
+                     qPrintable(button->objectName()));
             QVERIFY2((button->focusPolicy() & Qt::TabFocus) != 0, qPrintable(button->objectName()));
         }
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Before the clock starts everybody is told what to do, with which movements, up to which force, and what counts.
+// Before the clock starts everybody is told what to do, with which movements, up to which force, and what
+// counts.
 #include "gui/training/training_bench.h"
 
 #include "desktop/exercise_setup/gate_words.h"
@@ -36,7 +37,9 @@ std::size_t sessionsOf(TrainingBench& bench) {
     return listed ? listed->size() : 99;
 }
 /// A level with its own words in every language.
-const catalogue::ExerciseLevel& levelOf(TrainingBench& bench, const char* exercise, int level) { return *bench.desktop.site.catalogue().find(exercise, level); }
+const catalogue::ExerciseLevel& levelOf(TrainingBench& bench, const char* exercise, int level) {
+    return *bench.desktop.site.catalogue().find(exercise, level);
+}
 
 } // namespace
 
@@ -81,16 +84,25 @@ void TestReadyCard::nothingRunsBeforeGo() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(!card(bench));
     QVERIFY(bench.state().timeLeft_s > 29.0); // of 30: reading took none of it
-    QVERIFY(bench.screen()->scene()->widget()->isVisible() && button(bench, "training.stop")->isVisible() && button(bench, "training.stop")->isEnabled());
+    QVERIFY(bench.screen()->scene()->widget()->isVisible() && button(bench, "training.stop")->isVisible() &&
+            button(bench, "training.stop")->isEnabled());
 }
 
 void TestReadyCard::saysWhatToDo_data() {
     QTest::addColumn<QString>("exercise");
     QTest::addColumn<QStringList>("movements");
-    QTest::newRow("point") << QStringLiteral("sphere_apex") << QStringList{QStringLiteral("Move"), QStringLiteral("Lower"), QStringLiteral("Mark")};
-    QTest::newRow("endoscope") << QStringLiteral("urethra_insertion") << QStringList{QStringLiteral("Advance"), QStringLiteral("Turn"), QStringLiteral("Shift sideways")};
-    QTest::newRow("grasper") << QStringLiteral("elastic_tube") << QStringList{QStringLiteral("Move"), QStringLiteral("Lower"), QStringLiteral("Close the jaw")};
-    QTest::newRow("finger") << QStringLiteral("palpation") << QStringList{QStringLiteral("Move"), QStringLiteral("Press"), QStringLiteral("Mark a finding")};
+    QTest::newRow("point") << QStringLiteral("sphere_apex")
+                           << QStringList{QStringLiteral("Move"), QStringLiteral("Lower"),
+                                          QStringLiteral("Mark")};
+    QTest::newRow("endoscope") << QStringLiteral("urethra_insertion")
+                               << QStringList{QStringLiteral("Advance"), QStringLiteral("Turn"),
+                                              QStringLiteral("Shift sideways")};
+    QTest::newRow("grasper") << QStringLiteral("elastic_tube")
+                             << QStringList{QStringLiteral("Move"), QStringLiteral("Lower"),
+                                            QStringLiteral("Close the jaw")};
+    QTest::newRow("finger") << QStringLiteral("palpation")
+                            << QStringList{QStringLiteral("Move"), QStringLiteral("Press"),
+                                           QStringLiteral("Mark a finding")};
 }
 
 void TestReadyCard::saysWhatToDo() {
@@ -98,7 +110,8 @@ void TestReadyCard::saysWhatToDo() {
     QFETCH(QStringList, movements);
     TrainingBench bench;
     bench.show({{QStringLiteral("exercise"), exercise}});
-    QVERIFY(!bench.screen()->findChild<QLabel*>(QStringLiteral("training.ready.gates"))); // first what it takes to begin
+    QVERIFY(!bench.screen()->findChild<QLabel*>(
+        QStringLiteral("training.ready.gates"))); // first what it takes to begin
     button(bench, "training.ready.more")->click();
     const catalogue::ExerciseLevel& level = levelOf(bench, qPrintable(exercise), 1);
     QCOMPARE(bench.text("training.ready.goal"), QString::fromStdString(level.goal.at("en")));
@@ -110,18 +123,23 @@ void TestReadyCard::saysWhatToDo() {
     const QString limit = bench.text("training.ready.limit");
     for (const QString& words : desktop::limitsInWords(level, bench.desktop.context.locale()))
         QVERIFY2(limit.contains(words), qPrintable(limit));
-    QVERIFY2(limit.contains(QStringLiteral("shown, not felt")), qPrintable(limit)); // a mouse is no haptic device
+    QVERIFY2(limit.contains(QStringLiteral("shown, not felt")),
+             qPrintable(limit)); // a mouse is no haptic device
     for (const QString& words : desktop::gatesInWords(level, bench.desktop.context.locale()))
         QVERIFY(bench.text("training.ready.gates").contains(words));
-    QVERIFY(bench.text("training.ready.clock").contains(QStringLiteral("%1 trial").arg((*kind)->trialCount(level))));
+    QVERIFY(bench.text("training.ready.clock")
+                .contains(QStringLiteral("%1 trial").arg((*kind)->trialCount(level))));
     QVERIFY(!bench.text("training.ready.keys").isEmpty());
     // What is drawn to guide is explained; what this level does not draw is not.
     const session::LevelCues cues = session::cuesOf(level, false);
-    const scene3d::SceneSetup setup = desktop::sceneSetupOf(level, cues, bench.desktop.context.theme(), false, {});
+    const scene3d::SceneSetup setup =
+        desktop::sceneSetupOf(level, cues, bench.desktop.context.theme(), false, {});
     const std::vector<std::string> drawn = scene3d::marksOf({setup, cues.coverage, level.feedback});
     const QString marks = bench.text("training.ready.marks");
-    for (const catalogue::LegendLine& line : bench.desktop.site.catalogue().find(exercise.toStdString())->legend)
-        QCOMPARE(marks.contains(QString::fromStdString(line.text.at("en"))), std::find(drawn.begin(), drawn.end(), line.mark) != drawn.end());
+    for (const catalogue::LegendLine& line :
+         bench.desktop.site.catalogue().find(exercise.toStdString())->legend)
+        QCOMPARE(marks.contains(QString::fromStdString(line.text.at("en"))),
+                 std::find(drawn.begin(), drawn.end(), line.mark) != drawn.end());
 }
 
 void TestReadyCard::everyLevelHasAGoal() {
@@ -130,8 +148,11 @@ void TestReadyCard::everyLevelHasAGoal() {
         for (const catalogue::ExerciseLevel& level : exercise.levels)
             for (const char* language : {"en", "de", "el"}) {
                 const auto goal = level.goal.find(language);
-                QVERIFY2(goal != level.goal.end(), qPrintable(QString::fromStdString(exercise.id + " " + level.id)));
-                QVERIFY2(QString::fromStdString(goal->second).count(QRegularExpression(QStringLiteral("[.!?;](\\s|$)"))) == 1, goal->second.c_str()); // one sentence
+                QVERIFY2(goal != level.goal.end(),
+                         qPrintable(QString::fromStdString(exercise.id + " " + level.id)));
+                QVERIFY2(QString::fromStdString(goal->second)
+                                 .count(QRegularExpression(QStringLiteral("[.!?;](\\s|$)"))) == 1,
+                         goal->second.c_str()); // one sentence
             }
 }
 
@@ -185,7 +206,8 @@ void TestReadyCard::theButtonWithTheFocusIsPressed() {
     QTest::keyClick(help, Qt::Key_Return);
     const auto dialogIsThere = [] {
         const QWidgetList tops = QApplication::topLevelWidgets();
-        return std::any_of(tops.begin(), tops.end(), [](QWidget* top) { return qobject_cast<QDialog*>(top) && top->isVisible(); });
+        return std::any_of(tops.begin(), tops.end(),
+                           [](QWidget* top) { return qobject_cast<QDialog*>(top) && top->isVisible(); });
     };
     QTRY_VERIFY_WITH_TIMEOUT(dialogIsThere(), kPatience_ms);
     QVERIFY(card(bench) && !bench.screen()->feed());
@@ -194,13 +216,17 @@ void TestReadyCard::theButtonWithTheFocusIsPressed() {
 void TestReadyCard::aKeyOfTheScenePressesNoButton_data() {
     QTest::addColumn<int>("kind");
     QTest::addColumn<bool>("practised");
-    for (const auto& [name, kind] : {std::pair{"first", ReadyCard::Kind::first}, {"brief", ReadyCard::Kind::brief}, {"whole", ReadyCard::Kind::whole},
+    for (const auto& [name, kind] : {std::pair{"first", ReadyCard::Kind::first},
+                                     {"brief", ReadyCard::Kind::brief},
+                                     {"whole", ReadyCard::Kind::whole},
                                      {"paused", ReadyCard::Kind::paused}})
         for (const bool practised : {false, true})
-            QTest::addRow("%s%s", name, practised ? ", after a practice" : "") << static_cast<int>(kind) << practised;
+            QTest::addRow("%s%s", name, practised ? ", after a practice" : "")
+                << static_cast<int>(kind) << practised;
 }
 
-/// Whichever of a card's buttons has the focus: what pauses, marks, re-arms or answers in a scene presses none of them.
+/// Whichever of a card's buttons has the focus: what pauses, marks, re-arms or answers in a scene presses
+/// none of them.
 void TestReadyCard::aKeyOfTheScenePressesNoButton() {
     QFETCH(int, kind);
     QFETCH(bool, practised);
@@ -212,7 +238,8 @@ void TestReadyCard::aKeyOfTheScenePressesNoButton() {
     ReadyCard shown(bench.desktop.context.theme(), facts, static_cast<ReadyCard::Kind>(kind));
     shown.setToolKeys(desktop::movementKeys(session::PointerTool::point));
     int asked = 0;
-    for (const auto signal : {&ReadyCard::goAsked, &ReadyCard::practiceAsked, &ReadyCard::watchAsked, &ReadyCard::wholeAsked, &ReadyCard::helpAsked})
+    for (const auto signal : {&ReadyCard::goAsked, &ReadyCard::practiceAsked, &ReadyCard::watchAsked,
+                              &ReadyCard::wholeAsked, &ReadyCard::helpAsked})
         connect(&shown, signal, &shown, [&asked] { ++asked; });
     shown.show();
     shown.activateWindow();
@@ -221,7 +248,8 @@ void TestReadyCard::aKeyOfTheScenePressesNoButton() {
     for (auto* each : shown.findChildren<QPushButton*>()) {
         each->setFocus();
         QTRY_VERIFY_WITH_TIMEOUT(each->hasFocus(), kPatience_ms);
-        for (const Qt::Key key : {Qt::Key_Space, Qt::Key_R, Qt::Key_D, Qt::Key_N, Qt::Key_1, Qt::Key_F5, Qt::Key_Delete})
+        for (const Qt::Key key :
+             {Qt::Key_Space, Qt::Key_R, Qt::Key_D, Qt::Key_N, Qt::Key_1, Qt::Key_F5, Qt::Key_Delete})
             QTest::keyClick(each, key);
         QCOMPARE(asked, 0);
         QTest::keyClick(each, Qt::Key_Return); // that is how a button is pressed
@@ -267,7 +295,8 @@ void TestReadyCard::practiceEndsWithoutAnyButtonInHand() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(card(bench), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(card(bench)->hasFocus(), kPatience_ms);
-    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Space, Qt::Key_Right, Qt::Key_PageDown}) // they were meant for the practice
+    for (const Qt::Key key :
+         {Qt::Key_Return, Qt::Key_Space, Qt::Key_Right, Qt::Key_PageDown}) // they were meant for the practice
         QTest::keyClick(QApplication::focusWidget(), key);
     QTest::qWait(100);
     QVERIFY(card(bench) && !bench.screen()->feed());
@@ -281,14 +310,20 @@ void TestReadyCard::whoIsNewMayWatchFirst() {
     bench.show();
     button(bench, "training.ready.watch")->click();
     QVERIFY(!card(bench)); // who watches has none
-    QCOMPARE(bench.desktop.context.navigator().current().parameters.value(QStringLiteral("device")).toString(), QStringLiteral("demonstration"));
-    bench.desktop.settings.setOfPerson(bench.desktop.context.actor().personId(), desktop::readyKey(desktop::TrainingPlan::fromMap({{QStringLiteral("exercise"), QStringLiteral("sphere_apex")}})), true);
+    QCOMPARE(
+        bench.desktop.context.navigator().current().parameters.value(QStringLiteral("device")).toString(),
+        QStringLiteral("demonstration"));
+    bench.desktop.settings.setOfPerson(bench.desktop.context.actor().personId(),
+                                       desktop::readyKey(desktop::TrainingPlan::fromMap(
+                                           {{QStringLiteral("exercise"), QStringLiteral("sphere_apex")}})),
+                                       true);
     QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed(), kPatience_ms);
     bench.screen()->feed()->training().requestStop();
     QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
     bench.show();
     QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::brief);
-    QVERIFY(!bench.screen()->findChild<QPushButton*>(QStringLiteral("training.ready.watch"))); // who knows the level is not asked again
+    QVERIFY(!bench.screen()->findChild<QPushButton*>(
+        QStringLiteral("training.ready.watch"))); // who knows the level is not asked again
 }
 
 void TestReadyCard::afterAPauseEnterMarks() {
@@ -302,8 +337,10 @@ void TestReadyCard::afterAPauseEnterMarks() {
     main->click(); // with the mouse: the focus stays on it until the trial goes on
     QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
     QVERIFY(!main->hasFocus());
-    QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : bench.screen(), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state().trial > 0 || bench.state().phase == core::TrialPhase::between, kPatience_ms);
+    QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : bench.screen(),
+                    Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().trial > 0 || bench.state().phase == core::TrialPhase::between,
+                             kPatience_ms);
     QVERIFY(!bench.state().paused || bench.state().phase == core::TrialPhase::between);
 }
 
@@ -315,7 +352,8 @@ void TestReadyCard::helpBringsItBack() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::paused && card(bench)->isVisible());
     QVERIFY(!bench.text("training.ready.gates").isEmpty());
-    QVERIFY(button(bench, "training.stop")->isVisible() && button(bench, "training.stop")->isEnabled()); // whatever is read
+    QVERIFY(button(bench, "training.stop")->isVisible() &&
+            button(bench, "training.stop")->isEnabled()); // whatever is read
     const double left_s = bench.state().timeLeft_s;
     QTest::qWait(200);
     QCOMPARE(bench.state().timeLeft_s, left_s);
@@ -347,7 +385,8 @@ void TestReadyCard::stoppedItLeadsBackToReArm() {
 
 void TestReadyCard::whoWatchesHasNone() {
     TrainingBench bench;
-    bench.show({{QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QStringLiteral("expert")}});
+    bench.show({{QStringLiteral("device"), QStringLiteral("demonstration")},
+                {QStringLiteral("operator"), QStringLiteral("expert")}});
     QVERIFY(!card(bench));
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().started, kPatience_ms);
     QVERIFY(!bench.screen()->helpItself()); // the help of the screen is what there is
@@ -359,7 +398,9 @@ void TestReadyCard::startingAgainDoesNotAsk() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const database::SessionId first = bench.screen()->feed()->training().sessionId();
     bench.key(Qt::Key_F5);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first && bench.runs(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() &&
+                                 bench.screen()->feed()->training().sessionId() > first && bench.runs(),
+                             kPatience_ms);
     QVERIFY(!card(bench));
 }
 
@@ -371,11 +412,13 @@ void TestReadyCard::practiceDoesNotCount() {
     QVERIFY(bench.text("training.device").contains(QStringLiteral("not counted")));
     const database::SessionId id = bench.screen()->feed()->training().sessionId();
     bench.screen()->feed()->training().requestStop();
-    QTRY_VERIFY_WITH_TIMEOUT(card(bench), kPatience_ms); // what was practised waits, and the level is still new
+    QTRY_VERIFY_WITH_TIMEOUT(card(bench),
+                             kPatience_ms); // what was practised waits, and the level is still new
     QVERIFY(bench.at(QStringLiteral("training")) && card(bench)->kind() == ReadyCard::Kind::first);
     bench.show({{QStringLiteral("practice_s"), 1.5}}); // it ends by itself, and says so before and after
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.title.startsWith(QStringLiteral("Practice ends in ")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        bench.screen()->drawn().note.title.startsWith(QStringLiteral("Practice ends in ")), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(card(bench), kPatience_ms);
     QVERIFY(bench.text("training.ready.practised").contains(QStringLiteral("does not count")));
     QVERIFY(button(bench, "training.ready.go")->text().startsWith(QStringLiteral("Continue")));
@@ -386,7 +429,8 @@ void TestReadyCard::practiceDoesNotCount() {
     bench.show({{QStringLiteral("practice_s"), 60.0}}); // nor is its end told before it is near
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QTest::qWait(200);
-    QCOMPARE(bench.screen()->drawn().note.title, QStringLiteral("The mouse moves the instrument. Space pauses and frees it."));
+    QCOMPARE(bench.screen()->drawn().note.title,
+             QStringLiteral("The mouse moves the instrument. Space pauses and frees it."));
     bench.screen()->feed()->training().requestStop();
     QTRY_VERIFY_WITH_TIMEOUT(card(bench), kPatience_ms);
     auto connection = bench.desktop.database().openReader();
@@ -404,7 +448,8 @@ void TestReadyCard::practiceIsEndedForWhatCounts() {
     QVERIFY(!button(bench, "training.again")->isVisible());
     end->click(); // asks nothing: nothing is lost
     QTRY_VERIFY_WITH_TIMEOUT(card(bench), kPatience_ms);
-    QVERIFY(bench.at(QStringLiteral("training")) && bench.text("training.ready.practised").contains(QStringLiteral("does not count")));
+    QVERIFY(bench.at(QStringLiteral("training")) &&
+            bench.text("training.ready.practised").contains(QStringLiteral("does not count")));
     button(bench, "training.ready.go")->click();
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QCOMPARE(button(bench, "training.end")->text(), QStringLiteral("End session …"));
@@ -430,7 +475,8 @@ void TestReadyCard::whoOnlyTriedItReadsOnceMore() {
         bench.show();
         return card(bench) ? card(bench)->kind() : ReadyCard::Kind::paused;
     };
-    QVERIFY(kindAfterGo({{QStringLiteral("familiarisation"), true}, {QStringLiteral("trials"), 3}}) == ReadyCard::Kind::first);
+    QVERIFY(kindAfterGo({{QStringLiteral("familiarisation"), true}, {QStringLiteral("trials"), 3}}) ==
+            ReadyCard::Kind::first);
     QVERIFY(kindAfterGo({}) == ReadyCard::Kind::brief);
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever a scene draws to guide somebody is explained in a sentence, and nothing is explained that no scene draws.
+// Whatever a scene draws to guide somebody is explained in a sentence, and nothing is explained that no scene
+// draws.
 #include "catalogue/catalogue.h"
 #include "desktop/scene3d/scene_marks.h"
 #include "desktop/training/scene_feed.h"
 #include "gui/training/training_bench.h"
-#include "session/level_cues.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
+#include "session/level_cues.h"
 
 #include <QtTest>
 #include <set>
@@ -37,9 +38,11 @@ private slots:
                 for (const bool felt : {false, true})
                     drawn.merge(drawnOn(level, site.context.theme(), felt));
             for (const std::string& mark : drawn)
-                QVERIFY2(explained.contains(mark), (exercise.id + " draws, and does not explain: " + mark).c_str());
+                QVERIFY2(explained.contains(mark),
+                         (exercise.id + " draws, and does not explain: " + mark).c_str());
             for (const std::string& mark : explained)
-                QVERIFY2(drawn.contains(mark), (exercise.id + " explains, and draws nowhere: " + mark).c_str());
+                QVERIFY2(drawn.contains(mark),
+                         (exercise.id + " explains, and draws nowhere: " + mark).c_str());
         }
     }
 
@@ -47,7 +50,9 @@ private slots:
     void aLevelHasItsOwnMarks() {
         tests::DesktopFixture site;
         const catalogue::Catalogue& all = site.site.catalogue();
-        const auto on = [&](const char* exercise, int level) { return drawnOn(*all.find(exercise, level), site.context.theme(), false); };
+        const auto on = [&](const char* exercise, int level) {
+            return drawnOn(*all.find(exercise, level), site.context.theme(), false);
+        };
         QVERIFY(on("sphere_apex", 1).contains("force_limit")); // the ring that stays while somebody touches
         QVERIFY(on("sphere_apex", 1).contains("apex_answer"));
         for (const catalogue::ExerciseLevel& level : all.find("sphere_apex")->levels)
@@ -55,12 +60,15 @@ private slots:
         for (const catalogue::ExerciseLevel& level : all.find("palpation")->levels) {
             QCOMPARE(on("palpation", level.number).contains("lump_answer"), level.feedback);
             QCOMPARE(on("palpation", level.number).contains("lump"), level.number == 1);
-            QCOMPARE(on("palpation", level.number).contains("tool_rings"), level.parameters.as<simulation::PalpationParameters>().tools() > 1);
+            QCOMPARE(on("palpation", level.number).contains("tool_rings"),
+                     level.parameters.as<simulation::PalpationParameters>().tools() > 1);
         }
         for (const catalogue::ExerciseLevel& level : all.find("elastic_tube")->levels)
-            QCOMPARE(on("elastic_tube", level.number).contains("tool_rings"), level.parameters.as<simulation::ElasticTubeParameters>().tools() > 1);
+            QCOMPARE(on("elastic_tube", level.number).contains("tool_rings"),
+                     level.parameters.as<simulation::ElasticTubeParameters>().tools() > 1);
         for (const catalogue::ExerciseLevel& level : all.find("urethra_insertion")->levels)
-            QCOMPARE(on("urethra_insertion", level.number).contains("lumen_ring"), session::cuesOf(level, false).guidance);
+            QCOMPARE(on("urethra_insertion", level.number).contains("lumen_ring"),
+                     session::cuesOf(level, false).guidance);
     }
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A station that cannot be heard: it says why, and a session is shown and recorded as ever.
-#include "support/looked_back.h"
 #include "desktop/sound/sound_loader.h"
 #include "gui/training/training_bench.h"
 #include "session/session_view.h"
+#include "support/looked_back.h"
 #include "support/patience.h"
 
 using namespace chiron;
@@ -17,8 +17,10 @@ private slots:
     void silenceSaysWhy_data() {
         QTest::addColumn<QByteArray>("folder");
         QTest::addColumn<QString>("why");
-        QTest::newRow("no output") << QByteArray(CHIRON_NO_OUTPUT) << QStringLiteral("This station has no sound output.");
-        QTest::newRow("another version") << QByteArray(CHIRON_OTHER_VERSION) << QStringLiteral("another version");
+        QTest::newRow("no output") << QByteArray(CHIRON_NO_OUTPUT)
+                                   << QStringLiteral("This station has no sound output.");
+        QTest::newRow("another version")
+            << QByteArray(CHIRON_OTHER_VERSION) << QStringLiteral("another version");
         QTest::newRow("not installed") << QByteArray("/nowhere") << QStringLiteral("not installed");
     }
     void silenceSaysWhy() {
@@ -40,11 +42,15 @@ private slots:
         QVERIFY2(mute->toolTip().contains(QStringLiteral("no sound output")), qPrintable(mute->toolTip()));
         QVERIFY(bench.text("training.keys").contains(QStringLiteral("no sound output")));
         QTest::keyPress(bench.screen(), Qt::Key_PageDown);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].tissue[2] > 0.1, kPatience_ms); // something to be heard
+        QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].tissue[2] > 0.1,
+                                 kPatience_ms); // something to be heard
         QTest::keyRelease(bench.screen(), Qt::Key_PageDown);
         bench.key(Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
-        const auto id = bench.desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong();
+        const auto id = bench.desktop.context.navigator()
+                            .current()
+                            .parameters.value(QStringLiteral("session"))
+                            .toLongLong();
         auto connection = bench.desktop.database().openReader();
         QVERIFY(connection);
         auto stored = session::SessionView::open(**connection, bench.desktop.context.actor(), id);

@@ -71,9 +71,11 @@ void TestTrainingParts::everyPeakStays() {
         for (const auto& [t, value] : samples) {
             if (value < 9.0 || t < trace.newest_s() - 9.9)
                 continue;
-            const auto at = static_cast<std::ptrdiff_t>((t - trace.newest_s() + 10.0) / 10.0 * static_cast<double>(count));
+            const auto at = static_cast<std::ptrdiff_t>((t - trace.newest_s() + 10.0) / 10.0 *
+                                                        static_cast<double>(count));
             bool seen = false;
-            for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(at - 1, 0); i <= at + 1 && i < static_cast<std::ptrdiff_t>(count); ++i)
+            for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(at - 1, 0);
+                 i <= at + 1 && i < static_cast<std::ptrdiff_t>(count); ++i)
                 seen = seen || columns[static_cast<std::size_t>(i)].highest >= value;
             QVERIFY(seen);
         }
@@ -128,14 +130,15 @@ void TestTrainingParts::aPlotIsQuicklyPainted() {
     for (int n = 0; n < kPictures; ++n)
         plot.render(&picture);
     qInfo("%.3f ms a picture of 270 x 120", 1e-6 * static_cast<double>(timer.nsecsElapsed()) / kPictures);
-    QVERIFY(picture.toImage().pixelColor(150, 60) != picture.toImage().pixelColor(1, 119)); // something is drawn
+    QVERIFY(picture.toImage().pixelColor(150, 60) !=
+            picture.toImage().pixelColor(1, 119)); // something is drawn
 }
 
 void TestTrainingParts::pixelsBecomeMetres() {
     devices::PointerMailbox mailbox;
     PointerControl hand(mailbox, 2.0);
     hand.drag({100.0, 40.0}, false);
-    QCOMPARE(mailbox.read().moved[0], 0.005); // 100 pixels at 200 %
+    QCOMPARE(mailbox.read().moved[0], 0.005);  // 100 pixels at 200 %
     QCOMPARE(mailbox.read().moved[1], -0.002); // down on the screen: towards the person
     hand.drag({100.0, 40.0}, true);
     QCOMPARE(mailbox.read().moved[0], 0.005);
@@ -151,8 +154,8 @@ void TestTrainingParts::pixelsBecomeMetres() {
     QCOMPARE(mailbox.read().moved[0], 0.0); // mirrored workspace: right stays right in the scene
 }
 
-/// The pointer nears the edge and is led back to the middle; events of before still come, then the first from the middle. The
-/// tool only ever moves as the hand did.
+/// The pointer nears the edge and is led back to the middle; events of before still come, then the first from
+/// the middle. The tool only ever moves as the hand did.
 void TestTrainingParts::aPointerLedBackMakesNoJump() {
     devices::PointerMailbox mailbox;
     PointerControl hand(mailbox, 1.0);
@@ -160,14 +163,15 @@ void TestTrainingParts::aPointerLedBackMakesNoJump() {
     area.resize(800, 600);
     ScenePointer pointer(hand, area, area);
     const auto moveTo = [&](double x) {
-        QMouseEvent event(QEvent::MouseMove, QPointF(x, 300.0), QPointF(x, 300.0), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+        QMouseEvent event(QEvent::MouseMove, QPointF(x, 300.0), QPointF(x, 300.0), Qt::NoButton, Qt::NoButton,
+                          Qt::NoModifier);
         QApplication::sendEvent(&area, &event);
         return mailbox.read().moved[0] / PointerControl::kMetresPerPixel;
     };
     QCOMPARE(moveTo(100.0), 0.0); // free: nobody's hand
     pointer.capture();
-    QCOMPARE(moveTo(600.0), 0.0); // where it is when it is captured
-    QVERIFY(qFuzzyCompare(moveTo(690.0), 90.0)); // near the edge: led back from here on
+    QCOMPARE(moveTo(600.0), 0.0);                 // where it is when it is captured
+    QVERIFY(qFuzzyCompare(moveTo(690.0), 90.0));  // near the edge: led back from here on
     QVERIFY(qFuzzyCompare(moveTo(720.0), 120.0)); // of before, on its way
     QVERIFY(qFuzzyCompare(moveTo(410.0), 130.0)); // arrived at 400, moved on by 10
     QVERIFY(qFuzzyCompare(moveTo(400.0), 120.0)); // a movement over the middle is a movement
@@ -184,7 +188,8 @@ void TestTrainingParts::inAWideSceneNeither() {
     area.resize(1600, 400);
     ScenePointer pointer(hand, area, area);
     const auto moveTo = [&](double y) {
-        QMouseEvent event(QEvent::MouseMove, QPointF(800.0, y), QPointF(800.0, y), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+        QMouseEvent event(QEvent::MouseMove, QPointF(800.0, y), QPointF(800.0, y), Qt::NoButton, Qt::NoButton,
+                          Qt::NoModifier);
         QApplication::sendEvent(&area, &event);
         return -mailbox.read().moved[1] / PointerControl::kMetresPerPixel; // down on the screen
     };
@@ -218,8 +223,9 @@ void TestTrainingParts::theSamePathEndsAtTheSamePlace() {
             sample = (*device)->read(ticks.next(0));
         ends.push_back({sample.counts[0], sample.counts[1]});
     }
-    QVERIFY(std::abs(ends[0][0] - ends[1][0]) <= 1 && std::abs(ends[0][1] - ends[1][1]) <= 1); // of a grid of 1 um
-    QVERIFY(std::abs(ends[0][0] - 40'000) <= 1); // 400 pixels
+    QVERIFY(std::abs(ends[0][0] - ends[1][0]) <= 1 &&
+            std::abs(ends[0][1] - ends[1][1]) <= 1); // of a grid of 1 um
+    QVERIFY(std::abs(ends[0][0] - 40'000) <= 1);     // 400 pixels
 }
 
 /// So quick that the next event is outside of the scene: its window tells of it.
@@ -240,7 +246,9 @@ void TestTrainingParts::aMovementOutOfTheSceneIsNotLost() {
     connect(&beside, &QPushButton::clicked, &window, [&clicks] { ++clicks; });
     const auto send = [&](QEvent::Type type, double x, Qt::MouseButton button = Qt::NoButton) {
         const QPointF at(x, 200.0);
-        QMouseEvent event(type, at, window.mapToGlobal(at), button, type == QEvent::MouseButtonPress ? Qt::MouseButtons(button) : Qt::NoButton, Qt::NoModifier);
+        QMouseEvent event(type, at, window.mapToGlobal(at), button,
+                          type == QEvent::MouseButtonPress ? Qt::MouseButtons(button) : Qt::NoButton,
+                          Qt::NoModifier);
         QApplication::sendEvent(window.windowHandle(), &event);
         return mailbox.read().moved[0] / PointerControl::kMetresPerPixel;
     };
@@ -250,7 +258,8 @@ void TestTrainingParts::aMovementOutOfTheSceneIsNotLost() {
     QVERIFY(qFuzzyCompare(send(QEvent::MouseMove, 740.0), 440.0)); // over the button beside the scene
     send(QEvent::MouseButtonPress, 740.0, Qt::LeftButton);
     send(QEvent::MouseButtonRelease, 740.0, Qt::LeftButton);
-    QVERIFY(marks == 1 && clicks == 0); // a captured pointer marks, and presses nothing that it happens to be over
+    QVERIFY(marks == 1 &&
+            clicks == 0); // a captured pointer marks, and presses nothing that it happens to be over
     pointer.release();
     QVERIFY(qFuzzyCompare(send(QEvent::MouseMove, 800.0), 440.0));
 }
@@ -303,7 +312,8 @@ void TestTrainingParts::lateUpdatesAreToldAsAShare() {
     state.tick = 60'000;
     QCOMPARE(InfoPanel::loopText(state), QStringLiteral("Recording complete; every force update on time"));
     state.lateTicks = 1125;
-    QCOMPARE(InfoPanel::loopText(state), QStringLiteral("Recording complete; nothing is lost. 1.88 % of the force updates came late."));
+    QCOMPARE(InfoPanel::loopText(state),
+             QStringLiteral("Recording complete; nothing is lost. 1.88 % of the force updates came late."));
     state.lateTicks = 1;
     QVERIFY(InfoPanel::loopText(state).contains(QStringLiteral("0.01 %")));
 }
@@ -327,12 +337,17 @@ void TestTrainingParts::everyStateHasItsWords() {
             QVERIFY(!said.title.isEmpty() && !said.text.isEmpty());
         }
     QVERIFY(titles.size() >= 8);
-    QCOMPARE(words(ForceState::off, ArmingWait::nothing, {.felt = false}).title, QStringLiteral("Shown, not felt"));
-    QCOMPARE(words(ForceState::off, ArmingWait::nothing, {.felt = false, .paused = true, .stopped = true}).title,
-             QStringLiteral("Force is stopped"));
-    QCOMPARE(words(ForceState::arming, ArmingWait::smallRequest).title, QStringLiteral("Force is not on yet"));
-    QVERIFY(words(ForceState::ramping, ArmingWait::ramp, {.ownHand = false}).text.contains(QStringLiteral("rises")));
-    QVERIFY(words(ForceState::on, ArmingWait::nothing, {.ownHand = false}).text.contains(QStringLiteral("not felt")));
+    QCOMPARE(words(ForceState::off, ArmingWait::nothing, {.felt = false}).title,
+             QStringLiteral("Shown, not felt"));
+    QCOMPARE(
+        words(ForceState::off, ArmingWait::nothing, {.felt = false, .paused = true, .stopped = true}).title,
+        QStringLiteral("Force is stopped"));
+    QCOMPARE(words(ForceState::arming, ArmingWait::smallRequest).title,
+             QStringLiteral("Force is not on yet"));
+    QVERIFY(words(ForceState::ramping, ArmingWait::ramp, {.ownHand = false})
+                .text.contains(QStringLiteral("rises")));
+    QVERIFY(words(ForceState::on, ArmingWait::nothing, {.ownHand = false})
+                .text.contains(QStringLiteral("not felt")));
     QCOMPARE(words(ForceState::on, ArmingWait::nothing).title, QStringLiteral("Force is on"));
 }
 

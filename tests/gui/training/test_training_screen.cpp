@@ -89,8 +89,11 @@ void TestTrainingScreen::aWholeSetWithTheMouse() {
         QVERIFY(bench.text("training.trial").contains(QString::number(trial + 1)));
         const double before_m = bench.state().tool[0].p_WT_m[0];
         bench.sweepTo({trial % 2 == 0 ? 50 : -50, 20});
-        QTRY_VERIFY_WITH_TIMEOUT(trial % 2 == 0 ? bench.state().tool[0].p_WT_m[0] > before_m : bench.state().tool[0].p_WT_m[0] < before_m, kPatience_ms);
-        while (bench.state().tool[0].p_WT_m[2] > 0.012 && bench.runs()) { // onto the ball, or the plane beside it
+        QTRY_VERIFY_WITH_TIMEOUT(trial % 2 == 0 ? bench.state().tool[0].p_WT_m[0] > before_m
+                                                : bench.state().tool[0].p_WT_m[0] < before_m,
+                                 kPatience_ms);
+        while (bench.state().tool[0].p_WT_m[2] > 0.012 &&
+               bench.runs()) { // onto the ball, or the plane beside it
             bench.wheel(-240);
             QTest::qWait(20);
         }
@@ -101,7 +104,8 @@ void TestTrainingScreen::aWholeSetWithTheMouse() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
     qInfo("from the last mark to the debrief: %lld ms", static_cast<long long>(sinceMark.elapsed()));
     QVERIFY(!bench.desktop.context.trialRuns());
-    const auto id = bench.desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong();
+    const auto id =
+        bench.desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong();
     const database::SessionRecord record = recordOf(bench, id, bench.desktop.context.actor());
     QVERIFY(record.summary.state == SessionState::completed);
     QVERIFY(!record.summary.felt);
@@ -114,13 +118,20 @@ void TestTrainingScreen::aWholeSetWithTheMouse() {
         QVERIFY(trial.marked);
 }
 
-/// Measurements for a trainee to begin with, all of them on request, and remembered; a trainer has them all from the start.
+/// Measurements for a trainee to begin with, all of them on request, and remembered; a trainer has them all
+/// from the start.
 void TestTrainingScreen::measurementsAreThePersons() {
     TrainingBench bench;
     bench.train();
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
-    const auto details = [&] { return bench.screen()->findChild<QCheckBox*>(QStringLiteral("training.details")); };
-    const auto torque = [&] { return bench.screen()->findChild<QWidget*>(QStringLiteral("training.torque_bar"))->isVisibleTo(bench.screen()); };
+    const auto details = [&] {
+        return bench.screen()->findChild<QCheckBox*>(QStringLiteral("training.details"));
+    };
+    const auto torque = [&] {
+        return bench.screen()
+            ->findChild<QWidget*>(QStringLiteral("training.torque_bar"))
+            ->isVisibleTo(bench.screen());
+    };
     QVERIFY(!details()->isChecked() && !torque());
     bench.key(Qt::Key_F4);
     QVERIFY(details()->isChecked() && torque());
@@ -190,8 +201,8 @@ void TestTrainingScreen::aDialogPauses() {
     QVERIFY(bench.state().paused); // going on is the person's to say
 }
 
-/// The mark and the top are drawn, the next trial waits and loses nothing of its time; no pause of the person's is spoken of, and a pause of
-/// theirs outlasts it.
+/// The mark and the top are drawn, the next trial waits and loses nothing of its time; no pause of the
+/// person's is spoken of, and a pause of theirs outlasts it.
 void TestTrainingScreen::whatWasTrueIsLookedAtBeforeTheNextTrial() {
     TrainingBench bench(3);
     bench.train();
@@ -203,8 +214,11 @@ void TestTrainingScreen::whatWasTrueIsLookedAtBeforeTheNextTrial() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().answered, kPatience_ms);
     const scene3d::SceneState drawn = bench.screen()->drawn();
     QVERIFY(drawn.marked && drawn.objectShown && drawn.note.kind == scene3d::SceneNote::Kind::said);
-    const QString said = drawn.note.title; // marked in the air, beside the ball or above it, as the session was drawn: a distance alone would be untrue
-    QVERIFY2(said.endsWith(QStringLiteral("not on the sphere")) || said.startsWith(QStringLiteral("Not counted")), qPrintable(said));
+    const QString said = drawn.note.title; // marked in the air, beside the ball or above it, as the session
+                                           // was drawn: a distance alone would be untrue
+    QVERIFY2(said.endsWith(QStringLiteral("not on the sphere")) ||
+                 said.startsWith(QStringLiteral("Not counted")),
+             qPrintable(said));
     const auto held = [&bench] { return bench.state().paused && bench.state().phase == TrialPhase::between; };
     QTRY_VERIFY_WITH_TIMEOUT(held() || bench.state().trial == 1, kPatience_ms);
     if (!held() && 1'000'000 * sinceMark.elapsed() > desktop::AnswerNote::kHeld_ns)
@@ -213,22 +227,27 @@ void TestTrainingScreen::whatWasTrueIsLookedAtBeforeTheNextTrial() {
     QVERIFY(bench.text("training.force.title") != QStringLiteral("Paused"));
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs() && bench.state().trial == 1, kPatience_ms);
     const double used_s = 30.0 - bench.state().timeLeft_s; // of the new trial's time
-    QVERIFY(!bench.state().paused && used_s >= 0.0 && used_s < 1e-3 * static_cast<double>(sinceMark.elapsed()) - 1.5); // its clock stood still for the two seconds
-    QTRY_VERIFY_WITH_TIMEOUT(!bench.screen()->drawn().answered && !bench.screen()->drawn().marked, kPatience_ms);
+    QVERIFY(!bench.state().paused && used_s >= 0.0 &&
+            used_s < 1e-3 * static_cast<double>(sinceMark.elapsed()) -
+                         1.5); // its clock stood still for the two seconds
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.screen()->drawn().answered && !bench.screen()->drawn().marked,
+                             kPatience_ms);
     sinceMark.restart();
     bench.key(Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(held() || bench.state().trial == 2, kPatience_ms);
     if (!held() && 1'000'000 * sinceMark.elapsed() > desktop::AnswerNote::kHeld_ns)
         QSKIP("this program did not run for two seconds, so that it could not look");
     bench.key(Qt::Key_Space); // their own pause
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::paused, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::paused,
+                             kPatience_ms);
     QTest::qWait(static_cast<int>(desktop::AnswerNote::kHeld_ns / 1'000'000) + 500);
     QVERIFY(bench.state().paused && bench.state().trial == 1);
     bench.key(Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs() && bench.state().trial == 2, kPatience_ms);
 }
 
-/// The session has ended, and is stored meanwhile: the scene with the mark and the top stays before the debrief comes.
+/// The session has ended, and is stored meanwhile: the scene with the mark and the top stays before the
+/// debrief comes.
 void TestTrainingScreen::theLastTrialIsLookedAtBeforeTheDebrief() {
     TrainingBench bench(1);
     bench.train();
@@ -237,8 +256,9 @@ void TestTrainingScreen::theLastTrialIsLookedAtBeforeTheDebrief() {
     bool looked = false;
     const auto look = connect(bench.screen()->feed(), &desktop::LiveFeed::frame, this, [&] {
         const scene3d::SceneState& drawn = bench.screen()->drawn();
-        looked = looked || (bench.state().ended && stage->state() == desktop::StatePanel::State::content && drawn.answered && drawn.marked &&
-                            drawn.note.kind == scene3d::SceneNote::Kind::said);
+        looked =
+            looked || (bench.state().ended && stage->state() == desktop::StatePanel::State::content &&
+                       drawn.answered && drawn.marked && drawn.note.kind == scene3d::SceneNote::Kind::said);
     });
     bench.key(Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(looked, kPatience_ms);
@@ -247,7 +267,8 @@ void TestTrainingScreen::theLastTrialIsLookedAtBeforeTheDebrief() {
     disconnect(look);
 }
 
-/// The pointer is the scene's while somebody works: the way to the buttons stands above them, and over the scene until it was once gone.
+/// The pointer is the scene's while somebody works: the way to the buttons stands above them, and over the
+/// scene until it was once gone.
 void TestTrainingScreen::theWayToTheButtonsIsTold() {
     const QString inScene = QStringLiteral("The mouse moves the instrument. Space pauses and frees it.");
     TrainingBench bench;
@@ -256,14 +277,17 @@ void TestTrainingScreen::theWayToTheButtonsIsTold() {
     QCOMPARE(bench.text("training.pointer"), QStringLiteral("Space frees the mouse"));
     QVERIFY(bench.screen()->scene()->widget()->cursor().shape() == Qt::BlankCursor);
     bench.key(Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::paused, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::paused,
+                             kPatience_ms);
     QVERIFY(bench.screen()->scene()->widget()->cursor().shape() == Qt::ArrowCursor);
     QCOMPARE(bench.text("training.pointer"), QString()); // the veil says how to go on
     bench.key(Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::none, kPatience_ms); // who has found it is not told again
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::none,
+                             kPatience_ms); // who has found it is not told again
     QCOMPARE(bench.text("training.pointer"), QStringLiteral("Space frees the mouse"));
     bench.key(Qt::Key_Escape); // frees it, too
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::stopped, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::stopped,
+                             kPatience_ms);
     QVERIFY(bench.screen()->scene()->widget()->cursor().shape() == Qt::ArrowCursor);
 }
 
@@ -275,7 +299,8 @@ void TestTrainingScreen::anAssessmentGoesOnAtOnce() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     bench.key(Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.title == QStringLiteral("Marked"), kPatience_ms);
-    QVERIFY(!bench.screen()->drawn().answered && !bench.screen()->drawn().marked && !bench.screen()->drawn().objectShown);
+    QVERIFY(!bench.screen()->drawn().answered && !bench.screen()->drawn().marked &&
+            !bench.screen()->drawn().objectShown);
     while (!bench.runs() || bench.state().trial == 0) {
         QVERIFY(!bench.state().paused);
         QTest::qWait(20);
@@ -293,7 +318,7 @@ void TestTrainingScreen::pauseAndResume() {
     QCOMPARE(bench.text("training.force.title"), QStringLiteral("Paused"));
     const haptics::DisplayState at = bench.state();
     QTest::qWait(300);
-    QVERIFY(bench.state().tick > at.tick); // the loop goes on ...
+    QVERIFY(bench.state().tick > at.tick);             // the loop goes on ...
     QCOMPARE(bench.state().timeLeft_s, at.timeLeft_s); // ... and the clock does not
     QCOMPARE(bench.state().tool[0].p_WT_m[0], at.tool[0].p_WT_m[0]);
     bench.click(); // no mark while paused
@@ -307,7 +332,8 @@ void TestTrainingScreen::pauseAndResume() {
 
 void TestTrainingScreen::escStopsAndRearms() {
     TrainingBench bench;
-    bench.train({{QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QStringLiteral("expert")}});
+    bench.train({{QStringLiteral("device"), QStringLiteral("demonstration")},
+                 {QStringLiteral("operator"), QStringLiteral("expert")}});
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, kPatience_ms);
     bench.key(Qt::Key_Escape);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::stopped, kPatience_ms);
@@ -320,10 +346,14 @@ void TestTrainingScreen::escStopsAndRearms() {
     auto* main = bench.desktop.find<QPushButton>(QStringLiteral("training.main"));
     QVERIFY(main->text().contains(QStringLiteral("Re-arm")));
     bench.key(Qt::Key_R);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::arming || bench.state().force == core::ForceState::ramping ||
-                bench.state().force == core::ForceState::on, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::arming ||
+                                 bench.state().force == core::ForceState::ramping ||
+                                 bench.state().force == core::ForceState::on,
+                             kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms); // the trial goes on with the tick after the full force, and the picture may lie between them
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused,
+                             kPatience_ms); // the trial goes on with the tick after the full force, and the
+                                            // picture may lie between them
 }
 
 void TestTrainingScreen::aStopShowsNoForce() {
@@ -353,22 +383,27 @@ void TestTrainingScreen::cuesFollowTheLevel() {
     TrainingBench bench;
     bench.train({{QStringLiteral("level"), level}});
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
-    const session::LevelCues cues = session::cuesOf(*bench.desktop.site.catalogue().find("sphere_apex", level), false);
-    QCOMPARE(bench.desktop.find<desktop::ForceBar>(QStringLiteral("training.force_bar")) != nullptr, cues.bars);
+    const session::LevelCues cues =
+        session::cuesOf(*bench.desktop.site.catalogue().find("sphere_apex", level), false);
+    QCOMPARE(bench.desktop.find<desktop::ForceBar>(QStringLiteral("training.force_bar")) != nullptr,
+             cues.bars);
     QCOMPARE(bench.desktop.find<QLabel>(QStringLiteral("training.tip_x")) != nullptr, cues.numbers);
-    QCOMPARE(bench.desktop.find<desktop::LivePlot>(QStringLiteral("training.force_plot")) != nullptr, cues.plots);
+    QCOMPARE(bench.desktop.find<desktop::LivePlot>(QStringLiteral("training.force_plot")) != nullptr,
+             cues.plots);
     QCOMPARE(bench.desktop.find<QPushButton>(QStringLiteral("training.mute")) != nullptr, cues.sound);
     QCOMPARE(bench.state().objectShown, cues.object);
     QCOMPARE(cues.object, level == 1);
     QVERIFY(bench.text("training.device").contains(QStringLiteral("shown, not felt")));
 }
 
-/// The window does nothing for a second; lateness is printed beside the same run without that. A busy machine may keep the window as long by
-/// itself: what the guard must never do is to speak of a window that was not away; how long it was is recorded.
+/// The window does nothing for a second; lateness is printed beside the same run without that. A busy machine
+/// may keep the window as long by itself: what the guard must never do is to speak of a window that was not
+/// away; how long it was is recorded.
 void TestTrainingScreen::aStallCostsNoTick() {
     for (const bool stall : {false, true}) {
         TrainingBench bench;
-        bench.train({{QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QStringLiteral("expert")}});
+        bench.train({{QStringLiteral("device"), QStringLiteral("demonstration")},
+                     {QStringLiteral("operator"), QStringLiteral("expert")}});
         QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, kPatience_ms);
         const std::uint64_t at = bench.state().tick;
         if (stall)
@@ -376,11 +411,13 @@ void TestTrainingScreen::aStallCostsNoTick() {
         QTRY_VERIFY_WITH_TIMEOUT(bench.state().tick > at, kPatience_ms);
         const bool seen = (bench.state().guardsSeen & core::guard_bits::kHeartbeat) != 0;
         QVERIFY(seen || !stall);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, kPatience_ms); // comes back by itself
+        QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on,
+                                 kPatience_ms); // comes back by itself
         QCOMPARE(bench.state().droppedFrames, std::uint64_t{0});
         const haptics::LoopStatistics& loop = bench.screen()->feed()->training().statistics().latest();
-        qInfo("%s: %llu ticks, %llu late, %llu skipped, p99 %.1f us, max %.1f us", stall ? "stalled for 1 s" : "no stall       ",
-              static_cast<unsigned long long>(loop.ticks()), static_cast<unsigned long long>(loop.late()),
+        qInfo("%s: %llu ticks, %llu late, %llu skipped, p99 %.1f us, max %.1f us",
+              stall ? "stalled for 1 s" : "no stall       ", static_cast<unsigned long long>(loop.ticks()),
+              static_cast<unsigned long long>(loop.late()),
               static_cast<unsigned long long>(loop.skippedDeadlines()), loop.lateness().percentile_us(0.99),
               1e-3 * static_cast<double>(loop.lateness().maximum_ns()));
         const database::SessionId id = bench.screen()->feed()->training().sessionId();
@@ -407,7 +444,9 @@ void TestTrainingScreen::whatIsDrawnIsTheNewest() {
         QVERIFY(frames.wait());
         QCOMPARE(frames.count(), 1);
         QVERIFY(feed.samples().size() > 16); // more ticks than a frame has
-        QVERIFY(bench.screen()->drawn().time_s - before_s > 0.9e-3 * static_cast<double>(feed.samples().size())); // and all of them are behind what is drawn
+        QVERIFY(bench.screen()->drawn().time_s - before_s >
+                0.9e-3 *
+                    static_cast<double>(feed.samples().size())); // and all of them are behind what is drawn
     }
 }
 
@@ -450,11 +489,14 @@ void TestTrainingScreen::startAgainBeginsAtOnce() {
     bench.sweepTo({60, 0});
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[0] > 0.001, kPatience_ms);
     bench.key(Qt::Key_F5);
-    const auto second = [&] { return bench.screen() && bench.screen()->feed() ? bench.screen()->feed()->training().sessionId() : 0; };
+    const auto second = [&] {
+        return bench.screen() && bench.screen()->feed() ? bench.screen()->feed()->training().sessionId() : 0;
+    };
     QTRY_VERIFY_WITH_TIMEOUT(second() != 0 && second() != first, kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(bench.at(QStringLiteral("training")));
-    QVERIFY(std::abs(bench.state().tool[0].p_WT_m[0]) < 1e-4); // from the start position, with every value from nothing
+    QVERIFY(std::abs(bench.state().tool[0].p_WT_m[0]) <
+            1e-4); // from the start position, with every value from nothing
     QCOMPARE(int(bench.state().trial), 0);
     QVERIFY(bench.screen()->feed()->worked_s() < 4.0);
     const database::SessionRecord kept = recordOf(bench, first, bench.desktop.context.actor());
@@ -478,19 +520,24 @@ void TestTrainingScreen::startAgainAsksWhoHasWorked() {
     QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms); // the same attempt goes on
     answer("training.ask.end");
     button->click();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() &&
+                                 bench.screen()->feed()->training().sessionId() > first,
+                             kPatience_ms);
     QVERIFY(recordOf(bench, first, bench.desktop.context.actor()).summary.state == SessionState::stopped);
 }
 
 void TestTrainingScreen::errorsHaveTheirWords() {
     TrainingBench bench;
-    bench.train({{QStringLiteral("device"), QStringLiteral("trace")}, {QStringLiteral("trace"), QStringLiteral("/nowhere/trace.csv")}});
+    bench.train({{QStringLiteral("device"), QStringLiteral("trace")},
+                 {QStringLiteral("trace"), QStringLiteral("/nowhere/trace.csv")}});
     auto* panel = bench.screen()->findChild<desktop::StatePanel*>();
     QTRY_VERIFY_WITH_TIMEOUT(panel->state() == desktop::StatePanel::State::error, kPatience_ms);
     QVERIFY(!bench.desktop.context.trialRuns());
     QVERIFY(bench.screen()->mayLeave());
     bench.train({{QStringLiteral("level"), 99}});
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->findChild<desktop::StatePanel*>()->state() == desktop::StatePanel::State::error, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->findChild<desktop::StatePanel*>()->state() ==
+                                 desktop::StatePanel::State::error,
+                             kPatience_ms);
 }
 
 void TestTrainingScreen::soundCanBeSilent() {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "gui/training/training_bench.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "support/settled.h"
 
-#include "desktop/training/force_bar.h"
 #include "app/exercises/urethra_insertion/desktop/insertion_values.h"
+#include "desktop/training/force_bar.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/signed_bar.h"
 #include "support/patience.h"
@@ -23,7 +23,8 @@ using database::SessionState;
 namespace {
 
 QVariantMap urethra(int level) {
-    return {{QStringLiteral("exercise"), QStringLiteral("urethra_insertion")}, {QStringLiteral("level"), level}};
+    return {{QStringLiteral("exercise"), QStringLiteral("urethra_insertion")},
+            {QStringLiteral("level"), level}};
 }
 
 QString spoken(QWidget& widget) {
@@ -41,7 +42,8 @@ QString spoken(QWidget& widget) {
 /// Steers by keys as a person does: the view is kept along the canal.
 class KeyPilot {
 public:
-    KeyPilot(TrainingBench& bench, const simulation::UrethraInsertionParameters& p) : m_bench(bench), m_gauge(p), m_p(p) {}
+    KeyPilot(TrainingBench& bench, const simulation::UrethraInsertionParameters& p)
+        : m_bench(bench), m_gauge(p), m_p(p) {}
 
     void hold(Qt::Key key, bool down) {
         if (down == m_held[key])
@@ -55,7 +57,8 @@ public:
         const core::Quat q(tool.q_WT[0], tool.q_WT[1], tool.q_WT[2], tool.q_WT[3]);
         const core::Vec3 axis_A = m_p.pose.vectorToA(q * core::Vec3(0.0, 0.0, -1.0));
         const simulation::UrethraCentreline line(m_p.anatomy);
-        const double wanted = line.foot(m_p.pose.pointToA({tool.p_WT_m[0], tool.p_WT_m[1], tool.p_WT_m[2]})).at.psi_rad;
+        const double wanted =
+            line.foot(m_p.pose.pointToA({tool.p_WT_m[0], tool.p_WT_m[1], tool.p_WT_m[2]})).at.psi_rad;
         const double error = wanted - std::atan2(axis_A.y(), axis_A.z());
         hold(Qt::Key_Up, error > 0.02);
         hold(Qt::Key_Down, error < -0.02);
@@ -70,7 +73,9 @@ private:
 };
 
 const simulation::UrethraInsertionParameters& parametersOf(TrainingBench& bench, int level) {
-    return bench.desktop.site.catalogue().find("urethra_insertion", level)->parameters.as<simulation::UrethraInsertionParameters>();
+    return bench.desktop.site.catalogue()
+        .find("urethra_insertion", level)
+        ->parameters.as<simulation::UrethraInsertionParameters>();
 }
 
 } // namespace
@@ -98,14 +103,19 @@ void TestUrethraTraining::aWholeProcedureByKeys() {
     KeyPilot pilot(bench, parametersOf(bench, 1));
     pilot.hold(Qt::Key_W, true);
     QTRY_VERIFY_WITH_TIMEOUT((pilot.steer(), pilot.stage() == ProcedureStage::insertion), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.text("training.stage").startsWith(QStringLiteral("Insertion: ")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.text("training.stage").startsWith(QStringLiteral("Insertion: ")),
+                             kPatience_ms);
     QVERIFY(bench.desktop.find<QProgressBar>(QStringLiteral("training.stage_progress"))->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT((pilot.steer(), pilot.stage() == ProcedureStage::withdrawal), kPatience_ms);
     pilot.hold(Qt::Key_W, false);
-    QVERIFY(bench.desktop.find<desktop::LivePlot>(QStringLiteral("training.force_plot"))->trace().highest() > 0.0); // the canal resists
+    QVERIFY(bench.desktop.find<desktop::LivePlot>(QStringLiteral("training.force_plot"))->trace().highest() >
+            0.0); // the canal resists
     pilot.hold(Qt::Key_S, true);
-    QTRY_VERIFY_WITH_TIMEOUT((bench.at(QStringLiteral("training")) ? pilot.steer() : void(), bench.at(QStringLiteral("debrief"))), kPatience_ms);
-    const auto id = bench.desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong();
+    QTRY_VERIFY_WITH_TIMEOUT(
+        (bench.at(QStringLiteral("training")) ? pilot.steer() : void(), bench.at(QStringLiteral("debrief"))),
+        kPatience_ms);
+    const auto id =
+        bench.desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong();
     auto connection = bench.desktop.database().openReader();
     const auto record = database::SessionReader(**connection, bench.desktop.context.actor()).session(id);
     QVERIFY(record.has_value());
@@ -120,8 +130,9 @@ void TestUrethraTraining::mouseAndWheelMoveIt() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const haptics::ToolDisplay before = bench.state().tool[0];
     bench.wheel(480);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[1] > before.p_WT_m[1] + 0.005, kPatience_ms); // into the patient
-    bench.sweepTo({0, -60}); // upwards
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[1] > before.p_WT_m[1] + 0.005,
+                             kPatience_ms); // into the patient
+    bench.sweepTo({0, -60});                // upwards
     const auto pitch = [&] {
         const auto q = bench.state().tool[0].q_WT;
         const core::Vec3 axis_W = core::Quat(q[0], q[1], q[2], q[3]) * core::Vec3(0.0, 0.0, -1.0);
@@ -143,7 +154,9 @@ void TestUrethraTraining::startAgainBringsItBack() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[1] > start[1] + 0.005, kPatience_ms);
     bench.key(Qt::Key_F); // its depth of field as the person has it
     bench.key(Qt::Key_F5);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() &&
+                                 bench.screen()->feed()->training().sessionId() > first,
+                             kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(std::abs(bench.state().tool[0].p_WT_m[1] - start[1]) < 1e-5);
     QVERIFY(bench.state().exercise.of<simulation::EndoscopeCues>().stage == ProcedureStage::outside);
@@ -181,9 +194,13 @@ void TestUrethraTraining::theUnguidedLevelTellsNothing() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     KeyPilot pilot(bench, parametersOf(bench, 5));
     pilot.hold(Qt::Key_W, true);
-    QTRY_VERIFY_WITH_TIMEOUT((pilot.steer(), pilot.stage() == ProcedureStage::insertion && bench.state().exercise.of<simulation::EndoscopeCues>().depth_m > 0.01), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        (pilot.steer(), pilot.stage() == ProcedureStage::insertion &&
+                            bench.state().exercise.of<simulation::EndoscopeCues>().depth_m > 0.01),
+        kPatience_ms);
     pilot.hold(Qt::Key_W, false);
-    const session::LevelCues cues = session::cuesOf(*bench.desktop.site.catalogue().find("urethra_insertion", 5), false);
+    const session::LevelCues cues =
+        session::cuesOf(*bench.desktop.site.catalogue().find("urethra_insertion", 5), false);
     QVERIFY(!cues.numbers && !cues.guidance && !cues.overview);
     desktop::TrainingScreen& screen = *bench.screen();
     QVERIFY(screen.findChildren<desktop::SignedBar*>().isEmpty());
@@ -203,7 +220,9 @@ void TestUrethraTraining::demonstrated() {
     bench.train(plan);
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(bench.text("training.device").contains(QStringLiteral("five-bar")));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state().exercise.of<simulation::EndoscopeCues>().stage == ProcedureStage::insertion, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().exercise.of<simulation::EndoscopeCues>().stage ==
+                                 ProcedureStage::insertion,
+                             kPatience_ms);
     QVERIFY(bench.desktop.find<desktop::ForceBar>(QStringLiteral("training.lateral_bar")));
 }
 
@@ -216,7 +235,8 @@ void TestUrethraTraining::fitsSmallWindowsAndLargeText() {
         bench.train(urethra(1));
         QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
         QTest::qWait(300);
-        QCOMPARE(bench.desktop.window->size(), QSize(1280, 720)); // a screen must not force the window to grow
+        QCOMPARE(bench.desktop.window->size(),
+                 QSize(1280, 720)); // a screen must not force the window to grow
         const QStringList findings = settledFindings(bench.screen());
         QVERIFY2(findings.isEmpty(), qPrintable(findings.join(QLatin1Char('\n'))));
         bench.screen()->feed()->training().requestStop();

@@ -31,13 +31,16 @@ struct TrainingBench {
     }
     /// The same up to the ready card.
     void show(const QVariantMap& more = {}) {
-        QVariantMap plan{{QStringLiteral("exercise"), QStringLiteral("sphere_apex")}, {QStringLiteral("level"), 1}};
+        QVariantMap plan{{QStringLiteral("exercise"), QStringLiteral("sphere_apex")},
+                         {QStringLiteral("level"), 1}};
         plan.insert(more);
         desktop.go(QStringLiteral("training"), plan);
     }
     desktop::TrainingScreen* screen() { return desktop.screen<desktop::TrainingScreen>(); }
     /// The newest state; an empty one before the session begins.
-    haptics::DisplayState state() { return screen() && screen()->feed() ? screen()->feed()->state() : haptics::DisplayState{}; }
+    haptics::DisplayState state() {
+        return screen() && screen()->feed() ? screen()->feed()->state() : haptics::DisplayState{};
+    }
     bool runs() { return state().phase == core::TrialPhase::running; }
     bool at(const QString& place) { return desktop.context.navigator().current().screen == place; }
     void key(Qt::Key key) { QTest::keyClick(screen(), key); }
@@ -55,7 +58,8 @@ struct TrainingBench {
     void wheel(int eighths) {
         QWidget* widget = screen()->scene()->widget();
         const QPointF at = widget->rect().center();
-        QWheelEvent event(at, widget->mapToGlobal(at), {}, QPoint(0, eighths), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QWheelEvent event(at, widget->mapToGlobal(at), {}, QPoint(0, eighths), Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
         QApplication::sendEvent(screen()->scene()->inputSource(), &event);
     }
     void click() {
@@ -70,8 +74,10 @@ struct TrainingBench {
 private:
     /// To where the events of the scene arrive: a window of its own in 3D, which no widget helper reaches.
     void mouse(QEvent::Type type, QPoint at, Qt::MouseButton button) {
-        const Qt::MouseButtons held = type == QEvent::MouseButtonPress ? Qt::MouseButtons(button) : Qt::NoButton;
-        QMouseEvent event(type, at, screen()->scene()->widget()->mapToGlobal(at), button, held, Qt::NoModifier);
+        const Qt::MouseButtons held =
+            type == QEvent::MouseButtonPress ? Qt::MouseButtons(button) : Qt::NoButton;
+        QMouseEvent event(type, at, screen()->scene()->widget()->mapToGlobal(at), button, held,
+                          Qt::NoModifier);
         QApplication::sendEvent(screen()->scene()->inputSource(), &event);
     }
     void shorten(int trials, double limit_s) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of a session's states: training_pictures FOLDER [LOOK ...]. Needs a display; nothing is asserted.
-#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "gui/training/training_bench.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "support/patience.h"
 
 #include <QDir>
@@ -30,10 +30,12 @@ constexpr Look kLooks[] = {{"light", desktop::ThemeName::light, 1.0, "en"},
 
 class Album {
 public:
-    Album(TrainingBench& bench, const QDir& folder, const char* look) : m_bench(bench), m_folder(folder), m_look(look) {}
+    Album(TrainingBench& bench, const QDir& folder, const char* look)
+        : m_bench(bench), m_folder(folder), m_look(look) {}
     void take(const char* name, int wait_ms = 500) {
         QTest::qWait(wait_ms);
-        const QString file = m_folder.filePath(QStringLiteral("%1_%2.png").arg(QLatin1String(name), QLatin1String(m_look)));
+        const QString file =
+            m_folder.filePath(QStringLiteral("%1_%2.png").arg(QLatin1String(name), QLatin1String(m_look)));
         QGuiApplication::primaryScreen()->grabWindow(0).save(file);
         std::printf("%s\n", qPrintable(file));
     }
@@ -69,7 +71,8 @@ void takeMouse(TrainingBench& bench, Album& album) {
 }
 
 void takeDemonstration(TrainingBench& bench, Album& album) {
-    bench.train({{QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QStringLiteral("expert")}});
+    bench.train({{QStringLiteral("device"), QStringLiteral("demonstration")},
+                 {QStringLiteral("operator"), QStringLiteral("expert")}});
     untilForce(bench, core::ForceState::ramping);
     album.take("demo_arming", 300);
     untilForce(bench, core::ForceState::on);
@@ -77,7 +80,8 @@ void takeDemonstration(TrainingBench& bench, Album& album) {
     QElapsedTimer timer;
     timer.start();
     QTest::qWait(6000);
-    std::printf("scene: %.1f frames a second\n", 1e3 * double(bench.screen()->scene()->framesDrawn() - frames) / double(timer.elapsed()));
+    std::printf("scene: %.1f frames a second\n",
+                1e3 * double(bench.screen()->scene()->framesDrawn() - frames) / double(timer.elapsed()));
     album.take("demo_running");
     bench.key(Qt::Key_Escape);
     album.take("demo_stopped");
@@ -85,11 +89,18 @@ void takeDemonstration(TrainingBench& bench, Album& album) {
 
 void takeUrethra(TrainingBench& bench, Album& album) {
     const auto train = [&bench](int level, const char* who) {
-        bench.train({{QStringLiteral("exercise"), QStringLiteral("urethra_insertion")}, {QStringLiteral("level"), level},
-                     {QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QLatin1String(who)}});
+        bench.train({{QStringLiteral("exercise"), QStringLiteral("urethra_insertion")},
+                     {QStringLiteral("level"), level},
+                     {QStringLiteral("device"), QStringLiteral("demonstration")},
+                     {QStringLiteral("operator"), QLatin1String(who)}});
     };
     const auto until = [&bench](core::ProcedureStage stage, double depth_m) {
-        (void)QTest::qWaitFor([&] { return bench.state().exercise.of<simulation::EndoscopeCues>().stage >= stage && bench.state().exercise.of<simulation::EndoscopeCues>().depth_m >= depth_m; }, kPatience_ms);
+        (void)QTest::qWaitFor(
+            [&] {
+                return bench.state().exercise.of<simulation::EndoscopeCues>().stage >= stage &&
+                       bench.state().exercise.of<simulation::EndoscopeCues>().depth_m >= depth_m;
+            },
+            kPatience_ms);
     };
     train(3, "novice");
     until(core::ProcedureStage::insertion, 0.05);
@@ -134,8 +145,10 @@ int main(int argc, char** argv) {
         bench.desktop.settings.setLanguage(QLatin1String(look.language));
         bench.desktop.context.applyAppearance();
         Album album(bench, folder, look.name);
-        for (const auto& [exercise, name] : {std::pair{"sphere_apex", "setup"}, std::pair{"urethra_insertion", "setup_urethra"}}) {
-            bench.desktop.go(QStringLiteral("exercise_setup"), {{QStringLiteral("exercise"), QLatin1String(exercise)}});
+        for (const auto& [exercise, name] :
+             {std::pair{"sphere_apex", "setup"}, std::pair{"urethra_insertion", "setup_urethra"}}) {
+            bench.desktop.go(QStringLiteral("exercise_setup"),
+                             {{QStringLiteral("exercise"), QLatin1String(exercise)}});
             album.take(name, 800);
         }
         takeUrethra(bench, album);
@@ -144,7 +157,8 @@ int main(int argc, char** argv) {
         leave(bench);
         takeDemonstration(bench, album);
         leave(bench);
-        bench.train({{QStringLiteral("device"), QStringLiteral("trace")}, {QStringLiteral("trace"), QStringLiteral("/nowhere/trace.csv")}});
+        bench.train({{QStringLiteral("device"), QStringLiteral("trace")},
+                     {QStringLiteral("trace"), QStringLiteral("/nowhere/trace.csv")}});
         album.take("error", 800);
     }
     return 0;

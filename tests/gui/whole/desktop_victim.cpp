@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program in the middle of a set, to be killed: prints the database's path once so many ticks are recorded, then goes on.
+// The program in the middle of a set, to be killed: prints the database's path once so many ticks are
+// recorded, then goes on.
 #include "desktop/training/training_screen.h"
 #include "support/desktop_fixture.h"
 
@@ -14,12 +15,14 @@ int main(int argc, char** argv) {
     const std::uint64_t ticks = application.arguments().at(1).toULongLong();
     tests::DesktopFixture desktop;
     desktop.logIn("tina");
-    desktop.go(QStringLiteral("training"),
-               {{QStringLiteral("exercise"), QStringLiteral("sphere_apex")}, {QStringLiteral("level"), 1}, {QStringLiteral("device"), QStringLiteral("mouse")}});
+    desktop.go(QStringLiteral("training"), {{QStringLiteral("exercise"), QStringLiteral("sphere_apex")},
+                                            {QStringLiteral("level"), 1},
+                                            {QStringLiteral("device"), QStringLiteral("mouse")}});
     tests::pressGo(desktop);
     const auto recorded = [&] {
         auto* screen = desktop.screen<desktop::TrainingScreen>();
-        return screen && screen->feed() && screen->feed()->state().tick >= ticks; // each executed tick has its own number and is recorded
+        return screen && screen->feed() &&
+               screen->feed()->state().tick >= ticks; // each executed tick has its own number and is recorded
     };
     if (!QTest::qWaitFor(recorded, 60000))
         return 1;

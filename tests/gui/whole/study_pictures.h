@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of what the screens of studies show only after somebody did something: sittings, dialogs, a preview; and of studies of other kinds.
+// Pictures of what the screens of studies show only after somebody did something: sittings, dialogs, a
+// preview; and of studies of other kinds.
 #pragma once
 
 #include "support/patience.h"
@@ -14,12 +15,14 @@ namespace chiron::tests {
 struct MoreStudies {
     database::StudyNumber ties = 0; ///< rankings in which objects may be called equal
     database::StudyNumber apex = 0;
-    QString apexCode;               ///< has consented to it
+    QString apexCode; ///< has consented to it
 };
 
 inline psychophysics::StudyDesign tiedStudy() {
     psychophysics::StudyDesign design = smallStudy("ranks_with_ties");
-    design.title = {{"en", "Rankings with ties"}, {"de", "Rangfolgen mit Gleichständen"}, {"el", "Κατατάξεις με ισοπαλίες"}};
+    design.title = {{"en", "Rankings with ties"},
+                    {"de", "Rangfolgen mit Gleichständen"},
+                    {"el", "Κατατάξεις με ισοπαλίες"}};
     design.conditions.resize(1);
     design.conditions.front().task = psychophysics::Task::rank3Ties;
     std::get<psychophysics::Rank3Spec>(design.conditions.front().procedures.front()).allowTies = true;
@@ -34,7 +37,9 @@ inline psychophysics::StudyDesign hiddenApexStudy() {
 
 inline MoreStudies addMoreStudies(DesktopFixture& desktop) {
     const database::Actor rhea = desktop.actor("rhea");
-    if (!database::AccountService(desktop.database()).createPerson(desktop.actor("ada"), {"rob", "Rob Runner", {database::Role::researcher}, kTestPassword, false}))
+    if (!database::AccountService(desktop.database())
+             .createPerson(desktop.actor("ada"),
+                           {"rob", "Rob Runner", {database::Role::researcher}, kTestPassword, false}))
         qFatal("no second researcher");
     MoreStudies more;
     const auto frozen = [&](const psychophysics::StudyDesign& design) {
@@ -45,16 +50,21 @@ inline MoreStudies addMoreStudies(DesktopFixture& desktop) {
     const psychophysics::StudyDesign tied = tiedStudy();
     more.ties = frozen(tied);
     for (int i = 0; i < 3; ++i)
-        addRun(desktop, rhea, tied, addParticipant(desktop, rhea, more.ties, tied, "resident " + std::to_string(i)), "stiffness", 0.08 + 0.03 * i, static_cast<std::uint64_t>(41 + i));
+        addRun(desktop, rhea, tied,
+               addParticipant(desktop, rhea, more.ties, tied, "resident " + std::to_string(i)), "stiffness",
+               0.08 + 0.03 * i, static_cast<std::uint64_t>(41 + i));
     const psychophysics::StudyDesign apex = hiddenApexStudy();
     more.apex = frozen(apex);
     more.apexCode = QString::fromStdString(addParticipant(desktop, rhea, more.apex, apex, "surgeon 5").code);
     return more;
 }
 
-inline void addMorePlaces(std::vector<VisitedPlace>& places, const VisitedStudies& studies, const MoreStudies& more) {
-    const auto add = [&](const char* name, const char* person, const char* screen, database::StudyNumber study, int tab) {
-        places.push_back({name, person, {QLatin1String(screen), QVariantMap{{"study", qlonglong(study)}, {"tab", tab}}}});
+inline void addMorePlaces(std::vector<VisitedPlace>& places, const VisitedStudies& studies,
+                          const MoreStudies& more) {
+    const auto add = [&](const char* name, const char* person, const char* screen,
+                         database::StudyNumber study, int tab) {
+        places.push_back(
+            {name, person, {QLatin1String(screen), QVariantMap{{"study", qlonglong(study)}, {"tab", tab}}}});
     };
     add("data_ties", "rhea", "study_data", more.ties, 0);
     add("data_ties_person", "rhea", "study_data", more.ties, 1);
@@ -77,7 +87,10 @@ struct StudyPictures {
 
     /// A participant's view and the experimenter's beside it; then what is left of it.
     void trials() {
-        sit({"run_trials", "rhea", {QStringLiteral("study_trials"), {{"study", qlonglong(studies.data)}, {"participant", studies.waiting}}}});
+        sit({"run_trials",
+             "rhea",
+             {QStringLiteral("study_trials"),
+              {{"study", qlonglong(studies.data)}, {"participant", studies.waiting}}}});
         picture("run_trials_instructions");
         press("break.button");
         QTest::qWait(500);
@@ -106,7 +119,10 @@ struct StudyPictures {
     }
 
     void apexTrials() {
-        sit({"run_apex", "rhea", {QStringLiteral("study_trials"), {{"study", qlonglong(more.apex)}, {"participant", more.apexCode}}}});
+        sit({"run_apex",
+             "rhea",
+             {QStringLiteral("study_trials"),
+              {{"study", qlonglong(more.apex)}, {"participant", more.apexCode}}}});
         press("break.button");
         press("training.ready.go");
         QTest::qWait(4000);
@@ -127,10 +143,13 @@ struct StudyPictures {
     void dialogs() {
         visit(desktop, {"studies", "rhea", {QStringLiteral("studies"), {}}}, person);
         opened("studies.new", "study_dialog_new");
-        visit(desktop, {"draft", "rhea", {QStringLiteral("study"), {{"study", qlonglong(studies.draft)}}}}, person);
+        visit(desktop, {"draft", "rhea", {QStringLiteral("study"), {{"study", qlonglong(studies.draft)}}}},
+              person);
         opened("study.freeze", "study_dialog_freeze");
-        const VisitedPlace participants{"participants", "rhea", {QStringLiteral("study"), {{"study", qlonglong(more.apex)}, {"tab", 5}}}};
-        for (const auto& [button, name] : {std::pair{"participants.withdraw", "study_dialog_withdraw"}, {"participants.keys", "study_dialog_keys"},
+        const VisitedPlace participants{
+            "participants", "rhea", {QStringLiteral("study"), {{"study", qlonglong(more.apex)}, {"tab", 5}}}};
+        for (const auto& [button, name] : {std::pair{"participants.withdraw", "study_dialog_withdraw"},
+                                           {"participants.keys", "study_dialog_keys"},
                                            {"participants.enrol", "study_dialog_enrol"}}) {
             visit(desktop, participants, person);
             opened(button, name);
@@ -138,9 +157,14 @@ struct StudyPictures {
     }
 
     void preview() {
-        visit(desktop, {"preview", "rhea", {QStringLiteral("study"), {{"study", qlonglong(studies.draft)}, {"tab", 4}}}}, person);
+        visit(
+            desktop,
+            {"preview", "rhea", {QStringLiteral("study"), {{"study", qlonglong(studies.draft)}, {"tab", 4}}}},
+            person);
         press("preview.start");
-        if (!QTest::qWaitFor([this] { return desktop.find<QWidget>(QStringLiteral("preview.result")) != nullptr; }, kPatience_ms))
+        if (!QTest::qWaitFor(
+                [this] { return desktop.find<QWidget>(QStringLiteral("preview.result")) != nullptr; },
+                kPatience_ms))
             std::fprintf(stderr, "the preview did not come\n");
         picture("study_preview_done");
     }
@@ -174,7 +198,8 @@ private:
         press("trials.stop");
         if (!QTest::qWaitFor([this] { return !desktop.context.trialRuns(); }, kPatience_ms))
             std::fprintf(stderr, "the sitting did not end\n");
-        if (auto* leave = desktop.find<QPushButton>(QStringLiteral("trials.leave")); leave && !leave->isHidden())
+        if (auto* leave = desktop.find<QPushButton>(QStringLiteral("trials.leave"));
+            leave && !leave->isHidden())
             leave->click();
     }
 };

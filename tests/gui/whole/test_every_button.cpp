@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What comes of every button and every command of every screen, against what was read and kept. A change that is meant is kept anew, and
-// the difference is read in review: CHIRON_STORE_OUTLINES=1 xvfb-run -a build/release/tests/gui/whole/test_every_button
+// What comes of every button and every command of every screen, against what was read and kept. A change that
+// is meant is kept anew, and the difference is read in review: CHIRON_STORE_OUTLINES=1 xvfb-run -a
+// build/release/tests/gui/whole/test_every_button
 #include "support/kept_text.h"
 #include "support/what_came.h"
 
@@ -13,15 +14,24 @@ using namespace chiron::desktop;
 
 namespace {
 
-/// Buttons that begin a session (other tests do that), "Try again", which fails again here, and Qt's own buttons of a row of tabs.
-const QSet<QString> kNotPressed{QStringLiteral("setup.start"), QStringLiteral("run.begin"), QStringLiteral("state.action"),
-                                QStringLiteral("ScrollLeftButton"), QStringLiteral("ScrollRightButton")};
+/// Buttons that begin a session (other tests do that), "Try again", which fails again here, and Qt's own
+/// buttons of a row of tabs.
+const QSet<QString> kNotPressed{QStringLiteral("setup.start"), QStringLiteral("run.begin"),
+                                QStringLiteral("state.action"), QStringLiteral("ScrollLeftButton"),
+                                QStringLiteral("ScrollRightButton")};
 
-/// What moves by itself once it has begun, is drawn anew each time or tells how fast the machine is: only that something comes is told.
-const QSet<QString> kMoving{QStringLiteral("playback.play"), QStringLiteral("Play or pause"), QStringLiteral("station.verify"), QStringLiteral("station.self_test"),
-                             QStringLiteral("Run the self-test"), QStringLiteral("Verify the fingertip platform"), QStringLiteral("preview.start")};
+/// What moves by itself once it has begun, is drawn anew each time or tells how fast the machine is: only
+/// that something comes is told.
+const QSet<QString> kMoving{
+    QStringLiteral("playback.play"),     QStringLiteral("Play or pause"),
+    QStringLiteral("station.verify"),    QStringLiteral("station.self_test"),
+    QStringLiteral("Run the self-test"), QStringLiteral("Verify the fingertip platform"),
+    QStringLiteral("preview.start")};
 
-QString nameOf(const QAbstractButton& button) { return button.objectName() + QLatin1Char(' ') + (button.text().isEmpty() ? button.accessibleName() : button.text()).simplified(); }
+QString nameOf(const QAbstractButton& button) {
+    return button.objectName() + QLatin1Char(' ') +
+           (button.text().isEmpty() ? button.accessibleName() : button.text()).simplified();
+}
 
 /// "Just now" is soon "1 minute ago".
 QString lasting(const QString& name) {
@@ -31,8 +41,9 @@ QString lasting(const QString& name) {
 
 } // namespace
 
-/// Every button and command does something that can be seen: it opens a window, leads to another screen, shows a message or changes the
-/// screen; and what it does is what was kept. Training, settings and questionnaires, which have tests of their own, are left out.
+/// Every button and command does something that can be seen: it opens a window, leads to another screen,
+/// shows a message or changes the screen; and what it does is what was kept. Training, settings and
+/// questionnaires, which have tests of their own, are left out.
 class TestEveryButton : public QObject {
     Q_OBJECT
 private slots:
@@ -71,7 +82,9 @@ void TestEveryButton::initTestCase() {
     const tests::VisitedStudies studies = tests::addVisitedStudies(*m_desktop);
     m_draft = studies.draft;
     const auto zoe = database::AccountService(m_desktop->database())
-                         .createPerson(m_desktop->actor("ada"), {"zoe", "Zoe Visitor", database::RoleSet{database::Role::trainee}, tests::kTestPassword, false});
+                         .createPerson(m_desktop->actor("ada"),
+                                       {"zoe", "Zoe Visitor", database::RoleSet{database::Role::trainee},
+                                        tests::kTestPassword, false});
     QVERIFY(zoe.has_value());
     m_places = tests::everyPlace(sessions, studies);
     for (tests::VisitedPlace& place : m_places)
@@ -82,8 +95,10 @@ void TestEveryButton::initTestCase() {
 
 void TestEveryButton::addPlaces() {
     QTest::addColumn<int>("index");
-    // A running session changes by itself, settings change the whole program, and a questionnaire asks before it is left.
-    const QSet<QString> left{QStringLiteral("training"), QStringLiteral("settings"), QStringLiteral("questionnaire")};
+    // A running session changes by itself, settings change the whole program, and a questionnaire asks before
+    // it is left.
+    const QSet<QString> left{QStringLiteral("training"), QStringLiteral("settings"),
+                             QStringLiteral("questionnaire")};
     for (std::size_t i = 0; i < m_places.size(); ++i)
         if (!left.contains(m_places[i].place.screen))
             QTest::newRow(m_places[i].name) << static_cast<int>(i);
@@ -93,7 +108,8 @@ void TestEveryButton::addPlaces() {
 QList<QAbstractButton*> TestEveryButton::buttons() const {
     QList<QAbstractButton*> found;
     for (auto* button : m_desktop->window->screen()->findChildren<QAbstractButton*>())
-        if (button->isVisible() && button->isEnabled() && !kNotPressed.contains(button->objectName()) && !(button->isCheckable() && button->isChecked()))
+        if (button->isVisible() && button->isEnabled() && !kNotPressed.contains(button->objectName()) &&
+            !(button->isCheckable() && button->isChecked()))
             found << button;
     return found;
 }
@@ -101,12 +117,14 @@ QList<QAbstractButton*> TestEveryButton::buttons() const {
 /// Waits for a button that appears late; null if it does not appear.
 QPointer<QAbstractButton> TestEveryButton::buttonOf(const QString& name) const {
     QPointer<QAbstractButton> found;
-    (void)QTest::qWaitFor([&] {
-        for (auto* button : buttons())
-            if (nameOf(*button) == name)
-                found = button;
-        return !found.isNull();
-    }, 1000);
+    (void)QTest::qWaitFor(
+        [&] {
+            for (auto* button : buttons())
+                if (nameOf(*button) == name)
+                    found = button;
+            return !found.isNull();
+        },
+        1000);
     return found;
 }
 
@@ -120,7 +138,9 @@ void TestEveryButton::closeWindows() {
 
 /// Where nothing but a window opened, closing it is enough: some screens take long to build.
 bool TestEveryButton::backAfter(const tests::VisitedPlace& place, const QStringList& came) {
-    const bool windowOnly = !came.isEmpty() && std::all_of(came.begin(), came.end(), [](const QString& line) { return line.startsWith(QLatin1Char(' ')) || line.startsWith(QLatin1String("window ")); });
+    const bool windowOnly = !came.isEmpty() && std::all_of(came.begin(), came.end(), [](const QString& line) {
+        return line.startsWith(QLatin1Char(' ')) || line.startsWith(QLatin1String("window "));
+    });
     if (!windowOnly)
         return back(place);
     closeWindows();
@@ -129,26 +149,33 @@ bool TestEveryButton::backAfter(const tests::VisitedPlace& place, const QStringL
 
 bool TestEveryButton::back(const tests::VisitedPlace& place) {
     closeWindows();
-    if (place.place.screen == QLatin1String("study")) { // changes to a draft are kept at once: begin with the same one
+    if (place.place.screen ==
+        QLatin1String("study")) { // changes to a draft are kept at once: begin with the same one
         m_desktop->context.navigator().replace({QStringLiteral("home"), {}});
         if (!tests::waitUntilLoaded(*m_desktop))
             return false;
         const std::string design = catalogue::studyJson(tests::smallStudy("pilot")).toStdString();
-        tests::writeAs(*m_desktop, m_desktop->actor("rhea"), [&](database::StudyRepository& all) { return all.saveDraft(m_draft, design); });
+        tests::writeAs(*m_desktop, m_desktop->actor("rhea"),
+                       [&](database::StudyRepository& all) { return all.saveDraft(m_draft, design); });
     }
-    if (place.place.screen == QLatin1String("sessions")) // a filter is kept for the day, and may leave an empty list
-        m_desktop->context.settings().setOfPerson(m_desktop->actor(place.person).personId(), QStringLiteral("sessions_filter"), QVariantMap());
+    if (place.place.screen ==
+        QLatin1String("sessions")) // a filter is kept for the day, and may leave an empty list
+        m_desktop->context.settings().setOfPerson(m_desktop->actor(place.person).personId(),
+                                                  QStringLiteral("sessions_filter"), QVariantMap());
     if (!tests::visit(*m_desktop, place, m_person))
         return false;
-    // Some buttons need a selected row. We take the last: in the list of people that is Zoe, who never logs in here, so she may be disabled.
+    // Some buttons need a selected row. We take the last: in the list of people that is Zoe, who never logs
+    // in here, so she may be disabled.
     for (auto* table : m_desktop->window->screen()->findChildren<QTableView*>())
-        if (table->isVisible() && table->selectionBehavior() == QAbstractItemView::SelectRows && !table->currentIndex().isValid() && table->model())
+        if (table->isVisible() && table->selectionBehavior() == QAbstractItemView::SelectRows &&
+            !table->currentIndex().isValid() && table->model())
             table->selectRow(table->model()->rowCount() - 1);
     return tests::waitUntilLoaded(*m_desktop);
 }
 
 /// What differs from the kept text; empty if nothing does.
-QString TestEveryButton::heldOf(const tests::VisitedPlace& place, const QString& what, const QStringList& came) {
+QString TestEveryButton::heldOf(const tests::VisitedPlace& place, const QString& what,
+                                const QStringList& came) {
     const QString name = QString::fromLatin1(place.name) + QLatin1Char(' ') + what;
     if (came.isEmpty())
         return name + QStringLiteral(": nothing comes of it");
@@ -172,10 +199,17 @@ void TestEveryButton::doesSomething() {
         if (!button)
             continue; // another press took it away
         m_pressed << once;
-        const QStringList came = tests::WhatCame(*m_desktop).of([button] { if (button) button->click(); }, kMoving.contains(button->objectName()));
+        const QStringList came = tests::WhatCame(*m_desktop)
+                                     .of(
+                                         [button] {
+                                             if (button)
+                                                 button->click();
+                                         },
+                                         kMoving.contains(button->objectName()));
         const QString wrong = heldOf(place, name, came);
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
-        QVERIFY2(backAfter(place, came), qPrintable(QString::fromLatin1(place.name) + QStringLiteral(" after ") + name));
+        QVERIFY2(backAfter(place, came),
+                 qPrintable(QString::fromLatin1(place.name) + QStringLiteral(" after ") + name));
     }
 }
 
@@ -190,9 +224,15 @@ void TestEveryButton::commandsDoSomething() {
         if (m_pressed.contains(once))
             continue;
         m_pressed << once;
-        const QStringList came = tests::WhatCame(*m_desktop).of(command.act, kMoving.contains(command.text), 1500); // of "Undo" at first nothing comes
-        const QString name = QStringLiteral("%1 command %2 %3").arg(QString::fromLatin1(place.name), command.text, command.keys.toString());
-        const QString wrong = QByteArray(place.name).endsWith("_blind") ? QString() : m_kept.differs(lasting(name), came + QStringList{QStringLiteral("that is all")});
+        const QStringList came =
+            tests::WhatCame(*m_desktop)
+                .of(command.act, kMoving.contains(command.text), 1500); // of "Undo" at first nothing comes
+        const QString name = QStringLiteral("%1 command %2 %3")
+                                 .arg(QString::fromLatin1(place.name), command.text, command.keys.toString());
+        const QString wrong =
+            QByteArray(place.name).endsWith("_blind")
+                ? QString()
+                : m_kept.differs(lasting(name), came + QStringList{QStringLiteral("that is all")});
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
         QVERIFY2(backAfter(place, came), qPrintable(once));
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/accounts/hands.h"
+#include "database/repositories/session_reader.h"
 #include "desktop/debrief/debrief_screen.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/main_window.h"
 #include "desktop/frame/program.h"
 #include "desktop/frame/screen.h"
-#include "database/repositories/session_reader.h"
+#include "gui/accounts/hands.h"
 #include "support/content_copy.h"
 #include "support/patience.h"
 
@@ -41,13 +41,16 @@ private:
 class Station {
 public:
     explicit Station(const QTemporaryDir& folder)
-        : settings(folder.filePath(QStringLiteral("desktop.ini"))), site(folder.filePath(QStringLiteral("site.db")), cheap()), context(site, settings) {
+        : settings(folder.filePath(QStringLiteral("desktop.ini"))),
+          site(folder.filePath(QStringLiteral("site.db")), cheap()), context(site, settings) {
         settings.setLanguage(QStringLiteral("en"));
         settings.setSound(false);
         desktop::applyAppearance(*qApp, context);
-        QObject::connect(&context, &desktop::AppContext::appearanceChanged, qApp, [this] { desktop::applyAppearance(*qApp, context); });
+        QObject::connect(&context, &desktop::AppContext::appearanceChanged, qApp,
+                         [this] { desktop::applyAppearance(*qApp, context); });
         window = std::make_unique<desktop::MainWindow>(context);
-        context.navigator().replace({site.exists() ? QStringLiteral("login") : QStringLiteral("first_start"), {}});
+        context.navigator().replace(
+            {site.exists() ? QStringLiteral("login") : QStringLiteral("first_start"), {}});
         window->show();
         window->activateWindow();
         if (!QTest::qWaitForWindowActive(window.get()))
@@ -65,7 +68,8 @@ public:
         return options;
     }
     bool isOn(const char* screen) const {
-        return window->screen() && window->screen()->objectName() == QStringLiteral("screen.") + QLatin1String(screen);
+        return window->screen() &&
+               window->screen()->objectName() == QStringLiteral("screen.") + QLatin1String(screen);
     }
 
     desktop::Settings settings;
@@ -80,16 +84,21 @@ void trainByKeys(Station& station) {
     QVERIFY(tabTo(QStringLiteral("nav.exercises"))); // action 1
     press(Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(station.isOn("exercises"), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QPushButton*>(QStringLiteral("exercise.sphere_apex.1")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        station.window->findChild<QPushButton*>(QStringLiteral("exercise.sphere_apex.1")), kPatience_ms);
     QVERIFY(tabTo(QStringLiteral("exercise.sphere_apex.1"))); // action 2
     press(Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(station.isOn("exercise_setup"), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QPushButton*>(QStringLiteral("setup.start")), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QPushButton*>(QStringLiteral("setup.start"))->isEnabled(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QPushButton*>(QStringLiteral("setup.start")),
+                             kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        station.window->findChild<QPushButton*>(QStringLiteral("setup.start"))->isEnabled(), kPatience_ms);
     QVERIFY(tabTo(QStringLiteral("setup.start"))); // action 3
     press(Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(station.isOn("training"), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == QStringLiteral("training.ready.go"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(QApplication::focusWidget() && QApplication::focusWidget()->objectName() ==
+                                                                QStringLiteral("training.ready.go"),
+                             kPatience_ms);
     QVERIFY(!station.context.trialRuns());
     press(Qt::Key_Return); // what to do was read
     QTRY_VERIFY_WITH_TIMEOUT(station.context.trialRuns(), kPatience_ms);
@@ -99,7 +108,8 @@ void trainByKeys(Station& station) {
         QTest::qWait(200);
     }
     QVERIFY(station.isOn("debrief"));
-    QTRY_VERIFY_WITH_TIMEOUT(station.window->screen()->findChild<QLabel*>(QStringLiteral("debrief.verdict")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(station.window->screen()->findChild<QLabel*>(QStringLiteral("debrief.verdict")),
+                             kPatience_ms);
     QVERIFY(!station.context.trialRuns());
 }
 
@@ -132,8 +142,11 @@ private slots:
         QVERIFY(tabTo(QStringLiteral("first_start.repeat")));
         type(QLatin1String(kPassword));
         press(Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written")), kPatience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written"))->isVisible(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written")),
+                                 kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written"))->isVisible(),
+            kPatience_ms);
         QVERIFY(tabTo(QStringLiteral("recovery.written")));
         press(Qt::Key_Space);
         QVERIFY(tabTo(QStringLiteral("recovery.continue")));
@@ -142,7 +155,8 @@ private slots:
         isStoredAsCompleted(station, 1);
     }
 
-    /// What a person does from the first start to the first debrief, counted: a name, a password twice, and the rest is pressing.
+    /// What a person does from the first start to the first debrief, counted: a name, a password twice, and
+    /// the rest is pressing.
     void firstDebriefIsAFewActionsAway() {
         const QByteArray shortened = qgetenv("CHIRON_CONTENT");
         qunsetenv("CHIRON_CONTENT"); // as shipped: ten trials, of which a try has three
@@ -168,14 +182,18 @@ private slots:
         QVERIFY(tabTo(QStringLiteral("first_start.repeat")));
         doType(QLatin1String(kPassword));
         doKey(Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written")), kPatience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written"))->isVisible(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written")),
+                                 kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written"))->isVisible(),
+            kPatience_ms);
         QVERIFY(tabTo(QStringLiteral("recovery.written")));
         doKey(Qt::Key_Space);
         QVERIFY(tabTo(QStringLiteral("recovery.continue")));
         doKey(Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(station.isOn("home"), kPatience_ms);
-        QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("home.try"), kPatience_ms); // there is nothing else to do yet
+        QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("home.try"),
+                                  kPatience_ms); // there is nothing else to do yet
         doKey(Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(station.isOn("training"), kPatience_ms);
         QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("training.ready.go"), kPatience_ms);
@@ -187,14 +205,16 @@ private slots:
             QTest::qWait(200);
         }
         QVERIFY(station.isOn("debrief"));
-        QTRY_VERIFY_WITH_TIMEOUT(station.window->screen()->findChild<QLabel*>(QStringLiteral("debrief.verdict")), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            station.window->screen()->findChild<QLabel*>(QStringLiteral("debrief.verdict")), kPatience_ms);
         auto reader = station.site.database().openReader();
         QVERIFY(reader);
         const auto listed = database::SessionReader(**reader, station.context.actor()).listSessions();
         QVERIFY(listed && listed->size() == 1);
         QCOMPARE(listed->back().state, database::SessionState::completed);
         QVERIFY(listed->back().familiarisation);
-        const auto record = database::SessionReader(**reader, station.context.actor()).session(listed->back().id);
+        const auto record =
+            database::SessionReader(**reader, station.context.actor()).session(listed->back().id);
         QVERIFY(record);
         QCOMPARE(record->setup.plannedTrials, 3);
     }
@@ -203,7 +223,8 @@ private slots:
         Station station(m_folder);
         QTRY_VERIFY_WITH_TIMEOUT(station.isOn("login"), kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(station.site.isOpen(), kPatience_ms);
-        QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("login.name"), kPatience_ms); // the form comes once the names are read
+        QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("login.name"),
+                                  kPatience_ms); // the form comes once the names are read
         QVERIFY(tabTo(QStringLiteral("login.name")));
         type(QStringLiteral("ada"));
         QVERIFY(tabTo(QStringLiteral("login.password")));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How every screen is made (support/screen_outline.h), and what its own widgets paint (support/painted_parts.h), against what was looked
-// at and kept: a widget that is in no layout any more, a margin, a name that a screen reader says, a row of a table, a line of a picture.
-// An intended change is kept anew, and the difference is read in review:
-// CHIRON_STORE_OUTLINES=1 xvfb-run -a build/release/tests/gui/whole/test_kept_screens
+// How every screen is made (support/screen_outline.h), and what its own widgets paint
+// (support/painted_parts.h), against what was looked at and kept: a widget that is in no layout any more, a
+// margin, a name that a screen reader says, a row of a table, a line of a picture. An intended change is kept
+// anew, and the difference is read in review: CHIRON_STORE_OUTLINES=1 xvfb-run -a
+// build/release/tests/gui/whole/test_kept_screens
 #include "desktop/screen_catalogue.h"
 #include "support/every_place.h"
 #include "support/kept_text.h"
@@ -26,7 +27,8 @@ private slots:
         QTest::addColumn<int>("index");
         for (std::size_t i = 0; i < m_places.size(); ++i)
             // What a running session says is of the moment, and sealed codes are drawn.
-            if (m_places[i].place.screen != QLatin1String("training") && !QByteArray(m_places[i].name).endsWith("_blind"))
+            if (m_places[i].place.screen != QLatin1String("training") &&
+                !QByteArray(m_places[i].name).endsWith("_blind"))
                 QTest::newRow(m_places[i].name) << static_cast<int>(i);
     }
     void isMadeAsItWas() {
@@ -43,7 +45,8 @@ private slots:
         }
         const QString differs = m_kept.differs(name, now);
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
-        if (const QStringList painted = tests::paintedParts(*m_desktop->window->screen()); !painted.isEmpty()) {
+        if (const QStringList painted = tests::paintedParts(*m_desktop->window->screen());
+            !painted.isEmpty()) {
             const QString paints = m_painted.differs(name, painted);
             QVERIFY2(paints.isEmpty(), qPrintable(paints));
         }
@@ -61,7 +64,8 @@ private:
     std::vector<tests::VisitedPlace> m_places;
     std::string m_person;
     tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/whole/kept_screens.txt")};
-    tests::KeptText m_painted{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/whole/kept_painted.txt"), &tests::KeptText::nearly};
+    tests::KeptText m_painted{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/whole/kept_painted.txt"),
+                              &tests::KeptText::nearly};
     int m_held = 0;
 };
 

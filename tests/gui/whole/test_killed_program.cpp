@@ -18,11 +18,13 @@ namespace {
 
 constexpr int kTicks = 1500;
 
-/// Runs the program until a session has recorded so many ticks, then kills it without a word. The database's path.
+/// Runs the program until a session has recorded so many ticks, then kills it without a word. The database's
+/// path.
 QString killedInTheMiddle() {
     QProcess victim;
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    victim.start(QStringLiteral(CHIRON_BINARY_DIR "/tests/gui/whole/desktop_victim"), {QString::number(kTicks)});
+    victim.start(QStringLiteral(CHIRON_BINARY_DIR "/tests/gui/whole/desktop_victim"),
+                 {QString::number(kTicks)});
     QByteArray line;
     while (!line.endsWith('\n') && victim.waitForReadyRead(90000))
         line += victim.readLine();
@@ -74,8 +76,8 @@ private:
         QVERIFY2(replay && replay->identical, replay ? replay->note.c_str() : replay.error().message.c_str());
     }
 
-    static void showsInPlayback(desktop::AppContext& context, desktop::MainWindow& window, const database::Actor& actor,
-                                database::SessionId session) {
+    static void showsInPlayback(desktop::AppContext& context, desktop::MainWindow& window,
+                                const database::Actor& actor, database::SessionId session) {
         context.logIn(actor);
         context.navigator().go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(session)}});
         auto* panel = window.screen()->findChild<desktop::StatePanel*>();

@@ -27,21 +27,28 @@ struct Control {
 std::vector<Control> controlsOf(const QWidget& window, const QWidget* besides) {
     std::vector<Control> controls;
     for (const QWidget* each : window.findChildren<QWidget*>()) {
-        const bool control = qobject_cast<const QAbstractButton*>(each) || qobject_cast<const QLineEdit*>(each) || qobject_cast<const QComboBox*>(each) ||
-                             qobject_cast<const QAbstractSpinBox*>(each) || qobject_cast<const QAbstractSlider*>(each) || qobject_cast<const QAbstractItemView*>(each) ||
-                             qobject_cast<const QPlainTextEdit*>(each) || qobject_cast<const QTabBar*>(each);
-        if (!control || !each->isVisibleTo(&window) || !each->isEnabled() || each->window() != &window || (besides && besides->isAncestorOf(each)))
+        const bool control =
+            qobject_cast<const QAbstractButton*>(each) || qobject_cast<const QLineEdit*>(each) ||
+            qobject_cast<const QComboBox*>(each) || qobject_cast<const QAbstractSpinBox*>(each) ||
+            qobject_cast<const QAbstractSlider*>(each) || qobject_cast<const QAbstractItemView*>(each) ||
+            qobject_cast<const QPlainTextEdit*>(each) || qobject_cast<const QTabBar*>(each);
+        if (!control || !each->isVisibleTo(&window) || !each->isEnabled() || each->window() != &window ||
+            (besides && besides->isAncestorOf(each)))
             continue;
         const QRect seen = each->visibleRegion().boundingRect();
         if (!seen.isEmpty())
-            controls.push_back({each, QStringLiteral("%1 %2").arg(QLatin1String(each->metaObject()->className()), each->objectName()), QRect(each->mapTo(&window, seen.topLeft()), seen.size())});
+            controls.push_back({each,
+                                QStringLiteral("%1 %2").arg(QLatin1String(each->metaObject()->className()),
+                                                            each->objectName()),
+                                QRect(each->mapTo(&window, seen.topLeft()), seen.size())});
     }
     return controls;
 }
 
 } // namespace
 
-/// Wherever somebody is, a message covers nothing that can be used and moves nothing, at both ends of the scale.
+/// Wherever somebody is, a message covers nothing that can be used and moves nothing, at both ends of the
+/// scale.
 class TestMessageRoom : public QObject {
     Q_OBJECT
 private slots:
@@ -74,13 +81,21 @@ private slots:
             for (int i = 0; i < 40; ++i) { // until the page itself has come to rest
                 QTest::qWait(50);
                 const auto now = controlsOf(*m_desktop->window, nullptr);
-                const bool rests = std::equal(before.begin(), before.end(), now.begin(), now.end(), [](const Control& a, const Control& b) { return a.widget == b.widget && a.place == b.place; });
+                const bool rests = std::equal(before.begin(), before.end(), now.begin(), now.end(),
+                                              [](const Control& a, const Control& b) {
+                                                  return a.widget == b.widget && a.place == b.place;
+                                              });
                 before = now;
                 if (rests)
                     break;
             }
             const bool told = hasToStay(*entry);
-            m_desktop->context.messages().tell({MessageKind::error, QStringLiteral("The session was not changed. What was recorded is kept; try it again in a moment, or ask an administrator."), QStringLiteral("Undo"), {}});
+            m_desktop->context.messages().tell(
+                {MessageKind::error,
+                 QStringLiteral("The session was not changed. What was recorded is kept; try it again in a "
+                                "moment, or ask an administrator."),
+                 QStringLiteral("Undo"),
+                 {}});
             QTest::qWait(20);
             const auto* bar = m_desktop->window->findChild<MessageBar*>();
             QVERIFY2(bar && bar->isVisible(), place.name);
@@ -89,10 +104,14 @@ private slots:
             const auto after = controlsOf(*m_desktop->window, bar);
             for (const Control& control : after) {
                 if (control.place.intersects(covered))
-                    findings << QStringLiteral("%1: a message covers %2").arg(QLatin1String(place.name), control.name);
-                const auto was = std::find_if(before.begin(), before.end(), [&control](const Control& each) { return each.widget == control.widget; });
+                    findings << QStringLiteral("%1: a message covers %2")
+                                    .arg(QLatin1String(place.name), control.name);
+                const auto was = std::find_if(before.begin(), before.end(), [&control](const Control& each) {
+                    return each.widget == control.widget;
+                });
                 if (told && was != before.end() && was->place != control.place && !moves(*entry))
-                    findings << QStringLiteral("%1: a message moves %2").arg(QLatin1String(place.name), control.name);
+                    findings << QStringLiteral("%1: a message moves %2")
+                                    .arg(QLatin1String(place.name), control.name);
             }
             looked += static_cast<int>(after.size());
             m_desktop->window->findChild<QPushButton*>(QStringLiteral("messages.action"))->click(); // goes
@@ -104,7 +123,9 @@ private slots:
 
 private:
     /// The login makes room with the first message; a sitting has none to make.
-    static bool hasToStay(const ScreenEntry& entry) { return QLatin1String(entry.id) != QLatin1String("login"); }
+    static bool hasToStay(const ScreenEntry& entry) {
+        return QLatin1String(entry.id) != QLatin1String("login");
+    }
     /// Plays or measures by itself.
     static bool moves(const ScreenEntry& entry) {
         const QLatin1String id(entry.id);

@@ -10,8 +10,9 @@ namespace {
 constexpr int kThemes = 3;
 }
 
-/// Every screen, in every language and at both ends of the scale: nothing cut off, everything named and reachable. The themes take turns, so
-/// that each meets both scales; with CHIRON_EVERY_LOOK every theme meets every language and scale (the long test).
+/// Every screen, in every language and at both ends of the scale: nothing cut off, everything named and
+/// reachable. The themes take turns, so that each meets both scales; with CHIRON_EVERY_LOOK every theme meets
+/// every language and scale (the long test).
 class TestWalk : public QObject {
     Q_OBJECT
 private slots:
@@ -35,7 +36,8 @@ private slots:
                     if (!all && theme != (static_cast<int>(i) + (scale > 1.0 ? 1 : 0)) % kThemes)
                         continue;
                     const std::string& language = languages[i];
-                    QTest::addRow("%s, theme %d, %.0f %%", language.c_str(), theme, scale * 100) << QString::fromStdString(language) << theme << scale;
+                    QTest::addRow("%s, theme %d, %.0f %%", language.c_str(), theme, scale * 100)
+                        << QString::fromStdString(language) << theme << scale;
                 }
     }
 
@@ -52,7 +54,8 @@ private slots:
         for (const tests::VisitedPlace& place : m_places) {
             QVERIFY2(tests::visit(*m_desktop, place, m_person), place.name);
             QVERIFY2(m_desktop->window->screen(), place.name);
-            QCOMPARE(m_desktop->window->screen()->objectName(), QStringLiteral("screen.") + place.place.screen);
+            QCOMPARE(m_desktop->window->screen()->objectName(),
+                     QStringLiteral("screen.") + place.place.screen);
             for (const QString& finding : settledFindings())
                 findings << QStringLiteral("%1: %2").arg(QLatin1String(place.name), finding);
         }

@@ -41,6 +41,8 @@ inline QJsonValue changed(const QJsonValue& json, const QStringList& path, const
     return object;
 }
 
-inline QJsonObject parsed(const QByteArray& json) { return QJsonDocument::fromJson(json).object(); }
+inline QJsonObject parsed(const QByteArray& json) {
+    return QJsonDocument::fromJson(json).object();
+}
 
 } // namespace chiron::test

@@ -2,8 +2,8 @@
 #include "catalogue/canonical_json.h"
 #include "catalogue/catalogue.h"
 #include "core/units.h"
-#include "support/content_copy.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "support/content_copy.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -25,10 +25,11 @@ auto fields(const SphereApexParameters& p) {
                     p.stiffnessLow_N_per_m, p.stiffnessHigh_N_per_m, p.stiffnessVariation,
                     p.stiffnessWavelength_m, p.damping_Ns_per_m, p.frictionLow, p.frictionHigh,
                     p.bristleStiffness_N_per_m, p.dimpleDepth_m, p.dimpleRadius_m, p.dimpleOffset_m, p.trials,
-                    p.trialLimit_s, p.betweenTrials_s, p.maximumForce_N, p.cues, p.surface, p.meshEdge_m, p.bumpHeight_m,
-                    p.bumpWavelength_m, p.bumpSeed, p.roughness_m, p.roughnessWavelength_m, p.organStiffness_N_per_m,
-                    p.organSpread_m, p.organMass_kg, p.organRecoveryTime_s, p.organVolumeKeeping, p.organDeepest_m,
-                    p.slowPeriod_ms, p.slowLatency_ms, p.yield.force_N, p.yield.fall_s);
+                    p.trialLimit_s, p.betweenTrials_s, p.maximumForce_N, p.cues, p.surface, p.meshEdge_m,
+                    p.bumpHeight_m, p.bumpWavelength_m, p.bumpSeed, p.roughness_m, p.roughnessWavelength_m,
+                    p.organStiffness_N_per_m, p.organSpread_m, p.organMass_kg, p.organRecoveryTime_s,
+                    p.organVolumeKeeping, p.organDeepest_m, p.slowPeriod_ms, p.slowLatency_ms,
+                    p.yield.force_N, p.yield.fall_s);
 }
 
 const SphereApexParameters& parametersOf(const ExerciseLevel& level) {
@@ -93,7 +94,8 @@ void TestCatalogue::everyParameterKeyReachesTheStruct() {
     QCOMPARE(parameters.size(), qsizetype{36}); // all of SphereApexParameters but the cues
     for (const QString& key : parameters.keys()) {
         QJsonObject changed = parameters;
-        changed[key] = parameters[key].isString() ? QJsonValue("mesh") : QJsonValue(parameters[key].toDouble() + 1.0);
+        changed[key] =
+            parameters[key].isString() ? QJsonValue("mesh") : QJsonValue(parameters[key].toDouble() + 1.0);
         level["parameters"] = changed;
         document["level"] = level;
         const auto after = fromResolvedJson(canonicalJson(document));
@@ -122,7 +124,8 @@ void TestCatalogue::resolvedLevelRebuildsItself() {
     }
 }
 
-// P2's flexible mounting as content: origin, scale, mirror and turn of each base; stored content without it stands as it did.
+// P2's flexible mounting as content: origin, scale, mirror and turn of each base; stored content without it
+// stands as it did.
 void TestCatalogue::mountingIsKept() {
     const auto catalogue = Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
     QJsonObject document = json(catalogue->find("elastic_tube", 4)->resolvedJson);
@@ -131,18 +134,23 @@ void TestCatalogue::mountingIsKept() {
     document["level"] = level;
     const auto before = fromResolvedJson(canonicalJson(document));
     QVERIFY(before && before->mounting.empty());
-    const QJsonObject usual{{"shift_x_mm", 0}, {"shift_y_mm", 0}, {"shift_z_mm", 0}, {"scale", 1}, {"mirrored", false}, {"turn_deg", 0}, {"tilt_deg", 0}, {"roll_deg", 0}};
-    const QJsonObject turned{{"shift_x_mm", 4}, {"shift_y_mm", -5}, {"shift_z_mm", 6}, {"scale", 2}, {"mirrored", true}, {"turn_deg", 10}, {"tilt_deg", -20}, {"roll_deg", 30}};
+    const QJsonObject usual{{"shift_x_mm", 0},   {"shift_y_mm", 0}, {"shift_z_mm", 0}, {"scale", 1},
+                            {"mirrored", false}, {"turn_deg", 0},   {"tilt_deg", 0},   {"roll_deg", 0}};
+    const QJsonObject turned{{"shift_x_mm", 4},  {"shift_y_mm", -5}, {"shift_z_mm", 6}, {"scale", 2},
+                             {"mirrored", true}, {"turn_deg", 10},   {"tilt_deg", -20}, {"roll_deg", 30}};
     level["mounting"] = QJsonArray{usual, turned};
     document["level"] = level;
     const auto after = fromResolvedJson(canonicalJson(document));
     QVERIFY2(after.has_value(), after ? "" : after.error().message.c_str());
     QCOMPARE(after->mounting.size(), std::size_t{2});
-    QVERIFY(!after->mounting[0].turned() && after->mounting[0].scale == 1.0 && !after->mounting[0].leftHanded);
+    QVERIFY(!after->mounting[0].turned() && after->mounting[0].scale == 1.0 &&
+            !after->mounting[0].leftHanded);
     const core::BaseMounting& base = after->mounting[1];
-    QVERIFY(std::abs(base.origin_m[0] - 0.004) < 1e-12 && std::abs(base.origin_m[1] + 0.005) < 1e-12 && std::abs(base.origin_m[2] - 0.006) < 1e-12);
+    QVERIFY(std::abs(base.origin_m[0] - 0.004) < 1e-12 && std::abs(base.origin_m[1] + 0.005) < 1e-12 &&
+            std::abs(base.origin_m[2] - 0.006) < 1e-12);
     QVERIFY(base.scale == 2.0 && base.leftHanded);
-    QVERIFY(std::abs(base.turn_rad[0] - core::radFromDeg(10.0)) < 1e-12 && std::abs(base.turn_rad[1] + core::radFromDeg(20.0)) < 1e-12 &&
+    QVERIFY(std::abs(base.turn_rad[0] - core::radFromDeg(10.0)) < 1e-12 &&
+            std::abs(base.turn_rad[1] + core::radFromDeg(20.0)) < 1e-12 &&
             std::abs(base.turn_rad[2] - core::radFromDeg(30.0)) < 1e-12);
     QVERIFY(after->resolvedSha256 != before->resolvedSha256);
     QCOMPARE(fromResolvedJson(after->resolvedJson)->resolvedSha256, after->resolvedSha256);
@@ -264,7 +272,9 @@ void TestCatalogue::aTriedLevelHasFewerTrialsAndNothingElse() {
             const auto tried = withTrials(level, 3);
             QVERIFY2(tried, tried ? "" : tried.error().message.c_str());
             QJsonObject was = json(level.resolvedJson), now = json(tried->resolvedJson);
-            const auto trialsOf = [](const QJsonObject& document) { return document["level"].toObject()["parameters"].toObject()["trials"].toInt(); };
+            const auto trialsOf = [](const QJsonObject& document) {
+                return document["level"].toObject()["parameters"].toObject()["trials"].toInt();
+            };
             QCOMPARE(trialsOf(now), std::min(3, trialsOf(was)));
             QCOMPARE(tried->resolvedSha256 == level.resolvedSha256, trialsOf(was) <= 3);
             for (QJsonObject* document : {&was, &now}) {

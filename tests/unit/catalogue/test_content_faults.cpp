@@ -44,10 +44,12 @@ void TestContentFaults::crossChecks_data() {
         "$.parameters.dimple_offset_mm: 8.9 mm");
     row("dimple off the ball", "\"dimple_offset_mm\": 10", "\"dimple_offset_mm\": 14.5",
         "$.parameters.dimple_radius_mm: 9 mm");
-    row("unknown metric", "{\"id\": \"force_max\"", "{\"id\": \"force_most\"", "$.metrics[11].id: \"force_most\"");
+    row("unknown metric", "{\"id\": \"force_max\"", "{\"id\": \"force_most\"",
+        "$.metrics[11].id: \"force_most\"");
     row("unknown version", "{\"id\": \"time\", \"version\": 1}", "{\"id\": \"time\", \"version\": 9}",
         "$.metrics[4].version: 9");
-    row("metric twice", "{\"id\": \"force_mean\"", "{\"id\": \"force_max\"", "$.metrics[12].id: \"force_max\"");
+    row("metric twice", "{\"id\": \"force_mean\"", "{\"id\": \"force_max\"",
+        "$.metrics[12].id: \"force_max\"");
     row("gate on what is not computed", "{\"metric\": \"apex_misses\"", "{\"metric\": \"tube_length\"",
         "$.gates[1].metric: \"tube_length\"");
     row("gate in another unit", "\"unit\": \"count\"", "\"unit\": \"mm\"", "$.gates[1].unit: \"mm\"");
@@ -58,9 +60,13 @@ void TestContentFaults::crossChecks_data() {
     row("gated twice", "\"metric\": \"apex_misses\", \"unit\": \"count\"",
         "\"metric\": \"apex_error_mean\", \"unit\": \"% of R\"", "$.gates[1].metric: \"apex_error_mean\"");
     row("nothing seen, no force", "\"needs_force\": true", "\"needs_force\": false", "$.needs_force: false");
-    row("mounting of a device that stands as it is built", "\"needs_force\": true,", "\"needs_force\": true, \"mounting\": [{\"turn_deg\": 5}],", "$.mounting: given");
-    row("base turned too far", "\"needs_force\": true,", "\"needs_force\": true, \"mounting\": [{\"tilt_deg\": 46}],", "$.mounting[0].tilt_deg: 46");
-    row("base without a shift in metres", "\"needs_force\": true,", "\"needs_force\": true, \"mounting\": [{\"shift_x_m\": 0.01}],", "$.mounting[0].shift_x_m: unknown key");
+    row("mounting of a device that stands as it is built", "\"needs_force\": true,",
+        "\"needs_force\": true, \"mounting\": [{\"turn_deg\": 5}],", "$.mounting: given");
+    row("base turned too far", "\"needs_force\": true,",
+        "\"needs_force\": true, \"mounting\": [{\"tilt_deg\": 46}],", "$.mounting[0].tilt_deg: 46");
+    row("base without a shift in metres", "\"needs_force\": true,",
+        "\"needs_force\": true, \"mounting\": [{\"shift_x_m\": 0.01}],",
+        "$.mounting[0].shift_x_m: unknown key");
     row("variant shows the object", "\"cues\": [\"tool\", \"arrow\"", "\"cues\": [\"object\", \"arrow\"",
         "$.shown_force_variant.cues: \"object\"");
     row("unknown cue", "\"cues\": [\"tool\", \"arrow\"", "\"cues\": [\"tool\", \"arow\"",
@@ -71,8 +77,10 @@ void TestContentFaults::crossChecks_data() {
     row("control character", "\"title\": \"Decoy dimple\"", "\"title\": \"Decoy\\u0007dimple\"",
         "$.title: \"Decoy\\u0007dimple\"");
     row("a text in no language", "\"title\": \"Decoy dimple\"", "\"title\": {}", "$.title: an object");
-    row("a text without English", "\"title\": \"Decoy dimple\"", "\"title\": {\"de\": \"Delle\"}", "$.title.en: missing");
-    row("a text with a stray key", "\"title\": \"Decoy dimple\"", "\"title\": {\"en\": \"Dimple\", \"German\": \"Delle\"}", "$.title.German: unknown key");
+    row("a text without English", "\"title\": \"Decoy dimple\"", "\"title\": {\"de\": \"Delle\"}",
+        "$.title.en: missing");
+    row("a text with a stray key", "\"title\": \"Decoy dimple\"",
+        "\"title\": {\"en\": \"Dimple\", \"German\": \"Delle\"}", "$.title.German: unknown key");
 }
 
 void TestContentFaults::crossChecks() {
@@ -98,11 +106,16 @@ void TestContentFaults::softOrgans_data() {
     const auto row = [](const char* tag, const char* from, const char* to, const char* path) {
         QTest::newRow(tag) << QByteArray(from) << QByteArray(to) << QByteArray(path);
     };
-    row("answers later than the next question", "\"slow_period_ms\": 33", "\"slow_period_ms\": 32", "$.parameters.slow_latency_ms: 33");
-    row("answers too soon to blend", "\"slow_latency_ms\": 33", "\"slow_latency_ms\": 19", "$.parameters.slow_latency_ms: 19");
-    row("too fine to be simulated", "\"mesh_edge_mm\": 1.5", "\"mesh_edge_mm\": 0.6", "$.parameters.mesh_edge_mm: 0.6 mm");
-    // within what this schema allows, but no organ can be made of it: told when it is loaded, not when it is touched
-    row("cannot be made", "\"organ_deepest_mm\": 8", "\"organ_deepest_mm\": 60", "$.parameters.surface: a dome that cannot be made");
+    row("answers later than the next question", "\"slow_period_ms\": 33", "\"slow_period_ms\": 32",
+        "$.parameters.slow_latency_ms: 33");
+    row("answers too soon to blend", "\"slow_latency_ms\": 33", "\"slow_latency_ms\": 19",
+        "$.parameters.slow_latency_ms: 19");
+    row("too fine to be simulated", "\"mesh_edge_mm\": 1.5", "\"mesh_edge_mm\": 0.6",
+        "$.parameters.mesh_edge_mm: 0.6 mm");
+    // within what this schema allows, but no organ can be made of it: told when it is loaded, not when it is
+    // touched
+    row("cannot be made", "\"organ_deepest_mm\": 8", "\"organ_deepest_mm\": 60",
+        "$.parameters.surface: a dome that cannot be made");
 }
 
 void TestContentFaults::softOrgans() {
@@ -125,7 +138,8 @@ void TestContentFaults::softOrgans() {
     const auto catalogue = Catalogue::load(copy.directory());
     QVERIFY(!catalogue.has_value());
     const QByteArray message = QByteArray::fromStdString(catalogue.error().message);
-    QVERIFY2(message.startsWith(copy.path(level).toUtf8() + ':') && message.contains(path), message.constData());
+    QVERIFY2(message.startsWith(copy.path(level).toUtf8() + ':') && message.contains(path),
+             message.constData());
 }
 
 void TestContentFaults::missingFolderAndFiles() {

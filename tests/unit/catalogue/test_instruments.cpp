@@ -15,7 +15,8 @@ using psychophysics::Questionnaire;
 namespace {
 
 const catalogue::Instrument* find(const std::vector<catalogue::Instrument>& all, const std::string& id) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.questionnaire.id == id; });
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.questionnaire.id == id; });
     return found == all.end() ? nullptr : &*found;
 }
 
@@ -68,7 +69,8 @@ private slots:
         study->questionnaires[0].items.pop_back();
         const auto read = catalogue::readStudy(catalogue::studyJson(*study), "study");
         QVERIFY(!read);
-        QVERIFY2(read.error().message.find("ten statements") != std::string::npos, read.error().message.c_str());
+        QVERIFY2(read.error().message.find("ten statements") != std::string::npos,
+                 read.error().message.c_str());
     }
 
     void aFolderWithoutInstrumentsHasNone() {

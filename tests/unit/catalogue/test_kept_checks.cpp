@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a level or a study may say: each of its numbers made 0, smaller, larger, and as large as every other number of its unit, so that
-// each limit is met just there, against what was kept. Refused values with their place and reason; who gives a limit up says so.
+// What a level or a study may say: each of its numbers made 0, smaller, larger, and as large as every other
+// number of its unit, so that each limit is met just there, against what was kept. Refused values with their
+// place and reason; who gives a limit up says so.
 #include "support/kept_figures.h"
 
-#include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 #include "catalogue/canonical_json.h"
 #include "catalogue/catalogue.h"
-#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 #include "catalogue/exercise_contents.h"
 #include "catalogue/json_file.h"
 #include "catalogue/object_reader.h"
@@ -14,6 +13,8 @@
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
 #include "catalogue/whole_file.h"
+#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
+#include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 #include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <QDir>
@@ -48,7 +49,8 @@ struct Leaf {
 
 /// "N_per_m" of "stiffness_N_per_m"; of a count or a share none.
 QString unitOf(const QString& key) {
-    static const QStringList kUnits{"N", "Nm", "mm", "m", "cm", "s", "ms", "g", "kg", "deg", "Hz", "Fr", "rad", "ticks"};
+    static const QStringList kUnits{"N", "Nm", "mm",  "m",  "cm", "s",   "ms",
+                                    "g", "kg", "deg", "Hz", "Fr", "rad", "ticks"};
     const qsizetype per = key.indexOf(QLatin1String("_per_"));
     if (per >= 0)
         return key.mid(key.lastIndexOf(QLatin1Char('_'), per - 1) + 1);
@@ -111,11 +113,14 @@ std::set<double> others(const Leaf& leaf, const std::vector<Leaf>& all, bool few
         if (!few || factor == 0.5 || factor == 2.0)
             values.insert(factor * leaf.value);
     for (const Leaf& other : all)
-        if (other.unit == leaf.unit && (!few || leaf.unit == QLatin1String("ms") || leaf.unit == QLatin1String("ticks")))
+        if (other.unit == leaf.unit &&
+            (!few || leaf.unit == QLatin1String("ms") || leaf.unit == QLatin1String("ticks")))
             values.insert(other.value);
     std::set<double> result;
     for (const double value : values)
-        result.insert(leaf.value == std::floor(leaf.value) && leaf.unit.isEmpty() ? std::round(value) : std::stod(QString::number(value, 'g', 6).toStdString()));
+        result.insert(leaf.value == std::floor(leaf.value) && leaf.unit.isEmpty()
+                          ? std::round(value)
+                          : std::stod(QString::number(value, 'g', 6).toStdString()));
     result.erase(leaf.value);
     return result;
 }
@@ -123,7 +128,8 @@ std::set<double> others(const Leaf& leaf, const std::vector<Leaf>& all, bool few
 QString said(const Problems& problems) {
     QStringList text;
     for (const Problem& problem : problems)
-        text << problem.path + QStringLiteral(": ") + problem.found + QStringLiteral(": expected ") + problem.expected;
+        text << problem.path + QStringLiteral(": ") + problem.found + QStringLiteral(": expected ") +
+                    problem.expected;
     return text.join(QStringLiteral(" | ")).left(300);
 }
 
@@ -151,7 +157,8 @@ private:
     }
     catalogue::Catalogue m_catalogue = *Catalogue::load(kContent.toStdString());
     catalogue::StudyCatalogue m_studies = *StudyCatalogue::load(kContent.toStdString());
-    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/catalogue/kept_checks.txt"), tests::sameFigures};
+    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/catalogue/kept_checks.txt"),
+                           tests::sameFigures};
 };
 
 void TestKeptChecks::levels_data() {
@@ -159,8 +166,10 @@ void TestKeptChecks::levels_data() {
     QTest::addColumn<int>("level");
     for (const Exercise& exercise : m_catalogue.exercises())
         for (const ExerciseLevel& level : exercise.levels)
-            if (level.number == 1 || level.number == static_cast<int>(exercise.levels.size()) || level.id == "soft_organ")
-                QTest::addRow("%s %d", exercise.id.c_str(), level.number) << QString::fromStdString(exercise.id) << level.number;
+            if (level.number == 1 || level.number == static_cast<int>(exercise.levels.size()) ||
+                level.id == "soft_organ")
+                QTest::addRow("%s %d", exercise.id.c_str(), level.number)
+                    << QString::fromStdString(exercise.id) << level.number;
 }
 
 void TestKeptChecks::levels() {
@@ -169,9 +178,15 @@ void TestKeptChecks::levels() {
     const ExerciseLevel* found = m_catalogue.find(exercise.toStdString(), level);
     const ExerciseContent* content = findExerciseContent(exercise.toStdString());
     QVERIFY(found && content);
-    const auto schema = readSchema(kContent + QStringLiteral("/schema"), QString::fromUtf8(content->parametersSchema.data(), static_cast<qsizetype>(content->parametersSchema.size())));
+    const auto schema =
+        readSchema(kContent + QStringLiteral("/schema"),
+                   QString::fromUtf8(content->parametersSchema.data(),
+                                     static_cast<qsizetype>(content->parametersSchema.size())));
     QVERIFY(schema);
-    const QJsonObject given = QJsonDocument::fromJson(QByteArray::fromStdString(found->resolvedJson)).object()["level"].toObject()["parameters"].toObject();
+    const QJsonObject given = QJsonDocument::fromJson(QByteArray::fromStdString(found->resolvedJson))
+                                  .object()["level"]
+                                  .toObject()["parameters"]
+                                  .toObject();
     QVERIFY(!given.isEmpty());
     std::vector<Leaf> leaves;
     collect(given, {}, leaves);
@@ -180,17 +195,23 @@ void TestKeptChecks::levels() {
         QStringList taken;
         for (const double value : others(leaf, leaves, found->id == "soft_organ")) {
             Problems problems;
-            const QJsonObject parameters = validated(changed(given, leaf.steps, value), *schema, QStringLiteral("$"), problems).toObject();
+            const QJsonObject parameters =
+                validated(changed(given, leaf.steps, value), *schema, QStringLiteral("$"), problems)
+                    .toObject();
             const bool inRange = problems.empty();
             if (inRange) {
-                const ExerciseParameters read = content->read(ObjectReader(parameters, QStringLiteral("$"), problems), found->cues);
+                const ExerciseParameters read =
+                    content->read(ObjectReader(parameters, QStringLiteral("$"), problems), found->cues);
                 content->check(read, QStringLiteral("$"), problems);
             }
             const QString shown = QString::number(value, 'g', 6);
             if (problems.empty())
                 taken << shown;
             else
-                out.say(leaf.path() + QLatin1Char(' ') + shown, (inRange ? QString() : QStringLiteral("out of range, ")).append(said(problems)).toStdString());
+                out.say(leaf.path() + QLatin1Char(' ') + shown,
+                        (inRange ? QString() : QStringLiteral("out of range, "))
+                            .append(said(problems))
+                            .toStdString());
         }
         out.say(leaf.path() + QStringLiteral(" may be"), taken.join(QLatin1Char(' ')).toStdString());
     }
@@ -199,13 +220,15 @@ void TestKeptChecks::levels() {
 
 void TestKeptChecks::studies_data() {
     QTest::addColumn<QString>("file");
-    for (const QString& file : QDir(kContent + QStringLiteral("/studies")).entryList({QStringLiteral("*.json")}))
+    for (const QString& file :
+         QDir(kContent + QStringLiteral("/studies")).entryList({QStringLiteral("*.json")}))
         QTest::addRow("%s", qPrintable(file)) << file;
 }
 
 void TestKeptChecks::studies() {
     QFETCH(QString, file);
-    const psychophysics::StudyDesign* design = m_studies.find(QFileInfo(file).completeBaseName().toStdString());
+    const psychophysics::StudyDesign* design =
+        m_studies.find(QFileInfo(file).completeBaseName().toStdString());
     QVERIFY(design);
     const QJsonObject given = shortened(QJsonDocument::fromJson(studyJson(*design)).object()).toObject();
     QVERIFY(readStudy(QJsonDocument(given).toJson(), "s"));
@@ -215,7 +238,9 @@ void TestKeptChecks::studies() {
     for (const Leaf& leaf : leaves) {
         QStringList taken;
         for (const double value : others(leaf, leaves)) {
-            const auto read = readStudy(QJsonDocument(changed(given, leaf.steps, value).toObject()).toJson(QJsonDocument::Compact), "s");
+            const auto read = readStudy(
+                QJsonDocument(changed(given, leaf.steps, value).toObject()).toJson(QJsonDocument::Compact),
+                "s");
             const QString shown = QString::number(value, 'g', 6);
             if (read)
                 taken << shown;
@@ -232,12 +257,17 @@ void TestKeptChecks::comparedObjects() {
     Figures out;
     const auto level = [&](const QString& name, const ExerciseLevel& of) {
         static const QRegularExpression marks(QStringLiteral("[][{},:]+"));
-        out.say(name, QString::fromStdString(of.resolvedJson).replace(marks, QStringLiteral(" ")).left(2500).toStdString());
+        out.say(name, QString::fromStdString(of.resolvedJson)
+                          .replace(marks, QStringLiteral(" "))
+                          .left(2500)
+                          .toStdString());
         const auto again = fromResolvedJson(of.resolvedJson);
         QVERIFY2(again && again->resolvedSha256 == of.resolvedSha256, qPrintable(name));
     };
-    for (const QString& file : QDir(kContent + QStringLiteral("/studies")).entryList({QStringLiteral("*.json")})) {
-        const psychophysics::StudyDesign* design = m_studies.find(QFileInfo(file).completeBaseName().toStdString());
+    for (const QString& file :
+         QDir(kContent + QStringLiteral("/studies")).entryList({QStringLiteral("*.json")})) {
+        const psychophysics::StudyDesign* design =
+            m_studies.find(QFileInfo(file).completeBaseName().toStdString());
         QVERIFY(design);
         for (const psychophysics::Condition& condition : design->conditions) {
             const QString name = file + QLatin1Char(' ') + QString::fromStdString(condition.id);
@@ -247,7 +277,8 @@ void TestKeptChecks::comparedObjects() {
                 level(name, comparisonLevel(*compared, design->id, condition.id));
             if (found)
                 level(name, apexLevel(*found, design->id, condition.id));
-            out.say(name, (compared ? std::string() : compared.error().message) + " | " + (found ? std::string() : found.error().message));
+            out.say(name, (compared ? std::string() : compared.error().message) + " | " +
+                              (found ? std::string() : found.error().message));
             out.add(QStringLiteral("middle"), middleReference(condition));
         }
     }
@@ -261,9 +292,12 @@ void TestKeptChecks::comparedObjects() {
         for (const int trials : {0, 1, 32, 33}) {
             apex.stimulus.reference = radius_m;
             const auto found = apexOf(apex, rules, trials);
-            out.say(QStringLiteral("radius %1").arg(radius_m), found ? std::string("taken") : found.error().message);
+            out.say(QStringLiteral("radius %1").arg(radius_m),
+                    found ? std::string("taken") : found.error().message);
             if (found)
-                out.add(QStringLiteral("sphere"), found->trials, 1e3 * found->radius_m, 1e3 * found->centreDiscRadius_m, found->trialLimit_s, found->betweenTrials_s, found->cues.size());
+                out.add(QStringLiteral("sphere"), found->trials, 1e3 * found->radius_m,
+                        1e3 * found->centreDiscRadius_m, found->trialLimit_s, found->betweenTrials_s,
+                        found->cues.size());
         }
     apex.stimulus.reference = 0.02;
     for (const std::string& name : fixedAttributeNames())
@@ -271,7 +305,9 @@ void TestKeptChecks::comparedObjects() {
             apex.stimulus.fixed = {{name, value}};
             const auto attributes = attributesOf(apex.stimulus.fixed);
             const auto found = apexOf(apex, rules, 3);
-            out.say(QString::fromStdString(name) + QStringLiteral(" %1").arg(value), (attributes ? std::string("taken") : attributes.error().message) + " | " + (found ? std::string("taken") : found.error().message));
+            out.say(QString::fromStdString(name) + QStringLiteral(" %1").arg(value),
+                    (attributes ? std::string("taken") : attributes.error().message) + " | " +
+                        (found ? std::string("taken") : found.error().message));
         }
     out.say(QStringLiteral("colour"), attributesOf({{"colour", 1.0}}).error().message);
     simulation::ComparisonParameters good;
@@ -294,9 +330,11 @@ void TestKeptChecks::comparedObjects() {
         checked("value", [&](auto& p) { p.values.push_back({1.0, value, 2.0}); });
     // Every key of what a session of a study stored, gone, of another type, or with a stranger beside it.
     const ExerciseLevel stored = comparisonLevel(good, "s", "c");
-    const QJsonObject document = QJsonDocument::fromJson(QByteArray::fromStdString(stored.resolvedJson)).object();
+    const QJsonObject document =
+        QJsonDocument::fromJson(QByteArray::fromStdString(stored.resolvedJson)).object();
     const QJsonObject whole = document["level"].toObject(), parameters = whole["parameters"].toObject();
-    const auto read = [&](const QString& name, const QString& inside, const QString& key, const QJsonValue& value) {
+    const auto read = [&](const QString& name, const QString& inside, const QString& key,
+                          const QJsonValue& value) {
         QJsonObject changedParameters = parameters, changedLevel = whole, changedDocument = document;
         QJsonObject& into = inside == QLatin1String("parameters") ? changedParameters : changedLevel;
         if (value.isUndefined())
@@ -307,9 +345,12 @@ void TestKeptChecks::comparedObjects() {
             changedLevel["parameters"] = changedParameters;
         changedDocument["level"] = changedLevel;
         const auto again = fromResolvedJson(canonicalJson(changedDocument));
-        out.say(name + QLatin1Char(' ') + key, again ? std::string("is read") : again.error().message.substr(0, 300));
+        out.say(name + QLatin1Char(' ') + key,
+                again ? std::string("is read") : again.error().message.substr(0, 300));
     };
-    for (const auto& [inside, object] : {std::pair<QString, QJsonObject>{QStringLiteral("parameters"), parameters}, {QStringLiteral("level"), whole}})
+    for (const auto& [inside, object] :
+         {std::pair<QString, QJsonObject>{QStringLiteral("parameters"), parameters},
+          {QStringLiteral("level"), whole}})
         for (const QString& key : object.keys()) {
             read(QStringLiteral("without"), inside, key, QJsonValue::Undefined);
             read(QStringLiteral("a text"), inside, key, QStringLiteral("text"));
@@ -325,47 +366,93 @@ void TestKeptChecks::jsonTexts() {
     Figures out;
     const auto told = [&](const QString& name, const QByteArray& text) {
         const auto file = JsonFile::parse(text, QStringLiteral("f"));
-        out.say(name, file ? "is " + canonicalJson(file->root()).substr(0, 160) : file.error().message.substr(0, 240));
+        out.say(name, file ? "is " + canonicalJson(file->root()).substr(0, 160)
+                           : file.error().message.substr(0, 240));
     };
-    for (const char* number : {"0", "-0", "-", "00", "01", "-01", "10", "1.0", "1.", ".5", "0.5", "-.5", "1e5", "1E+5", "1e-5", "1e", "1e+", "1e5.", "1.5.2", "+1", "--1", "0x1", "1_0", "1e400", "-1.5e-3", "true", "false", "null", "True", "nul", "NaN", "Infinity"}) {
+    for (const char* number :
+         {"0",   "-0",    "-",       "00",   "01",    "-01",  "10",   "1.0",   "1.",  ".5",      "0.5",
+          "-.5", "1e5",   "1E+5",    "1e-5", "1e",    "1e+",  "1e5.", "1.5.2", "+1",  "--1",     "0x1",
+          "1_0", "1e400", "-1.5e-3", "true", "false", "null", "True", "nul",   "NaN", "Infinity"}) {
         told(QStringLiteral("number %1").arg(QLatin1String(number)), QByteArray("{\"a\": ") + number + "}");
-        told(QStringLiteral("numbers %1").arg(QLatin1String(number)), QByteArray("{\n\"a\": [1,\n ") + number + " , 2]}");
+        told(QStringLiteral("numbers %1").arg(QLatin1String(number)),
+             QByteArray("{\n\"a\": [1,\n ") + number + " , 2]}");
     }
-    for (const char* text : {"\"\"", "\"a\\\"b\"", "\"\\\\\"", "\"\\/\\b\\f\\n\\r\\t\"", "\"\\u00e4\"", "\"\\x\"", "\"\\u12\"", "\"\\", "\"a", "a", "'a'", "\"\x09\"", "\"\x1f\"", "\"\x7f\"", "\"\xc3\xa4\"", "\"\xc3\"", "\"\xe2\x82\"", "\"\xff\""})
+    for (const char* text : {"\"\"", "\"a\\\"b\"", "\"\\\\\"", "\"\\/\\b\\f\\n\\r\\t\"", "\"\\u00e4\"",
+                             "\"\\x\"", "\"\\u12\"", "\"\\", "\"a", "a", "'a'", "\"\x09\"", "\"\x1f\"",
+                             "\"\x7f\"", "\"\xc3\xa4\"", "\"\xc3\"", "\"\xe2\x82\"", "\"\xff\""})
         told(QStringLiteral("text"), QByteArray("{\"k\": 1,\n \"a\": ") + text + "}");
     for (const int depth : {1, 13, 14, 15, 16, 17, 18}) {
-        told(QStringLiteral("%1 arrays").arg(depth), "{\"a\": " + QByteArray(depth, '[') + QByteArray(depth, ']') + "}");
-        told(QStringLiteral("%1 objects").arg(depth), QByteArray("{\"a\": ").repeated(depth) + "1" + QByteArray(depth, '}'));
+        told(QStringLiteral("%1 arrays").arg(depth),
+             "{\"a\": " + QByteArray(depth, '[') + QByteArray(depth, ']') + "}");
+        told(QStringLiteral("%1 objects").arg(depth),
+             QByteArray("{\"a\": ").repeated(depth) + "1" + QByteArray(depth, '}'));
     }
-    for (const char* text : {"{}", " {\t}\r\n", "{} x", "{}}", "{\"a\":1,}", "{\"a\":1 \"b\":2}", "{\"a\" 1}", "{a:1}", "{\"a\":[1,]}", "{\"a\":[1 2]}", "{\"a\":[,1]}", "[]", "[1]", "1", "\"a\"", "null", "", "\xef\xbb\xbf{\"a\":1}", "\xef\xbb{}", "{\"a\":{\"b\":1,\"c\":2,\"b\":3},\"a\":0}",
-                             "{\"a\":[{\"b\":1},{\"b\":1}]}", "{\"a b\":[0,{\"\":01}]}", "{\"a\":1}\n{\"b\":2}", "{\"a\":01,\n\"b\":.5,\n\n  \"c\":[1.,2]}"})
+    for (const char* text : {"{}",
+                             " {\t}\r\n",
+                             "{} x",
+                             "{}}",
+                             "{\"a\":1,}",
+                             "{\"a\":1 \"b\":2}",
+                             "{\"a\" 1}",
+                             "{a:1}",
+                             "{\"a\":[1,]}",
+                             "{\"a\":[1 2]}",
+                             "{\"a\":[,1]}",
+                             "[]",
+                             "[1]",
+                             "1",
+                             "\"a\"",
+                             "null",
+                             "",
+                             "\xef\xbb\xbf{\"a\":1}",
+                             "\xef\xbb{}",
+                             "{\"a\":{\"b\":1,\"c\":2,\"b\":3},\"a\":0}",
+                             "{\"a\":[{\"b\":1},{\"b\":1}]}",
+                             "{\"a b\":[0,{\"\":01}]}",
+                             "{\"a\":1}\n{\"b\":2}",
+                             "{\"a\":01,\n\"b\":.5,\n\n  \"c\":[1.,2]}"})
         told(QLatin1String(text), text);
     const qsizetype mebibyte = 1 << 20;
     for (const qsizetype size : {mebibyte - 1, mebibyte, mebibyte + 1})
         told(QStringLiteral("%1 bytes").arg(size), "{}" + QByteArray(size - 2, ' '));
-    out.say(QStringLiteral("two mebibytes"), JsonFile::parse("{}" + QByteArray(2 * mebibyte - 2, ' '), QStringLiteral("f"), 2) ? "taken" : "refused");
+    out.say(QStringLiteral("two mebibytes"),
+            JsonFile::parse("{}" + QByteArray(2 * mebibyte - 2, ' '), QStringLiteral("f"), 2) ? "taken"
+                                                                                              : "refused");
     const auto file = JsonFile::parse("{\"a\": 1,\n\"b\": [{\"c\": 2}]}", QStringLiteral("f"));
     for (const std::size_t count : {1U, 19U, 20U, 21U, 22U}) {
-        const std::string message = file->error(Problems(count, {QStringLiteral("$.b[0].c.d"), QStringLiteral("x"), QStringLiteral("y")})).message;
+        const std::string message = file->error(Problems(count, {QStringLiteral("$.b[0].c.d"),
+                                                                 QStringLiteral("x"), QStringLiteral("y")}))
+                                        .message;
         out.add(QStringLiteral("lines"), count, std::count(message.begin(), message.end(), '\n'));
         out.say(QStringLiteral("ends"), message.substr(message.size() - 20));
     }
     for (const char* path : {"$", "$.a", "$.b", "$.b[0]", "$.b[1]", "$.b[0].c", "$.b[0].x.y", "$.x", "x"})
-        out.say(QLatin1String(path), file->error({{QLatin1String(path), QStringLiteral("x"), QStringLiteral("y")}}).message);
+        out.say(QLatin1String(path),
+                file->error({{QLatin1String(path), QStringLiteral("x"), QStringLiteral("y")}}).message);
     hold(QStringLiteral("json texts"), out);
 }
 
 void TestKeptChecks::wordsOfProblems() {
     Figures out;
-    for (const QString& key : {QString(), QStringLiteral("a"), QStringLiteral("azAZ09_"), QStringLiteral("a-b"), QStringLiteral("a b"), QString(60, QLatin1Char('x')), QString(61, QLatin1Char('x')), QStringLiteral("\u00e4"), QStringLiteral("`"), QStringLiteral("{"), QStringLiteral("@"), QStringLiteral("["), QStringLiteral("/"), QStringLiteral(":")})
+    for (const QString& key :
+         {QString(), QStringLiteral("a"), QStringLiteral("azAZ09_"), QStringLiteral("a-b"),
+          QStringLiteral("a b"), QString(60, QLatin1Char('x')), QString(61, QLatin1Char('x')),
+          QStringLiteral("\u00e4"), QStringLiteral("`"), QStringLiteral("{"), QStringLiteral("@"),
+          QStringLiteral("["), QStringLiteral("/"), QStringLiteral(":")})
         out.say(QStringLiteral("path"), memberPath(QStringLiteral("$"), key).toStdString());
     for (const int code : {0x1f, 0x20, 0x7e, 0x7f, 0x80, 0x9f, 0xa0, 0xe4})
         out.say(QStringLiteral("quoted %1").arg(code), quoted(QString(QChar(code))).toStdString());
     for (const int size : {0, 39, 40, 41, 90})
         out.say(QStringLiteral("quoted"), quoted(QString(size, QLatin1Char('y'))).toStdString());
-    const std::vector<QString> known{QStringLiteral("radius_mm"), QStringLiteral("radii_mm"), QStringLiteral("ab"), QStringLiteral("abc"), QStringLiteral("abcd"), QString(79, QLatin1Char('z'))};
-    for (const QString& given : {QStringLiteral("radius_mm"), QStringLiteral("raduis_mm"), QStringLiteral("radus"), QStringLiteral("radi"), QStringLiteral("xradius_mmyz"), QStringLiteral("xradius_mmyzw"), QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("cd"), QStringLiteral("xyz"), QStringLiteral("abx"),
-                                 QStringLiteral("dcba"), QString(), QString(80, QLatin1Char('z')), QString(81, QLatin1Char('z')), QString(76, QLatin1Char('z'))})
+    const std::vector<QString> known{QStringLiteral("radius_mm"), QStringLiteral("radii_mm"),
+                                     QStringLiteral("ab"),        QStringLiteral("abc"),
+                                     QStringLiteral("abcd"),      QString(79, QLatin1Char('z'))};
+    for (const QString& given :
+         {QStringLiteral("radius_mm"), QStringLiteral("raduis_mm"), QStringLiteral("radus"),
+          QStringLiteral("radi"), QStringLiteral("xradius_mmyz"), QStringLiteral("xradius_mmyzw"),
+          QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("cd"), QStringLiteral("xyz"),
+          QStringLiteral("abx"), QStringLiteral("dcba"), QString(), QString(80, QLatin1Char('z')),
+          QString(81, QLatin1Char('z')), QString(76, QLatin1Char('z'))})
         out.say(QStringLiteral("meant by %1").arg(given), didYouMean(given, known).toStdString());
     out.say(QStringLiteral("element"), elementPath(QStringLiteral("$.a"), 12).toStdString());
     hold(QStringLiteral("words of problems"), out);
@@ -373,23 +460,30 @@ void TestKeptChecks::wordsOfProblems() {
 
 void TestKeptChecks::typedMembers() {
     Figures out;
-    const QJsonObject json = QJsonDocument::fromJson(R"({"text":"t","whole":3,"share":0.5,"most":2147483647,"more":2147483648,"least":-2147483647,"less":-2147483648,"yes":true,"none":null,
-        "words":["a",1,"b"],"objects":[{"text":"x"},2,{}],"in":{"en":"E","de":7},"german":{"de":"D"}})").object();
+    const QJsonObject json =
+        QJsonDocument::fromJson(
+            R"({"text":"t","whole":3,"share":0.5,"most":2147483647,"more":2147483648,"least":-2147483647,"less":-2147483648,"yes":true,"none":null,
+        "words":["a",1,"b"],"objects":[{"text":"x"},2,{}],"in":{"en":"E","de":7},"german":{"de":"D"}})")
+            .object();
     for (const QString& key : json.keys() + QStringList(QStringLiteral("gone"))) {
         Problems problems;
         const ObjectReader reader(json, QStringLiteral("$"), problems);
         out.say(key + QStringLiteral(" as text"), reader.text(key));
-        out.add(key + QStringLiteral(" as numbers"), reader.number(key), reader.integer(key), reader.boolean(key), reader.has(key));
+        out.add(key + QStringLiteral(" as numbers"), reader.number(key), reader.integer(key),
+                reader.boolean(key), reader.has(key));
         for (const auto& [language, text] : reader.translated(key))
             out.say(key + QStringLiteral(" in ") + QString::fromStdString(language), text);
         out.say(key + QStringLiteral(" has"), reader.texts(key));
         reader.eachObject(key, [&](const ObjectReader& one) { out.say(one.path(), one.text("text")); });
         out.say(key + QStringLiteral(" below"), reader.object(key).path().toStdString());
         for (const Problem& problem : problems)
-            out.say(QStringLiteral("- ") + problem.path, problem.found.toStdString() + ": " + problem.expected.toStdString());
+            out.say(QStringLiteral("- ") + problem.path,
+                    problem.found.toStdString() + ": " + problem.expected.toStdString());
     }
     Problems problems;
-    refuseUnknownKeys(ObjectReader(json, QStringLiteral("$"), problems), {QStringLiteral("texts"), QStringLiteral("whole"), QStringLiteral("share")}, QStringLiteral("a key"));
+    refuseUnknownKeys(ObjectReader(json, QStringLiteral("$"), problems),
+                      {QStringLiteral("texts"), QStringLiteral("whole"), QStringLiteral("share")},
+                      QStringLiteral("a key"));
     out.say(QStringLiteral("unknown"), said(problems).toStdString());
     hold(QStringLiteral("typed members"), out);
 }
@@ -412,31 +506,89 @@ void TestKeptChecks::schemas() {
         "list":{"type":"array","description":"l","minItems":1,"maxItems":3,"uniqueItems":true,"items":{"type":"integer","description":"e","unit":"1","minimum":0,"maximum":9}}}})");
     const auto schema = readSchema(folder.path(), QStringLiteral("whole"));
     QVERIFY(schema);
-    out.say(QStringLiteral("described"), schema->properties.at(QStringLiteral("w"))->description.toStdString());
-    for (const char* text : {R"({"n":-1.5})", R"({"n":-1.51})", R"({"n":2})", R"({"n":2.001})", R"({"n":"2"})", R"({})", R"({"n":0,"i":0})", R"({"n":0,"i":4})", R"({"n":0,"i":5})", R"({"n":0,"i":-1})", R"({"n":0,"i":2.5})", R"({"n":0,"w":"a"})", R"({"n":0,"w":"ab"})", R"({"n":0,"w":"abcde"})", R"({"n":0,"w":"abcdef"})",
-                             R"({"n":0,"w":"_ab"})", R"({"n":0,"w":"9ab"})", R"({"n":0,"w":"a_9z"})", R"({"n":0,"w":"aB"})", R"({"n":0,"w":"a-b"})", R"({"n":0,"w":"a"})", R"({"n":0,"w":"a"})", R"({"n":0,"one":"right"})", R"({"n":0,"one":"rigth"})", R"({"n":0,"one":""})", R"({"n":0,"b":1})", R"({"n":0,"b":false})",
-                             R"({"n":0,"list":[]})", R"({"n":0,"list":[1]})", R"({"n":0,"list":[1,2,3]})", R"({"n":0,"list":[1,2,3,4]})", R"({"n":0,"list":[1,2,1]})", R"({"n":0,"list":[9,10]})", R"({"n":0,"list":{}})", R"({"n":0,"lst":[1]})", R"({"n":1e400})", R"({"n":null})", R"({"n":[1,2]})", R"({"n":{}})"}) {
+    out.say(QStringLiteral("described"),
+            schema->properties.at(QStringLiteral("w"))->description.toStdString());
+    for (const char* text : {R"({"n":-1.5})",
+                             R"({"n":-1.51})",
+                             R"({"n":2})",
+                             R"({"n":2.001})",
+                             R"({"n":"2"})",
+                             R"({})",
+                             R"({"n":0,"i":0})",
+                             R"({"n":0,"i":4})",
+                             R"({"n":0,"i":5})",
+                             R"({"n":0,"i":-1})",
+                             R"({"n":0,"i":2.5})",
+                             R"({"n":0,"w":"a"})",
+                             R"({"n":0,"w":"ab"})",
+                             R"({"n":0,"w":"abcde"})",
+                             R"({"n":0,"w":"abcdef"})",
+                             R"({"n":0,"w":"_ab"})",
+                             R"({"n":0,"w":"9ab"})",
+                             R"({"n":0,"w":"a_9z"})",
+                             R"({"n":0,"w":"aB"})",
+                             R"({"n":0,"w":"a-b"})",
+                             R"({"n":0,"w":"a"})",
+                             R"({"n":0,"w":"a"})",
+                             R"({"n":0,"one":"right"})",
+                             R"({"n":0,"one":"rigth"})",
+                             R"({"n":0,"one":""})",
+                             R"({"n":0,"b":1})",
+                             R"({"n":0,"b":false})",
+                             R"({"n":0,"list":[]})",
+                             R"({"n":0,"list":[1]})",
+                             R"({"n":0,"list":[1,2,3]})",
+                             R"({"n":0,"list":[1,2,3,4]})",
+                             R"({"n":0,"list":[1,2,1]})",
+                             R"({"n":0,"list":[9,10]})",
+                             R"({"n":0,"list":{}})",
+                             R"({"n":0,"lst":[1]})",
+                             R"({"n":1e400})",
+                             R"({"n":null})",
+                             R"({"n":[1,2]})",
+                             R"({"n":{}})"}) {
         Problems problems;
-        const QJsonValue filled = validated(QJsonDocument::fromJson(text).object(), *schema, QStringLiteral("$"), problems);
+        const QJsonValue filled =
+            validated(QJsonDocument::fromJson(text).object(), *schema, QStringLiteral("$"), problems);
         out.say(QLatin1String(text), problems.empty() ? canonicalJson(filled) : said(problems).toStdString());
     }
     Problems problems;
     validated(QJsonArray{}, *schema, QStringLiteral("$"), problems);
     out.say(QStringLiteral("an array"), said(problems).toStdString());
     int number = 0;
-    for (const char* text : {R"({"type":"number","description":"d","unit":"mm","minimum":0})", R"({"type":"number","description":"d","unit":"mm","maximum":0})", R"({"type":"integer","description":"d","minimum":0,"maximum":1})", R"({"type":"number","unit":"1","minimum":0,"maximum":1})", R"({"type":"string"})", R"({"type":"text","description":"d"})",
-                             R"({"description":"d"})", R"({"type":"string","description":"d","default":3})", R"({"type":"string","description":"d","maxLength":2,"default":"abc"})", R"({"type":"string","description":"d","pattern":"x"})", R"({"type":"object","description":"d","required":["a"]})", R"({"type":"object","description":"d","properties":{"a":{"type":"boolean"}}})",
-                             R"({"type":"array","description":"d","items":{"type":"number"}})", R"({"$ref":"gone.json","description":"d"})", R"({"$ref":"word.json"})", R"({"type":"object","description":"d","properties":{"a":{"$ref":"word.json","default":"A"}}})"}) {
+    for (const char* text :
+         {R"({"type":"number","description":"d","unit":"mm","minimum":0})",
+          R"({"type":"number","description":"d","unit":"mm","maximum":0})",
+          R"({"type":"integer","description":"d","minimum":0,"maximum":1})",
+          R"({"type":"number","unit":"1","minimum":0,"maximum":1})", R"({"type":"string"})",
+          R"({"type":"text","description":"d"})", R"({"description":"d"})",
+          R"({"type":"string","description":"d","default":3})",
+          R"({"type":"string","description":"d","maxLength":2,"default":"abc"})",
+          R"({"type":"string","description":"d","pattern":"x"})",
+          R"({"type":"object","description":"d","required":["a"]})",
+          R"({"type":"object","description":"d","properties":{"a":{"type":"boolean"}}})",
+          R"({"type":"array","description":"d","items":{"type":"number"}})",
+          R"({"$ref":"gone.json","description":"d"})", R"({"$ref":"word.json"})",
+          R"({"type":"object","description":"d","properties":{"a":{"$ref":"word.json","default":"A"}}})"}) {
         const QByteArray name = "s" + QByteArray::number(++number);
         write(name.constData(), text);
         const auto read = readSchema(folder.path(), QLatin1String(name));
-        out.say(QLatin1String(text), read ? std::string("a schema") : QString::fromStdString(read.error().message).replace(folder.path(), QStringLiteral("DIR")).toStdString());
+        out.say(QLatin1String(text), read ? std::string("a schema")
+                                          : QString::fromStdString(read.error().message)
+                                                .replace(folder.path(), QStringLiteral("DIR"))
+                                                .toStdString());
     }
     for (int links = 7; links <= 10; ++links) { // one that refers to one that refers ...
         for (int i = 0; i < links; ++i)
-            write(("r" + QByteArray::number(i)).constData(), i + 1 < links ? QByteArray("{\"$ref\":\"r" + QByteArray::number(i + 1) + ".json\"}") : QByteArray("{\"type\":\"boolean\",\"description\":\"d\"}"));
+            write(("r" + QByteArray::number(i)).constData(),
+                  i + 1 < links ? QByteArray("{\"$ref\":\"r" + QByteArray::number(i + 1) + ".json\"}")
+                                : QByteArray("{\"type\":\"boolean\",\"description\":\"d\"}"));
         const auto read = readSchema(folder.path(), QStringLiteral("r0"));
-        out.say(QStringLiteral("%1 in a row").arg(links), read ? std::string("a schema") : QString::fromStdString(read.error().message).replace(folder.path(), QStringLiteral("DIR")).toStdString());
+        out.say(QStringLiteral("%1 in a row").arg(links),
+                read ? std::string("a schema")
+                     : QString::fromStdString(read.error().message)
+                           .replace(folder.path(), QStringLiteral("DIR"))
+                           .toStdString());
     }
     hold(QStringLiteral("schemas"), out);
 }
@@ -450,10 +602,15 @@ void TestKeptChecks::wholeFiles() {
     file.close();
     for (const qint64 largest : {0, 999, 1000, 1001}) {
         const auto read = readWholeFile(file.fileName(), largest);
-        out.say(QStringLiteral("%1").arg(largest), read ? std::to_string(read->size()) : QString::fromStdString(read.error().message).replace(folder.path(), QStringLiteral("DIR")).toStdString());
+        out.say(QStringLiteral("%1").arg(largest), read ? std::to_string(read->size())
+                                                        : QString::fromStdString(read.error().message)
+                                                              .replace(folder.path(), QStringLiteral("DIR"))
+                                                              .toStdString());
     }
     for (const QString& path : {folder.path(), folder.filePath(QStringLiteral("gone"))})
-        out.say(QStringLiteral("path"), QString::fromStdString(readWholeFile(path, 10).error().message).replace(folder.path(), QStringLiteral("DIR")).toStdString());
+        out.say(QStringLiteral("path"), QString::fromStdString(readWholeFile(path, 10).error().message)
+                                            .replace(folder.path(), QStringLiteral("DIR"))
+                                            .toStdString());
     hold(QStringLiteral("whole files"), out);
 }
 

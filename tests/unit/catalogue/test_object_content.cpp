@@ -30,7 +30,8 @@ struct Filled {
     QString told() const {
         QString all;
         for (const Problem& problem : problems)
-            all += problem.path + QStringLiteral(": ") + problem.found + QStringLiteral(": ") + problem.expected + u'\n';
+            all += problem.path + QStringLiteral(": ") + problem.found + QStringLiteral(": ") +
+                   problem.expected + u'\n';
         return all;
     }
 };
@@ -52,7 +53,8 @@ Filled fill(const QByteArray& parameters) {
 }
 
 simulation::ObjectAttributes tubeOf(Filled& filled) {
-    return readObject(ObjectReader(filled.resolved["tube"].toObject(), QStringLiteral("$.parameters.tube"), filled.problems));
+    return readObject(ObjectReader(filled.resolved["tube"].toObject(), QStringLiteral("$.parameters.tube"),
+                                   filled.problems));
 }
 
 } // namespace
@@ -106,7 +108,8 @@ void TestObjectContent::everyObjectSaysWhereItsNumbersComeFrom() {
     const auto catalogue = Catalogue::load(copy.directory());
     QVERIFY(catalogue.has_value());
     for (const ContentObject& object : catalogue->objects()) {
-        QVERIFY2(object.source.find("P2") != std::string::npos || object.source.find("ssumption") != std::string::npos,
+        QVERIFY2(object.source.find("P2") != std::string::npos ||
+                     object.source.find("ssumption") != std::string::npos,
                  object.id.c_str());
         for (const std::string& language : core::languageIds())
             QVERIFY2(object.title.contains(language), object.id.c_str());
@@ -131,24 +134,31 @@ void TestObjectContent::faultsOfAFile_data() {
     QTest::addColumn<QByteArray>("from");
     QTest::addColumn<QByteArray>("to");
     QTest::addColumn<QByteArray>("message");
-    const auto row = [](const char* tag, const QString& file, const char* from, const char* to, const char* message) {
+    const auto row = [](const char* tag, const QString& file, const char* from, const char* to,
+                        const char* message) {
         QTest::newRow(tag) << file << QByteArray(from) << QByteArray(to) << QByteArray(message);
     };
     row("negative stiffness", kOvary, "\"stiffness_N_per_m\": 300", "\"stiffness_N_per_m\": -300",
         "$.attributes.stiffness_N_per_m: -300: expected a number, 0 to 2000 N/m");
-    row("a text for a number", kOvary, "\"mass_g\": 10", "\"mass_g\": \"10 g\"", "$.attributes.mass_g: \"10 g\"");
+    row("a text for a number", kOvary, "\"mass_g\": 10", "\"mass_g\": \"10 g\"",
+        "$.attributes.mass_g: \"10 g\"");
     row("unknown attribute", kOvary, "\"friction\"", "\"fricton\"", "did you mean \"friction\"?");
     row("wavelength under 1 mm", kOvary, "\"roughness_wavelength_mm\": 3", "\"roughness_wavelength_mm\": 0.5",
         "$.attributes.roughness_wavelength_mm: 0.5");
     row("too steep for its wavelength", kOvary, "\"roughness_um\": 40", "\"roughness_um\": 299",
         "$.attributes.roughness_um: 299: expected at most 289 µm at this wavelength");
-    row("share without time", kOvary, "\"recovery_s\": 0.3", "\"recovery_s\": 0", "$.attributes.recovery_share: 0.5");
+    row("share without time", kOvary, "\"recovery_s\": 0.3", "\"recovery_s\": 0",
+        "$.attributes.recovery_share: 0.5");
     row("no source", kOvary, "\"source\"", "\"sauce\"", "$.source: missing");
-    row("another's name", kOvary, "\"id\": \"ovary\"", "\"id\": \"overy\"", "$.id: \"overy\": expected the name of its file");
-    row("an object of an object", kOvary, "\"mass_g\": 10", "\"object\": \"organ\"", "$.attributes.object: given: expected none");
-    row("attributes no object", kOvary, "\"attributes\": {", "\"attributes\": [], \"x\": {", "$.attributes: an array of 0");
+    row("another's name", kOvary, "\"id\": \"ovary\"", "\"id\": \"overy\"",
+        "$.id: \"overy\": expected the name of its file");
+    row("an object of an object", kOvary, "\"mass_g\": 10", "\"object\": \"organ\"",
+        "$.attributes.object: given: expected none");
+    row("attributes no object", kOvary, "\"attributes\": {", "\"attributes\": [], \"x\": {",
+        "$.attributes: an array of 0");
     row("unknown shape", kDome, "\"shape\": \"dome\"", "\"shape\": \"cube\"", "$.shape.shape: \"cube\"");
-    row("bumps shorter than the mesh", kDome, "\"edge_mm\": 1.0", "\"edge_mm\": 2.5", "$.shape.bump_wavelength_mm: 8");
+    row("bumps shorter than the mesh", kDome, "\"edge_mm\": 1.0", "\"edge_mm\": 2.5",
+        "$.shape.bump_wavelength_mm: 8");
 }
 
 void TestObjectContent::faultsOfAFile() {
@@ -193,7 +203,8 @@ void TestObjectContent::nameAloneIsEnough() {
 }
 
 void TestObjectContent::givenNumbersGoOverTheNamedOnes() {
-    Filled filled = fill(R"({"tube": {"object": "fallopian_tube", "stiffness_N_per_m": 90, "stiffening_per_m": 30}})");
+    Filled filled =
+        fill(R"({"tube": {"object": "fallopian_tube", "stiffness_N_per_m": 90, "stiffening_per_m": 30}})");
     QVERIFY2(filled.problems.empty(), qPrintable(filled.told()));
     const auto tube = tubeOf(filled);
     QCOMPARE(tube.stiffness_N_per_m, 90.0);
@@ -205,7 +216,8 @@ void TestObjectContent::faultsOfALevel_data() {
     QTest::addColumn<QByteArray>("parameters");
     QTest::addColumn<QString>("message");
     QTest::newRow("unknown object") << QByteArray(R"({"tube": "overy"})")
-                                    << QStringLiteral("sphere; did you mean \"ovary\"?\n"); // and nothing else
+                                    << QStringLiteral(
+                                           "sphere; did you mean \"ovary\"?\n"); // and nothing else
     QTest::newRow("a path") << QByteArray(R"({"tube": "../exercises/sphere_apex/exercise"})")
                             << QStringLiteral("$.parameters.tube: \"../exercises");
     QTest::newRow("unknown mesh") << QByteArray(R"({"bed": {"mesh": "liver"}})")
@@ -214,8 +226,10 @@ void TestObjectContent::faultsOfALevel_data() {
                                   << QStringLiteral("$.parameters.tube.friction: 3: a number, 0 to 2");
     QTest::newRow("unknown attribute") << QByteArray(R"({"tube": {"object": "ovary", "masss_g": 3}})")
                                        << QStringLiteral("$.parameters.tube.masss_g: unknown key");
-    QTest::newRow("a number for a name") << QByteArray(R"({"tube": 7})") << QStringLiteral("$.parameters.tube: 7: an object");
-    QTest::newRow("no name") << QByteArray(R"({"tube": {"object": 7}})") << QStringLiteral("$.parameters.tube.object: 7: a text");
+    QTest::newRow("a number for a name")
+        << QByteArray(R"({"tube": 7})") << QStringLiteral("$.parameters.tube: 7: an object");
+    QTest::newRow("no name") << QByteArray(R"({"tube": {"object": 7}})")
+                             << QStringLiteral("$.parameters.tube.object: 7: a text");
 }
 
 void TestObjectContent::faultsOfALevel() {
@@ -242,11 +256,12 @@ void TestObjectContent::storedNumbersNeedNoContent() {
 
 void TestObjectContent::storedKeysOfNewerProgramsAreRefused() {
     Problems problems;
-    const auto object = readObject(
-        ObjectReader(QJsonObject{{"object", "ovary"}, {"stickiness", 1}}, QStringLiteral("$.tube"), problems));
+    const auto object = readObject(ObjectReader(QJsonObject{{"object", "ovary"}, {"stickiness", 1}},
+                                                QStringLiteral("$.tube"), problems));
     QCOMPARE(problems.size(), std::size_t{1});
     QCOMPARE(problems[0].path, QStringLiteral("$.tube.stickiness"));
-    QCOMPARE(object.stiffness_N_per_m, simulation::ObjectAttributes{}.stiffness_N_per_m); // older content: the struct's own
+    QCOMPARE(object.stiffness_N_per_m,
+             simulation::ObjectAttributes{}.stiffness_N_per_m); // older content: the struct's own
 }
 
 void TestObjectContent::storedMeshIsReadWhole() {
@@ -254,7 +269,8 @@ void TestObjectContent::storedMeshIsReadWhole() {
                                      "triangles": [0,2,1, 0,1,3, 1,2,3, 0,3,2]}})");
     QVERIFY2(filled.problems.empty(), qPrintable(filled.told()));
     Problems problems;
-    const auto mesh = readMesh(ObjectReader(filled.resolved["bed"].toObject(), QStringLiteral("$"), problems));
+    const auto mesh =
+        readMesh(ObjectReader(filled.resolved["bed"].toObject(), QStringLiteral("$"), problems));
     checkMesh(mesh, QStringLiteral("$"), problems);
     QVERIFY(problems.empty());
     QCOMPARE(mesh.vertices_um.size(), std::size_t{12});

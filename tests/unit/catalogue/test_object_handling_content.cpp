@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/catalogue.h"
 #include "core/languages.h"
-#include "support/content_copy.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "support/content_copy.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -23,7 +23,9 @@ const Catalogue& shipped() {
     return *catalogue;
 }
 
-const Parameters& parametersOf(int number) { return shipped().find("object_handling", number)->parameters.as<Parameters>(); }
+const Parameters& parametersOf(int number) {
+    return shipped().find("object_handling", number)->parameters.as<Parameters>();
+}
 
 const QString kFolder = QStringLiteral("exercises/object_handling/levels/");
 
@@ -37,7 +39,8 @@ private slots:
         for (const ExerciseLevel& level : shipped().find("object_handling")->levels) {
             const Parameters& p = level.parameters.as<Parameters>();
             for (const std::string& language : core::languageIds())
-                QVERIFY(level.title.contains(language) && level.objective.contains(language) && level.measured.contains(language));
+                QVERIFY(level.title.contains(language) && level.objective.contains(language) &&
+                        level.measured.contains(language));
             QCOMPARE(p.task == HandlingTask::weigh, level.number == 3);
             QCOMPARE(p.tools(), 1);
             QCOMPARE(level.needsForce, level.number == 3);
@@ -46,7 +49,8 @@ private slots:
             for (const auto& gate : level.gates)
                 gates[gate.metric] = gate;
             QCOMPARE(*gates["procedure_completed"].minimum, 100.0);
-            QVERIFY(gates.contains(level.number == 1 ? "squeeze_max" : "squeeze_time_over_limit") && gates.contains("force_time_over_limit"));
+            QVERIFY(gates.contains(level.number == 1 ? "squeeze_max" : "squeeze_time_over_limit") &&
+                    gates.contains("force_time_over_limit"));
             QCOMPARE(gates.contains("weighing_correct"), level.number == 3);
             QCOMPARE(p.cues.size(), level.cues.size());
         }
@@ -78,38 +82,50 @@ private slots:
             QTest::newRow(name) << QString(level) << QByteArray(change) << QString(place);
         };
         row("task", "lift_and_place", R"({"task": "juggle"})", "$.parameters.task");
-        row("no mass", "lift_and_place", R"({"object": {"object": "ovary", "mass_g": 0}})", "$.parameters.mass_low_g");
+        row("no mass", "lift_and_place", R"({"object": {"object": "ovary", "mass_g": 0}})",
+            "$.parameters.mass_low_g");
         row("low over high", "weigh", R"({"mass_low_g": 50})", "$.parameters.mass_low_g");
         row("no heaviest", "weigh", R"({"mass_low_g": 40})", "$.parameters.mass_high_g");
         row("one to weigh", "weigh", R"({"objects": 1})", "$.parameters.objects");
         row("two to place", "lift_and_place", R"({"objects": 2})", "$.parameters.objects");
         row("no room", "weigh", R"({"places_radius_mm": 15})", "$.parameters.places_radius_mm");
         row("short jaws", "lift_and_place", R"({"jaw_length_mm": 12})", "$.parameters.jaw_length_mm");
-        row("no friction", "lift_and_place", R"({"object": {"object": "ovary", "friction": 0}})", "$.parameters.object.friction");
-        row("cannot be held", "lift_and_place", R"({"squeeze_limit_N": 0.2})", "$.parameters.squeeze_limit_N");
-        row("too stiff for its mass", "lift_and_place", R"({"object": {"object": "ovary", "mass_g": 2}})", "$.parameters.object.stiffness_N_per_m");
-        row("too damped for its mass", "lift_and_place", R"({"bed": {"object": "plane", "damping_N_s_per_m": 9}})",
-            "$.parameters.object.damping_N_s_per_m");
-        row("pressed through", "lift_and_place", R"({"object": {"object": "ovary", "stiffness_N_per_m": 100}})",
+        row("no friction", "lift_and_place", R"({"object": {"object": "ovary", "friction": 0}})",
+            "$.parameters.object.friction");
+        row("cannot be held", "lift_and_place", R"({"squeeze_limit_N": 0.2})",
+            "$.parameters.squeeze_limit_N");
+        row("too stiff for its mass", "lift_and_place", R"({"object": {"object": "ovary", "mass_g": 2}})",
             "$.parameters.object.stiffness_N_per_m");
-        row("organ narrower than the field", "soft_organ", R"({"bed_mesh": {"mesh": "organ"}})", "$.parameters.bed_mesh");
+        row("too damped for its mass", "lift_and_place",
+            R"({"bed": {"object": "plane", "damping_N_s_per_m": 9}})",
+            "$.parameters.object.damping_N_s_per_m");
+        row("pressed through", "lift_and_place",
+            R"({"object": {"object": "ovary", "stiffness_N_per_m": 100}})",
+            "$.parameters.object.stiffness_N_per_m");
+        row("organ narrower than the field", "soft_organ", R"({"bed_mesh": {"mesh": "organ"}})",
+            "$.parameters.bed_mesh");
         row("organ just too narrow", "soft_organ", R"({"places_radius_mm": 55})", "$.parameters.bed_mesh");
-        row("answers later than the next question", "soft_organ", R"({"bed_rate_Hz": 40})", "$.parameters.bed_latency_ticks");
-        row("answers too soon to blend", "soft_organ", R"({"bed_latency_ticks": 19})", "$.parameters.bed_latency_ticks");
+        row("answers later than the next question", "soft_organ", R"({"bed_rate_Hz": 40})",
+            "$.parameters.bed_latency_ticks");
+        row("answers too soon to blend", "soft_organ", R"({"bed_latency_ticks": 19})",
+            "$.parameters.bed_latency_ticks");
         row("no organ", "soft_organ", R"({"bed_mesh": {"shape": "none"}})", "$.parameters.bed_mesh");
         row("unknown object", "lift_and_place", R"({"object": "spleen"})", "$.parameters.object");
         row("unknown key", "lift_and_place", R"({"colour": 3})", "$.parameters.colour");
         row("range", "lift_and_place", R"({"hold_s": 99})", "$.parameters.hold_s");
     }
-    // Values exactly at a limit are accepted: the same mass at both ends, masses exactly mass_ratio apart, an answer that comes exactly with the
-    // next question, and the shortest latency that leaves time to blend.
+    // Values exactly at a limit are accepted: the same mass at both ends, masses exactly mass_ratio apart, an
+    // answer that comes exactly with the next question, and the shortest latency that leaves time to blend.
     void justWithin_data() {
         QTest::addColumn<QString>("level");
         QTest::addColumn<QByteArray>("change");
-        const auto row = [](const char* name, const char* level, const char* change) { QTest::newRow(name) << QString(level) << QByteArray(change); };
+        const auto row = [](const char* name, const char* level, const char* change) {
+            QTest::newRow(name) << QString(level) << QByteArray(change);
+        };
         row("one mass", "lift_and_place", R"({"mass_low_g": 20, "mass_high_g": 20})");
         row("one heaviest", "weigh", R"({"mass_low_g": 32, "mass_high_g": 48, "mass_ratio": 1.5})");
-        row("an answer at the next question", "soft_organ", R"({"bed_rate_Hz": 40, "bed_latency_ticks": 25})");
+        row("an answer at the next question", "soft_organ",
+            R"({"bed_rate_Hz": 40, "bed_latency_ticks": 25})");
         row("an answer with time to blend", "soft_organ", R"({"bed_rate_Hz": 40, "bed_latency_ticks": 20})");
     }
     void justWithin() {

@@ -24,7 +24,9 @@ const Catalogue& shipped() {
     return *catalogue;
 }
 
-const Parameters& parametersOf(int number) { return shipped().find("palpation", number)->parameters.as<Parameters>(); }
+const Parameters& parametersOf(int number) {
+    return shipped().find("palpation", number)->parameters.as<Parameters>();
+}
 
 bool hasCue(const ExerciseLevel& level, const char* cue) {
     return std::find(level.cues.begin(), level.cues.end(), cue) != level.cues.end();
@@ -44,7 +46,8 @@ private slots:
         for (const ExerciseLevel& level : levels) {
             const Parameters& p = level.parameters.as<Parameters>();
             for (const std::string& language : core::languageIds())
-                QVERIFY(level.title.contains(language) && level.objective.contains(language) && level.measured.contains(language));
+                QVERIFY(level.title.contains(language) && level.objective.contains(language) &&
+                        level.measured.contains(language));
             QCOMPARE(hasCue(level, "object"), level.number == 1);
             QCOMPARE(level.needsForce, level.number != 1);
             QCOMPARE(level.shownForce.has_value(), level.number != 1);
@@ -130,43 +133,73 @@ private slots:
         QTest::addColumn<QByteArray>("change");
         QTest::addColumn<QString>("place");
         QTest::addColumn<QString>("expected");
-        const auto row = [](const char* name, const char* level, const char* change, const char* place, const char* expected) {
-            QTest::newRow(name) << QString(level) << QByteArray(change) << QString(place) << QString::fromUtf8(expected);
+        const auto row = [](const char* name, const char* level, const char* change, const char* place,
+                            const char* expected) {
+            QTest::newRow(name) << QString(level) << QByteArray(change) << QString(place)
+                                << QString::fromUtf8(expected);
         };
-        const char* one = R"({"lump_kinds": [{"radius_mm": %R, "depth_mm": %H, "ratio": 10, "hardness": 5}]})";
-        const auto kind = [one](const char* radius, const char* depth) { return QByteArray(one).replace("%R", radius).replace("%H", depth); };
+        const char* one =
+            R"({"lump_kinds": [{"radius_mm": %R, "depth_mm": %H, "ratio": 10, "hardness": 5}]})";
+        const auto kind = [one](const char* radius, const char* depth) {
+            return QByteArray(one).replace("%R", radius).replace("%H", depth);
+        };
         const QString first = QStringLiteral("$.parameters.lump_kinds[0].");
-        QTest::newRow("lump near the surface") << "visible_lump" << kind("9.1", "12") << first + "radius_mm" << "at most 0.75 times the depth of its middle, 9 mm";
-        QTest::newRow("pad as wide as deep") << "visible_lump" << kind("5", "9") << first + "depth_mm" << "at least 10 mm";
-        QTest::newRow("pressed onto the lump") << "size_and_hardness" << kind("7.5", "11") << first + "depth_mm" << "maximum_force_N presses a finger in by 8.8";
-        row("shallow by its spread", "visible_lump", R"({"depth_spread_mm": 2.5})", "$.parameters.lump_kinds[0].radius_mm", "depth_mm less depth_spread_mm");
-        row("low over high", "visible_lump", R"({"lumps_low": 2})", "$.parameters.lumps_low", "at most lumps_high, 1");
-        row("only catch trials", "visible_lump", R"({"catch_trials": 4})", "$.parameters.catch_trials", "less than trials, 4");
-        row("no room", "several_or_none", R"({"lumps_high": 6, "spacing_mm": 60})", "$.parameters.lumps_high", "no more fit");
-        row("nothing beside the distractor", "several_or_none", R"({"region_columns": 1, "region_rows": 1})", "$.parameters.lumps_high", "at most 0");
-        row("moved out of the area", "visible_lump", R"({"control_move_after_s": 5, "control_move_x_mm": 90})", "$.parameters.lumps_high", "before and after");
-        row("bends too much for the depth", "size_and_hardness", R"({"tissue": {"tissue": "prostate", "layers": [{"name": "gland", "modulus_kPa": 10}]}})",
+        QTest::newRow("lump near the surface") << "visible_lump" << kind("9.1", "12") << first + "radius_mm"
+                                               << "at most 0.75 times the depth of its middle, 9 mm";
+        QTest::newRow("pad as wide as deep") << "visible_lump" << kind("5", "9") << first + "depth_mm"
+                                             << "at least 10 mm";
+        QTest::newRow("pressed onto the lump")
+            << "size_and_hardness" << kind("7.5", "11") << first + "depth_mm"
+            << "maximum_force_N presses a finger in by 8.8";
+        row("shallow by its spread", "visible_lump", R"({"depth_spread_mm": 2.5})",
+            "$.parameters.lump_kinds[0].radius_mm", "depth_mm less depth_spread_mm");
+        row("low over high", "visible_lump", R"({"lumps_low": 2})", "$.parameters.lumps_low",
+            "at most lumps_high, 1");
+        row("only catch trials", "visible_lump", R"({"catch_trials": 4})", "$.parameters.catch_trials",
+            "less than trials, 4");
+        row("no room", "several_or_none", R"({"lumps_high": 6, "spacing_mm": 60})", "$.parameters.lumps_high",
+            "no more fit");
+        row("nothing beside the distractor", "several_or_none", R"({"region_columns": 1, "region_rows": 1})",
+            "$.parameters.lumps_high", "at most 0");
+        row("moved out of the area", "visible_lump",
+            R"({"control_move_after_s": 5, "control_move_x_mm": 90})", "$.parameters.lumps_high",
+            "before and after");
+        row("bends too much for the depth", "size_and_hardness",
+            R"({"tissue": {"tissue": "prostate", "layers": [{"name": "gland", "modulus_kPa": 10}]}})",
             "$.parameters.tissue.bumps", "maximum_force_N presses a finger in by 15");
         row("bends more than a pad", "visible_lump",
-            R"({"tissue": {"tissue": "pad", "bumps": [{"radius_x_mm": 8, "radius_y_mm": 8, "height_mm": 5}]}})", "$.parameters.tissue.bumps", "contact_radius_mm");
-        row("band upside down", "visible_lump", R"({"band_low_N": 3})", "$.parameters.band_low_N", "less than band_high_N, 2.5 N");
-        row("band over the cap", "visible_lump", R"({"band_high_N": 4.2})", "$.parameters.band_high_N", "at most maximum_force_N, 4 N");
-        row("covered by no press as asked", "visible_lump", R"({"cover_force_N": 3})", "$.parameters.cover_force_N", "at most band_low_N, 0.8 N");
-        row("covered above the band's lower edge", "visible_lump", R"({"cover_force_N": 0.9})", "$.parameters.cover_force_N", "at most band_low_N, 0.8 N");
+            R"({"tissue": {"tissue": "pad", "bumps": [{"radius_x_mm": 8, "radius_y_mm": 8, "height_mm": 5}]}})",
+            "$.parameters.tissue.bumps", "contact_radius_mm");
+        row("band upside down", "visible_lump", R"({"band_low_N": 3})", "$.parameters.band_low_N",
+            "less than band_high_N, 2.5 N");
+        row("band over the cap", "visible_lump", R"({"band_high_N": 4.2})", "$.parameters.band_high_N",
+            "at most maximum_force_N, 4 N");
+        row("covered by no press as asked", "visible_lump", R"({"cover_force_N": 3})",
+            "$.parameters.cover_force_N", "at most band_low_N, 0.8 N");
+        row("covered above the band's lower edge", "visible_lump", R"({"cover_force_N": 0.9})",
+            "$.parameters.cover_force_N", "at most band_low_N, 0.8 N");
         row("soft distractors on each other", "visible_lump",
             R"({"tissue": {"tissue": "pad", "distractors": [{"name": "a", "radius_x_mm": 10, "radius_y_mm": 10, "gain": -0.5}, {"name": "b", "radius_x_mm": 10, "radius_y_mm": 10, "gain": -0.6}]}})",
             "$.parameters.tissue.distractors", "more than -1 in all");
         row("three hands", "visible_lump", R"({"hands": 3})", "$.parameters.hands", "1 to 2");
-        row("unknown tissue", "visible_lump", R"({"tissue": "spleen"})", "$.parameters.tissue", "one of breast, pad, prostate");
-        row("unknown property", "visible_lump", R"({"tissue": {"tissue": "pad", "colour": 3}})", "$.parameters.tissue.colour", "");
-        row("unknown law", "visible_lump", R"({"tissue": {"tissue": "pad", "lump_law": "magic"}})", "$.parameters.tissue.lump_law", "inclusion");
-        row("layer without modulus", "visible_lump", R"({"tissue": {"tissue": "pad", "layers": [{"name": "skin"}]}})", "$.parameters.tissue.layers[0].modulus_kPa", "");
-        row("no layer", "visible_lump", R"({"tissue": {"tissue": "pad", "layers": []}})", "$.parameters.tissue.layers", "");
+        row("unknown tissue", "visible_lump", R"({"tissue": "spleen"})", "$.parameters.tissue",
+            "one of breast, pad, prostate");
+        row("unknown property", "visible_lump", R"({"tissue": {"tissue": "pad", "colour": 3}})",
+            "$.parameters.tissue.colour", "");
+        row("unknown law", "visible_lump", R"({"tissue": {"tissue": "pad", "lump_law": "magic"}})",
+            "$.parameters.tissue.lump_law", "inclusion");
+        row("layer without modulus", "visible_lump",
+            R"({"tissue": {"tissue": "pad", "layers": [{"name": "skin"}]}})",
+            "$.parameters.tissue.layers[0].modulus_kPa", "");
+        row("no layer", "visible_lump", R"({"tissue": {"tissue": "pad", "layers": []}})",
+            "$.parameters.tissue.layers", "");
         row("five bumps", "visible_lump",
             R"({"tissue": {"tissue": "pad", "bumps": [{"radius_x_mm": 50, "radius_y_mm": 50, "height_mm": 1}, {"radius_x_mm": 50, "radius_y_mm": 50, "height_mm": 1}, {"radius_x_mm": 50, "radius_y_mm": 50, "height_mm": 1}, {"radius_x_mm": 50, "radius_y_mm": 50, "height_mm": 1}, {"radius_x_mm": 50, "radius_y_mm": 50, "height_mm": 1}]}})",
             "$.parameters.tissue.bumps", "");
         row("seven lumps", "visible_lump", R"({"lumps_high": 7})", "$.parameters.lumps_high", "0 to 6");
-        row("hardness", "visible_lump", R"({"lump_kinds": [{"radius_mm": 5, "depth_mm": 12, "ratio": 10, "hardness": 6}]})", "$.parameters.lump_kinds[0].hardness", "1 to 5");
+        row("hardness", "visible_lump",
+            R"({"lump_kinds": [{"radius_mm": 5, "depth_mm": 12, "ratio": 10, "hardness": 6}]})",
+            "$.parameters.lump_kinds[0].hardness", "1 to 5");
         row("unknown key", "visible_lump", R"({"colour": 3})", "$.parameters.colour", "");
     }
     void faults() {
@@ -199,7 +232,9 @@ private slots:
         const auto catalogue = Catalogue::load(copy.directory());
         QVERIFY(!catalogue.has_value());
         const QString told = QString::fromStdString(catalogue.error().message);
-        QVERIFY2(told.contains("tissues/prostate.json") && told.contains("$.properties.layers[0].modulus_kPa"), qPrintable(told));
+        QVERIFY2(told.contains("tissues/prostate.json") &&
+                     told.contains("$.properties.layers[0].modulus_kPa"),
+                 qPrintable(told));
     }
 };
 

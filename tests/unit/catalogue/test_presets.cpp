@@ -33,7 +33,8 @@ void TestPresets::presetFaults_data() {
     row("unknown key", "\"friction\"", "\"fricton\"", "$.parameters.fricton: unknown key");
     row("no source", "\"source\"", "\"sauce\"", "$.source: missing");
     row("another's name", "\"id\": \"stricture\"", "\"id\": \"narrow\"", "$.id: \"narrow\"");
-    row("a preset of a preset", "\"friction\": 0.1", "\"tissue\": \"normal\"", "$.parameters.tissue: given: expected none");
+    row("a preset of a preset", "\"friction\": 0.1", "\"tissue\": \"normal\"",
+        "$.parameters.tissue: given: expected none");
 }
 
 void TestPresets::presetFaults() {

@@ -2,10 +2,10 @@
 #include "study_samples.h"
 
 #include "catalogue/canonical_json.h"
-#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 #include "catalogue/schema.h"
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
+#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 #include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <QJsonDocument>
@@ -41,20 +41,27 @@ void TestStudyContent::everyKeyIsRead() {
     QCOMPARE(study->title.at("de"), std::string("U"));
     QCOMPARE(study->conditions.size(), std::size_t{2});
     const Condition& first = study->conditions[0];
-    QVERIFY(first.task == Task::rank3 && first.stimulus.attribute == Attribute::stiffness && first.criterion == 0.75);
+    QVERIFY(first.task == Task::rank3 && first.stimulus.attribute == Attribute::stiffness &&
+            first.criterion == 0.75);
     QCOMPARE(first.stimulus.fixed.at("damping_Ns_per_m"), 1.0);
     QCOMPARE(first.stimulus.differences, (std::vector<double>{0.01, 0.02, 0.1}));
     const Condition& second = study->conditions[1];
-    QVERIFY(second.task == Task::twoAfc && second.scale == ProcedureScale::logDifference && second.criterion == 0.8);
-    QVERIFY(std::holds_alternative<StaircaseSpec>(second.procedures[0]) && std::get<StaircaseSpec>(second.procedures[0]).start == -1.0);
-    QVERIFY(first.instructions.empty() && second.instructions.at("en") == "Put on the glove." && second.instructions.size() == 2);
-    QVERIFY(study->order == OrderDesign::latinSquare && study->trial.feedback && study->trial.practiceTrials == 2);
+    QVERIFY(second.task == Task::twoAfc && second.scale == ProcedureScale::logDifference &&
+            second.criterion == 0.8);
+    QVERIFY(std::holds_alternative<StaircaseSpec>(second.procedures[0]) &&
+            std::get<StaircaseSpec>(second.procedures[0]).start == -1.0);
+    QVERIFY(first.instructions.empty() && second.instructions.at("en") == "Put on the glove." &&
+            second.instructions.size() == 2);
+    QVERIFY(study->order == OrderDesign::latinSquare && study->trial.feedback &&
+            study->trial.practiceTrials == 2);
     QCOMPARE(study->fidelity.peakForce_N, 3.0);
     QCOMPARE(study->fidelity.lateTicks, FidelityLimits{}.lateTicks);
     const Questionnaire& questionnaire = study->questionnaires.at(0);
     QVERIFY(questionnaire.when == Questionnaire::When::before && questionnaire.items.size() == 4);
-    QVERIFY(questionnaire.items[0].scale == 7 && questionnaire.items[0].high.at("en") == "yes" && questionnaire.items[0].construct == "face");
-    QVERIFY(questionnaire.items[1].highest == 9.0 && questionnaire.items[2].choices.size() == 2 && !questionnaire.items[3].required);
+    QVERIFY(questionnaire.items[0].scale == 7 && questionnaire.items[0].high.at("en") == "yes" &&
+            questionnaire.items[0].construct == "face");
+    QVERIFY(questionnaire.items[1].highest == 9.0 && questionnaire.items[2].choices.size() == 2 &&
+            !questionnaire.items[3].required);
     QVERIFY(study->participantsPlanned == 7 && !study->blindParticipant && study->blindExperimenter);
     QCOMPARE(study->seed, std::uint64_t{9007199254740991});
 }
@@ -67,7 +74,8 @@ void TestStudyContent::writingIsCanonical() {
     QVERIFY2(again.has_value(), again ? "" : again.error().message.c_str());
     QCOMPARE(studyJson(*again), written);
     const QJsonArray conditions = parsed(written)["conditions"].toArray();
-    QVERIFY(!conditions[0].toObject().contains("instructions") && conditions[1].toObject().contains("instructions")); // digests of older designs stay
+    QVERIFY(!conditions[0].toObject().contains("instructions") &&
+            conditions[1].toObject().contains("instructions")); // digests of older designs stay
     QCOMPARE(studySha256(written).size(), std::size_t{64});
     QVERIFY(studySha256(written) != studySha256(written + " "));
     // Order of keys and spaces do not matter, a value does.
@@ -78,13 +86,16 @@ void TestStudyContent::writingIsCanonical() {
 
 void TestStudyContent::keysLeftOutKeepTheDefaults() {
     QJsonObject json = parsed(someStudy());
-    for (const char* key : {"order", "trial", "fidelity", "questionnaires", "participants_planned", "blind_participant", "blind_experimenter", "seed"})
+    for (const char* key : {"order", "trial", "fidelity", "questionnaires", "participants_planned",
+                            "blind_participant", "blind_experimenter", "seed"})
         json.remove(QLatin1String(key));
     const auto study = readStudy(QJsonDocument(json).toJson(), "short");
     QVERIFY(study.has_value());
     const psychophysics::StudyDesign plain;
-    QVERIFY(study->order == plain.order && study->seed == plain.seed && study->participantsPlanned == plain.participantsPlanned);
-    QVERIFY(study->trial.exploreLimit_s == plain.trial.exploreLimit_s && study->blindParticipant == plain.blindParticipant);
+    QVERIFY(study->order == plain.order && study->seed == plain.seed &&
+            study->participantsPlanned == plain.participantsPlanned);
+    QVERIFY(study->trial.exploreLimit_s == plain.trial.exploreLimit_s &&
+            study->blindParticipant == plain.blindParticipant);
 }
 
 void TestStudyContent::shippedStudiesRoundTrip() {
@@ -112,11 +123,14 @@ void TestStudyContent::schemaKnowsEveryKey() {
     for (const QByteArray& document : documents) {
         Problems problems;
         (void)validated(parsed(document), *schema, "$", problems);
-        QVERIFY2(problems.empty(), problems.empty() ? "" : qPrintable(problems[0].path + ": " + problems[0].found + ": " + problems[0].expected));
+        QVERIFY2(problems.empty(), problems.empty() ? ""
+                                                    : qPrintable(problems[0].path + ": " + problems[0].found +
+                                                                 ": " + problems[0].expected));
     }
 }
 
-// One study an attribute by rank-3, each other way of asking once, the surgeons' with both validities, in three languages.
+// One study an attribute by rank-3, each other way of asking once, the surgeons' with both validities, in
+// three languages.
 void TestStudyContent::shippedStudiesAreComplete() {
     using namespace psychophysics;
     const auto catalogue = StudyCatalogue::load(kContent.toStdString());
@@ -138,7 +152,8 @@ void TestStudyContent::shippedStudiesAreComplete() {
         }
     }
     QCOMPARE(ranked.size(), std::size_t{6});
-    QVERIFY(tasks.contains(Task::twoAfc) && tasks.contains(Task::magnitude) && tasks.contains(Task::adjustment));
+    QVERIFY(tasks.contains(Task::twoAfc) && tasks.contains(Task::magnitude) &&
+            tasks.contains(Task::adjustment));
     QVERIFY(kinds.contains("descending") && kinds.contains("quest_plus") && kinds.contains("constant"));
     std::set<std::string> constructs;
     for (const Questionnaire& questionnaire : catalogue->find("surgeons")->questionnaires)
@@ -149,7 +164,8 @@ void TestStudyContent::shippedStudiesAreComplete() {
     QVERIFY(constructs.contains("face") && constructs.contains("content"));
 }
 
-/// Designs without it stay what they were, to the byte; new ones say it, and it goes into what a session stores.
+/// Designs without it stay what they were, to the byte; new ones say it, and it goes into what a session
+/// stores.
 void TestStudyContent::aSmallestForceIsPartOfTheDesign() {
     const auto without = readStudy(someStudy(), "without");
     QVERIFY(without);
@@ -160,7 +176,10 @@ void TestStudyContent::aSmallestForceIsPartOfTheDesign() {
     QCOMPARE(parameters->probeAtLeast_N, 0.0);
 
     const auto read = [](double probe_N) {
-        return readStudy(QJsonDocument(changed(parsed(someStudy()), {"trial", "probe_at_least_N"}, probe_N).toObject()).toJson(), "with");
+        return readStudy(
+            QJsonDocument(changed(parsed(someStudy()), {"trial", "probe_at_least_N"}, probe_N).toObject())
+                .toJson(),
+            "with");
     };
     const auto with = read(0.3);
     QVERIFY2(with, with ? "" : with.error().message.c_str());
@@ -168,16 +187,19 @@ void TestStudyContent::aSmallestForceIsPartOfTheDesign() {
     QVERIFY(studyJson(*with).contains("\"probe_at_least_N\":0.3"));
     parameters = comparisonOf(with->conditions[0], with->trial);
     QCOMPARE(parameters->probeAtLeast_N, 0.3);
-    const ExerciseLevel level = comparisonLevel(*parameters, "study", "a"); // as it is stored with a session, and read for its replay
+    const ExerciseLevel level =
+        comparisonLevel(*parameters, "study", "a"); // as it is stored with a session, and read for its replay
     QCOMPARE(level.parameters.as<simulation::ComparisonParameters>().probeAtLeast_N, 0.3);
     psychophysics::TrialRules rules = with->trial;
     rules.mustTouchAll = false;
     QCOMPARE(comparisonOf(with->conditions[0], rules)->probeAtLeast_N, 0.0); // nothing has to be touched
 
     const auto heavy = read(0.6); // the lightest object of 50 g weighs 0.49 N
-    QVERIFY(!heavy && QString::fromStdString(heavy.error().message).contains(QStringLiteral("lightest object")));
+    QVERIFY(!heavy &&
+            QString::fromStdString(heavy.error().message).contains(QStringLiteral("lightest object")));
     const auto beyond = read(3.0); // a trial with more than 3 N does not count
-    QVERIFY(!beyond && QString::fromStdString(beyond.error().message).contains(QStringLiteral("largest force")));
+    QVERIFY(!beyond &&
+            QString::fromStdString(beyond.error().message).contains(QStringLiteral("largest force")));
     const auto catalogue = StudyCatalogue::load(kContent.toStdString());
     for (const auto& study : catalogue->studies())
         if (study.conditions.front().stimulus.attribute != psychophysics::Attribute::apex)

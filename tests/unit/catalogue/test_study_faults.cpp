@@ -60,31 +60,46 @@ void TestStudyFaults::wrongDesignsAreRefused_data() {
     row("conditions.0.stimulus.reference", "-60", "$.conditions[0].stimulus.reference: -60");
     row("conditions.0.stimulus.reference", "60000", "$.conditions[0].stimulus.reference: 60000");
     row("conditions.0.stimulus.reference", "19000", "$.conditions[0].stimulus.differences[2]: an object of");
-    row("conditions.1.stimulus.reference", "50", "$.conditions[1].stimulus.reference: 50: expected 0.001 to 10 kg");
+    row("conditions.1.stimulus.reference", "50",
+        "$.conditions[1].stimulus.reference: 50: expected 0.001 to 10 kg");
     row("conditions.0.stimulus.differences", "", "$.conditions[0].stimulus.differences: missing");
     row("conditions.0.stimulus.differences", "[]", "$.conditions[0].stimulus.differences: 0");
     row("conditions.0.stimulus.differences", "0.1", "$.conditions[0].stimulus.differences");
-    row("conditions.0.stimulus.differences", "[0.1,0.1]", "$.conditions[0].stimulus.differences[1]: 0.1: expected more than");
-    row("conditions.0.stimulus.differences", "[0.02,0.1,0.05]", "$.conditions[0].stimulus.differences[2]: 0.05");
-    row("conditions.0.stimulus.differences", "[0.02,\"x\"]", "$.conditions[0].stimulus.differences[1]: another type");
+    row("conditions.0.stimulus.differences", "[0.1,0.1]",
+        "$.conditions[0].stimulus.differences[1]: 0.1: expected more than");
+    row("conditions.0.stimulus.differences", "[0.02,0.1,0.05]",
+        "$.conditions[0].stimulus.differences[2]: 0.05");
+    row("conditions.0.stimulus.differences", "[0.02,\"x\"]",
+        "$.conditions[0].stimulus.differences[1]: another type");
     row("conditions.0.stimulus.differences", "[0.02,0.1,3]", "$.conditions[0].stimulus.differences[2]: 3");
-    row("conditions.0.stimulus.differences", "[-0.1,0.02,0.1]", "$.conditions[0].stimulus.differences[0]: -0.1: expected more than 0 for the task rank3");
-    row("conditions.1.stimulus.differences", "[0,0.1]", "$.conditions[1].stimulus.differences[0]: 0: expected more than 0: the scale");
-    row("conditions.0.stimulus.fixed", "{\"colour\":1}", "$.conditions[0].stimulus.fixed.colour: unknown key");
+    row("conditions.0.stimulus.differences", "[-0.1,0.02,0.1]",
+        "$.conditions[0].stimulus.differences[0]: -0.1: expected more than 0 for the task rank3");
+    row("conditions.1.stimulus.differences", "[0,0.1]",
+        "$.conditions[1].stimulus.differences[0]: 0: expected more than 0: the scale");
+    row("conditions.0.stimulus.fixed", "{\"colour\":1}",
+        "$.conditions[0].stimulus.fixed.colour: unknown key");
     row("conditions.0.stimulus.fixed", "{\"mass_kg\":-1}", "$.conditions[0].stimulus.fixed.mass_kg: -1");
-    row("conditions.0.stimulus.fixed", "{\"mass_kg\":\"1\"}", "$.conditions[0].stimulus.fixed.mass_kg: another type");
+    row("conditions.0.stimulus.fixed", "{\"mass_kg\":\"1\"}",
+        "$.conditions[0].stimulus.fixed.mass_kg: another type");
     row("conditions.0.stimulus.size", "1", "$.conditions[0].stimulus.size: unknown key");
-    row("conditions.0.procedures", R"([{"kind":"rank3_quest_plus","differences":[0.02,0.1],"allow_ties":true}])", "$.conditions[0].procedures[0].allow_ties: true: expected false for the task rank3");
+    row("conditions.0.procedures",
+        R"([{"kind":"rank3_quest_plus","differences":[0.02,0.1],"allow_ties":true}])",
+        "$.conditions[0].procedures[0].allow_ties: true: expected false for the task rank3");
     row("conditions.0.task", "\"rank4\"", "$.conditions[0].task: \"rank4\"");
     row("conditions.0.task", "", "$.conditions[0].task: missing");
-    row("conditions.0.task", "\"adjustment\"", "$.conditions[0].procedures[0].kind: \"descending\": expected for the task adjustment one of constant");
+    row("conditions.0.task", "\"adjustment\"",
+        "$.conditions[0].procedures[0].kind: \"descending\": expected for the task adjustment one of "
+        "constant");
     row("conditions.0.task", "\"magnitude\"", "$.conditions[0].procedures[0].kind: \"descending\"");
-    row("conditions.1.task", "\"rank3\"", "$.conditions[1].procedures[0].kind: \"staircase\": expected for the task rank3 one of rank3_quest_plus");
+    row("conditions.1.task", "\"rank3\"",
+        "$.conditions[1].procedures[0].kind: \"staircase\": expected for the task rank3 one of "
+        "rank3_quest_plus");
     row("conditions.0.scale", "\"decibel\"", "$.conditions[0].scale: \"decibel\"");
     row("conditions.0.criterion", "1", "$.conditions[0].criterion: 1");
     row("conditions.0.procedures", "[]", "$.conditions[0].procedures: 0");
     row("conditions.0.procedures", "", "$.conditions[0].procedures: missing");
-    row("conditions.0.procedures.0.kind", "\"bisection\"", "$.conditions[0].procedures[0].kind: \"bisection\"");
+    row("conditions.0.procedures.0.kind", "\"bisection\"",
+        "$.conditions[0].procedures[0].kind: \"bisection\"");
     row("conditions.0.procedures.0.kind", "", "$.conditions[0].procedures[0].kind: missing");
     row("conditions.0.procedures.0.levels", "[0.5,0.02]", "$.conditions[0].procedures[0].levels: 0.5");
     row("conditions.0.procedures.0.passes", "\"two\"", "$.conditions[0].procedures[0].passes: another type");
@@ -100,7 +115,8 @@ void TestStudyFaults::wrongDesignsAreRefused_data() {
     row("trial.pause", "1", "$.trial.pause: unknown key");
     row("fidelity.late_ticks", "1.5", "$.fidelity.late_ticks: 1.5");
     row("fidelity.repeats_at_most", "0", "$.fidelity.repeats_at_most: 0");
-    row("fidelity.peak_force", "1", "$.fidelity.peak_force: unknown key: expected a limit of fidelity; did you mean \"peak_force_N\"?");
+    row("fidelity.peak_force", "1",
+        "$.fidelity.peak_force: unknown key: expected a limit of fidelity; did you mean \"peak_force_N\"?");
     row("questionnaires", "{}", "$.questionnaires: another type");
     row("questionnaires.0.items", "[]", "$.questionnaires[0].items: 0");
     row("questionnaires.0.when", "\"during\"", "$.questionnaires[0].when: \"during\"");
@@ -108,9 +124,11 @@ void TestStudyFaults::wrongDesignsAreRefused_data() {
     row("questionnaires.0.items.0.kind", "\"stars\"", "$.questionnaires[0].items[0].kind: \"stars\"");
     row("questionnaires.0.items.0.scale", "1", "$.questionnaires[0].items[0].scale: 1");
     row("questionnaires.0.items.0.lowest", "1", "$.questionnaires[0].items[0].lowest: unknown key");
-    row("questionnaires.0.items.1.highest", "0", "$.questionnaires[0].items[1].highest: 0: expected more than lowest");
+    row("questionnaires.0.items.1.highest", "0",
+        "$.questionnaires[0].items[1].highest: 0: expected more than lowest");
     row("questionnaires.0.items.2.choices", "[{\"en\":\"x\"}]", "$.questionnaires[0].items[2].choices: 1");
-    row("questionnaires.0.items.2.choices.1", "{\"de\":\"x\"}", "$.questionnaires[0].items[2].choices[1].text.en: missing");
+    row("questionnaires.0.items.2.choices.1", "{\"de\":\"x\"}",
+        "$.questionnaires[0].items[2].choices[1].text.en: missing");
     row("participants_planned", "0", "$.participants_planned: 0");
     row("blind_experimenter", "\"yes\"", "$.blind_experimenter: another type");
     row("seed", "-1", "$.seed: -1");
@@ -122,9 +140,11 @@ void TestStudyFaults::wrongDesignsAreRefused() {
     QFETCH(QString, path);
     QFETCH(QString, json);
     QFETCH(QString, place);
-    const QJsonValue value =
-        json.isEmpty() ? QJsonValue(QJsonValue::Undefined) : QJsonDocument::fromJson("[" + json.toUtf8() + "]").array().at(0);
-    const QByteArray wrong = QJsonDocument(changed(parsed(someStudy()), path.split('.'), value).toObject()).toJson();
+    const QJsonValue value = json.isEmpty()
+                                 ? QJsonValue(QJsonValue::Undefined)
+                                 : QJsonDocument::fromJson("[" + json.toUtf8() + "]").array().at(0);
+    const QByteArray wrong =
+        QJsonDocument(changed(parsed(someStudy()), path.split('.'), value).toObject()).toJson();
     const auto study = readStudy(wrong, "wrong.json");
     QVERIFY(!study.has_value());
     QCOMPARE(study.error().code, core::ErrorCode::badInput);
@@ -140,7 +160,8 @@ void TestStudyFaults::everythingWrongIsToldTogether() {
     json["colour"] = 1;
     const auto study = readStudy(QJsonDocument(json).toJson(), "wrong.json");
     QCOMPARE(QString::fromStdString(study.error().message).count("\n") + 1, 3);
-    QVERIFY(!readStudy("", "empty") && !readStudy("[]", "array") && !readStudy("{\"id\":\"a\",\"id\":\"b\"}", "twice"));
+    QVERIFY(!readStudy("", "empty") && !readStudy("[]", "array") &&
+            !readStudy("{\"id\":\"a\",\"id\":\"b\"}", "twice"));
 }
 
 void TestStudyFaults::brokenFoldersAreTold() {
@@ -157,7 +178,8 @@ void TestStudyFaults::brokenFoldersAreTold() {
     write("other.json", someStudy()); // the id is not its file's name
     write("broken.json", "{");
     const auto loaded = StudyCatalogue::load(folder.path().toStdString());
-    QVERIFY(!loaded && loaded.error().message.find("other.json") != std::string::npos && loaded.error().message.find("broken.json") != std::string::npos);
+    QVERIFY(!loaded && loaded.error().message.find("other.json") != std::string::npos &&
+            loaded.error().message.find("broken.json") != std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(TestStudyFaults)

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tissues' presets claim of their resistance, at the speeds of an insertion, on a device that carries 50 N·s/m.
+// What the tissues' presets claim of their resistance, at the speeds of an insertion, on a device that
+// carries 50 N·s/m.
 #include "catalogue/catalogue.h"
 #include "core/fp_environment.h"
-#include "support/content_copy.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 #include "simulation/geometry/urethra/urethra_centreline.h"
-#include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
+#include "support/content_copy.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -23,7 +24,8 @@ namespace {
 const std::array<double, 3> kSpeeds_m_per_s{0.005, 0.010, 0.020};
 const QString kFolder = QStringLiteral("exercises/urethra_insertion/");
 
-/// At one speed along the middle of the canal, aligned: friction with the tip in the bladder, and the largest resistance on the way.
+/// At one speed along the middle of the canal, aligned: friction with the tip in the bladder, and the largest
+/// resistance on the way.
 struct Resistance {
     double friction_N = 0.0, total_N = 0.0, elastic_N = 0.0;
 };
@@ -45,7 +47,8 @@ Resistance resistanceOf(const simulation::UrethraInsertionParameters& p, double 
     Resistance most;
     for (double s = -0.012; s <= deepest; s += 0.0002) {
         const simulation::CentrelinePoint at = forces.centreline().at(s);
-        const simulation::UrethraResponse r = forces.respond({at.p_A, at.t_A, speed_m_per_s * at.t_A, core::Vec3::Zero()});
+        const simulation::UrethraResponse r =
+            forces.respond({at.p_A, at.t_A, speed_m_per_s * at.t_A, core::Vec3::Zero()});
         most.friction_N = -r.friction_N; // at last that of the whole canal
         most.elastic_N = std::max(most.elastic_N, -r.elastic_N);
         most.total_N = std::max(most.total_N, -r.friction_N - r.viscous_N - r.elastic_N);
@@ -53,7 +56,9 @@ Resistance resistanceOf(const simulation::UrethraInsertionParameters& p, double 
     return most;
 }
 
-QString printed(double value) { return QString::number(value, 'f', 2); }
+QString printed(double value) {
+    return QString::number(value, 'f', 2);
+}
 
 } // namespace
 
@@ -83,23 +88,28 @@ void TestTissueResistance::presetsSayWhatIsFelt() {
     for (std::size_t i = 0; i < 3; ++i)
         felt[i] = resistanceOf(p, kSpeeds_m_per_s[i]);
     const auto listed = [&](auto member) {
-        return QStringLiteral("%1, %2 and %3 N").arg(printed(felt[0].*member), printed(felt[1].*member), printed(felt[2].*member));
+        return QStringLiteral("%1, %2 and %3 N")
+            .arg(printed(felt[0].*member), printed(felt[1].*member), printed(felt[2].*member));
     };
     const QString friction = listed(&Resistance::friction_N).replace(QStringLiteral(" N"), QString());
     QVERIFY2(source.contains(friction + QStringLiteral(" N at 5, 10 and 20 mm/s")), qPrintable(friction));
     QVERIFY2(source.contains(listed(&Resistance::total_N)), qPrintable(listed(&Resistance::total_N)));
-    const QString limit = printed(resistanceOf(p, 1000.0).friction_N); // μN: the model's, at no speed of a hand
+    const QString limit =
+        printed(resistanceOf(p, 1000.0).friction_N); // μN: the model's, at no speed of a hand
     QVERIFY2(source.contains(limit + QStringLiteral(" N")), qPrintable(limit));
     if (tissue == "stricture")
-        QVERIFY2(source.contains(printed(felt[0].elastic_N) + QStringLiteral(" N of elastic")), qPrintable(printed(felt[0].elastic_N)));
+        QVERIFY2(source.contains(printed(felt[0].elastic_N) + QStringLiteral(" N of elastic")),
+                 qPrintable(printed(felt[0].elastic_N)));
 }
 
 void TestTissueResistance::strictureResistsMoreThanTightMoreThanNormal() {
-    const auto normal = parametersOf("normal"), tight = parametersOf("tight"), stricture = parametersOf("stricture");
+    const auto normal = parametersOf("normal"), tight = parametersOf("tight"),
+               stricture = parametersOf("stricture");
     for (const double speed : kSpeeds_m_per_s) {
         const double n = resistanceOf(normal, speed).total_N, t = resistanceOf(tight, speed).total_N;
         const double s = resistanceOf(stricture, speed).total_N;
-        QVERIFY2(t > 1.13 * n && s > 2.0 * t, qPrintable(QStringLiteral("%1, %2, %3 at %4").arg(n).arg(t).arg(s).arg(speed)));
+        QVERIFY2(t > 1.13 * n && s > 2.0 * t,
+                 qPrintable(QStringLiteral("%1, %2, %3 at %4").arg(n).arg(t).arg(s).arg(speed)));
     }
 }
 

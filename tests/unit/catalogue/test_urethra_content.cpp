@@ -2,9 +2,9 @@
 #include "catalogue/canonical_json.h"
 #include "catalogue/catalogue.h"
 #include "core/units.h"
-#include "support/content_copy.h"
-#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
+#include "support/content_copy.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -27,30 +27,76 @@ const Catalogue& shipped() {
     return *catalogue;
 }
 
-const Parameters& parametersOf(const ExerciseLevel& level) { return level.parameters.as<Parameters>(); }
+const Parameters& parametersOf(const ExerciseLevel& level) {
+    return level.parameters.as<Parameters>();
+}
 
-QJsonObject json(const std::string& text) { return QJsonDocument::fromJson(QByteArray::fromStdString(text)).object(); }
+QJsonObject json(const std::string& text) {
+    return QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
+}
 
-bool near(double a, double b) { return a == b || std::abs(a - b) <= 1e-12 * std::max(1.0, std::abs(b)); }
+bool near(double a, double b) {
+    return a == b || std::abs(a - b) <= 1e-12 * std::max(1.0, std::abs(b));
+}
 
 /// Every number of the struct, in one order.
 std::vector<double> numbers(const Parameters& p) {
     const auto& a = p.anatomy;
-    std::vector<double> n{a.curvature_per_m, a.straight_m, a.pivotSpan_m, a.zEnd_m, a.radius_m, a.wallStiffness_N_per_m3, a.wallStiffening_per_m, a.friction,
-                          a.viscosity_Ns_per_m2, a.wallRetardation_s, a.freeLength_m, a.freeBlend_m, a.freeHold_N_per_m, a.angularStiffness_Nm_per_rad, a.angularCorner_m,
-                          a.bladderRadius_m, a.bladderStiffness_N_per_m, a.bladderOpening_rad, a.bladderOpeningEdge_rad,
-                          p.endoscope.radius_m, p.endoscope.beak_m, p.endoscope.behind_m, p.endoscope.fieldOfView_rad,
-                          p.forces.count_m, p.forces.maximumStep_m, p.forces.maximumDamping_Ns_per_m, double(p.forces.basicSections),
-                          double(p.forces.sections == simulation::ForceSections::p1Basic), double(p.mesh.n), double(p.mesh.w),
-                          double(p.mesh.perPatch), double(p.mesh.movingSections), p.pose.p_WA.x(), p.pose.p_WA.y(), p.pose.p_WA.z(),
-                          p.goalDepth_m, double(p.withdraws), p.landmarkHalfAngle_rad, p.landmarkDistance_m, p.landmarkHold_s,
-                          p.landmarkSpeed_m_per_s, p.trialLimit_s, p.maximumForce_N, p.maximumTorque_Nm, p.lateralLimit_N,
-                          double(p.depthOfField), double(p.depthOfFieldFixed),
-                          p.meatus_m, p.yield.force_N, p.yield.fall_s, p.yield.torque_Nm};
+    std::vector<double> n{a.curvature_per_m,
+                          a.straight_m,
+                          a.pivotSpan_m,
+                          a.zEnd_m,
+                          a.radius_m,
+                          a.wallStiffness_N_per_m3,
+                          a.wallStiffening_per_m,
+                          a.friction,
+                          a.viscosity_Ns_per_m2,
+                          a.wallRetardation_s,
+                          a.freeLength_m,
+                          a.freeBlend_m,
+                          a.freeHold_N_per_m,
+                          a.angularStiffness_Nm_per_rad,
+                          a.angularCorner_m,
+                          a.bladderRadius_m,
+                          a.bladderStiffness_N_per_m,
+                          a.bladderOpening_rad,
+                          a.bladderOpeningEdge_rad,
+                          p.endoscope.radius_m,
+                          p.endoscope.beak_m,
+                          p.endoscope.behind_m,
+                          p.endoscope.fieldOfView_rad,
+                          p.forces.count_m,
+                          p.forces.maximumStep_m,
+                          p.forces.maximumDamping_Ns_per_m,
+                          double(p.forces.basicSections),
+                          double(p.forces.sections == simulation::ForceSections::p1Basic),
+                          double(p.mesh.n),
+                          double(p.mesh.w),
+                          double(p.mesh.perPatch),
+                          double(p.mesh.movingSections),
+                          p.pose.p_WA.x(),
+                          p.pose.p_WA.y(),
+                          p.pose.p_WA.z(),
+                          p.goalDepth_m,
+                          double(p.withdraws),
+                          p.landmarkHalfAngle_rad,
+                          p.landmarkDistance_m,
+                          p.landmarkHold_s,
+                          p.landmarkSpeed_m_per_s,
+                          p.trialLimit_s,
+                          p.maximumForce_N,
+                          p.maximumTorque_Nm,
+                          p.lateralLimit_N,
+                          double(p.depthOfField),
+                          double(p.depthOfFieldFixed),
+                          p.meatus_m,
+                          p.yield.force_N,
+                          p.yield.fall_s,
+                          p.yield.torque_Nm};
     n.push_back(double(a.changeCount));
     for (std::size_t i = 0; i < a.changeCount; ++i)
-        n.insert(n.end(), {a.changes[i].centre_m, a.changes[i].length_m, a.changes[i].edge_m, a.changes[i].radius_m,
-                           a.changes[i].stiffnessFactor, a.changes[i].frictionFactor});
+        n.insert(n.end(), {a.changes[i].centre_m, a.changes[i].length_m, a.changes[i].edge_m,
+                           a.changes[i].radius_m, a.changes[i].stiffnessFactor, a.changes[i].frictionFactor});
     n.push_back(double(p.landmarks.size()));
     for (const auto& landmark : p.landmarks)
         n.insert(n.end(), {landmark.polar_rad, landmark.azimuth_rad});
@@ -92,7 +138,8 @@ void TestUrethraContent::fiveLevels() {
     }
     QCOMPARE(parametersOf(levels[0]).goalDepth_m, 0.060);
     QCOMPARE(parametersOf(levels[1]).goalDepth_m, 0.095);
-    QVERIFY(parametersOf(levels[1]).goalDepth_m > parametersOf(levels[1]).anatomy.freeLength_m); // past the bend
+    QVERIFY(parametersOf(levels[1]).goalDepth_m >
+            parametersOf(levels[1]).anatomy.freeLength_m); // past the bend
     QVERIFY(parametersOf(levels[0]).landmarks.empty() && parametersOf(levels[1]).landmarks.empty());
     for (std::size_t i = 2; i < 5; ++i)
         QCOMPARE(parametersOf(levels[i]).landmarks.size(), std::size_t{5});
@@ -146,7 +193,8 @@ void TestUrethraContent::schemaDefaultsAreTheStructs() {
     QJsonObject level = QJsonDocument::fromJson(copy.read(kLevel)).object();
     level["parameters"] = QJsonObject{};
     copy.write(kLevel, QJsonDocument(level).toJson());
-    const QString tissue = QStringLiteral("exercises/urethra_insertion/presets/normal.json"); // sets more than the defaults
+    const QString tissue =
+        QStringLiteral("exercises/urethra_insertion/presets/normal.json"); // sets more than the defaults
     QJsonObject preset = QJsonDocument::fromJson(copy.read(tissue)).object();
     preset["parameters"] = QJsonObject{};
     copy.write(tissue, QJsonDocument(preset).toJson());
@@ -156,15 +204,18 @@ void TestUrethraContent::schemaDefaultsAreTheStructs() {
     const std::vector<double> defaults = numbers(Parameters{});
     QCOMPARE(read.size(), defaults.size());
     for (std::size_t i = 0; i < read.size(); ++i)
-        QVERIFY2(near(read[i], defaults[i]), qPrintable(QStringLiteral("%1: %2, %3").arg(i).arg(read[i]).arg(defaults[i])));
-    const QJsonObject resolved = json(catalogue->find("urethra_insertion", 4)->resolvedJson)["level"].toObject();
+        QVERIFY2(near(read[i], defaults[i]),
+                 qPrintable(QStringLiteral("%1: %2, %3").arg(i).arg(read[i]).arg(defaults[i])));
+    const QJsonObject resolved =
+        json(catalogue->find("urethra_insertion", 4)->resolvedJson)["level"].toObject();
     QCOMPARE(resolved["parameters"].toObject().size(), qsizetype{50});
 }
 
 void TestUrethraContent::levelOverridesItsPreset() {
     ContentCopy copy;
     QByteArray text = copy.read(kLevel);
-    copy.write(kLevel, text.replace("\"tissue\": \"stricture\"", "\"tissue\": \"stricture\", \"friction\": 0.2"));
+    copy.write(kLevel,
+               text.replace("\"tissue\": \"stricture\"", "\"tissue\": \"stricture\", \"friction\": 0.2"));
     const auto catalogue = Catalogue::load(copy.directory());
     QVERIFY2(catalogue.has_value(), catalogue ? "" : catalogue.error().message.c_str());
     const Parameters& p = parametersOf(*catalogue->find("urethra_insertion", 4));
@@ -199,57 +250,83 @@ void TestUrethraContent::faults_data() {
     const auto row = [](const char* tag, const char* keys, const char* message) {
         QTest::newRow(tag) << QByteArray(keys) << QByteArray(message);
     };
-    row("zero radius", "\"rest_radius_mm\": 0", "$.parameters.rest_radius_mm: 0: expected a number, 0.3 to 8 mm");
+    row("zero radius", "\"rest_radius_mm\": 0",
+        "$.parameters.rest_radius_mm: 0: expected a number, 0.3 to 8 mm");
     row("negative stiffness", "\"wall_stiffness_N_per_m3\": -1",
         "$.parameters.wall_stiffness_N_per_m3: -1: expected a number, 10000 to 1e+08 N/m³");
     row("n below 4", "\"mesh_points\": 3", "$.parameters.mesh_points: 3: expected a whole number, 5 to 129");
-    row("n is 4, three distinct points", "\"mesh_points\": 4", "$.parameters.mesh_points: 4: expected a whole number, 5 to 129");
+    row("n is 4, three distinct points", "\"mesh_points\": 4",
+        "$.parameters.mesh_points: 4: expected a whole number, 5 to 129");
     row("n is 5, four distinct points", "\"mesh_points\": 5", "");
     row("a torque outside the body", "\"free_length_mm\": 4, \"free_blend_mm\": 4, \"angular_corner_mm\": 5",
-        "$.parameters.angular_corner_mm: impossible: expected a urethra that can exist (in SI units: is 0.005: a torque outside");
-    row("a hold outside the body", "\"free_length_mm\": 20, \"free_blend_mm\": 21", "$.parameters.free_blend_mm: impossible: expected");
-    row("the shortest free part", "\"straight_length_mm\": 0, \"bladder_neck_z_mm\": 87.7, \"free_length_mm\": 5, \"free_blend_mm\": 5, \"angular_corner_mm\": 5", "");
+        "$.parameters.angular_corner_mm: impossible: expected a urethra that can exist (in SI units: is "
+        "0.005: a torque outside");
+    row("a hold outside the body", "\"free_length_mm\": 20, \"free_blend_mm\": 21",
+        "$.parameters.free_blend_mm: impossible: expected");
+    row("the shortest free part",
+        "\"straight_length_mm\": 0, \"bladder_neck_z_mm\": 87.7, \"free_length_mm\": 5, \"free_blend_mm\": "
+        "5, \"angular_corner_mm\": 5",
+        "");
     row("the bend behind the free part", "\"straight_length_mm\": 36",
-        "$.parameters.straight_length_mm: impossible: expected a urethra that can exist (in SI units: is 0.036: the curvature begins");
+        "$.parameters.straight_length_mm: impossible: expected a urethra that can exist (in SI units: is "
+        "0.036: the curvature begins");
     row("canal out of the mechanism's reach", "\"bladder_neck_z_mm\": 145",
-        "$.parameters.bladder_neck_z_mm: 145 mm: expected a canal within the mechanism's workspace; at a depth of ");
+        "$.parameters.bladder_neck_z_mm: 145 mm: expected a canal within the mechanism's workspace; at a "
+        "depth of ");
     row("bladder out of the mechanism's reach", "\"bladder_radius_mm\": 80",
-        "$.parameters.bladder_radius_mm: 80 mm: expected a bladder within the mechanism's workspace; at a depth of ");
+        "$.parameters.bladder_radius_mm: 80 mm: expected a bladder within the mechanism's workspace; at a "
+        "depth of ");
     row("anatomy elsewhere", "\"anatomy_x_mm\": 5", "$.parameters.anatomy_x_mm: unknown key");
     row("the device's data", "\"position_count_um\": 5", "$.parameters.position_count_um: unknown key");
-    row("half a section", "\"mesh_sections\": 4.5", "$.parameters.mesh_sections: 4.5: expected a whole number");
-    row("self-crossing", "\"centreline_curvature_per_m\": 100, \"endoscope_size_Fr\": 30, \"rest_radius_mm\": 8, \"bladder_opening_deg\": 30",
-        "$.parameters.rest_radius_mm: impossible: expected a urethra that can exist (in SI units: the wall crosses itself");
+    row("half a section", "\"mesh_sections\": 4.5",
+        "$.parameters.mesh_sections: 4.5: expected a whole number");
+    row("self-crossing",
+        "\"centreline_curvature_per_m\": 100, \"endoscope_size_Fr\": 30, \"rest_radius_mm\": 8, "
+        "\"bladder_opening_deg\": 30",
+        "$.parameters.rest_radius_mm: impossible: expected a urethra that can exist (in SI units: the wall "
+        "crosses itself");
     row("change outside the canal",
-        "\"local_changes\": [{\"centre_mm\": 300, \"length_mm\": 12, \"edge_mm\": 4, \"radius_mm\": 1, \"stiffness_factor\": 2, "
+        "\"local_changes\": [{\"centre_mm\": 300, \"length_mm\": 12, \"edge_mm\": 4, \"radius_mm\": 1, "
+        "\"stiffness_factor\": 2, "
         "\"friction_factor\": 1}]",
         "$.parameters.local_changes[0].centre_mm: impossible: expected");
     row("edge wider than the change",
-        "\"local_changes\": [{\"centre_mm\": 70, \"length_mm\": 12, \"edge_mm\": 13, \"radius_mm\": 1, \"stiffness_factor\": 2, "
+        "\"local_changes\": [{\"centre_mm\": 70, \"length_mm\": 12, \"edge_mm\": 13, \"radius_mm\": 1, "
+        "\"stiffness_factor\": 2, "
         "\"friction_factor\": 1}]",
         "$.parameters.local_changes[0].edge_mm: impossible: expected");
     row("change without its radius",
-        "\"local_changes\": [{\"centre_mm\": 70, \"length_mm\": 12, \"edge_mm\": 4, \"stiffness_factor\": 2, \"friction_factor\": 1}]",
+        "\"local_changes\": [{\"centre_mm\": 70, \"length_mm\": 12, \"edge_mm\": 4, \"stiffness_factor\": 2, "
+        "\"friction_factor\": 1}]",
         "$.parameters.local_changes[0].radius_mm: missing: expected a number");
     row("free part longer than the canal", "\"bladder_neck_z_mm\": 60, \"free_length_mm\": 90",
         "$.parameters.free_length_mm: impossible: expected");
-    row("neck too narrow", "\"bladder_opening_deg\": 3", "$.parameters.bladder_opening_deg: impossible: expected");
-    row("bladder too small", "\"endoscope_size_Fr\": 30, \"bladder_radius_mm\": 15, \"bladder_opening_deg\": 40, \"friction\": 0.2",
+    row("neck too narrow", "\"bladder_opening_deg\": 3",
+        "$.parameters.bladder_opening_deg: impossible: expected");
+    row("bladder too small",
+        "\"endoscope_size_Fr\": 30, \"bladder_radius_mm\": 15, \"bladder_opening_deg\": 40, \"friction\": "
+        "0.2",
         "");
-    row("goal beyond the bladder", "\"goal_depth_mm\": 300", "$.parameters.goal_depth_mm: 300 mm: expected at most");
-    row("goal before the landmarks", "\"goal_depth_mm\": 80", "$.parameters.goal_depth_mm: 80 mm: expected in the bladder");
+    row("goal beyond the bladder", "\"goal_depth_mm\": 300",
+        "$.parameters.goal_depth_mm: 300 mm: expected at most");
+    row("goal before the landmarks", "\"goal_depth_mm\": 80",
+        "$.parameters.goal_depth_mm: 80 mm: expected in the bladder");
     row("looking past the picture", "\"field_of_view_deg\": 20, \"landmark_half_angle_deg\": 15",
         "$.parameters.landmark_half_angle_deg: 15: expected inside the picture");
     row("unknown preset", "\"tissue\": \"strictura\"",
-        "$.parameters.tissue: \"strictura\": expected a preset of the exercise: normal, stricture, tight; did you mean \"stricture\"?");
+        "$.parameters.tissue: \"strictura\": expected a preset of the exercise: normal, stricture, tight; "
+        "did you mean \"stricture\"?");
     row("preset of another type", "\"tissue\": 7", "$.parameters.tissue: 7: expected a text");
-    row("force sections", "\"force_sections\": \"coarse\"", "$.parameters.force_sections: \"coarse\": expected one of fine, p1_basic");
+    row("force sections", "\"force_sections\": \"coarse\"",
+        "$.parameters.force_sections: \"coarse\": expected one of fine, p1_basic");
     row("misspelt key", "\"restradius_mm\": 2", "$.parameters.restradius_mm: unknown key");
-    row("torque beyond the device", "\"maximum_torque_mN_m\": 151", "$.parameters.maximum_torque_mN_m: 151: expected");
+    row("torque beyond the device", "\"maximum_torque_mN_m\": 151",
+        "$.parameters.maximum_torque_mN_m: 151: expected");
     row("gives way within its limit of torque", "\"yield_torque_mN_m\": 150",
         "$.parameters.yield_torque_mN_m: 150: expected more than maximum_torque_mN_m = 150");
     row("gives way far beyond it", "\"yield_torque_mN_m\": 301, \"maximum_torque_mN_m\": 100",
-        "$.parameters.yield_torque_mN_m: 301: expected more than maximum_torque_mN_m = 100, and at most 3 times that");
+        "$.parameters.yield_torque_mN_m: 301: expected more than maximum_torque_mN_m = 100, and at most 3 "
+        "times that");
     row("never gives way under a torque", "\"yield_torque_mN_m\": 0", "");
     row("force beyond the device", "\"maximum_force_N\": 4.6", "$.parameters.maximum_force_N: 4.6: expected");
 }
@@ -278,7 +355,8 @@ void TestUrethraContent::faults() {
 void TestUrethraContent::aThinEndoscopeIsAllowed() {
     ContentCopy copy;
     QByteArray text = copy.read(kLevel);
-    copy.write(kLevel, text.replace("\"tissue\": \"stricture\"", "\"tissue\": \"normal\", \"endoscope_size_Fr\": 8"));
+    copy.write(kLevel,
+               text.replace("\"tissue\": \"stricture\"", "\"tissue\": \"normal\", \"endoscope_size_Fr\": 8"));
     const auto catalogue = Catalogue::load(copy.directory());
     QVERIFY2(catalogue.has_value(), catalogue ? "" : catalogue.error().message.c_str());
     const Parameters& p = parametersOf(*catalogue->find("urethra_insertion", 4));

@@ -32,9 +32,13 @@ private slots:
 };
 
 void TestCsvTable::quotesHoldSeparatorsQuotesAndLines() {
-    const auto table = parsed(QStringLiteral("\"name, first\",says\n\"Ada, B.\",\"a \"\"quoted\"\" word\"\nUma,\"two\r\nlines; one cell\"\nTim,\"\"\n\"\"\"\",x\n"));
+    const auto table =
+        parsed(QStringLiteral("\"name, first\",says\n\"Ada, B.\",\"a \"\"quoted\"\" "
+                              "word\"\nUma,\"two\r\nlines; one cell\"\nTim,\"\"\n\"\"\"\",x\n"));
     QCOMPARE(table.header, (QStringList{"name, first", "says"}));
-    QVERIFY((table.rows == Rows{{"Ada, B.", "a \"quoted\" word"}, {"Uma", "two\nlines; one cell"}, {"Tim", ""}, {"\"", "x"}}));
+    QVERIFY(
+        (table.rows ==
+         Rows{{"Ada, B.", "a \"quoted\" word"}, {"Uma", "two\nlines; one cell"}, {"Tim", ""}, {"\"", "x"}}));
     QCOMPARE(table.cell(1, table.column("says")), QStringLiteral("two\nlines; one cell"));
     QCOMPARE(table.column("name"), -1);
     // Half a cell in quotes is one cell still.
@@ -59,7 +63,8 @@ void TestCsvTable::notesAndEmptyLinesSayNothing() {
 void TestCsvTable::linesAreThoseOfTheFile() {
     const auto table = parsed("a,b\n\"1\n1\n1\",2\n3,x\n");
     QVERIFY((table.lines == std::vector<int>{2, 5}));
-    QCOMPARE(table.fault(1, 1, QStringLiteral("a number")).value().message, std::string("t.csv:5: column b: \"x\": expected a number"));
+    QCOMPARE(table.fault(1, 1, QStringLiteral("a number")).value().message,
+             std::string("t.csv:5: column b: \"x\": expected a number"));
 }
 
 void TestCsvTable::numbers() {
@@ -77,16 +82,26 @@ void TestCsvTable::numbers() {
 void TestCsvTable::refusesWithThePlace_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("message");
-    QTest::newRow("nothing") << "" << "t.csv:1: empty";
-    QTest::newRow("notes alone") << "# a\n# b\n" << "t.csv:1: empty";
-    QTest::newRow("no rows") << "a,b\n" << "t.csv:2: no rows";
-    QTest::newRow("short row") << "a,b\n1,2\n3\n" << "t.csv:3: 1 cells; expected 2";
-    QTest::newRow("long row") << "a,b\n1,2,3\n" << "t.csv:2: 3 cells; expected 2";
-    QTest::newRow("separator that no quote holds") << "a,b\n\"1\",2,\"3\"\n" << "t.csv:2: 3 cells; expected 2";
-    QTest::newRow("heading twice") << "a,b,a\n1,2,3\n" << "t.csv:1: heading \"a\"";
-    QTest::newRow("heading without a name") << "a,,b\n1,2,3\n" << "t.csv:1: heading \"\"";
-    QTest::newRow("quote that is never closed") << "a,b\n1,\"2\n3,4\n" << "t.csv:2: a quote is not closed";
-    QTest::newRow("cut off within a quote") << "a,b\n1,2\n3,\"4" << "t.csv:3: a quote is not closed";
+    QTest::newRow("nothing") << ""
+                             << "t.csv:1: empty";
+    QTest::newRow("notes alone") << "# a\n# b\n"
+                                 << "t.csv:1: empty";
+    QTest::newRow("no rows") << "a,b\n"
+                             << "t.csv:2: no rows";
+    QTest::newRow("short row") << "a,b\n1,2\n3\n"
+                               << "t.csv:3: 1 cells; expected 2";
+    QTest::newRow("long row") << "a,b\n1,2,3\n"
+                              << "t.csv:2: 3 cells; expected 2";
+    QTest::newRow("separator that no quote holds") << "a,b\n\"1\",2,\"3\"\n"
+                                                   << "t.csv:2: 3 cells; expected 2";
+    QTest::newRow("heading twice") << "a,b,a\n1,2,3\n"
+                                   << "t.csv:1: heading \"a\"";
+    QTest::newRow("heading without a name") << "a,,b\n1,2,3\n"
+                                            << "t.csv:1: heading \"\"";
+    QTest::newRow("quote that is never closed") << "a,b\n1,\"2\n3,4\n"
+                                                << "t.csv:2: a quote is not closed";
+    QTest::newRow("cut off within a quote") << "a,b\n1,2\n3,\"4"
+                                            << "t.csv:3: a quote is not closed";
 }
 
 void TestCsvTable::refusesWithThePlace() {

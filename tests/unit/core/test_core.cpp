@@ -52,8 +52,9 @@ private slots:
     void leastSquaresFindTheSlopes();
 };
 
-// Reference: xoshiro256++ seeded with the state {1,2,3,4} yields 41943041 first (published in the authors' and in other
-// implementations' tests); through SplitMix64 from seed 0 the state words are 0xe220a8397b1dcdaf, 0x6e789e6aa1b965f4 ...
+// Reference: xoshiro256++ seeded with the state {1,2,3,4} yields 41943041 first (published in the authors'
+// and in other implementations' tests); through SplitMix64 from seed 0 the state words are
+// 0xe220a8397b1dcdaf, 0x6e789e6aa1b965f4 ...
 void TestCore::xoshiroMatchesPublishedVector() {
     Random r(0);
     const std::uint64_t s0 = 0xe220a8397b1dcdafULL;
@@ -80,7 +81,7 @@ void TestCore::normalHasUnitMoments() {
         sum += x;
         squares += x * x;
     }
-    QVERIFY(std::abs(sum / n) < 0.01);        // 4.5 standard errors
+    QVERIFY(std::abs(sum / n) < 0.01);           // 4.5 standard errors
     QVERIFY(std::abs(squares / n - 1.0) < 0.02); // 6 standard errors
 }
 
@@ -105,12 +106,13 @@ void TestCore::utcHasIsoForm() {
     QVERIFY(QDateTime::fromString(text, Qt::ISODateWithMs).isValid());
 }
 
-/// Every draw that a stored session may have made, by an implementation of its own (xoshiro256++, SplitMix64, FNV-1a, Lemire's bound and
-/// Marsaglia's polar method written down in another language).
+/// Every draw that a stored session may have made, by an implementation of its own (xoshiro256++, SplitMix64,
+/// FNV-1a, Lemire's bound and Marsaglia's polar method written down in another language).
 void TestCore::seedsMeanTheSameForEver() {
     Random words(42);
-    for (const std::uint64_t expected : {0xd0764d4f4476689fULL, 0x519e4174576f3791ULL, 0xfbe07cfb0c24ed8cULL, 0xb37d9f600cd835b8ULL, 0xcb231c3874846a73ULL, 0x968d9f004e50de7dULL,
-                                         0x201718ff221a3556ULL, 0x9ae94e070ed8cb46ULL})
+    for (const std::uint64_t expected :
+         {0xd0764d4f4476689fULL, 0x519e4174576f3791ULL, 0xfbe07cfb0c24ed8cULL, 0xb37d9f600cd835b8ULL,
+          0xcb231c3874846a73ULL, 0x968d9f004e50de7dULL, 0x201718ff221a3556ULL, 0x9ae94e070ed8cb46ULL})
         QCOMPARE(words.next(), expected);
     Random shares(42);
     for (const double expected : {0.8143051451229099, 0.3188210400616611, 0.9838941681774888})
@@ -118,13 +120,21 @@ void TestCore::seedsMeanTheSameForEver() {
     Random between(42);
     QCOMPARE(between.uniform(-2.0, 6.0), -2.0 + 8.0 * 0.8143051451229099);
     Random bounded(42);
-    const std::uint64_t half = (std::uint64_t{1} << 63) + 1; // of every second draw there is too much: it is drawn again
-    const std::pair<std::uint64_t, std::uint64_t> draws[] = {{1, 0}, {2, 0}, {10, 9}, {1000, 701}, {1'000'000'000'000, 793504489691}, {half, 5581269471817655715ULL}, {half, 1915852752325109347ULL},
+    const std::uint64_t half =
+        (std::uint64_t{1} << 63) + 1; // of every second draw there is too much: it is drawn again
+    const std::pair<std::uint64_t, std::uint64_t> draws[] = {{1, 0},
+                                                             {2, 0},
+                                                             {10, 9},
+                                                             {1000, 701},
+                                                             {1'000'000'000'000, 793504489691},
+                                                             {half, 5581269471817655715ULL},
+                                                             {half, 1915852752325109347ULL},
                                                              {half, 8608607705564336234ULL}};
     for (const auto& [bound, expected] : draws)
         QCOMPARE(bounded.below(bound), expected);
     Random normal(42);
-    for (const double expected : {0.9813983900724986, -0.565720104673956, 1.3403256427520227, 0.4023128702992608, -0.9642205062941384})
+    for (const double expected : {0.9813983900724986, -0.565720104673956, 1.3403256427520227,
+                                  0.4023128702992608, -0.9642205062941384})
         QVERIFY(std::abs(normal.normal() - expected) < 1e-15);
     QCOMPARE(Random::mix(7, "hand"), std::uint64_t{0x4af6a450784c5974});
     QCOMPARE(Random::mix(0, ""), std::uint64_t{0xc3817c016ba4ff30});
@@ -133,7 +143,11 @@ void TestCore::seedsMeanTheSameForEver() {
 
 /// Between two looks at the same clocks by another way.
 void TestCore::clocksAreTheSystems() {
-    const auto monotonic = [] { return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count(); };
+    const auto monotonic = [] {
+        return std::chrono::duration_cast<std::chrono::nanoseconds>(
+                   std::chrono::steady_clock::now().time_since_epoch())
+            .count();
+    };
     const auto before = monotonic();
     const std::int64_t now_ns = monotonicNow_ns();
     QVERIFY(before <= now_ns && now_ns <= monotonic());
@@ -142,16 +156,22 @@ void TestCore::clocksAreTheSystems() {
     const QDateTime to = QDateTime::currentDateTimeUtc();
     const QDateTime said = QDateTime::fromString(text, Qt::ISODateWithMs);
     QVERIFY2(from <= said && said <= to, qPrintable(text));
-    QVERIFY2(QRegularExpression(QStringLiteral("^\\d{4}-\\d\\d-\\d\\dT\\d\\d:\\d\\d:\\d\\d\\.\\d{3}Z$")).match(text).hasMatch(), qPrintable(text));
+    QVERIFY2(QRegularExpression(QStringLiteral("^\\d{4}-\\d\\d-\\d\\dT\\d\\d:\\d\\d:\\d\\d\\.\\d{3}Z$"))
+                 .match(text)
+                 .hasMatch(),
+             qPrintable(text));
 }
 
-/// From the farthest tail that a double holds to the middle: to some last digits, which two steps give only from a good first guess.
+/// From the farthest tail that a double holds to the middle: to some last digits, which two steps give only
+/// from a good first guess.
 void TestCore::quantilesInvertToTheLastDigits() {
     for (double x = -37.0; x < -0.01; x += 0.0625)
-        QVERIFY2(std::abs(normalQuantile(normalCumulative(x)) / x - 1.0) < 3e-14, qPrintable(QString::number(x)));
+        QVERIFY2(std::abs(normalQuantile(normalCumulative(x)) / x - 1.0) < 3e-14,
+                 qPrintable(QString::number(x)));
     for (const double p : {0.1, 0.25, 0.4999, 0.5, 0.75})
         QVERIFY(std::abs(normalCumulative(normalQuantile(p)) - p) < 1e-15);
-    QVERIFY(std::abs(normalDensity(0.0) - 0.3989422804014327) < 1e-16 && std::abs(normalDensity(-2.0) - 0.05399096651318806) < 1e-16);
+    QVERIFY(std::abs(normalDensity(0.0) - 0.3989422804014327) < 1e-16 &&
+            std::abs(normalDensity(-2.0) - 0.05399096651318806) < 1e-16);
 }
 
 /// What recordings hold as numbers keeps its meaning: data.md, Samples.
@@ -172,23 +192,29 @@ void TestCore::numbersOfTheRecording() {
     using P = TrialPhase;
     numbers({of(P::idle), of(P::ready), of(P::running), of(P::between), of(P::finished)});
     using F = ForceState;
-    numbers({of(F::off), of(F::arming), of(F::ramping), of(F::on), of(F::pausing), of(F::paused), of(F::stopped), of(F::fault), of(F::heldByWatchdog), of(F::heldByHeartbeat)});
+    numbers({of(F::off), of(F::arming), of(F::ramping), of(F::on), of(F::pausing), of(F::paused),
+             of(F::stopped), of(F::fault), of(F::heldByWatchdog), of(F::heldByHeartbeat)});
     using C = CommandKind;
-    numbers({of(C::none), of(C::start), of(C::pause), of(C::resume), of(C::confirmHold), of(C::stopForce), of(C::rearm), of(C::mark), of(C::end), of(C::report), of(C::present), of(C::answer)});
+    numbers({of(C::none), of(C::start), of(C::pause), of(C::resume), of(C::confirmHold), of(C::stopForce),
+             of(C::rearm), of(C::mark), of(C::end), of(C::report), of(C::present), of(C::answer)});
     using R = ReportField;
-    numbers({of(R::found), of(R::size), of(R::hardness), of(R::confidence), of(R::remove), of(R::select), of(R::done)});
+    numbers({of(R::found), of(R::size), of(R::hardness), of(R::confidence), of(R::remove), of(R::select),
+             of(R::done)});
     using S = ProcedureStage;
     numbers({of(S::outside), of(S::insertion), of(S::inspection), of(S::withdrawal), of(S::completed)});
     using L = LaparoscopyStep;
-    numbers({of(L::none), of(L::grasp), of(L::stretch), of(L::hold), of(L::handOver), of(L::lift), of(L::carry), of(L::place), of(L::done), of(L::retract)});
+    numbers({of(L::none), of(L::grasp), of(L::stretch), of(L::hold), of(L::handOver), of(L::lift),
+             of(L::carry), of(L::place), of(L::done), of(L::retract)});
     QCOMPARE(kLastLaparoscopyStep, of(L::retract));
     {
         using namespace guard_bits;
-        bits({kCap, kSlew, kArming, kOverVelocity, kBadSample, kSampleFault, kWatchdog, kWatchdogFault, kStop, kHeartbeat, kPassivity, kNotFinite, kDeviceFault, kPause});
+        bits({kCap, kSlew, kArming, kOverVelocity, kBadSample, kSampleFault, kWatchdog, kWatchdogFault, kStop,
+              kHeartbeat, kPassivity, kNotFinite, kDeviceFault, kPause});
     }
     {
         using namespace event_bits;
-        bits({kSceneChanged, kTrialStarted, kMarked, kTimedOut, kContactBegan, kContactEnded, kFinished, kCompleted, kStageChanged, kLandmarkSeen, kGrasped, kReleased, kSlipped, kDamaged, kFailed,
+        bits({kSceneChanged, kTrialStarted, kMarked, kTimedOut, kContactBegan, kContactEnded, kFinished,
+              kCompleted, kStageChanged, kLandmarkSeen, kGrasped, kReleased, kSlipped, kDamaged, kFailed,
               kSlowApplied});
     }
     {
@@ -226,18 +252,23 @@ void TestCore::nothingIsShownUnlessSaid() {
     std::vector<double> numbers;
     chiron::tests::addCueNumbers(numbers, VisibleCues{});
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        QVERIFY2(numbers[i] == 0.0 || numbers[i] == 1.0 || numbers[i] == -1.0, qPrintable(QString::number(i)));
-    QCOMPARE(std::count(numbers.begin(), numbers.end(), 1.0), static_cast<std::ptrdiff_t>(LaparoscopyCues::kMaxBodies)); // that each is not turned
+        QVERIFY2(numbers[i] == 0.0 || numbers[i] == 1.0 || numbers[i] == -1.0,
+                 qPrintable(QString::number(i)));
+    QCOMPARE(std::count(numbers.begin(), numbers.end(), 1.0),
+             static_cast<std::ptrdiff_t>(LaparoscopyCues::kMaxBodies)); // that each is not turned
     for (const BodyCue& body : LaparoscopyCues{}.body)
         QCOMPARE(body.q_W, (std::array<double, 4>{1.0, 0.0, 0.0, 0.0}));
     QCOMPARE(std::count(numbers.begin(), numbers.end(), -1.0), std::ptrdiff_t{1});
     QCOMPARE(chiron::simulation::PalpationCues{}.selected, -1);
     const HapticFrame frame;
-    QVERIFY(frame.tools == 0 && frame.header.index == 0 && frame.header.now_ns == 0 && frame.header.events == 0 && frame.header.guards == 0 && frame.header.trial == 0);
-    QVERIFY(frame.header.heartbeatAge_ms == 0 && frame.header.phase == TrialPhase::idle && frame.header.force == ForceState::off && frame.header.paused == 0 && frame.header.reserved == 0);
+    QVERIFY(frame.tools == 0 && frame.header.index == 0 && frame.header.now_ns == 0 &&
+            frame.header.events == 0 && frame.header.guards == 0 && frame.header.trial == 0);
+    QVERIFY(frame.header.heartbeatAge_ms == 0 && frame.header.phase == TrialPhase::idle &&
+            frame.header.force == ForceState::off && frame.header.paused == 0 && frame.header.reserved == 0);
     QVERIFY(frame.header.energySupplied_J == 0.0 && frame.header.energyStored_J == 0.0);
     for (const ToolFrame& tool : frame.tool)
-        QVERIFY(tool.jawCounts == 0 && tool.buttons == 0 && tool.packet == 0 && tool.status == 0 && tool.deviceTime_us == 0 && tool.age_us == 0 && tool.reserved == 0);
+        QVERIFY(tool.jawCounts == 0 && tool.buttons == 0 && tool.packet == 0 && tool.status == 0 &&
+                tool.deviceTime_us == 0 && tool.age_us == 0 && tool.reserved == 0);
 }
 
 void TestCore::unitsAreThoseOfSi() {
@@ -312,19 +343,22 @@ void TestCore::whatSaysNothingTakesTheUsual() {
     const BaseMounting silent;
     QVERIFY(!silent.turned() && usual.turned());
     const BaseMounting taken = silent.over(usual);
-    QVERIFY(taken.scale == 2.0 && taken.origin_m == usual.origin_m && taken.leftHanded && taken.turn_rad == usual.turn_rad);
+    QVERIFY(taken.scale == 2.0 && taken.origin_m == usual.origin_m && taken.leftHanded &&
+            taken.turn_rad == usual.turn_rad);
     BaseMounting own;
     own.scale = 0.5;
     own.origin_m = {0.0, 0.005, 0.0};
     own.leftHanded = true;
     own.turn_rad = {0.0, 0.0, 0.3};
     const BaseMounting kept = own.over(usual);
-    QVERIFY(kept.scale == 0.5 && kept.origin_m == own.origin_m && !kept.leftHanded && kept.turn_rad == own.turn_rad);
+    QVERIFY(kept.scale == 0.5 && kept.origin_m == own.origin_m && !kept.leftHanded &&
+            kept.turn_rad == own.turn_rad);
     BaseMounting straight;
     straight.turnGiven = true;
     QVERIFY(!straight.over(usual).turned() && straight.over(usual).turnGiven);
     QVERIFY(own.over(silent).leftHanded && !silent.over(silent).leftHanded);
-    QVERIFY(BaseMounting::kSmallestScale == 0.25 && BaseMounting::kLargestScale == 4.0 && BaseMounting::kLargestShift_m == 0.030);
+    QVERIFY(BaseMounting::kSmallestScale == 0.25 && BaseMounting::kLargestScale == 4.0 &&
+            BaseMounting::kLargestShift_m == 0.030);
     QVERIFY(std::abs(BaseMounting::kLargestTurn_rad - 0.25 * kPi) < 1e-15);
 }
 
@@ -347,7 +381,8 @@ void TestCore::findingsAreBooked() {
     QCOMPARE(book.report(ReportField::confidence, 1), 2);
     QCOMPARE(book.report(ReportField::found, 3), FindingsBook::kNone);
     const Finding& two = book.list()[2];
-    QVERIFY(two.present && two.p_W[0] == 0.2 && std::abs(two.radius_m - 0.0075) < 1e-15 && two.hardness == 5 && two.confidence == 1);
+    QVERIFY(two.present && two.p_W[0] == 0.2 && std::abs(two.radius_m - 0.0075) < 1e-15 &&
+            two.hardness == 5 && two.confidence == 1);
     QCOMPARE(book.rate(3, ReportField::size, 9999), 3); // no more than a word holds
     QVERIFY(std::abs(book.list()[3].radius_m - 0.4095) < 1e-12);
     QCOMPARE(book.rate(-1, ReportField::size, 1), FindingsBook::kNone);
@@ -369,7 +404,8 @@ void TestCore::findingsAreBooked() {
     QVERIFY(!book.done() && !book.has(5) && book.selected() == FindingsBook::kNone);
 }
 
-/// y = 2 x0 − 3 x1 + 0.5 x2 and a known error: slopes, what is left, and the first slope's standard error by the textbook's formula.
+/// y = 2 x0 − 3 x1 + 0.5 x2 and a known error: slopes, what is left, and the first slope's standard error by
+/// the textbook's formula.
 void TestCore::leastSquaresFindTheSlopes() {
     LeastSquares<3> fit;
     double xx[3][3] = {}, rest = 0.0;
@@ -381,7 +417,8 @@ void TestCore::leastSquaresFindTheSlopes() {
         fit.add(x, 2.0 * x[0] - 3.0 * x[1] + 0.5 * x[2]);
     }
     const auto exact = fit.solve();
-    QVERIFY(exact.good && std::abs(exact.slope[0] - 2.0) < 1e-9 && std::abs(exact.slope[1] + 3.0) < 1e-9 && std::abs(exact.slope[2] - 0.5) < 1e-6);
+    QVERIFY(exact.good && std::abs(exact.slope[0] - 2.0) < 1e-9 && std::abs(exact.slope[1] + 3.0) < 1e-9 &&
+            std::abs(exact.slope[2] - 0.5) < 1e-6);
     QVERIFY(exact.residual < 1e-8 && exact.residual >= 0.0);
 
     // With an error across the regressors: the slopes of the normal equations solved by Cramer's rule.
@@ -400,8 +437,10 @@ void TestCore::leastSquaresFindTheSlopes() {
             xy[i] += x[static_cast<std::size_t>(i)] * y;
         }
     }
-    const auto det = [](const double (&m)[3][3]) {
-        return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    const auto det = [](const double(&m)[3][3]) {
+        return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+               m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+               m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
     };
     const auto found = fit.solve();
     std::array<double, 3> slope{};
@@ -424,7 +463,8 @@ void TestCore::leastSquaresFindTheSlopes() {
     LeastSquares<2> idle; // a regressor that never moved gets no weight
     for (int n = 0; n < 60; ++n)
         idle.add({std::sin(1.0 * n), 0.0}, std::sin(1.0 * n));
-    QVERIFY(idle.solve().good && idle.solve().slope[1] == 0.0 && std::abs(idle.solve().slope[0] - 1.0) < 1e-9);
+    QVERIFY(idle.solve().good && idle.solve().slope[1] == 0.0 &&
+            std::abs(idle.solve().slope[0] - 1.0) < 1e-9);
     LeastSquares<2> nothing;
     for (int n = 0; n < 60; ++n)
         nothing.add({0.0, 0.0}, 1.0);

@@ -10,7 +10,9 @@
 using namespace chiron::core;
 
 namespace {
-bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+bool isNear(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+}
 } // namespace
 
 class TestSignalDetection : public QObject {
@@ -27,8 +29,8 @@ private slots:
     void intervalCoversTheTruth();
 };
 
-/// Percentage points of the normal distribution, to 15 digits (tables: Abramowitz & Stegun 26.5; the two far ones from the
-/// asymptotic series, checked in 50-digit arithmetic).
+/// Percentage points of the normal distribution, to 15 digits (tables: Abramowitz & Stegun 26.5; the two far
+/// ones from the asymptotic series, checked in 50-digit arithmetic).
 void TestSignalDetection::quantilesOfTables() {
     QVERIFY(isNear(normalQuantile(0.5), 0.0, 1e-15));
     QVERIFY(isNear(normalQuantile(0.75), 0.674489750196082, 1e-13));
@@ -55,11 +57,12 @@ void TestSignalDetection::quantileInvertsTheCumulative() {
 void TestSignalDetection::quantileAtItsEnds() {
     QCOMPARE(normalQuantile(0.0), -HUGE_VAL);
     QCOMPARE(normalQuantile(1.0), HUGE_VAL);
-    QVERIFY(std::isnan(normalQuantile(-0.1)) && std::isnan(normalQuantile(1.1)) && std::isnan(normalQuantile(std::nan(""))));
+    QVERIFY(std::isnan(normalQuantile(-0.1)) && std::isnan(normalQuantile(1.1)) &&
+            std::isnan(normalQuantile(std::nan(""))));
 }
 
-/// Macmillan & Creelman (2005), ch. 1–2: face recognition, 20 of 25 old and 10 of 25 new faces called old: z = 0.842 and −0.253,
-/// d′ = 1.095, c = −0.294. Elliott's table of d′ (Swets 1964) has 1.99 for 0.84 and 0.16.
+/// Macmillan & Creelman (2005), ch. 1–2: face recognition, 20 of 25 old and 10 of 25 new faces called old: z
+/// = 0.842 and −0.253, d′ = 1.095, c = −0.294. Elliott's table of d′ (Swets 1964) has 1.99 for 0.84 and 0.16.
 void TestSignalDetection::publishedExamples() {
     QVERIFY(isNear(dPrime(0.8, 0.4), 1.095, 5e-4));
     QVERIFY(isNear(criterion(0.8, 0.4), -0.294, 5e-4));
@@ -68,25 +71,29 @@ void TestSignalDetection::publishedExamples() {
     QCOMPARE(dPrime(0.3, 0.3), 0.0); // chance
 }
 
-/// psyphy's help (reference data: published_small_checks.json) gives d′ of same–different and ABX tasks for an observer that decides
-/// on each interval by itself. Both go back to yes–no's z(H) − z(F) (Macmillan & Creelman 2005, ch. 9): p = Φ((z(H) − z(F))/2).
+/// psyphy's help (reference data: published_small_checks.json) gives d′ of same–different and ABX tasks for
+/// an observer that decides on each interval by itself. Both go back to yes–no's z(H) − z(F) (Macmillan &
+/// Creelman 2005, ch. 9): p = Φ((z(H) − z(F))/2).
 void TestSignalDetection::peersOfOtherDesigns() {
     const double p = normalCumulative(0.5 * dPrime(0.75, 0.3));
-    QVERIFY(isNear(2.0 * normalQuantile(0.5 * (1.0 + std::sqrt(2.0 * p - 1.0))), 1.954916, 1e-6)); // same–different
+    QVERIFY(isNear(2.0 * normalQuantile(0.5 * (1.0 + std::sqrt(2.0 * p - 1.0))), 1.954916,
+                   1e-6)); // same–different
     const double abx = 1.660967;
     const double root = abx / std::sqrt(2.0);
-    QVERIFY(isNear(normalCumulative(root) * normalCumulative(0.5 * abx) + normalCumulative(-root) * normalCumulative(-0.5 * abx), p, 1e-5)); // psyphy's root is good to R's uniroot(), 1e-4 in d′
+    QVERIFY(isNear(normalCumulative(root) * normalCumulative(0.5 * abx) +
+                       normalCumulative(-root) * normalCumulative(-0.5 * abx),
+                   p, 1e-5)); // psyphy's root is good to R's uniroot(), 1e-4 in d′
 }
 
 void TestSignalDetection::logLinearCorrection() {
     QCOMPARE(correctedRate(20, 20), 20.5 / 21.0);
     QCOMPARE(correctedRate(0, 0), 0.5);
     const double z = normalQuantile(20.5 / 21.0);
-    QVERIFY(isNear(dPrime(DetectionCounts{20, 20, 0, 20}), 2.0 * z, 1e-12)); // all right: finite
+    QVERIFY(isNear(dPrime(DetectionCounts{20, 20, 0, 20}), 2.0 * z, 1e-12));  // all right: finite
     QVERIFY(isNear(dPrime(DetectionCounts{0, 20, 20, 20}), -2.0 * z, 1e-12)); // all wrong
     QVERIFY(isNear(criterion(DetectionCounts{20, 20, 0, 20}), 0.0, 1e-12));
-    QCOMPARE(dPrime(DetectionCounts{10, 20, 10, 20}), 0.0); // chance
-    QVERIFY(isNear(criterion(DetectionCounts{0, 20, 0, 20}), z, 1e-12)); // always no
+    QCOMPARE(dPrime(DetectionCounts{10, 20, 10, 20}), 0.0);                 // chance
+    QVERIFY(isNear(criterion(DetectionCounts{0, 20, 0, 20}), z, 1e-12));    // always no
     QVERIFY(isNear(criterion(DetectionCounts{20, 20, 20, 20}), -z, 1e-12)); // always yes
     QVERIFY(isUsable({0, 20, 0, 20}) && !isUsable({0, 19, 0, 200}) && !isUsable({0, 200, 0, 19}));
     DetectionCounts sum{1, 2, 3, 4};
@@ -94,14 +101,16 @@ void TestSignalDetection::logLinearCorrection() {
     QVERIFY((sum == DetectionCounts{11, 22, 33, 44}));
 }
 
-/// Always no, always yes: d′ = 0 at every base rate; with equal numbers the weighted correction is the plain one; mirrored answers, mirrored d′.
+/// Always no, always yes: d′ = 0 at every base rate; with equal numbers the weighted correction is the plain
+/// one; mirrored answers, mirrored d′.
 void TestSignalDetection::whoFeelsNothingHasNone() {
     for (const int ofSignal : {1, 20, 60, 500})
         for (const int ofNoise : {1, 20, 160, 3000}) {
             QVERIFY(isNear(weightedDPrime({0, ofSignal, 0, ofNoise}), 0.0, 1e-12));
             QVERIFY(isNear(weightedDPrime({ofSignal, ofSignal, ofNoise, ofNoise}), 0.0, 1e-12));
             const DetectionCounts best{ofSignal, ofSignal, 0, ofNoise}, worst{0, ofSignal, ofNoise, ofNoise};
-            QVERIFY(weightedDPrime(best) > 0.0 && isNear(weightedDPrime(best), -weightedDPrime(worst), 1e-12));
+            QVERIFY(weightedDPrime(best) > 0.0 &&
+                    isNear(weightedDPrime(best), -weightedDPrime(worst), 1e-12));
             const auto interval = weightedDPrimeInterval({0, ofSignal, 0, ofNoise});
             QVERIFY(interval.low < 0.0 && interval.high > 0.0);
         }
@@ -114,15 +123,17 @@ void TestSignalDetection::whoFeelsNothingHasNone() {
     QCOMPARE(weightedDPrime(DetectionCounts{}), 0.0);
 }
 
-/// By hand with H = 20.5/26 and F = 10.5/26: φ(z(H)) = 0.289438, φ(z(F)) = 0.387298; var = H(1−H)/(25·0.083774) +
-/// F(1−F)/(25·0.150000).
+/// By hand with H = 20.5/26 and F = 10.5/26: φ(z(H)) = 0.289438, φ(z(F)) = 0.387298; var =
+/// H(1−H)/(25·0.083774) + F(1−F)/(25·0.150000).
 void TestSignalDetection::standardErrorByHand() {
     const DetectionCounts faces{20, 25, 10, 25};
     const double h = 20.5 / 26.0;
     const double f = 10.5 / 26.0;
     const auto density = [](double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * M_PI); };
-    const double expected = std::sqrt(h * (1.0 - h) / (25.0 * std::pow(density(0.80109), 2)) + f * (1.0 - f) / (25.0 * std::pow(density(0.24340), 2)));
-    QVERIFY(isNear(normalCumulative(0.80109), h, 5e-5) && isNear(normalCumulative(-0.24340), f, 5e-5)); // the two z used
+    const double expected = std::sqrt(h * (1.0 - h) / (25.0 * std::pow(density(0.80109), 2)) +
+                                      f * (1.0 - f) / (25.0 * std::pow(density(0.24340), 2)));
+    QVERIFY(isNear(normalCumulative(0.80109), h, 5e-5) &&
+            isNear(normalCumulative(-0.24340), f, 5e-5)); // the two z used
     QVERIFY(isNear(dPrimeStandardError(faces), expected, 1e-4));
     const auto interval = dPrimeInterval(faces);
     QVERIFY(isNear(0.5 * (interval.low + interval.high), dPrime(faces), 1e-12));
@@ -130,8 +141,8 @@ void TestSignalDetection::standardErrorByHand() {
     QVERIFY(std::isinf(dPrimeStandardError({0, 0, 1, 20})));
 }
 
-/// 2,000 made-up observers of d′ = 1 with 60 signals and 60 noises: the 95 % interval holds the truth in about 95 % (± 4 standard
-/// errors of a share: 1.9 %).
+/// 2,000 made-up observers of d′ = 1 with 60 signals and 60 noises: the 95 % interval holds the truth in
+/// about 95 % (± 4 standard errors of a share: 1.9 %).
 void TestSignalDetection::intervalCoversTheTruth() {
     Random random(7);
     int holds = 0;

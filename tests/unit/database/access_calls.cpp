@@ -48,10 +48,13 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
         [=](C& c, A a, std::int64_t) { return drop(AccountRepository(c, a).createPerson(fresh)); });
     add(Action::importPeople, none, true,
         [=](C& c, A a, std::int64_t) { return drop(AccountRepository(c, a).importPeople({fresh})); });
-    add(Action::recordStationCheck, none, true,
-        [](C& c, A a, std::int64_t) { return drop(StationRepository(c, a).recordStationCheck({"loop", "", "1", true})); });
-    add(Action::siteName, none, false, [](C& c, A a, std::int64_t) { return drop(SiteRepository(c, a).siteName()); });
-    add(Action::setSiteName, none, true, [](C& c, A a, std::int64_t) { return SiteRepository(c, a).setSiteName("North Hospital"); });
+    add(Action::recordStationCheck, none, true, [](C& c, A a, std::int64_t) {
+        return drop(StationRepository(c, a).recordStationCheck({"loop", "", "1", true}));
+    });
+    add(Action::siteName, none, false,
+        [](C& c, A a, std::int64_t) { return drop(SiteRepository(c, a).siteName()); });
+    add(Action::setSiteName, none, true,
+        [](C& c, A a, std::int64_t) { return SiteRepository(c, a).setSiteName("North Hospital"); });
     add(Action::listPeople, none, false,
         [](C& c, A a, std::int64_t) { return drop(AccountRepository(c, a).listPeople()); });
     add(Action::person, person, false,
@@ -64,8 +67,9 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
         [](C& c, A a, std::int64_t id) { return AccountRepository(c, a).setEnabled(id, false); });
     add(Action::setRoles, person, true,
         [](C& c, A a, std::int64_t id) { return AccountRepository(c, a).setRoles(id, {Role::trainer}); });
-    add(Action::changeNames, person, true,
-        [](C& c, A a, std::int64_t id) { return AccountRepository(c, a).changeNames(id, "renamed", "Renamed"); });
+    add(Action::changeNames, person, true, [](C& c, A a, std::int64_t id) {
+        return AccountRepository(c, a).changeNames(id, "renamed", "Renamed");
+    });
     add(Action::changeDisplayName, person, true,
         [](C& c, A a, std::int64_t id) { return AccountRepository(c, a).changeDisplayName(id, "Renamed"); });
     add(Action::earlierNames, person, false,
@@ -99,13 +103,13 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
         [](C& c, A a, std::int64_t id) { return SessionRepository(c, a).finishSession(id, {}); });
     add(Action::voidSession, Touches::ended, true,
         [](C& c, A a, std::int64_t id) { return SessionRepository(c, a).voidSession(id, "sneezed"); });
-    add(Action::reinstateSession, Touches::ended, true,
-        [](C& c, A a, std::int64_t id) {
-            SessionRepository sessions(c, a);
-            if (auto voided = sessions.voidSession(id, "sneezed"); !voided && voided.error().code != core::ErrorCode::wrongUse)
-                return voided; // whoever may count it again may void it, too
-            return sessions.reinstateSession(id, "did not sneeze");
-        });
+    add(Action::reinstateSession, Touches::ended, true, [](C& c, A a, std::int64_t id) {
+        SessionRepository sessions(c, a);
+        if (auto voided = sessions.voidSession(id, "sneezed");
+            !voided && voided.error().code != core::ErrorCode::wrongUse)
+            return voided; // whoever may count it again may void it, too
+        return sessions.reinstateSession(id, "did not sneeze");
+    });
     add(Action::setArchived, Touches::ended, true,
         [](C& c, A a, std::int64_t id) { return SessionRepository(c, a).setArchived(id, true); });
     add(Action::addComment, Touches::ended, true,
@@ -140,10 +144,14 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
         return drop(
             Upkeep::backup(*m.fixture.database, a, m.fixture.path("b" + std::to_string(++m.folders))));
     });
-    add(Action::backupStanding, none, false, [](C& c, A a, std::int64_t) { return drop(Upkeep::backupStanding(c, a)); });
-    add(Action::setBackupPlan, none, true, [](C& c, A a, std::int64_t) { return Upkeep::setBackupPlan(c, a, {true, "", 3}); });
+    add(Action::backupStanding, none, false,
+        [](C& c, A a, std::int64_t) { return drop(Upkeep::backupStanding(c, a)); });
+    add(Action::setBackupPlan, none, true, [](C& c, A a, std::int64_t) {
+        return Upkeep::setBackupPlan(c, a, {true, "", 3});
+    });
     add(Action::dailyBackup, none, false, [&m](C&, A a, std::int64_t) {
-        return drop(Upkeep::dailyBackup(*m.fixture.database, a, m.fixture.path("d" + std::to_string(++m.folders)), 3));
+        return drop(Upkeep::dailyBackup(*m.fixture.database, a,
+                                        m.fixture.path("d" + std::to_string(++m.folders)), 3));
     });
     add(Action::exportSite, none, false, [&m](C&, A a, std::int64_t) {
         return drop(

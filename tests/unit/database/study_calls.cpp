@@ -25,16 +25,20 @@ void addWriting(Calls& map) {
     const auto add = [&](Action action, Touches touches, auto run) { map[action] = {touches, true, run}; };
     add(Action::createStudy, Touches::nothing,
         [](C& c, A a, N) { return drop(StudyRepository(c, a).createStudy("new_study", "New", "{}")); });
-    add(Action::saveDraft, Touches::draft, [](C& c, A a, N n) { return StudyRepository(c, a).saveDraft(n, "{}"); });
-    add(Action::freezeStudy, Touches::draft, [](C& c, A a, N n) { return drop(StudyRepository(c, a).freezeStudy(n)); });
-    add(Action::closeStudy, Touches::frozen, [](C& c, A a, N n) { return StudyRepository(c, a).closeStudy(n); });
+    add(Action::saveDraft, Touches::draft,
+        [](C& c, A a, N n) { return StudyRepository(c, a).saveDraft(n, "{}"); });
+    add(Action::freezeStudy, Touches::draft,
+        [](C& c, A a, N n) { return drop(StudyRepository(c, a).freezeStudy(n)); });
+    add(Action::closeStudy, Touches::frozen,
+        [](C& c, A a, N n) { return StudyRepository(c, a).closeStudy(n); });
     add(Action::setStudyArchived, Touches::frozen,
         [](C& c, A a, N n) { return StudyRepository(c, a).setStudyArchived(n, true); });
-    add(Action::unblindStudy, Touches::frozen, [](C& c, A a, N n) { return StudyRepository(c, a).unblindStudy(n, "all are done"); });
-    add(Action::enrolParticipant, Touches::frozen, [](C& c, A a, N n) {
-        return drop(StudyRepository(c, a).enrolParticipant(n, "", 0, "weber:0.2"));
-    });
-    add(Action::enrolAccount, Touches::frozen, [](C& c, A a, N n) { return drop(StudyRepository(c, a).enrolAccount(n, "", "bob")); });
+    add(Action::unblindStudy, Touches::frozen,
+        [](C& c, A a, N n) { return StudyRepository(c, a).unblindStudy(n, "all are done"); });
+    add(Action::enrolParticipant, Touches::frozen,
+        [](C& c, A a, N n) { return drop(StudyRepository(c, a).enrolParticipant(n, "", 0, "weber:0.2")); });
+    add(Action::enrolAccount, Touches::frozen,
+        [](C& c, A a, N n) { return drop(StudyRepository(c, a).enrolAccount(n, "", "bob")); });
     add(Action::recordConsent, Touches::enrolled,
         [](C& c, A a, N n) { return StudyRepository(c, a).recordConsent(n, consentDigest()); });
     add(Action::completeParticipant, Touches::ready,
@@ -55,27 +59,34 @@ void addWriting(Calls& map) {
     add(Action::storeQuestionnaireAnswers, Touches::ready, [](C& c, A a, N n) {
         return StudyRepository(c, a).storeQuestionnaireAnswers({{n, "face", "years", 12.0, "", ""}});
     });
-    add(Action::participantKeys, Touches::keys, [](C& c, A a, N n) { return drop(StudyReader(c, a).participantKeys(n)); });
+    add(Action::participantKeys, Touches::keys,
+        [](C& c, A a, N n) { return drop(StudyReader(c, a).participantKeys(n)); });
     add(Action::eraseParticipant, Touches::withdrawn,
         [](C& c, A a, N n) { return drop(PrivacyRepository(c, a).eraseParticipant(n, "wish")); });
 }
 
 void addReading(Calls& map) {
     const auto add = [&](Action action, Touches touches, auto run) { map[action] = {touches, false, run}; };
-    add(Action::listStudies, Touches::nothing, [](C& c, A a, N) { return drop(StudyReader(c, a).listStudies(true)); });
-    add(Action::listPilots, Touches::nothing, [](C& c, A a, N) { return drop(StudyReader(c, a).listPilots("simulated")); });
-    add(Action::studyByKey, Touches::nothing, [](C& c, A a, N) { return drop(StudyReader(c, a).studyByKey("simulated")); });
+    add(Action::listStudies, Touches::nothing,
+        [](C& c, A a, N) { return drop(StudyReader(c, a).listStudies(true)); });
+    add(Action::listPilots, Touches::nothing,
+        [](C& c, A a, N) { return drop(StudyReader(c, a).listPilots("simulated")); });
+    add(Action::studyByKey, Touches::nothing,
+        [](C& c, A a, N) { return drop(StudyReader(c, a).studyByKey("simulated")); });
     add(Action::study, Touches::frozen, [](C& c, A a, N n) { return drop(StudyReader(c, a).study(n)); });
     add(Action::conditionCodes, Touches::frozen,
         [](C& c, A a, N n) { return drop(StudyReader(c, a).conditionCodes(n)); });
-    add(Action::participants, Touches::frozen, [](C& c, A a, N n) { return drop(StudyReader(c, a).participants(n)); });
+    add(Action::participants, Touches::frozen,
+        [](C& c, A a, N n) { return drop(StudyReader(c, a).participants(n)); });
     add(Action::participantByCode, Touches::frozen, [](C& c, A a, N n) {
         const auto code = selectText(c, "SELECT code FROM study_participant WHERE study_id = ?", {n});
         return code ? drop(StudyReader(c, a).participantByCode(n, code->value_or(""))) : drop(code);
     });
     add(Action::runs, Touches::participant, [](C& c, A a, N n) { return drop(StudyReader(c, a).runs(n)); });
-    add(Action::trialQuality, Touches::frozen, [](C& c, A a, N n) { return drop(StudyReader(c, a).trialQuality(n)); });
-    add(Action::studyTrials, Touches::run, [](C& c, A a, N n) { return drop(StudyReader(c, a).studyTrials(n)); });
+    add(Action::trialQuality, Touches::frozen,
+        [](C& c, A a, N n) { return drop(StudyReader(c, a).trialQuality(n)); });
+    add(Action::studyTrials, Touches::run,
+        [](C& c, A a, N n) { return drop(StudyReader(c, a).studyTrials(n)); });
     add(Action::questionnaireAnswers, Touches::frozen,
         [](C& c, A a, N n) { return drop(StudyReader(c, a).questionnaireAnswers(n)); });
 }

@@ -87,7 +87,8 @@ void TestAccess::initTestCase() {
     m_ruth.actor = *ruth;
     m_people.push_back(m_ruth);
     for (Who& who : m_people) {
-        if (who.kind == ActorKind::simulated || who.title == "researcher" || who.title == "admin" || who.title == "ruth") {
+        if (who.kind == ActorKind::simulated || who.title == "researcher" || who.title == "admin" ||
+            who.title == "ruth") {
             const auto made = makeStudies(*m.database, who.actor, who.title.toStdString());
             REQUIRE(made);
             who.study = *made;
@@ -183,7 +184,8 @@ void TestAccess::functionsDoAsTheTableSays() {
         const Scope scope = scopeOf(what, who.kind, who.roles);
         std::vector<Whose> cases{Whose::other};
         const bool ofStudy = call.touches >= Touches::draft;
-        if (call.touches != Touches::nothing && who.actor.personId() != 0 && (!ofStudy || who.study.frozen != 0) &&
+        if (call.touches != Touches::nothing && who.actor.personId() != 0 &&
+            (!ofStudy || who.study.frozen != 0) &&
             !(call.touches == Touches::withdrawn && who.kind == ActorKind::simulated)) {
             cases.push_back(Whose::own);
         }

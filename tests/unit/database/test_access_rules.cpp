@@ -55,9 +55,11 @@ void TestAccessRules::whatMattersMostIsSpeltOut() {
     // Not read from the table: the rules as data.md and cli.md state them.
     using K = ActorKind;
     for (const Role role : {Role::trainee, Role::trainer, Role::researcher}) {
-        for (const Action action : {Action::createPerson, Action::importPeople, Action::setRoles,
-                                    Action::setEnabled, Action::resetPassword, Action::erasePerson, Action::changeNames,
-                                    Action::backup, Action::setBackupPlan, Action::dailyBackup, Action::restore, Action::exportSite, Action::listAudit}) {
+        for (const Action action :
+             {Action::createPerson, Action::importPeople, Action::setRoles, Action::setEnabled,
+              Action::resetPassword, Action::erasePerson, Action::changeNames, Action::backup,
+              Action::setBackupPlan, Action::dailyBackup, Action::restore, Action::exportSite,
+              Action::listAudit}) {
             QCOMPARE(scopeOf(action, K::person, {role}), Scope::none);
         }
     }

@@ -158,7 +158,10 @@ void TestAccounts::anyAdministratorMakesARecoveryCode() {
     REQUIRE(accounts.login("eve", "brand new word"));
     auto reader = f.database->openReader();
     REQUIRE(reader);
-    QCOMPARE(selectInteger(**reader, "SELECT count(*) FROM credential WHERE instr(recovery_hash, ?) > 0", {*next})->value_or(-1), std::int64_t{0});
+    QCOMPARE(
+        selectInteger(**reader, "SELECT count(*) FROM credential WHERE instr(recovery_hash, ?) > 0", {*next})
+            ->value_or(-1),
+        std::int64_t{0});
     const auto tim = f.person(*ada, "tim", {Role::trainee});
     REQUIRE(tim);
     QCOMPARE(accounts.makeRecoveryCode(*tim, kPassword).error().code, core::ErrorCode::notAllowed);
@@ -276,7 +279,8 @@ void TestAccounts::resetForcesAChange() {
     AccountService accounts(*f.database);
     const auto tom = f.person(*ada, "tom-the-trainer", {Role::trainer});
     REQUIRE(tom);
-    QCOMPARE(accounts.resetPassword(*ada, tom->personId(), "Tom-the-Trainer").error().code, core::ErrorCode::badInput); // the login name is no password
+    QCOMPARE(accounts.resetPassword(*ada, tom->personId(), "Tom-the-Trainer").error().code,
+             core::ErrorCode::badInput); // the login name is no password
     REQUIRE(accounts.resetPassword(*ada, tim->personId(), "given by ada"));
     const auto forced = accounts.login("tim", "given by ada");
     REQUIRE(forced);

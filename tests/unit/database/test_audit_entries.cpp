@@ -39,14 +39,24 @@ private:
         QStringList lines;
         for (std::size_t i = 0; i + before < all.size(); ++i) {
             const AuditEntry& entry = all[i];
-            lines.prepend(QStringLiteral("%1 %2 %3 %4 %5").arg(QString::fromStdString(entry.actorKind)).arg(entry.actor)
-                              .arg(QString::fromStdString(entry.action), QString::fromStdString(entry.target)).arg(entry.targetId));
+            lines.prepend(QStringLiteral("%1 %2 %3 %4 %5")
+                              .arg(QString::fromStdString(entry.actorKind))
+                              .arg(entry.actor)
+                              .arg(QString::fromStdString(entry.action), QString::fromStdString(entry.target))
+                              .arg(entry.targetId));
         }
         return lines;
     }
     std::size_t count() { return AuditRepository(*reader(), m_admin).listAudit()->size(); }
-    QString by(const Actor& actor, const char* rest) { return QStringLiteral("person %1 %2").arg(actor.personId()).arg(QLatin1String(rest)); }
-    QJsonObject lastDetail() { return QJsonDocument::fromJson(QByteArray::fromStdString(AuditRepository(*reader(), m_admin).listAudit(1)->front().detailJson)).object(); }
+    QString by(const Actor& actor, const char* rest) {
+        return QStringLiteral("person %1 %2").arg(actor.personId()).arg(QLatin1String(rest));
+    }
+    QJsonObject lastDetail() {
+        return QJsonDocument::fromJson(
+                   QByteArray::fromStdString(
+                       AuditRepository(*reader(), m_admin).listAudit(1)->front().detailJson))
+            .object();
+    }
 };
 
 void TestAuditEntries::peopleAreNoted() {
@@ -79,7 +89,8 @@ void TestAuditEntries::peopleAreNoted() {
                                by(*self, "changePassword credential ") + number,
                                by(m_admin, "resetPassword credential ") + number,
                                by(m_admin, "login person ") + QString::number(m_admin.personId()),
-                               by(m_admin, "setRecoveryCode credential ") + QString::number(m_admin.personId()),
+                               by(m_admin, "setRecoveryCode credential ") +
+                                   QString::number(m_admin.personId()),
                                by(m_admin, "setRoles person ") + number,
                                by(m_admin, "disable person ") + number,
                                by(m_admin, "enable person ") + number,
@@ -101,12 +112,15 @@ void TestAuditEntries::sessionsAreNoted() {
         return good ? sessions.voidSession(*id, "the chair fell") : good;
     });
     REQUIRE(done);
-    QCOMPARE(since(before), (QStringList{by(m_ruth, "beginSession session 2"), by(m_ruth, "finishSession session 2"), by(m_ruth, "storeScores score_set 2"),
-                                         by(m_admin, "addComment session_comment 1"), by(m_admin, "archive session 2"), by(m_admin, "unarchive session 2"),
-                                         by(m_admin, "voidSession session 2")}));
+    QCOMPARE(since(before),
+             (QStringList{by(m_ruth, "beginSession session 2"), by(m_ruth, "finishSession session 2"),
+                          by(m_ruth, "storeScores score_set 2"), by(m_admin, "addComment session_comment 1"),
+                          by(m_admin, "archive session 2"), by(m_admin, "unarchive session 2"),
+                          by(m_admin, "voidSession session 2")}));
     const auto simulated = storeSession(*m->database, Actor::simulated(), 1);
     REQUIRE(simulated);
-    QCOMPARE(since(before).at(7), QStringLiteral("simulated %1 beginSession session 3").arg(Actor::kSimulatedPerson));
+    QCOMPARE(since(before).at(7),
+             QStringLiteral("simulated %1 beginSession session 3").arg(Actor::kSimulatedPerson));
 }
 
 void TestAuditEntries::studiesAreNoted() {
@@ -114,11 +128,15 @@ void TestAuditEntries::studiesAreNoted() {
     const std::size_t before = count();
     const StudyNumber study = frozen("noted");
     const ParticipantNumber who = consented(study);
-    const auto run = write(m_ruth, [&](StudyRepository& s) { return s.beginRun({who, codeOf(*reader(), study, "soft"), 0, 1, "descending@1"}); });
+    const auto run = write(m_ruth, [&](StudyRepository& s) {
+        return s.beginRun({who, codeOf(*reader(), study, "soft"), 0, 1, "descending@1"});
+    });
     REQUIRE(run);
     REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.storeStudyTrial(someTrial(*run, 0)); }));
     REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.finishRun(*run, StudyRunState::stopped); }));
-    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.storeQuestionnaireAnswers({{who, "face", "real", 4.0, "", ""}}); }));
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) {
+        return s.storeQuestionnaireAnswers({{who, "face", "real", 4.0, "", ""}});
+    }));
     REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.withdrawParticipant(who, false); }));
     REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.closeStudy(study); }));
     REQUIRE(write(m_admin, [&](StudyRepository& s) { return s.setStudyArchived(study, true); }));
@@ -126,10 +144,15 @@ void TestAuditEntries::studiesAreNoted() {
     REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(study, "all are \"done\""); }));
     QCOMPARE(lastDetail()["reason"].toString(), QStringLiteral("all are \"done\""));
     QCOMPARE(since(before),
-             (QStringList{by(m_ruth, "createStudy study 2"), by(m_ruth, "freezeStudy study 2"), by(m_ruth, "enrolParticipant study_participant 1"),
-                          by(m_ruth, "enrolParticipant participant_key 1"), by(m_ruth, "recordConsent participant_consent 1"), by(m_ruth, "recordConsent study_participant 1"),
-                          by(m_ruth, "beginRun study_run 1"), by(m_ruth, "finishRun study_run 1"), by(m_ruth, "storeQuestionnaireAnswers questionnaire_answer 1"),
-                          by(m_ruth, "withdrawParticipant study_participant 1"), by(m_ruth, "closeStudy study 2"), by(m_admin, "archiveStudy study 2"),
+             (QStringList{by(m_ruth, "createStudy study 2"), by(m_ruth, "freezeStudy study 2"),
+                          by(m_ruth, "enrolParticipant study_participant 1"),
+                          by(m_ruth, "enrolParticipant participant_key 1"),
+                          by(m_ruth, "recordConsent participant_consent 1"),
+                          by(m_ruth, "recordConsent study_participant 1"), by(m_ruth, "beginRun study_run 1"),
+                          by(m_ruth, "finishRun study_run 1"),
+                          by(m_ruth, "storeQuestionnaireAnswers questionnaire_answer 1"),
+                          by(m_ruth, "withdrawParticipant study_participant 1"),
+                          by(m_ruth, "closeStudy study 2"), by(m_admin, "archiveStudy study 2"),
                           by(m_admin, "unarchiveStudy study 2"), by(m_ruth, "unblindStudy study 2")}));
 }
 
@@ -139,7 +162,8 @@ void TestAuditEntries::upkeepIsNoted() {
     REQUIRE(info);
     QCOMPARE(info->folder, m->path("backup"));
     QCOMPARE(info->databaseFile, std::string("chiron.db"));
-    QCOMPARE(info->bytes, static_cast<std::uint64_t>(QFileInfo(QString::fromStdString(m->path("backup/chiron.db"))).size()));
+    QCOMPARE(info->bytes, static_cast<std::uint64_t>(
+                              QFileInfo(QString::fromStdString(m->path("backup/chiron.db"))).size()));
     QCOMPARE(info->auditCount, static_cast<std::int64_t>(before));
     QCOMPARE(lastDetail()["blake2b"].toString().toStdString(), info->blake2b);
     REQUIRE(Upkeep::exportSite(*m->database, m_admin, m->path("export")));
@@ -159,12 +183,14 @@ void TestAuditEntries::thePersonsOwnAreTheSame() {
     const auto all = AuditRepository(*reader(), m_admin).listAudit();
     for (const AuditEntry& own : held->audit) {
         const AuditEntry& entry = all->at(all->size() - static_cast<std::size_t>(own.sequence));
-        QVERIFY(own.sequence == entry.sequence && own.utc == entry.utc && own.actorKind == entry.actorKind && own.actor == entry.actor && own.action == entry.action &&
-                own.target == entry.target && own.targetId == entry.targetId && own.detailJson == entry.detailJson);
+        QVERIFY(own.sequence == entry.sequence && own.utc == entry.utc && own.actorKind == entry.actorKind &&
+                own.actor == entry.actor && own.action == entry.action && own.target == entry.target &&
+                own.targetId == entry.targetId && own.detailJson == entry.detailJson);
     }
 }
 
-// Each of five attempts has six bytes of its own, two a letter, so that where two conditions draw alike another attempt is another draw.
+// Each of five attempts has six bytes of its own, two a letter, so that where two conditions draw alike
+// another attempt is another draw.
 void TestAuditEntries::codesTakeTheirBytesInTurn() {
     RowDigest digest{};
     std::array<std::string, 5> plain;
@@ -188,13 +214,17 @@ void TestAuditEntries::codesTakeTheirBytesInTurn() {
         of[1] = static_cast<std::uint8_t>(i);
         letters.insert(codeFrom(of, 0)[0]);
     }
-    QCOMPARE(QString::fromStdString(std::string(letters.begin(), letters.end())), QStringLiteral("34679ACDEFGHJKMNPQRTWXY"));
+    QCOMPARE(QString::fromStdString(std::string(letters.begin(), letters.end())),
+             QStringLiteral("34679ACDEFGHJKMNPQRTWXY"));
 }
 
 /// Where the device tells one; anything else than printable ASCII is no serial number.
 void TestAuditEntries::stationChecksHoldTheSerialNumber() {
     const auto checked = [&](const std::string& serial) {
-        return m->database->write([&](WriteContext& w) { return StationRepository(w.connection(), m_ruth).recordStationCheck({"loop", "simulated", "1", true, serial}); });
+        return m->database->write([&](WriteContext& w) {
+            return StationRepository(w.connection(), m_ruth)
+                .recordStationCheck({"loop", "simulated", "1", true, serial});
+        });
     };
     REQUIRE(checked(""));
     QVERIFY(!lastDetail().contains("serial"));
@@ -203,20 +233,25 @@ void TestAuditEntries::stationChecksHoldTheSerialNumber() {
     QCOMPARE(checked("SN\n7").error().code, core::ErrorCode::badInput);
 }
 
-/// A site's name is known to everybody, changed by administrators alone, and each change stands in the audit trail.
+/// A site's name is known to everybody, changed by administrators alone, and each change stands in the audit
+/// trail.
 void TestAuditEntries::theSitesNameIsChangedByAnAdministrator() {
     auto reader = m->database->openReader();
     REQUIRE(reader);
     const auto named = [&](const Actor& actor, const std::string& name) {
-        return m->database->write([&](WriteContext& w) { return SiteRepository(w.connection(), actor).setSiteName(name); });
+        return m->database->write(
+            [&](WriteContext& w) { return SiteRepository(w.connection(), actor).setSiteName(name); });
     };
-    const auto known = [&] { return SiteRepository(**reader, Actor::anonymous()).siteName().value_or("failed"); };
+    const auto known = [&] {
+        return SiteRepository(**reader, Actor::anonymous()).siteName().value_or("failed");
+    };
     QCOMPARE(known(), std::string());
     REQUIRE(named(m_admin, "  Nordklinik, Lehrstation 2 "));
     QCOMPARE(known(), std::string("Nordklinik, Lehrstation 2"));
     QCOMPARE(lastDetail()["name"].toString(), QStringLiteral("Nordklinik, Lehrstation 2"));
     QCOMPARE(named(m_ruth, "Another").error().code, core::ErrorCode::notAllowed);
-    QCOMPARE(named(m_admin, std::string(std::size_t{kMaximumSiteNameCharacters} + 1, 'x')).error().code, core::ErrorCode::badInput);
+    QCOMPARE(named(m_admin, std::string(std::size_t{kMaximumSiteNameCharacters} + 1, 'x')).error().code,
+             core::ErrorCode::badInput);
     QCOMPARE(named(m_admin, "two\nlines").error().code, core::ErrorCode::badInput);
     QCOMPARE(known(), std::string("Nordklinik, Lehrstation 2"));
     REQUIRE(named(m_admin, ""));

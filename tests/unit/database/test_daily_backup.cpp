@@ -32,11 +32,13 @@ QStringList foldersIn(const std::string& place) {
 }
 
 core::Result<void> setPlan(DatabaseFixture& f, const Actor& actor, const BackupPlan& plan) {
-    return f.database->write([&](WriteContext& w) { return Upkeep::setBackupPlan(w.connection(), actor, plan); });
+    return f.database->write(
+        [&](WriteContext& w) { return Upkeep::setBackupPlan(w.connection(), actor, plan); });
 }
 
 QString prefixOf(DatabaseFixture& f) {
-    return QStringLiteral("chiron-auto-") + QString::fromStdString(f.database->uuid()).left(8) + QLatin1Char('-');
+    return QStringLiteral("chiron-auto-") + QString::fromStdString(f.database->uuid()).left(8) +
+           QLatin1Char('-');
 }
 
 } // namespace
@@ -87,7 +89,8 @@ void TestDailyBackup::thePlanIsAnAdministrators() {
     reader->reset();
     REQUIRE(f.reopen());
     QVERIFY(standingOf(f).plan == (BackupPlan{false, "/media/backup", 3}));
-    QCOMPARE(Upkeep::dailyBackup(*f.database, *ada, f.path("b"), 3).error().code, core::ErrorCode::notAllowed); // the schedule's alone
+    QCOMPARE(Upkeep::dailyBackup(*f.database, *ada, f.path("b"), 3).error().code,
+             core::ErrorCode::notAllowed); // the schedule's alone
 }
 
 void TestDailyBackup::whatIsMadeIsWholeAndNoted() {
@@ -104,7 +107,8 @@ void TestDailyBackup::whatIsMadeIsWholeAndNoted() {
         REQUIRE(manifest);
         QCOMPARE(manifest->automaticNumber, number);
         const BackupStanding standing = standingOf(f);
-        QVERIFY(!standing.goodUtc.empty() && standing.triedUtc == standing.goodUtc && standing.problem.empty());
+        QVERIFY(!standing.goodUtc.empty() && standing.triedUtc == standing.goodUtc &&
+                standing.problem.empty());
         QCOMPARE(standing.goodFolder, done->made.folder);
         QCOMPARE(standing.goodBytes, done->made.bytes);
     }
@@ -122,8 +126,9 @@ void TestDailyBackup::olderOnesGoAndNoOthers() {
     const auto ada = f.administrator();
     const std::string place = f.path("place");
     REQUIRE(Upkeep::dailyBackup(*other.database, kProgram, place, 1));
-    REQUIRE(Upkeep::backup(*f.database, *ada, place + "/" + prefixOf(f).toStdString() + "by-hand")); // named as the schedule's
-    QVERIFY(QDir().mkpath(QString::fromStdString(place) + "/" + prefixOf(f) + "notes"));                // no backup at all
+    REQUIRE(Upkeep::backup(*f.database, *ada,
+                           place + "/" + prefixOf(f).toStdString() + "by-hand")); // named as the schedule's
+    QVERIFY(QDir().mkpath(QString::fromStdString(place) + "/" + prefixOf(f) + "notes")); // no backup at all
     const QStringList others = foldersIn(place);
     std::string last;
     for (int i = 0; i < 5; ++i) {
@@ -163,14 +168,18 @@ void TestDailyBackup::whatAKillLeftIsNoBackupAndGoes() {
     REQUIRE(Upkeep::dailyBackup(*f.database, kProgram, place, 14));
     const QString whole = foldersIn(place).front();
     for (const char* ending : {".partial", ".removing"}) {
-        const QString half = QString::fromStdString(place) + "/" + prefixOf(f) + "20200101-000000" + QLatin1String(ending);
-        QVERIFY(QDir().mkpath(half) && QFile::copy(QString::fromStdString(place) + "/" + whole + "/chiron.db", half + "/chiron.db"));
+        const QString half =
+            QString::fromStdString(place) + "/" + prefixOf(f) + "20200101-000000" + QLatin1String(ending);
+        QVERIFY(QDir().mkpath(half) &&
+                QFile::copy(QString::fromStdString(place) + "/" + whole + "/chiron.db", half + "/chiron.db"));
     }
-    QVERIFY(QDir().mkpath(QString::fromStdString(place) + "/chiron-auto-another0-20200101-000000.partial")); // another site's, under way
+    QVERIFY(QDir().mkpath(QString::fromStdString(place) +
+                          "/chiron-auto-another0-20200101-000000.partial")); // another site's, under way
     REQUIRE(Upkeep::dailyBackup(*f.database, kProgram, place, 14));
     const QStringList now = foldersIn(place);
     QCOMPARE(now.size(), 3);
-    QVERIFY(now.contains(whole) && now.contains(QStringLiteral("chiron-auto-another0-20200101-000000.partial")));
+    QVERIFY(now.contains(whole) &&
+            now.contains(QStringLiteral("chiron-auto-another0-20200101-000000.partial")));
 }
 
 void TestDailyBackup::aFailureIsNotedAndLeavesNothing_data() {
@@ -195,13 +204,16 @@ void TestDailyBackup::aFailureIsNotedAndLeavesNothing() {
     } else if (kind.startsWith(QLatin1String("a folder"))) {
         place = "/proc/chiron/backups"; // nobody writes there, not even root
     } else {
-        REQUIRE(f.database->write([](WriteContext& w) { return w.connection().execute("UPDATE chunk SET payload = zeroblob(700) WHERE id = 2"); }));
+        REQUIRE(f.database->write([](WriteContext& w) {
+            return w.connection().execute("UPDATE chunk SET payload = zeroblob(700) WHERE id = 2");
+        }));
     }
     const auto failed = Upkeep::dailyBackup(*f.database, kProgram, place, 14);
     QVERIFY(!failed);
     const BackupStanding after = standingOf(f);
     QCOMPARE(after.problem, failed.error().message);
-    QVERIFY(!after.triedUtc.empty() && after.goodUtc == before.goodUtc && after.goodFolder == before.goodFolder);
+    QVERIFY(!after.triedUtc.empty() && after.goodUtc == before.goodUtc &&
+            after.goodFolder == before.goodFolder);
     QCOMPARE(foldersIn(f.path("place")).size(), 1);
 }
 
@@ -237,7 +249,8 @@ void TestDailyBackup::tooLittleRoomIsToldBeforehand() {
     const auto failed = Upkeep::dailyBackup(*f.database, kProgram, path.toStdString(), 14);
     QCOMPARE(umount2(path.constData(), MNT_DETACH), 0);
     QVERIFY(!failed && failed.error().code == core::ErrorCode::storage);
-    QVERIFY2(failed.error().message.find("too little room") != std::string::npos, failed.error().message.c_str());
+    QVERIFY2(failed.error().message.find("too little room") != std::string::npos,
+             failed.error().message.c_str());
 }
 
 void TestDailyBackup::whatIsStoppedIsNoFailure() {
@@ -263,7 +276,8 @@ void TestDailyBackup::aRestoreTakesOne() {
     REQUIRE(f.reopen());
     auto reader = f.database->openReader();
     QCOMPARE(selectInteger(**reader, "SELECT count(*) FROM session")->value_or(0), std::int64_t{1});
-    const auto next = Upkeep::dailyBackup(*f.database, kProgram, f.path("place"), 1); // the numbers go on where the folder is
+    const auto next = Upkeep::dailyBackup(*f.database, kProgram, f.path("place"),
+                                          1); // the numbers go on where the folder is
     REQUIRE(next);
     QCOMPARE(next->removed, 1);
     QVERIFY(QFile::exists(QString::fromStdString(next->made.folder)));

@@ -57,7 +57,8 @@ void TestDatabase::createsOpensAndKeepsItsIdentity() {
     QCOMPARE(*pragmas, std::int64_t{211}); // synchronous FULL is 2
 }
 
-// Where files cannot be mapped (some network drives) SQLite stays with its old journal, under which readers would shut out the writer.
+// Where files cannot be mapped (some network drives) SQLite stays with its old journal, under which readers
+// would shut out the writer.
 void TestDatabase::noWriterWithoutAWriteAheadLog() {
     DatabaseFixture f;
     REQUIRE(f.create());
@@ -76,7 +77,9 @@ void TestDatabase::noWriterWithoutAWriteAheadLog() {
     sqlite3_vfs_register(usual, 1);
     QVERIFY(!writer);
     QCOMPARE(writer.error().code, core::ErrorCode::storage);
-    QVERIFY2(writer.error().message.find(f.path() + ": the file system does not allow write-ahead logging") == 0, writer.error().message.c_str());
+    QVERIFY2(writer.error().message.find(f.path() + ": the file system does not allow write-ahead logging") ==
+                 0,
+             writer.error().message.c_str());
     REQUIRE(reader); // reading needs none
     REQUIRE(f.reopen());
 }

@@ -20,7 +20,8 @@ constexpr const char* kUnreadable = "cannot be read";
 
 Rows everyRow(Connection& connection) {
     Rows rows;
-    auto tables = Query::run(connection, "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite_%'");
+    auto tables = Query::run(
+        connection, "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite_%'");
     while (tables && tables->next().value_or(false)) {
         const std::string table = tables->text(0);
         std::vector<std::string> columns;
@@ -54,7 +55,8 @@ struct Someone {
 
 } // namespace
 
-/// Erases one of three people who have the same kinds of records, and checks that no row of the others changes in any table.
+/// Erases one of three people who have the same kinds of records, and checks that no row of the others
+/// changes in any table.
 class TestErasureReach : public QObject {
     Q_OBJECT
 private slots:
@@ -85,7 +87,8 @@ core::Result<Someone> TestErasureReach::add(const std::string& name) {
         CHIRON_TRY(enrolled);
         who.participant = enrolled->id;
         auto good = studies.recordConsent(who.participant, consentDigest());
-        const auto run = studies.beginRun({who.participant, codeOf(w.connection(), m_study, "soft"), 0, 1, "descending@1"});
+        const auto run = studies.beginRun(
+            {who.participant, codeOf(w.connection(), m_study, "soft"), 0, 1, "descending@1"});
         if (!good || !run)
             return good ? tl::unexpected(run.error()) : good;
         who.run = *run;
@@ -93,7 +96,8 @@ core::Result<Someone> TestErasureReach::add(const std::string& name) {
     });
     NewSession setup = someSession();
     setup.studyRun = who.run;
-    const auto left = begun ? storeSession(*m->database, m_ruth, 2, 700, setup) : tl::unexpected(begun.error());
+    const auto left =
+        begun ? storeSession(*m->database, m_ruth, 2, 700, setup) : tl::unexpected(begun.error());
     const auto sitting = left ? storeSession(*m->database, m_ruth, 2) : left;
     CHIRON_TRY(sitting);
     who.sitting = *sitting; // as earlier versions recorded it: known by its trial alone
@@ -102,37 +106,51 @@ core::Result<Someone> TestErasureReach::add(const std::string& name) {
         StudyRepository studies(w.connection(), m_ruth);
         auto good = studies.storeStudyTrial(someTrial(who.run, 0, who.sitting));
         good = good ? studies.finishRun(who.run, StudyRunState::completed) : good;
-        good = good ? studies.storeQuestionnaireAnswers({{who.participant, "face", "remarks", {}, "said by " + name, ""}, {who.participant, "face", "years", 41.0, "", ""}}) : good;
+        good = good ? studies.storeQuestionnaireAnswers(
+                          {{who.participant, "face", "remarks", {}, "said by " + name, ""},
+                           {who.participant, "face", "years", 41.0, "", ""}})
+                    : good;
         for (const SessionId session : {who.training, who.sitting, who.left}) {
             SessionRepository sessions(w.connection(), m_admin);
             good = good ? drop(sessions.addComment(session, name + " trembled a little")) : good;
             good = good ? sessions.voidSession(session, name + " was called away") : good;
-            good = good ? drop(ScoreRepository(w.connection(), Actor::maintenance()).storeScores(session, someCard())) : good;
+            good = good ? drop(ScoreRepository(w.connection(), Actor::maintenance())
+                                   .storeScores(session, someCard()))
+                        : good;
         }
-        return good ? drop(SessionRepository(w.connection(), *actor).addComment(who.training, name + " says so, too")) : good;
+        return good ? drop(SessionRepository(w.connection(), *actor)
+                               .addComment(who.training, name + " says so, too"))
+                    : good;
     });
     return stored ? core::Result<Someone>(who) : tl::unexpected(stored.error());
 }
 
 /// Empty where a changed row is the erased one's, or a note of the erasure.
-std::string TestErasureReach::ofSomebodyElse(const std::string& place, const Row& before, const Row& after) const {
+std::string TestErasureReach::ofSomebodyElse(const std::string& place, const Row& before,
+                                             const Row& after) const {
     const std::string table = place.substr(0, place.find(' '));
     if (before.empty() && (table == "audit" || table == "erasure" || table == "participant_erasure"))
         return {};
     const auto is = [&](const char* column, std::initializer_list<std::int64_t> ids) {
         const auto it = before.find(column);
-        return it != before.end() && std::any_of(ids.begin(), ids.end(), [&](std::int64_t id) { return it->second == std::to_string(id); });
+        return it != before.end() && std::any_of(ids.begin(), ids.end(), [&](std::int64_t id) {
+                   return it->second == std::to_string(id);
+               });
     };
-    if (is("participant_id", {m_gone.participant}) || is("session_id", {m_gone.training, m_gone.sitting, m_gone.left}) || is("person_id", {m_gone.person}) || is("run_id", {m_gone.run}))
+    if (is("participant_id", {m_gone.participant}) ||
+        is("session_id", {m_gone.training, m_gone.sitting, m_gone.left}) ||
+        is("person_id", {m_gone.person}) || is("run_id", {m_gone.run}))
         return {};
     if ((table == "participant_key" || table == "study_participant") && is("id", {m_gone.participant}))
         return {};
-    if ((table == "session" && is("id", {m_gone.training, m_gone.sitting, m_gone.left})) || (table == "person" && is("id", {m_gone.person})))
+    if ((table == "session" && is("id", {m_gone.training, m_gone.sitting, m_gone.left})) ||
+        (table == "person" && is("id", {m_gone.person})))
         return {};
     std::string words = place + ":";
     for (const auto& [column, value] : before.empty() ? after : before)
         if (before.empty() || after.empty() || after.at(column) != value)
-            words += " " + column + " was " + (before.empty() ? "-" : value.substr(0, 40)) + ", is " + (after.empty() ? "-" : after.at(column).substr(0, 40)) + ";";
+            words += " " + column + " was " + (before.empty() ? "-" : value.substr(0, 40)) + ", is " +
+                     (after.empty() ? "-" : after.at(column).substr(0, 40)) + ";";
     return words;
 }
 
@@ -141,7 +159,8 @@ void TestErasureReach::onlyTheOneIsErased_data() {
     QTest::addColumn<bool>("recordings");
     for (const bool person : {false, true})
         for (const bool recordings : {false, true})
-            QTest::addRow("%s, recordings %s", person ? "person" : "participant", recordings ? "too" : "kept") << person << recordings;
+            QTest::addRow("%s, recordings %s", person ? "person" : "participant", recordings ? "too" : "kept")
+                << person << recordings;
 }
 
 void TestErasureReach::onlyTheOneIsErased() {
@@ -165,15 +184,20 @@ void TestErasureReach::onlyTheOneIsErased() {
     REQUIRE(after);
     m_gone = *gone;
     if (!person)
-        REQUIRE(m->database->write([&](WriteContext& w) { return StudyRepository(w.connection(), m_ruth).withdrawParticipant(m_gone.participant, recordings); }));
+        REQUIRE(m->database->write([&](WriteContext& w) {
+            return StudyRepository(w.connection(), m_ruth)
+                .withdrawParticipant(m_gone.participant, recordings);
+        }));
     const Rows was = everyRow(**m->database->openReader());
     QVERIFY(was.size() > 60);
     for (const auto& [place, row] : was)
         QVERIFY2(!place.ends_with(kUnreadable), place.c_str());
     if (person)
-        REQUIRE(AccountService(*m->database).erasePerson(m_admin, kPassword, m_gone.person, "wish", recordings));
+        REQUIRE(
+            AccountService(*m->database).erasePerson(m_admin, kPassword, m_gone.person, "wish", recordings));
     else
-        REQUIRE(AccountService(*m->database).eraseParticipant(m_admin, kPassword, m_gone.participant, "wish"));
+        REQUIRE(
+            AccountService(*m->database).eraseParticipant(m_admin, kPassword, m_gone.participant, "wish"));
     const Rows is = everyRow(**m->database->openReader());
     std::set<std::string> changed;
     for (const auto& [place, row] : was)
@@ -184,14 +208,23 @@ void TestErasureReach::onlyTheOneIsErased() {
             changed.insert(place);
     QVERIFY(changed.size() >= 5);
     for (const std::string& place : changed) {
-        const std::string words = ofSomebodyElse(place, was.contains(place) ? was.at(place) : Row(), is.contains(place) ? is.at(place) : Row());
+        const std::string words = ofSomebodyElse(place, was.contains(place) ? was.at(place) : Row(),
+                                                 is.contains(place) ? is.at(place) : Row());
         QVERIFY2(words.empty(), words.c_str());
     }
     for (const SessionId session : {m_gone.sitting, m_gone.left}) {
         const auto reader = m->database->openReader();
-        QCOMPARE(selectInteger(**reader, "SELECT recording_erased FROM session WHERE id = ?", {session})->value_or(-1), std::int64_t{recordings});
-        QCOMPARE(selectInteger(**reader, "SELECT count(*) FROM session_comment WHERE session_id = ? AND text <> ''", {session})->value_or(-1), std::int64_t{0});
-        QCOMPARE(selectText(**reader, "SELECT void_reason FROM session WHERE id = ?", {session})->value_or("?"), std::string());
+        QCOMPARE(selectInteger(**reader, "SELECT recording_erased FROM session WHERE id = ?", {session})
+                     ->value_or(-1),
+                 std::int64_t{recordings});
+        QCOMPARE(selectInteger(**reader,
+                               "SELECT count(*) FROM session_comment WHERE session_id = ? AND text <> ''",
+                               {session})
+                     ->value_or(-1),
+                 std::int64_t{0});
+        QCOMPARE(
+            selectText(**reader, "SELECT void_reason FROM session WHERE id = ?", {session})->value_or("?"),
+            std::string());
     }
     m->database.reset();
     const VerifyReport report = verifyDatabase(m->path(), m->options);

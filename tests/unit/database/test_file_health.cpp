@@ -18,7 +18,8 @@ namespace {
 core::Result<void> makeClosed(DatabaseFixture& f) {
     auto done = f.create();
     const auto ada = done ? f.administrator() : core::Result<Actor>(tl::unexpected(done.error()));
-    const auto session = ada ? storeSession(*f.database, *ada, 40) : core::Result<SessionId>(tl::unexpected(ada.error()));
+    const auto session =
+        ada ? storeSession(*f.database, *ada, 40) : core::Result<SessionId>(tl::unexpected(ada.error()));
     f.database.reset();
     return session ? core::Result<void>() : tl::unexpected(session.error());
 }
@@ -74,13 +75,16 @@ void TestFileHealth::whatIsNotDamagedIsNotCalledSo() {
     DatabaseFixture f;
     QCOMPARE(examineFile(f.path()).health, FileHealth::missing);
     REQUIRE(makeClosed(f));
-    QCOMPARE(examineFile(f.path("").substr(0, f.path("").size() - 1)).health, FileHealth::unreadable); // a folder
+    QCOMPARE(examineFile(f.path("").substr(0, f.path("").size() - 1)).health,
+             FileHealth::unreadable); // a folder
     const auto withHeader = [&](int at, char value) {
         const std::string name = f.path("other.db");
         QFile::remove(QString::fromStdString(name));
         QFile::copy(QString::fromStdString(f.path()), QString::fromStdString(name));
         QFile file(QString::fromStdString(name));
-        return file.open(QIODevice::ReadWrite) && file.seek(at) && file.putChar(value) && file.flush() ? examineFile(name).health : FileHealth::sound;
+        return file.open(QIODevice::ReadWrite) && file.seek(at) && file.putChar(value) && file.flush()
+                   ? examineFile(name).health
+                   : FileHealth::sound;
     };
     QCOMPARE(withHeader(70, 'x'), FileHealth::foreign); // the application's id
     QCOMPARE(withHeader(63, 99), FileHealth::newer);    // the schema's number
@@ -106,7 +110,8 @@ void TestFileHealth::aPageOfTheAccountsIsMissedAtOpening() {
     std::int64_t page = 0;
     {
         auto connection = Connection::open(f.path(), Connection::Mode::readOnly);
-        page = selectInteger(**connection, "SELECT rootpage FROM sqlite_schema WHERE name = 'credential'")->value_or(0);
+        page = selectInteger(**connection, "SELECT rootpage FROM sqlite_schema WHERE name = 'credential'")
+                   ->value_or(0);
     }
     QFile file(QString::fromStdString(f.path()));
     QVERIFY(page > 1 && file.open(QIODevice::ReadWrite) && file.seek((page - 1) * 4096));

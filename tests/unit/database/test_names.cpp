@@ -28,7 +28,9 @@ private slots:
 
 private:
     AccountService accounts() { return AccountService(*m->database); }
-    std::vector<EarlierName> earlier(PersonId person) { return accounts().earlierNames(m_admin, person).value_or(std::vector<EarlierName>{}); }
+    std::vector<EarlierName> earlier(PersonId person) {
+        return accounts().earlierNames(m_admin, person).value_or(std::vector<EarlierName>{});
+    }
 
     std::unique_ptr<DatabaseFixture> m;
     Actor m_admin = Actor::anonymous(), m_bob = Actor::anonymous();
@@ -55,7 +57,8 @@ void TestNames::theOldNamesStayInTheHistory() {
     QCOMPARE(audit->size(), before + 4);
     QCOMPARE(audit->at(0).action, std::string("changeNames"));
     QCOMPARE(audit->at(1).action, std::string("keepNames"));
-    for (const AuditEntry& entry : *audit) // ids and digests only: an erasure must not have to touch the chain
+    for (const AuditEntry& entry :
+         *audit) // ids and digests only: an erasure must not have to touch the chain
         QVERIFY(entry.detailJson.find("obert") == std::string::npos);
     REQUIRE(accounts().login("robert", kPassword)); // case does not matter
     QVERIFY(!accounts().login("bob", kPassword));
@@ -73,7 +76,8 @@ void TestNames::aPastSessionIsStillTheSamePersons() {
     REQUIRE(listed);
     QCOMPARE(listed->summary.person, m_bob.personId());
     QCOMPARE(listed->summary.personName, std::string("robert"));
-    const auto seal = selectText(**m->database->openReader(), "SELECT hex(seal) FROM session WHERE id = ?", {*session});
+    const auto seal =
+        selectText(**m->database->openReader(), "SELECT hex(seal) FROM session WHERE id = ?", {*session});
     QVERIFY(seal && !(*seal)->empty());
     m->database.reset();
     QVERIFY(verifyDatabase(m->path(), m->options).ok());
@@ -82,22 +86,32 @@ void TestNames::aPastSessionIsStillTheSamePersons() {
 void TestNames::refusedNames_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QString>("displayName");
-    QTest::newRow("taken") << "ada" << "B";
-    QTest::newRow("taken in another case") << "ADA" << "B";
-    QTest::newRow("empty") << "" << "B";
-    QTest::newRow("comma") << "bob,b" << "B";
-    QTest::newRow("space at the end") << "bob " << "B";
+    QTest::newRow("taken") << "ada"
+                           << "B";
+    QTest::newRow("taken in another case") << "ADA"
+                                           << "B";
+    QTest::newRow("empty") << ""
+                           << "B";
+    QTest::newRow("comma") << "bob,b"
+                           << "B";
+    QTest::newRow("space at the end") << "bob "
+                                      << "B";
     QTest::newRow("too long") << QString(65, 'b') << "B";
-    QTest::newRow("invisible") << QString::fromUtf8("bo\xe2\x80\x8b" "b") << "B";
-    QTest::newRow("reserved") << "erased-7" << "B";
-    QTest::newRow("the machine's") << "Simulated" << "B";
+    QTest::newRow("invisible") << QString::fromUtf8("bo\xe2\x80\x8b"
+                                                    "b")
+                               << "B";
+    QTest::newRow("reserved") << "erased-7"
+                              << "B";
+    QTest::newRow("the machine's") << "Simulated"
+                                   << "B";
     QTest::newRow("display name too long") << "bob" << QString(201, 'b');
 }
 
 void TestNames::refusedNames() {
     QFETCH(QString, name);
     QFETCH(QString, displayName);
-    const auto changed = accounts().changeNames(m_admin, m_bob.personId(), name.toStdString(), displayName.toStdString());
+    const auto changed =
+        accounts().changeNames(m_admin, m_bob.personId(), name.toStdString(), displayName.toStdString());
     QCOMPARE(changed.error().code, core::ErrorCode::badInput);
     QCOMPARE(accounts().self(m_bob)->name, std::string("bob"));
     QCOMPARE(accounts().self(m_bob)->displayName, std::string("bob display"));
@@ -111,22 +125,30 @@ void TestNames::everybodyChangesTheirOwnDisplayName() {
         REQUIRE(accounts().changeDisplayName(*who, "Quite Another"));
         QCOMPARE(accounts().self(*who)->displayName, std::string("Quite Another"));
         QCOMPARE(earlier(who->personId()).front().changedBy, who->personId());
-        const auto others = m->database->write([&](WriteContext& w) { return AccountRepository(w.connection(), *who).changeDisplayName(m_bob.personId(), "Mallory"); });
+        const auto others = m->database->write([&](WriteContext& w) {
+            return AccountRepository(w.connection(), *who).changeDisplayName(m_bob.personId(), "Mallory");
+        });
         QCOMPARE(others.error().code, core::ErrorCode::notAllowed);
-        const auto login = accounts().changeNames(*who, who->personId(), "other-" + std::string(token(role)), "X");
+        const auto login =
+            accounts().changeNames(*who, who->personId(), "other-" + std::string(token(role)), "X");
         QCOMPARE(login.has_value(), role == Role::admin);
     }
     QCOMPARE(accounts().self(m_bob)->displayName, std::string("bob display"));
     QCOMPARE(accounts().changeDisplayName(Actor::anonymous(), "X").error().code, core::ErrorCode::notAllowed);
     QCOMPARE(accounts().changeNames(m_admin, 4711, "nobody", "X").error().code, core::ErrorCode::notFound);
-    QCOMPARE(accounts().changeNames(m_admin, Actor::kSimulatedPerson, "machine", "X").error().code, core::ErrorCode::notFound);
+    QCOMPARE(accounts().changeNames(m_admin, Actor::kSimulatedPerson, "machine", "X").error().code,
+             core::ErrorCode::notFound);
 }
 
 void TestNames::whoWasRenamedConfirmsWithTheirPassword() {
     REQUIRE(accounts().changeNames(m_admin, m_bob.personId(), "robert", ""));
-    QVERIFY(accounts().tryConfirm(m_bob, kPassword).has_value()); // logged in under the old name: unlocking goes on
+    QVERIFY(accounts()
+                .tryConfirm(m_bob, kPassword)
+                .has_value()); // logged in under the old name: unlocking goes on
     REQUIRE(m->person(m_admin, "bob", {Role::trainee}));
-    QVERIFY(accounts().tryConfirm(m_bob, kPassword).has_value()); // and whoever has that name now is somebody else
+    QVERIFY(accounts()
+                .tryConfirm(m_bob, kPassword)
+                .has_value()); // and whoever has that name now is somebody else
     QCOMPARE(accounts().changePassword(m_bob, kPassword, "robert").error().code, core::ErrorCode::badInput);
     REQUIRE(accounts().changePassword(m_bob, kPassword, "another horse 8"));
     REQUIRE(accounts().login("robert", "another horse 8"));
@@ -136,8 +158,10 @@ void TestNames::theChainVouchesForEarlierNames() {
     REQUIRE(accounts().changeNames(m_admin, m_bob.personId(), "robert", ""));
     m->database.reset();
     QVERIFY(verifyDatabase(m->path(), m->options).ok());
-    for (const char* change : {"UPDATE person_name SET names_json = replace(names_json, 'bob', 'eve')", "UPDATE person_name SET names_json = ''",
-                               "UPDATE person_name SET person_id = 2", "DROP TRIGGER person_name_stays; DELETE FROM person_name"}) {
+    for (const char* change :
+         {"UPDATE person_name SET names_json = replace(names_json, 'bob', 'eve')",
+          "UPDATE person_name SET names_json = ''", "UPDATE person_name SET person_id = 2",
+          "DROP TRIGGER person_name_stays; DELETE FROM person_name"}) {
         QFile::remove(QString::fromStdString(m->path("copy.db")));
         QVERIFY(QFile::copy(QString::fromStdString(m->path()), QString::fromStdString(m->path("copy.db"))));
         auto connection = Connection::open(m->path(), Connection::Mode::readWrite);
@@ -145,7 +169,9 @@ void TestNames::theChainVouchesForEarlierNames() {
         REQUIRE((*connection)->execute("PRAGMA user_version=2")); // does not keep verify from looking
         connection->reset();
         const VerifyReport report = verifyDatabase(m->path(), m->options);
-        QVERIFY2(std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& f) { return f.table == "person_name"; }), change);
+        QVERIFY2(std::any_of(report.findings.begin(), report.findings.end(),
+                             [](const Finding& f) { return f.table == "person_name"; }),
+                 change);
         QVERIFY(QFile::remove(QString::fromStdString(m->path())));
         QVERIFY(QFile::rename(QString::fromStdString(m->path("copy.db")), QString::fromStdString(m->path())));
     }
@@ -167,7 +193,9 @@ void TestNames::anErasureOverwritesThem() {
         QFile file(m->folder.filePath(name));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray bytes = file.readAll();
-        QVERIFY2(!bytes.contains("krummstab") && !bytes.contains("Wanderfalke") && !bytes.contains("sperling"), qPrintable(name));
+        QVERIFY2(!bytes.contains("krummstab") && !bytes.contains("Wanderfalke") &&
+                     !bytes.contains("sperling"),
+                 qPrintable(name));
     }
     // A backup from before knows the names still; restoring it erases them again.
     database::RestoreRequest request = requestFor(*m, m->path("before"));

@@ -107,7 +107,8 @@ void TestPrivacy::csvPreviewChangesNothing() {
     QCOMPARE(roster.rows[0].displayName, std::string("Uma"));
     QVERIFY(roster.rows[0].password.empty());
     QVERIFY(preview->steps[1].kind == RosterStep::Kind::skip && preview->steps[1].person == tim->personId());
-    QVERIFY(preview->steps[4].makesPassword && !preview->steps[0].makesPassword); // a spreadsheet leaves out what is empty at the end
+    QVERIFY(preview->steps[4].makesPassword &&
+            !preview->steps[0].makesPassword); // a spreadsheet leaves out what is empty at the end
     const auto has = [&](int line, RosterFault fault, int other = 0) {
         return std::any_of(roster.problems.begin(), roster.problems.end(), [&](const RosterProblem& p) {
             return p.line == line && p.fault == fault && p.other == other;
@@ -168,7 +169,8 @@ void TestPrivacy::exportHoldsEverything() {
     QVERIFY(held->audit.size() >= 5); // created, logged in, began, finished, scored, commented
 }
 
-/// A person's export contains the audit entries of what they did and of what was done to their account, and no others.
+/// A person's export contains the audit entries of what they did and of what was done to their account, and
+/// no others.
 void TestPrivacy::exportHoldsNobodyElsesAudit() {
     DatabaseFixture f;
     REQUIRE(f.create());
@@ -184,7 +186,8 @@ void TestPrivacy::exportHoldsNobodyElsesAudit() {
     std::vector<std::int64_t> expected;
     for (const AuditEntry& entry : *whole) {
         const bool did = entry.actorKind == "person" && entry.actor == tim->personId();
-        const bool about = (entry.target == "person" || entry.target == "credential") && entry.targetId == tim->personId();
+        const bool about =
+            (entry.target == "person" || entry.target == "credential") && entry.targetId == tim->personId();
         if (did || about) {
             expected.push_back(entry.sequence);
         }
@@ -249,7 +252,8 @@ void TestPrivacy::erasureLeavesNoTraceButTheTombstone() {
     QVERIFY(other->personId() != tim->personId());
 }
 
-// Of each pair one is the erased person's as the writer, one as whom it is about; the third is nothing of theirs, and stays.
+// Of each pair one is the erased person's as the writer, one as whom it is about; the third is nothing of
+// theirs, and stays.
 void TestPrivacy::erasureKeepsWhatIsOthers() {
     DatabaseFixture f;
     REQUIRE(f.create());
@@ -262,10 +266,14 @@ void TestPrivacy::erasureKeepsWhatIsOthers() {
     const auto second = storeSession(*f.database, *uma, 2);
     REQUIRE(second);
     REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
-        SessionRepository byTim(w.connection(), *tim), byUma(w.connection(), *uma), byAda(w.connection(), *ada);
-        for (const auto& done : {drop(byTim.addComment(*ofUma, "by tim on uma")), drop(byAda.addComment(*ofTim, "by ada on tim")),
-                                 drop(byUma.addComment(*ofUma, "by uma on uma")), drop(byTim.voidSession(*ofUma, "void by tim")),
-                                 drop(byAda.voidSession(*ofTim, "void of tim")), drop(byAda.voidSession(*second, "void by ada"))})
+        SessionRepository byTim(w.connection(), *tim), byUma(w.connection(), *uma),
+            byAda(w.connection(), *ada);
+        for (const auto& done :
+             {drop(byTim.addComment(*ofUma, "by tim on uma")),
+              drop(byAda.addComment(*ofTim, "by ada on tim")),
+              drop(byUma.addComment(*ofUma, "by uma on uma")), drop(byTim.voidSession(*ofUma, "void by tim")),
+              drop(byAda.voidSession(*ofTim, "void of tim")),
+              drop(byAda.voidSession(*second, "void by ada"))})
             if (!done)
                 return done;
         return {};
@@ -290,7 +298,8 @@ void TestPrivacy::erasureKeepsWhatIsOthers() {
     QCOMPARE(list("SELECT text FROM session_comment"), (Texts{"", "", "by uma on uma"}));
     QCOMPARE(list("SELECT void_reason FROM session"), (Texts{"", "", "void by ada"}));
     QCOMPARE(list("SELECT operator_name FROM session"), (Texts{"", "novice", "novice"}));
-    QVERIFY(onDisk(f.path(), "by uma on uma") && !onDisk(f.path(), "by tim on uma") && !onDisk(f.path(), "by ada on tim"));
+    QVERIFY(onDisk(f.path(), "by uma on uma") && !onDisk(f.path(), "by tim on uma") &&
+            !onDisk(f.path(), "by ada on tim"));
 }
 
 void TestPrivacy::erasureNeedsThePassword() {

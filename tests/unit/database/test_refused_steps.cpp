@@ -16,8 +16,8 @@ using namespace chiron::test;
 
 namespace {
 
-/// Makes SQLite refuse one step on a connection, and counts the steps. A step is a statement, refused when it is prepared, or an
-/// instruction, at which the running statement is interrupted.
+/// Makes SQLite refuse one step on a connection, and counts the steps. A step is a statement, refused when it
+/// is prepared, or an instruction, at which the running statement is interrupted.
 class Refusing {
 public:
     enum class What { statement, running };
@@ -28,12 +28,15 @@ public:
             sqlite3_set_authorizer(
                 m_handle,
                 [](void* self, int action, const char*, const char*, const char*, const char*) {
-                    const bool begins = action == SQLITE_SELECT || action == SQLITE_INSERT || action == SQLITE_UPDATE || action == SQLITE_DELETE;
+                    const bool begins = action == SQLITE_SELECT || action == SQLITE_INSERT ||
+                                        action == SQLITE_UPDATE || action == SQLITE_DELETE;
                     return begins && static_cast<Refusing*>(self)->refuses() ? SQLITE_DENY : SQLITE_OK;
                 },
                 this);
         else
-            sqlite3_progress_handler(m_handle, 1, [](void* self) { return static_cast<Refusing*>(self)->refuses() ? 1 : 0; }, this);
+            sqlite3_progress_handler(
+                m_handle, 1, [](void* self) { return static_cast<Refusing*>(self)->refuses() ? 1 : 0; },
+                this);
     }
     ~Refusing() {
         sqlite3_set_authorizer(m_handle, nullptr, nullptr);
@@ -71,7 +74,8 @@ private:
         sqlite3_set_authorizer(
             handle,
             [](void*, int action, const char*, const char*, const char*, const char*) {
-                const bool begins = action == SQLITE_SELECT || action == SQLITE_INSERT || action == SQLITE_UPDATE || action == SQLITE_DELETE;
+                const bool begins = action == SQLITE_SELECT || action == SQLITE_INSERT ||
+                                    action == SQLITE_UPDATE || action == SQLITE_DELETE;
                 return begins && ++s_seen == s_which ? SQLITE_DENY : SQLITE_OK;
             },
             nullptr);
@@ -87,8 +91,8 @@ struct Tried {
 
 } // namespace
 
-/// A full or failing disk can refuse any statement. Whichever it is, the function that needed it returns an error and does not go on without
-/// the data.
+/// A full or failing disk can refuse any statement. Whichever it is, the function that needed it returns an
+/// error and does not go on without the data.
 class TestRefusedSteps : public QObject {
     Q_OBJECT
 private slots:
@@ -128,7 +132,8 @@ void TestRefusedSteps::initTestCase() {
     const auto ended = storeSession(*m.database, *bob);
     REQUIRE(ended);
     m_ended = *ended;
-    const auto running = m.database->write([&](WriteContext& w) { return SessionRepository(w.connection(), *bob).beginSession(someSession()); });
+    const auto running = m.database->write(
+        [&](WriteContext& w) { return SessionRepository(w.connection(), *bob).beginSession(someSession()); });
     REQUIRE(running);
     m_running = *running;
     const auto study = makeStudies(*m.database, *ruth, "simulated");
@@ -145,7 +150,8 @@ void TestRefusedSteps::everyRefusedStepIsTold_data() {
         QTest::newRow(std::string(token(static_cast<Action>(i))).c_str()) << i;
 }
 
-Tried TestRefusedSteps::attempt(const Call& call, const Actor& actor, std::int64_t target, Refusing::What what, int which) {
+Tried TestRefusedSteps::attempt(const Call& call, const Actor& actor, std::int64_t target,
+                                Refusing::What what, int which) {
     Tried tried;
     const auto run = [&](Connection& connection) {
         Refusing refusing(connection, what, which);
@@ -198,7 +204,9 @@ void TestRefusedSteps::everyRefusedStepIsTold() {
     const auto made = accessCalls(m_world);
     const Call& call = made.at(what);
     constexpr int kMost = 60; // of many steps, about so many are tried, evenly spaced
-    const bool opensItsOwn = what == Action::backup || what == Action::dailyBackup || what == Action::exportSite || what == Action::restore; // upkeepLeavesNothingHalfDone()
+    const bool opensItsOwn = what == Action::backup || what == Action::dailyBackup ||
+                             what == Action::exportSite ||
+                             what == Action::restore; // upkeepLeavesNothingHalfDone()
     for (const Actor& actor : m_actors)
         for (const std::int64_t target : targets(call.touches)) {
             if (!attempt(call, actor, target, Refusing::What::statement, 0).outcome)
@@ -210,8 +218,12 @@ void TestRefusedSteps::everyRefusedStepIsTold() {
                 for (int which = 1; which <= steps; which += stride) {
                     const Tried tried = attempt(call, actor, target, kind, which);
                     if (tried.steps >= which)
-                        QVERIFY2(!tried.outcome, qPrintable(QStringLiteral("%1 %2 of %3 was refused, and nothing was said")
-                                                                .arg(kind == Refusing::What::statement ? "statement" : "instruction").arg(which).arg(steps)));
+                        QVERIFY2(!tried.outcome,
+                                 qPrintable(
+                                     QStringLiteral("%1 %2 of %3 was refused, and nothing was said")
+                                         .arg(kind == Refusing::What::statement ? "statement" : "instruction")
+                                         .arg(which)
+                                         .arg(steps)));
                 }
             }
             return;
@@ -233,7 +245,9 @@ void TestRefusedSteps::upkeepLeavesNothingHalfDone() {
     const auto reader = m.database->openReader();
     REQUIRE(reader);
     const QDir folder(QString::fromStdString(m.path("")));
-    const auto files = [&] { return folder.entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden); };
+    const auto files = [&] {
+        return folder.entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden);
+    };
     const auto newFiles = [&](const QStringList& before) { // without the number of the attempt
         QStringList fresh;
         for (const QString& name : files()) {
@@ -267,7 +281,8 @@ void TestRefusedSteps::upkeepLeavesNothingHalfDone() {
         if (refusing.seen() < which)
             continue;
         const QString place = QStringLiteral("statement %1 of %2 was refused; left: ").arg(which).arg(steps);
-        if (outcome) // without what was refused, the check of a copy only looks into more tables than it has to
+        if (outcome) // without what was refused, the check of a copy only looks into more tables than it has
+                     // to
             QVERIFY2(newFiles(before) == whole, qPrintable(place + newFiles(before).join(QLatin1Char(' '))));
         else
             QVERIFY2(files() == before, qPrintable(place + newFiles(before).join(QLatin1Char(' '))));

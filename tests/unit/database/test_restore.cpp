@@ -74,7 +74,8 @@ void TestRestore::restoreBringsBackAndKeepsTheOld() {
     QCOMPARE(countIn(info->keptOldFile), std::int64_t{2});
 }
 
-// A program that was killed leaves its newest rows in the log alone: they go with the file that is kept, and never into the restored one.
+// A program that was killed leaves its newest rows in the log alone: they go with the file that is kept, and
+// never into the restored one.
 void TestRestore::restoreKeepsTheOldLogWithTheOldFile() {
     DatabaseFixture f;
     REQUIRE(f.create());
@@ -113,7 +114,8 @@ void TestRestore::restoreKeepsTheOldLogWithTheOldFile() {
     QVERIFY(verifyDatabase(f.path(), f.options).ok());
 }
 
-// The backup was made while a session ran: its ring's file is named there, in a folder that tells whose it is.
+// The backup was made while a session ran: its ring's file is named there, in a folder that tells whose it
+// is.
 void TestRestore::restoreErasesWhatWasRunning() {
     DatabaseFixture f;
     REQUIRE(f.create());
@@ -121,7 +123,8 @@ void TestRestore::restoreErasesWhatWasRunning() {
     const auto tim = f.person(*ada, "tim", {Role::trainee});
     NewSession begun = someSession();
     begun.ringFile = "/home/timotheus-unverwechselbar/ring";
-    const auto id = f.database->write([&](WriteContext& w) { return SessionRepository(w.connection(), *tim).beginSession(begun); });
+    const auto id = f.database->write(
+        [&](WriteContext& w) { return SessionRepository(w.connection(), *tim).beginSession(begun); });
     REQUIRE(id);
     REQUIRE(Upkeep::backup(*f.database, *ada, f.path("backup")));
     REQUIRE(f.database->write([&](WriteContext& w) {

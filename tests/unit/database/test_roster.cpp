@@ -34,7 +34,8 @@ std::string encoded(const std::string& text, const char* encoding) {
 }
 
 bool has(const Roster& roster, RosterFault fault, int line) {
-    return std::any_of(roster.problems.begin(), roster.problems.end(), [&](const RosterProblem& p) { return p.fault == fault && p.line == line; });
+    return std::any_of(roster.problems.begin(), roster.problems.end(),
+                       [&](const RosterProblem& p) { return p.fault == fault && p.line == line; });
 }
 
 std::string wordsOf(const Roster& roster) {
@@ -75,9 +76,13 @@ private slots:
 
 private:
     AccountService accounts() { return AccountService(*m->database); }
-    Person personOf(const std::string& name) { return accounts().personByName(m_admin, name).value_or(Person{}); }
+    Person personOf(const std::string& name) {
+        return accounts().personByName(m_admin, name).value_or(Person{});
+    }
     std::size_t people() { return accounts().listPeople(m_admin)->size(); }
-    std::size_t audited() { return AuditRepository(**m->database->openReader(), m_admin).listAudit()->size(); }
+    std::size_t audited() {
+        return AuditRepository(**m->database->openReader(), m_admin).listAudit()->size();
+    }
 
     std::unique_ptr<DatabaseFixture> m;
     Actor m_admin = Actor::anonymous();
@@ -125,7 +130,8 @@ void TestRoster::wordsThatAreNoRoleCanStandForOne() {
     QCOMPARE(asRead.problems.size(), std::size_t{3});
     const RoleWords half{{"famulant", Role::trainee}};
     QCOMPARE(readRoster(file, half).problems.size(), std::size_t{1});
-    QCOMPARE(accounts().importCsv(m_admin, file, RosterExisting::skip, {}, half).error().code, core::ErrorCode::badInput);
+    QCOMPARE(accounts().importCsv(m_admin, file, RosterExisting::skip, {}, half).error().code,
+             core::ErrorCode::badInput);
     const RoleWords whole{{"Famulant", Role::trainee}, {"", Role::researcher}, {"trainee", Role::admin}};
     const Roster roster = readRoster(file, whole);
     QVERIFY2(roster.problems.empty(), wordsOf(roster).c_str());
@@ -141,12 +147,17 @@ void TestRoster::everyEncodingIsTold_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<QString>("name");
     QTest::addColumn<QString>("encoding");
-    const std::string german = "Anmeldename;Name;Rolle\r\ngrosse;Jürgen Größe-Weiß;Lernende\r\nuwe;Uwe Öhm;Lernende\r\n";
-    const std::string greek = "Όνομα χρήστη;Ονοματεπώνυμο;Ρόλος\r\ngrosse;Γιώργος Παπαδόπουλος;εκπαιδευόμενος\r\nuwe;Άννα Ώρα;εκπαιδεύτρια\r\n";
+    const std::string german =
+        "Anmeldename;Name;Rolle\r\ngrosse;Jürgen Größe-Weiß;Lernende\r\nuwe;Uwe Öhm;Lernende\r\n";
+    const std::string greek = "Όνομα χρήστη;Ονοματεπώνυμο;Ρόλος\r\ngrosse;Γιώργος "
+                              "Παπαδόπουλος;εκπαιδευόμενος\r\nuwe;Άννα Ώρα;εκπαιδεύτρια\r\n";
     for (const auto& [language, text, name, codePage, told] :
-         {std::tuple{"German", german, "Jürgen Größe-Weiß", "CP1252", "Windows-1252"}, std::tuple{"Greek", greek, "Γιώργος Παπαδόπουλος", "CP1253", "Windows-1253"}}) {
+         {std::tuple{"German", german, "Jürgen Größe-Weiß", "CP1252", "Windows-1252"},
+          std::tuple{"Greek", greek, "Γιώργος Παπαδόπουλος", "CP1253", "Windows-1253"}}) {
         const auto row = [&](const char* title, const std::string& bytes, const char* encoding) {
-            QTest::newRow((std::string(language) + ", " + title).c_str()) << QByteArray::fromStdString(bytes) << QString::fromUtf8(name) << QString::fromLatin1(encoding);
+            QTest::newRow((std::string(language) + ", " + title).c_str())
+                << QByteArray::fromStdString(bytes) << QString::fromUtf8(name)
+                << QString::fromLatin1(encoding);
         };
         row("UTF-8", text, "UTF-8");
         row("UTF-8 with mark", "\xef\xbb\xbf" + text, "UTF-8");
@@ -176,13 +187,19 @@ void TestRoster::delimitersAreFoundBesideQuotedOnes_data() {
     QTest::newRow("comma") << "login name,full name,role\nanna,Anna,trainee\n" << ',';
     QTest::newRow("semicolon") << "login name;full name;role\nanna;Anna;trainee\n" << ';';
     QTest::newRow("tab") << "login name\tfull name\trole\nanna\tAnna\ttrainee\n" << '\t';
-    QTest::newRow("commas in quotes") << "login name;\"name, first name\";role\nanna;\"Anna, A, B, C\";trainee\n" << ';';
-    QTest::newRow("commas without quotes") << "login name;Name, Vorname;role\nanna;Anna, A, B, C;trainee\n" << ';';
-    QTest::newRow("semicolons in quotes") << "login name,\"remark; 1; 2; 3; 4\",full name,role\nanna,\"a;b;c\",Anna,\"trainee;trainer\"\n" << ',';
+    QTest::newRow("commas in quotes")
+        << "login name;\"name, first name\";role\nanna;\"Anna, A, B, C\";trainee\n"
+        << ';';
+    QTest::newRow("commas without quotes") << "login name;Name, Vorname;role\nanna;Anna, A, B, C;trainee\n"
+                                           << ';';
+    QTest::newRow("semicolons in quotes")
+        << "login name,\"remark; 1; 2; 3; 4\",full name,role\nanna,\"a;b;c\",Anna,\"trainee;trainer\"\n"
+        << ',';
     QTest::newRow("sep=;") << "sep=;\r\nlogin name;full name;role\r\nanna;Anna;trainee\r\n" << ';';
     QTest::newRow("sep=|") << "sep=|\nlogin name|full name|role\nanna|Anna|trainee\n" << '|';
     QTest::newRow("sep= quoted") << "\"sep=,\"\nlogin name,full name,role\nanna,Anna,trainee\n" << ',';
-    QTest::newRow("sep= against the text") << "sep=\t\nlogin name\tfull;name\trole\nanna\tAnna\ttrainee\n" << '\t';
+    QTest::newRow("sep= against the text") << "sep=\t\nlogin name\tfull;name\trole\nanna\tAnna\ttrainee\n"
+                                           << '\t';
     QTest::newRow("headings that nobody knows") << "login name,x;y;z,role\nanna,1,trainee\n" << ',';
 }
 
@@ -201,7 +218,9 @@ void TestRoster::delimitersAreFoundBesideQuotedOnes() {
 void TestRoster::headingsInThreeLanguages_data() {
     QTest::addColumn<QString>("headings");
     QTest::addColumn<QString>("line");
-    const auto row = [](const char* headings, const char* line) { QTest::newRow(headings) << QString::fromUtf8(headings) << QString::fromUtf8(line); };
+    const auto row = [](const char* headings, const char* line) {
+        QTest::newRow(headings) << QString::fromUtf8(headings) << QString::fromUtf8(line);
+    };
     row("name,display_name,roles,password", "anna,Anna Bell,trainer,a good long word");
     row("PASSWORD,Role,FULL NAME,Login-Name", "a good long word,trainer,Anna Bell,anna");
     row("Name,Username,Role,Initial password", "Anna Bell,anna,trainer,a good long word");
@@ -229,13 +248,17 @@ void TestRoster::headingsInThreeLanguages() {
 }
 
 void TestRoster::rolesInThreeLanguages() {
-    const auto is = [](const char* words, RoleSet roles) { return rolesOfCell(words) == std::optional(roles); };
+    const auto is = [](const char* words, RoleSet roles) {
+        return rolesOfCell(words) == std::optional(roles);
+    };
     QVERIFY(is("trainee;trainer", {Role::trainee, Role::trainer}));
     QVERIFY(is(" Trainer | ADMIN ", {Role::trainer, Role::admin}));
     QVERIFY(is("Forschende Person, Lernende", {Role::researcher, Role::trainee}));
     QVERIFY(is("Ερευνήτρια;διαχειριστής", {Role::researcher, Role::admin}));
     QVERIFY(is("Ausbilder/in;", {Role::trainer}));
-    for (const char* trainee : {"Teilnehmer", "Teilnehmer/in", "Teilnehmer:in", "TEILNEHMENDE", "Studierende/r", "Kursteilnehmerin", "participant", "Student", "φοιτήτρια", "συμμετέχων"})
+    for (const char* trainee :
+         {"Teilnehmer", "Teilnehmer/in", "Teilnehmer:in", "TEILNEHMENDE", "Studierende/r", "Kursteilnehmerin",
+          "participant", "Student", "φοιτήτρια", "συμμετέχων"})
         QVERIFY2(is(trainee, {Role::trainee}), trainee);
     for (const char* trainer : {"Dozentin", "Kursleiter/in", "Instructor"})
         QVERIFY2(is(trainer, {Role::trainer}), trainer);
@@ -244,7 +267,8 @@ void TestRoster::rolesInThreeLanguages() {
 }
 
 void TestRoster::lineEndsAndEmptyRows() {
-    const Roster roster = readRoster(";;;\r\n  login name ; full name ;role;\r\n anna ;  Anna\xc2\xa0  Bell ;trainee\n;;;\rbert;\"Bert\r\nof the hill\";trainee;;;\r\n\n\r\n;;;");
+    const Roster roster = readRoster(";;;\r\n  login name ; full name ;role;\r\n anna ;  Anna\xc2\xa0  Bell "
+                                     ";trainee\n;;;\rbert;\"Bert\r\nof the hill\";trainee;;;\r\n\n\r\n;;;");
     QVERIFY2(roster.problems.empty(), wordsOf(roster).c_str());
     QCOMPARE(roster.rows.size(), std::size_t{2});
     QCOMPARE(roster.rows[0].line, 3);
@@ -262,16 +286,26 @@ void TestRoster::otherFilesAreNamed_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<int>("fault");
     QTest::addColumn<QString>("said");
-    const auto row = [](const char* title, const QByteArray& bytes, RosterFault fault, const char* said) { QTest::newRow(title) << bytes << static_cast<int>(fault) << QString::fromLatin1(said); };
+    const auto row = [](const char* title, const QByteArray& bytes, RosterFault fault, const char* said) {
+        QTest::newRow(title) << bytes << static_cast<int>(fault) << QString::fromLatin1(said);
+    };
     const QByteArray zip("PK\x03\x04\x14\x00\x06\x00", 8);
     row("xlsx", zip + QByteArray(22, '\1') + "[Content_Types].xml", RosterFault::excelFile, "save it as CSV");
-    row("xlsx, other order", zip + QByteArray(9000, '\1') + "xl/workbook.xml", RosterFault::excelFile, "save it as CSV");
-    row("ods", zip + QByteArray(22, '\1') + "mimetypeapplication/vnd.oasis.opendocument.spreadsheet", RosterFault::openDocumentFile, "save it as CSV");
-    row("xls", QByteArray("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", 8) + QByteArray(500, '\0'), RosterFault::oldExcelFile, "save it as CSV");
+    row("xlsx, other order", zip + QByteArray(9000, '\1') + "xl/workbook.xml", RosterFault::excelFile,
+        "save it as CSV");
+    row("ods", zip + QByteArray(22, '\1') + "mimetypeapplication/vnd.oasis.opendocument.spreadsheet",
+        RosterFault::openDocumentFile, "save it as CSV");
+    row("xls", QByteArray("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", 8) + QByteArray(500, '\0'),
+        RosterFault::oldExcelFile, "save it as CSV");
     row("pdf", "%PDF-1.7\n1 0 obj", RosterFault::pdfFile, "expected a CSV file");
-    row("zip", zip + QByteArray(22, '\1') + "people.csv", RosterFault::archiveFile, "expected the CSV file itself");
-    row("empty zip", QByteArray("PK\x05\x06", 4) + QByteArray(18, '\0'), RosterFault::archiveFile, "expected the CSV file itself");
-    row("zeros in a text", QByteArray("login name,role\nanna,trainee\nbe\0rt,trainee\nand many more characters that are none", 78), RosterFault::notText, "line 3");
+    row("zip", zip + QByteArray(22, '\1') + "people.csv", RosterFault::archiveFile,
+        "expected the CSV file itself");
+    row("empty zip", QByteArray("PK\x05\x06", 4) + QByteArray(18, '\0'), RosterFault::archiveFile,
+        "expected the CSV file itself");
+    row("zeros in a text",
+        QByteArray("login name,role\nanna,trainee\nbe\0rt,trainee\nand many more characters that are none",
+                   78),
+        RosterFault::notText, "line 3");
     row("only zeros", QByteArray(64, '\0'), RosterFault::notText, "line 1");
     row("empty", "", RosterFault::nobody, "expected a header line");
     row("only a mark", "\xef\xbb\xbf", RosterFault::nobody, "expected a header line");
@@ -286,7 +320,8 @@ void TestRoster::otherFilesAreNamed() {
     const Roster roster = readRoster(bytes.toStdString());
     QCOMPARE(roster.problems.size(), std::size_t{1});
     QCOMPARE(static_cast<int>(roster.problems[0].fault), fault);
-    QVERIFY2(roster.problems[0].words.find(said.toStdString()) != std::string::npos, roster.problems[0].words.c_str());
+    QVERIFY2(roster.problems[0].words.find(said.toStdString()) != std::string::npos,
+             roster.problems[0].words.c_str());
     QVERIFY(roster.rows.empty());
     QCOMPARE(accounts().importCsv(m_admin, bytes.toStdString()).error().code, core::ErrorCode::badInput);
     QCOMPARE(people(), std::size_t{1});
@@ -301,10 +336,13 @@ void TestRoster::faultsNameLineAndColumn() {
                                      "ANNA;Anna;Lernende;;\n"
                                      "emil;Emil;Lernende;;;;more\n"
                                      "simulated;Sim;Lernende;;\n"
-                                     "frieda;" + std::string(201, 'x') + ";Lernende;;\n");
+                                     "frieda;" +
+                                     std::string(201, 'x') + ";Lernende;;\n");
     const auto said = [&](RosterFault fault, int line, const char* column, const char* words) {
         return std::any_of(roster.problems.begin(), roster.problems.end(), [&](const RosterProblem& p) {
-            return p.fault == fault && p.line == line && p.column == column && p.words.starts_with("line " + std::to_string(line) + ", " + column) && p.words.find(words) != std::string::npos;
+            return p.fault == fault && p.line == line && p.column == column &&
+                   p.words.starts_with("line " + std::to_string(line) + ", " + column) &&
+                   p.words.find(words) != std::string::npos;
         });
     };
     QVERIFY2(said(RosterFault::roles, 2, "Rolle", "\"Zauberin\": expected trainee"), wordsOf(roster).c_str());
@@ -322,11 +360,14 @@ void TestRoster::faultsNameLineAndColumn() {
     QVERIFY(has(readRoster("anna,trainee\nbert,trainee\n"), RosterFault::noHeadings, 1));
     QVERIFY(has(readRoster("full name;role\nAnna;trainee\n"), RosterFault::columnMissing, 1));
     QVERIFY(has(readRoster("Vorname;Nachname;Rolle\nA;B;Lernende\n"), RosterFault::columnMissing, 1));
-    const Roster roles = readRoster("name,display_name,rolse,password\na,A,admin,\n"); // a slip of the pen must not make anybody anything
-    QVERIFY(has(roles, RosterFault::columnMissing, 1) && roles.problems.size() == 1 && roles.problems[0].value == "role");
+    const Roster roles = readRoster(
+        "name,display_name,rolse,password\na,A,admin,\n"); // a slip of the pen must not make anybody anything
+    QVERIFY(has(roles, RosterFault::columnMissing, 1) && roles.problems.size() == 1 &&
+            roles.problems[0].value == "role");
     const Roster twice = readRoster("login;user;role\na;b;trainee\n");
     QVERIFY(has(twice, RosterFault::columnTwice, 1) && twice.problems[0].value == "user");
-    QVERIFY(has(readRoster("login;;role\nanna;what;trainee\n"), RosterFault::fieldCount, 2)); // under no heading
+    QVERIFY(
+        has(readRoster("login;;role\nanna;what;trainee\n"), RosterFault::fieldCount, 2)); // under no heading
     const Roster open = readRoster("login;role\nanna;trainee\nbert;\"trainee\ncarl;trainee\n");
     QVERIFY(has(open, RosterFault::notClosed, 3) && open.rows.empty()); // where it is opened
 }
@@ -334,19 +375,22 @@ void TestRoster::faultsNameLineAndColumn() {
 void TestRoster::badBytesNameTheirLine() {
     const auto lineOf = [](const std::string& bytes) {
         const Roster roster = readRoster(bytes);
-        return roster.problems.size() == 1 && roster.problems[0].fault == RosterFault::notReadable ? roster.problems[0].line : 0;
+        return roster.problems.size() == 1 && roster.problems[0].fault == RosterFault::notReadable
+                   ? roster.problems[0].line
+                   : 0;
     };
-    QCOMPARE(lineOf("login;name\na;Größe\nb;Weiß\nc;M\xc3"), 4); // UTF-8, cut off within a letter
-    QCOMPARE(lineOf("\xef\xbb\xbflogin;name\na;M\xfcller\n"), 2); // says UTF-8 and is not
+    QCOMPARE(lineOf("login;name\na;Größe\nb;Weiß\nc;M\xc3"), 4);         // UTF-8, cut off within a letter
+    QCOMPARE(lineOf("\xef\xbb\xbflogin;name\na;M\xfcller\n"), 2);        // says UTF-8 and is not
     QCOMPARE(lineOf("login;name\nb;Γιώργος\nc;\xed\xa0\x80 Άννα\n"), 3); // half of a pair
     QCOMPARE(lineOf("\xff\xfe" + encoded("login;name\na;b", "UTF-16LE") + "c"), 2); // half a character
-    QCOMPARE(lineOf("login;name\na;b\nc;\x81\xff\n"), 3); // in neither code page
+    QCOMPARE(lineOf("login;name\na;b\nc;\x81\xff\n"), 3);                           // in neither code page
 }
 
 void TestRoster::whoExistsIsSkippedOrUpdated() {
     REQUIRE(m->person(m_admin, "Bob", {Role::trainee}));
     REQUIRE(m->person(m_admin, "eve", {Role::trainer}));
-    const std::string file = "login name;full name;role;password\nBOB;Robert;trainer;\neve;eve display;trainer;another long word\nzoe;Zoe;trainee;\n";
+    const std::string file = "login name;full name;role;password\nBOB;Robert;trainer;\neve;eve "
+                             "display;trainer;another long word\nzoe;Zoe;trainee;\n";
     const auto kinds = [&](RosterExisting existing) {
         const auto plan = accounts().previewCsv(m_admin, file, existing);
         std::vector<RosterStep::Kind> list;
@@ -379,12 +423,14 @@ void TestRoster::whoExistsIsSkippedOrUpdated() {
     QVERIFY(personOf("bob").roles == RoleSet{Role::trainer});
     REQUIRE(accounts().login("bob", kPassword)); // passwords stay
     REQUIRE(accounts().login("eve", kPassword));
-    QCOMPARE(accounts().earlierNames(m_admin, personOf("bob").id)->front().displayName, std::string("Bob display"));
+    QCOMPARE(accounts().earlierNames(m_admin, personOf("bob").id)->front().displayName,
+             std::string("Bob display"));
 }
 
 void TestRoster::anUpdateLeavesWhatTheListDoesNotSay() {
     REQUIRE(m->person(m_admin, "eve", {Role::trainer}));
-    REQUIRE(accounts().importCsv(m_admin, "login name;full name;role\neve;;trainer\n", RosterExisting::update));
+    REQUIRE(
+        accounts().importCsv(m_admin, "login name;full name;role\neve;;trainer\n", RosterExisting::update));
     QCOMPARE(personOf("eve").displayName, std::string("eve display"));
     QVERIFY(personOf("eve").roles == RoleSet{Role::trainer});
 }
@@ -398,13 +444,15 @@ void TestRoster::whoWasRenamedIsKnownByTheOldName() {
     REQUIRE(accounts().changeNames(m_admin, bob->personId(), "rob", "Robert"));
     REQUIRE(accounts().changeNames(m_admin, eve->personId(), "eve", "Eve E.")); // keeps the login name
     using enum RosterStep::Kind;
-    const std::string file = "login name;full name;role\nBOB;Robert B.;trainer\neve;;trainee\nzoe;Zoe;trainee\n";
+    const std::string file =
+        "login name;full name;role\nBOB;Robert B.;trainer\neve;;trainee\nzoe;Zoe;trainee\n";
     const auto plan = accounts().previewCsv(m_admin, file, RosterExisting::update);
     REQUIRE(plan);
     QVERIFY(plan->steps[0].kind == update && plan->steps[0].person == bob->personId());
     QCOMPARE(plan->steps[0].name, std::string("rob"));
     QCOMPARE(plan->steps[0].earlierName, std::string("BOB"));
-    QVERIFY(plan->steps[1].kind == same && plan->steps[1].earlierName.empty() && plan->steps[1].doubt == RosterStep::Doubt::none);
+    QVERIFY(plan->steps[1].kind == same && plan->steps[1].earlierName.empty() &&
+            plan->steps[1].doubt == RosterStep::Doubt::none);
     QVERIFY(plan->steps[2].kind == add);
     QVERIFY(accounts().previewCsv(m_admin, file)->steps[0].kind == skip);
     const auto done = accounts().importCsv(m_admin, file, RosterExisting::update);
@@ -458,24 +506,31 @@ void TestRoster::aNameOfTodayComesBeforeAnOldOne() {
     using enum RosterStep::Kind;
     using Doubt = RosterStep::Doubt;
     // Today's holder is meant, and it is said that somebody else had the name.
-    const auto named = accounts().previewCsv(m_admin, "login name;full name;role\nAnna;Anna A.;trainer\n", RosterExisting::update);
+    const auto named = accounts().previewCsv(m_admin, "login name;full name;role\nAnna;Anna A.;trainer\n",
+                                             RosterExisting::update);
     REQUIRE(named);
-    QVERIFY(named->steps[0].kind == update && named->steps[0].person == second->personId() && named->steps[0].earlierName.empty());
+    QVERIFY(named->steps[0].kind == update && named->steps[0].person == second->personId() &&
+            named->steps[0].earlierName.empty());
     QVERIFY(named->steps[0].doubt == Doubt::nameOfAnother && named->steps[0].other == "anna1");
     // Both have had it, and nobody has it: nobody is changed, nobody is added.
     REQUIRE(accounts().changeNames(m_admin, second->personId(), "anna2", "Second Anna"));
     const std::string file = "login name;full name;role\nanna;Anna A.;trainer\n";
     const auto several = accounts().previewCsv(m_admin, file, RosterExisting::update);
     REQUIRE(several);
-    QVERIFY(several->steps[0].kind == skip && several->steps[0].doubt == Doubt::severalHadIt && !several->steps[0].makesPassword);
+    QVERIFY(several->steps[0].kind == skip && several->steps[0].doubt == Doubt::severalHadIt &&
+            !several->steps[0].makesPassword);
     const auto imported = accounts().importCsv(m_admin, file, RosterExisting::update);
     REQUIRE(imported);
-    QVERIFY(imported->added.empty() && imported->updated == 0 && imported->skipped == 1 && imported->told.size() == 1);
+    QVERIFY(imported->added.empty() && imported->updated == 0 && imported->skipped == 1 &&
+            imported->told.size() == 1);
     // One person under two names: today's line counts, wherever it stands.
     REQUIRE(accounts().changeNames(m_admin, second->personId(), "berta", "Second Anna"));
-    const auto twice = accounts().previewCsv(m_admin, "login name;full name;role\nanna2;Wrong;trainer\nberta;Right;trainer\n", RosterExisting::update);
+    const auto twice = accounts().previewCsv(
+        m_admin, "login name;full name;role\nanna2;Wrong;trainer\nberta;Right;trainer\n",
+        RosterExisting::update);
     REQUIRE(twice);
-    QVERIFY(twice->steps[0].kind == skip && twice->steps[0].doubt == Doubt::sameAsLine && twice->steps[0].otherLine == 3);
+    QVERIFY(twice->steps[0].kind == skip && twice->steps[0].doubt == Doubt::sameAsLine &&
+            twice->steps[0].otherLine == 3);
     QCOMPARE(twice->steps[0].displayName, std::string("Second Anna"));
     QVERIFY(twice->steps[1].kind == update && twice->steps[1].displayName == "Right");
 }
@@ -484,17 +539,23 @@ void TestRoster::nothingIsHalfDone() {
     REQUIRE(m->person(m_admin, "bob", {Role::trainee}));
     const std::size_t before = audited();
     // One wrong line among good ones.
-    QCOMPARE(accounts().importCsv(m_admin, "login name;role\numa;trainee\nvic;wizard\nwim;trainee\n").error().code, core::ErrorCode::badInput);
+    QCOMPARE(
+        accounts().importCsv(m_admin, "login name;role\numa;trainee\nvic;wizard\nwim;trainee\n").error().code,
+        core::ErrorCode::badInput);
     // The data layer refuses the last of the changes: no administrator would be left.
-    const auto last = accounts().importCsv(m_admin, "login name;full name;role\numa;Uma;trainee\nbob;Robert;trainer\nada;Ada;trainee\n", RosterExisting::update);
+    const auto last = accounts().importCsv(
+        m_admin, "login name;full name;role\numa;Uma;trainee\nbob;Robert;trainer\nada;Ada;trainee\n",
+        RosterExisting::update);
     QCOMPARE(last.error().code, core::ErrorCode::wrongUse);
     // Stopped while passwords are made.
-    const auto stopped = accounts().importCsv(m_admin, "login name;role\numa;trainee\nvic;trainee\nwim;trainee\n", RosterExisting::skip, [](int done, int) { return done < 2; });
+    const auto stopped =
+        accounts().importCsv(m_admin, "login name;role\numa;trainee\nvic;trainee\nwim;trainee\n",
+                             RosterExisting::skip, [](int done, int) { return done < 2; });
     QCOMPARE(stopped.error().code, core::ErrorCode::cancelled);
     // Somebody takes a name between the look and the writing.
-    const auto raced = accounts().importCsv(m_admin, "login name;role\numa;trainee\nvic;trainee\n", RosterExisting::skip, [&](int done, int) {
-        return done != 1 || m->person(m_admin, "vic", {Role::trainee}).has_value();
-    });
+    const auto raced = accounts().importCsv(
+        m_admin, "login name;role\numa;trainee\nvic;trainee\n", RosterExisting::skip,
+        [&](int done, int) { return done != 1 || m->person(m_admin, "vic", {Role::trainee}).has_value(); });
     QCOMPARE(raced.error().code, core::ErrorCode::badInput);
     QVERIFY(raced.error().message.find("vic") != std::string::npos);
     QCOMPARE(people(), std::size_t{3}); // ada, bob, and vic who came by himself
@@ -503,7 +564,8 @@ void TestRoster::nothingIsHalfDone() {
 }
 
 void TestRoster::madePasswordsAreNowhereElse() {
-    const auto done = accounts().importCsv(m_admin, "login name;role;password\numa;trainee\nvic;trainee;a good long word\n");
+    const auto done = accounts().importCsv(
+        m_admin, "login name;role;password\numa;trainee\nvic;trainee;a good long word\n");
     REQUIRE(done);
     const std::string made = done->added[0].madePassword;
     QVERIFY(checkPassword("uma", made).has_value());
@@ -517,7 +579,8 @@ void TestRoster::madePasswordsAreNowhereElse() {
         QFile file(files.next());
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray bytes = file.readAll();
-        QVERIFY2(!bytes.contains(made.c_str()) && !bytes.contains("a good long word"), qPrintable(file.fileName()));
+        QVERIFY2(!bytes.contains(made.c_str()) && !bytes.contains("a good long word"),
+                 qPrintable(file.fileName()));
         looked += 1;
     }
     QVERIFY(looked >= 3);
@@ -527,8 +590,10 @@ void TestRoster::onlyAdministratorsImport() {
     for (const Role role : {Role::trainee, Role::trainer, Role::researcher}) {
         const auto other = m->person(m_admin, std::string(token(role)) + "-1", {role});
         REQUIRE(other);
-        QCOMPARE(accounts().previewCsv(*other, "login name;role\numa;trainee\n").error().code, core::ErrorCode::notAllowed);
-        QCOMPARE(accounts().importCsv(*other, "login name;role\numa;trainee\n").error().code, core::ErrorCode::notAllowed);
+        QCOMPARE(accounts().previewCsv(*other, "login name;role\numa;trainee\n").error().code,
+                 core::ErrorCode::notAllowed);
+        QCOMPARE(accounts().importCsv(*other, "login name;role\numa;trainee\n").error().code,
+                 core::ErrorCode::notAllowed);
     }
     QCOMPARE(people(), std::size_t{4});
 }
@@ -549,11 +614,17 @@ void TestRoster::tenThousandLines() {
 
 // Whatever comes, the reader ends, says something, and what it lets through can be stored.
 void TestRoster::anyBytesAreReadOrRefused() {
-    const std::string base = "Anmeldename;\"Name; ganz\";Rolle;Kennwort\r\nmueller;\"Jörg \"\"Jo\"\" Müller\";Lernende;\r\numa;Ούμα Ώρα;εκπαιδευτής;a good long word\n";
-    const std::string bits[] = {"\"", ";", ",", "\t", "\r", "\n", "\r\n", std::string(1, '\0'), "\xc3", "\xe4", "\xff\xfe", "\xef\xbb\xbf", "sep=;\n", "Ώ", "\x1a", "PK\x03\x04", "%PDF", "''", "=1+1", std::string(300, 'x')};
+    const std::string base = "Anmeldename;\"Name; ganz\";Rolle;Kennwort\r\nmueller;\"Jörg \"\"Jo\"\" "
+                             "Müller\";Lernende;\r\numa;Ούμα Ώρα;εκπαιδευτής;a good long word\n";
+    const std::string bits[] = {"\"",      ";",    ",",        "\t",
+                                "\r",      "\n",   "\r\n",     std::string(1, '\0'),
+                                "\xc3",    "\xe4", "\xff\xfe", "\xef\xbb\xbf",
+                                "sep=;\n", "Ώ",    "\x1a",     "PK\x03\x04",
+                                "%PDF",    "''",   "=1+1",     std::string(300, 'x')};
     for (quint32 seed = 1; seed <= 3000; ++seed) {
         QRandomGenerator random(seed);
-        static constexpr const char* kEncodings[] = {"UTF-8", "UTF-16LE", "UTF-16BE", "CP1252//IGNORE", "CP1253//IGNORE"};
+        static constexpr const char* kEncodings[] = {"UTF-8", "UTF-16LE", "UTF-16BE", "CP1252//IGNORE",
+                                                     "CP1253//IGNORE"};
         const char* encoding = kEncodings[seed % 5];
         std::string bytes = seed % 5 < 3 ? encoded(base, encoding) : base;
         for (int change = random.bounded(1, 6); change > 0; --change) {
@@ -580,8 +651,10 @@ void TestRoster::anyBytesAreReadOrRefused() {
         if (!roster.problems.empty())
             continue;
         for (const UserCsvRow& row : roster.rows) {
-            QVERIFY2(checkNames(row.name, row.displayName).has_value() && !row.roles.empty(), qPrintable(QString::number(seed)));
-            QVERIFY2(row.password.empty() || checkPassword(row.name, row.password).has_value(), qPrintable(QString::number(seed)));
+            QVERIFY2(checkNames(row.name, row.displayName).has_value() && !row.roles.empty(),
+                     qPrintable(QString::number(seed)));
+            QVERIFY2(row.password.empty() || checkPassword(row.name, row.password).has_value(),
+                     qPrintable(QString::number(seed)));
         }
     }
 }

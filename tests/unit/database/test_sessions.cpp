@@ -87,7 +87,8 @@ void TestSessions::everythingComesBack() {
     QVERIFY(verifyDatabase(f.path(), f.options).ok());
 }
 
-// No field stands for another: two sessions that differ in everything, each field with a value that no other has.
+// No field stands for another: two sessions that differ in everything, each field with a value that no other
+// has.
 void TestSessions::everyFieldIsItsOwn() {
     DatabaseFixture f;
     REQUIRE(f.create());
@@ -100,11 +101,16 @@ void TestSessions::everyFieldIsItsOwn() {
         tzset();
     });
     NewSession one = someSession();
-    NewSession other{"palpation", 3, R"({"b":2})", 77, "", false, R"({"d":1})", R"({"m":2})", R"({"s":3})", R"({"v":4})", "built", "chip", 2.5, 7, true, true, "/run/other", {9, 8}};
-    const std::vector<TrialRecord> trials{{0, 5, SessionState::stopped, 11, 22, true, false, R"({"t":0})"},
-                                          {1, 0xfedcba9876543210ULL, SessionState::completed, 33, 44, false, true, R"({"t":1})"}};
-    const std::vector<EventRecord> events{{17, 0.017, 1, "first", R"({"e":1})"}, {18, 0.25, 2, "second", R"({"e":2})"}};
-    const std::vector<recording::SecondSummary> seconds{{0, 1, 251, 0.01, 1.5, 0.5, 0.25, 0.125, 3}, {2, 3, 252, 0.02, 2.5, 0.75, 0.375, 0.0625, 4}};
+    NewSession other{
+        "palpation",  3,       R"({"b":2})", 77,  "", false, R"({"d":1})", R"({"m":2})", R"({"s":3})",
+        R"({"v":4})", "built", "chip",       2.5, 7,  true,  true,         "/run/other", {9, 8}};
+    const std::vector<TrialRecord> trials{
+        {0, 5, SessionState::stopped, 11, 22, true, false, R"({"t":0})"},
+        {1, 0xfedcba9876543210ULL, SessionState::completed, 33, 44, false, true, R"({"t":1})"}};
+    const std::vector<EventRecord> events{{17, 0.017, 1, "first", R"({"e":1})"},
+                                          {18, 0.25, 2, "second", R"({"e":2})"}};
+    const std::vector<recording::SecondSummary> seconds{{0, 1, 251, 0.01, 1.5, 0.5, 0.25, 0.125, 3},
+                                                        {2, 3, 252, 0.02, 2.5, 0.75, 0.375, 0.0625, 4}};
     recording::Chunk chunk = someChunk(0, 33);
     const auto begun = f.database->write([&](WriteContext& w) -> core::Result<SessionId> {
         const auto first = SessionRepository(w.connection(), Actor::simulated()).beginSession(one);
@@ -117,7 +123,8 @@ void TestSessions::everyFieldIsItsOwn() {
         return SessionReader(**reader, *ada).session(id).value();
     };
     QCOMPARE(read(1).setup.ringFile, one.ringFile);
-    QVERIFY(read(2).setup.ringFile == "/run/other" && read(2).summary.state == SessionState::running && read(2).endedUtc.empty());
+    QVERIFY(read(2).setup.ringFile == "/run/other" && read(2).summary.state == SessionState::running &&
+            read(2).endedUtc.empty());
     REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
         SessionRepository sessions(w.connection(), *ada);
         auto sink = sessions.openSink(2);
@@ -126,30 +133,41 @@ void TestSessions::everyFieldIsItsOwn() {
             done = done ? sessions.storeTrial(2, trial) : done;
         }
         done = done ? sessions.storeEvents(2, events) : done;
-        done = done ? sessions.finishSession(2, {SessionState::incomplete, 901, 802, 703, R"({"late":1})"}) : done;
+        done = done ? sessions.finishSession(2, {SessionState::incomplete, 901, 802, 703, R"({"late":1})"})
+                    : done;
         const auto comment = done ? sessions.addComment(2, "a word", 42) : tl::unexpected(done.error());
         done = comment ? sessions.setArchived(2, true) : tl::unexpected(comment.error());
         return done ? sessions.voidSession(2, "the chair fell") : done;
     }));
     const SessionRecord got = read(2);
     const SessionSummary& line = got.summary;
-    QVERIFY(line.id == 2 && line.person == ada->personId() && line.personName == "ada" && line.exercise == "palpation" && line.level == 3);
+    QVERIFY(line.id == 2 && line.person == ada->personId() && line.personName == "ada" &&
+            line.exercise == "palpation" && line.level == 3);
     QVERIFY(line.state == SessionState::voided && got.stateBeforeVoid == SessionState::incomplete);
     QVERIFY(got.voidReason == "the chair fell" && got.voidedBy == ada->personId());
     QCOMPARE(line.utcOffset_min, 345);
-    QVERIFY(line.operatorName.empty() && !line.felt && line.familiarisation && !line.demonstration && line.archived && !line.recordingErased && !line.passed);
-    QVERIFY(line.ticks == 901 && line.frames == 802 && line.dropped == 703 && line.chunks == 1 && line.recordingBytes == 33 && !line.sealed);
+    QVERIFY(line.operatorName.empty() && !line.felt && line.familiarisation && !line.demonstration &&
+            line.archived && !line.recordingErased && !line.passed);
+    QVERIFY(line.ticks == 901 && line.frames == 802 && line.dropped == 703 && line.chunks == 1 &&
+            line.recordingBytes == 33 && !line.sealed);
     QVERIFY(!line.startedUtc.empty() && got.endedUtc >= line.startedUtc);
     const NewSession& setup = got.setup;
-    QVERIFY(setup.exercise == "palpation" && setup.level == 3 && setup.contentJson == R"({"b":2})" && setup.seed == 77 && setup.operatorName.empty() && !setup.felt);
-    QVERIFY(setup.deviceJson == R"({"d":1})" && setup.mappingJson == R"({"m":2})" && setup.supervisorJson == R"({"s":3})" && setup.versionsJson == R"({"v":4})");
-    QVERIFY(setup.buildId == "built" && setup.cpuClass == "chip" && setup.forceLimit_N == 2.5 && setup.plannedTrials == 7);
-    QVERIFY(setup.familiarisation && setup.realtime && setup.ringFile.empty() && setup.channelTable == (std::vector<std::uint8_t>{9, 8}));
-    QCOMPARE(got.contentSha256, QCryptographicHash::hash(R"({"b":2})", QCryptographicHash::Sha256).toHex().toStdString());
+    QVERIFY(setup.exercise == "palpation" && setup.level == 3 && setup.contentJson == R"({"b":2})" &&
+            setup.seed == 77 && setup.operatorName.empty() && !setup.felt);
+    QVERIFY(setup.deviceJson == R"({"d":1})" && setup.mappingJson == R"({"m":2})" &&
+            setup.supervisorJson == R"({"s":3})" && setup.versionsJson == R"({"v":4})");
+    QVERIFY(setup.buildId == "built" && setup.cpuClass == "chip" && setup.forceLimit_N == 2.5 &&
+            setup.plannedTrials == 7);
+    QVERIFY(setup.familiarisation && setup.realtime && setup.ringFile.empty() &&
+            setup.channelTable == (std::vector<std::uint8_t>{9, 8}));
+    QCOMPARE(got.contentSha256,
+             QCryptographicHash::hash(R"({"b":2})", QCryptographicHash::Sha256).toHex().toStdString());
     QCOMPARE(got.loopJson, std::string(R"({"late":1})"));
     const SessionRecord first = read(1);
-    QVERIFY(first.setup.buildId == "build" && first.setup.cpuClass == "cpu" && first.setup.plannedTrials == 10 && !first.setup.realtime && !first.setup.familiarisation);
-    QVERIFY(first.summary.felt && !first.summary.archived && first.summary.person == Actor::kSimulatedPerson && !first.stateBeforeVoid && first.voidedBy == 0);
+    QVERIFY(first.setup.buildId == "build" && first.setup.cpuClass == "cpu" &&
+            first.setup.plannedTrials == 10 && !first.setup.realtime && !first.setup.familiarisation);
+    QVERIFY(first.summary.felt && !first.summary.archived &&
+            first.summary.person == Actor::kSimulatedPerson && !first.stateBeforeVoid && first.voidedBy == 0);
 
     auto reader = f.database->openReader();
     SessionReader sessions(**reader, *ada);
@@ -158,27 +176,32 @@ void TestSessions::everyFieldIsItsOwn() {
     QCOMPARE(storedTrials->size(), trials.size());
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const TrialRecord &a = trials[i], &b = storedTrials->at(i);
-        QVERIFY(a.index == b.index && a.seed == b.seed && a.state == b.state && a.firstTick == b.firstTick && a.lastTick == b.lastTick && a.marked == b.marked &&
-                a.timedOut == b.timedOut && a.sceneJson == b.sceneJson);
+        QVERIFY(a.index == b.index && a.seed == b.seed && a.state == b.state && a.firstTick == b.firstTick &&
+                a.lastTick == b.lastTick && a.marked == b.marked && a.timedOut == b.timedOut &&
+                a.sceneJson == b.sceneJson);
     }
     const auto storedEvents = sessions.events(2);
     REQUIRE(storedEvents);
     QCOMPARE(storedEvents->size(), events.size());
     for (std::size_t i = 0; i < events.size(); ++i) {
         const EventRecord &a = events[i], &b = storedEvents->at(i);
-        QVERIFY(a.tick == b.tick && a.time_s == b.time_s && a.tool == b.tool && a.kind == b.kind && a.detailJson == b.detailJson);
+        QVERIFY(a.tick == b.tick && a.time_s == b.time_s && a.tool == b.tool && a.kind == b.kind &&
+                a.detailJson == b.detailJson);
     }
     const auto storedSeconds = sessions.secondSummaries(2);
     REQUIRE(storedSeconds);
     QCOMPARE(storedSeconds->size(), seconds.size());
     for (std::size_t i = 0; i < seconds.size(); ++i) {
         const recording::SecondSummary &a = seconds[i], &b = storedSeconds->at(i);
-        QVERIFY(a.second == b.second && a.tool == b.tool && a.frames == b.frames && a.pathLength_m == b.pathLength_m && a.maximumForce_N == b.maximumForce_N &&
-                a.meanForce_N == b.meanForce_N && a.impulse_Ns == b.impulse_Ns && a.timeOverLimit_s == b.timeOverLimit_s && a.events == b.events);
+        QVERIFY(a.second == b.second && a.tool == b.tool && a.frames == b.frames &&
+                a.pathLength_m == b.pathLength_m && a.maximumForce_N == b.maximumForce_N &&
+                a.meanForce_N == b.meanForce_N && a.impulse_Ns == b.impulse_Ns &&
+                a.timeOverLimit_s == b.timeOverLimit_s && a.events == b.events);
     }
     const auto comments = sessions.comments(2);
     REQUIRE(comments);
-    QVERIFY(comments->size() == 1 && comments->front().id == 1 && comments->front().author == ada->personId() && !comments->front().utc.empty() &&
+    QVERIFY(comments->size() == 1 && comments->front().id == 1 &&
+            comments->front().author == ada->personId() && !comments->front().utc.empty() &&
             comments->front().text == "a word" && comments->front().tick == 42U);
 }
 
@@ -188,11 +211,13 @@ void TestSessions::listsChooseWhatIsAsked() {
     const auto ada = f.administrator();
     REQUIRE(ada);
     REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
-        for (int i = 0; i < 6; ++i) { // 1, 3, 5 are ada's; 1 to 3 of level 1; 5 and 6 of another exercise; 2 has ended; 4 is archived
+        for (int i = 0; i < 6; ++i) { // 1, 3, 5 are ada's; 1 to 3 of level 1; 5 and 6 of another exercise; 2
+                                      // has ended; 4 is archived
             NewSession setup = someSession();
             setup.level = i < 3 ? 1 : 2;
             setup.exercise = i < 4 ? "sphere_apex" : "palpation";
-            CHIRON_TRY(SessionRepository(w.connection(), i % 2 == 0 ? *ada : Actor::simulated()).beginSession(setup));
+            CHIRON_TRY(SessionRepository(w.connection(), i % 2 == 0 ? *ada : Actor::simulated())
+                           .beginSession(setup));
         }
         auto done = SessionRepository(w.connection(), Actor::simulated()).finishSession(2, {});
         return done ? SessionRepository(w.connection(), *ada).setArchived(4, true) : done;
@@ -275,7 +300,9 @@ void TestSessions::scoresAreNamedByTheirSeal() {
     scoring::ScoreCard card;
     card.metrics.push_back({"m", 1, "N", 0.25, "", std::nullopt});
     const auto storeAgain = [&] {
-        return f.database->write([&](WriteContext& w) { return ScoreRepository(w.connection(), Actor::simulated()).storeScores(*id, card); });
+        return f.database->write([&](WriteContext& w) {
+            return ScoreRepository(w.connection(), Actor::simulated()).storeScores(*id, card);
+        });
     };
     REQUIRE(storeAgain());
     card.metrics[0].value = std::nextafter(0.25, 1.0);
@@ -286,14 +313,18 @@ void TestSessions::scoresAreNamedByTheirSeal() {
     for (const int set : {1, 2, 3}) {
         const auto seal = scores.scoreSeal(*id, set);
         REQUIRE(seal);
-        const auto row = selectInteger(**reader, "SELECT id FROM score_set WHERE session_id = ? AND ordinal = ?", {*id, std::int64_t{set}});
+        const auto row =
+            selectInteger(**reader, "SELECT id FROM score_set WHERE session_id = ? AND ordinal = ?",
+                          {*id, std::int64_t{set}});
         QVERIFY(row && *row);
-        const auto computed = database::scoreSeal(**reader, **row); // anew, from the digests of the stored rows
+        const auto computed =
+            database::scoreSeal(**reader, **row); // anew, from the digests of the stored rows
         REQUIRE(computed);
         QVERIFY(*seal == *computed);
         seals.push_back(*seal);
     }
-    QVERIFY(seals[0] != seals[1] && seals[1] != seals[2] && seals[0] != seals[2]); // one bit more is another seal
+    QVERIFY(seals[0] != seals[1] && seals[1] != seals[2] &&
+            seals[0] != seals[2]); // one bit more is another seal
     const auto latest = scores.scoreSeal(*id);
     REQUIRE(latest);
     QVERIFY(*latest == seals[2]);
@@ -402,19 +433,24 @@ void TestSessions::aVoidedSessionCountsAgain() {
     };
     const auto digest = [&] {
         auto reader = f.database->openReader();
-        return selectText(**reader, "SELECT lower(hex(digest)) FROM session WHERE id = ?", {*id})->value_or("");
+        return selectText(**reader, "SELECT lower(hex(digest)) FROM session WHERE id = ?", {*id})
+            ->value_or("");
     };
     const std::string counted = digest();
-    QCOMPARE(job(*tom, [&](SessionRepository& s) { return s.reinstateSession(*id, "why not"); }).error().code, core::ErrorCode::wrongUse);
+    QCOMPARE(job(*tom, [&](SessionRepository& s) { return s.reinstateSession(*id, "why not"); }).error().code,
+             core::ErrorCode::wrongUse);
     REQUIRE(job(*tom, [&](SessionRepository& s) { return s.voidSession(*id, "the chair fell over"); }));
-    QCOMPARE(job(*tim, [&](SessionRepository& s) { return s.reinstateSession(*id, "mine"); }).error().code, core::ErrorCode::notAllowed);
-    QCOMPARE(job(*ada, [&](SessionRepository& s) { return s.reinstateSession(*id, ""); }).error().code, core::ErrorCode::badInput);
+    QCOMPARE(job(*tim, [&](SessionRepository& s) { return s.reinstateSession(*id, "mine"); }).error().code,
+             core::ErrorCode::notAllowed);
+    QCOMPARE(job(*ada, [&](SessionRepository& s) { return s.reinstateSession(*id, ""); }).error().code,
+             core::ErrorCode::badInput);
     REQUIRE(job(*ada, [&](SessionRepository& s) { return s.reinstateSession(*id, "it was another chair"); }));
     QCOMPARE(digest(), counted); // as if it had never been void ...
     auto reader = f.database->openReader();
     const auto record = SessionReader(**reader, *tim).session(*id);
     REQUIRE(record);
-    QVERIFY(record->summary.state == SessionState::completed && !record->stateBeforeVoid && record->voidedBy == 0 && record->voidReason.empty());
+    QVERIFY(record->summary.state == SessionState::completed && !record->stateBeforeVoid &&
+            record->voidedBy == 0 && record->voidReason.empty());
     QCOMPARE(record->decisions.size(), std::size_t{2}); // ... and both decisions are told, in their order
     QVERIFY(record->decisions[0].voiding && record->decisions[0].person == tom->personId());
     QCOMPARE(record->decisions[0].reason, std::string("the chair fell over"));
@@ -422,16 +458,24 @@ void TestSessions::aVoidedSessionCountsAgain() {
     QVERIFY(!record->decisions[1].voiding && record->decisions[1].person == ada->personId());
     QCOMPARE(record->decisions[1].reason, std::string("it was another chair"));
     const auto noted = [&](const char* action) {
-        return selectInteger(**reader, "SELECT count(*) FROM audit WHERE action = ? AND target = 'session' AND target_id = ?", {std::string(action), *id})->value_or(0);
+        return selectInteger(
+                   **reader,
+                   "SELECT count(*) FROM audit WHERE action = ? AND target = 'session' AND target_id = ?",
+                   {std::string(action), *id})
+            ->value_or(0);
     };
     QVERIFY(noted("voidSession") == 1 && noted("reinstateSession") == 1);
     reader->reset();
-    REQUIRE(job(*tom, [&](SessionRepository& s) { return s.voidSession(*id, "once more"); })); // and it can be voided again
+    REQUIRE(job(*tom, [&](SessionRepository& s) {
+        return s.voidSession(*id, "once more");
+    })); // and it can be voided again
     for (const char* sql : {"UPDATE session_decision SET person_id = 1", "DELETE FROM session_decision"})
         QVERIFY(!f.database->write([&](WriteContext& w) { return w.connection().execute(sql); }));
     REQUIRE(AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "wish", false));
     reader = f.database->openReader();
-    QCOMPARE(selectInteger(**reader, "SELECT count(*) FROM session_decision WHERE reason <> ''")->value_or(-1), std::int64_t{0});
+    QCOMPARE(
+        selectInteger(**reader, "SELECT count(*) FROM session_decision WHERE reason <> ''")->value_or(-1),
+        std::int64_t{0});
     reader->reset();
     f.database.reset();
     QVERIFY(verifyDatabase(f.path(), f.options).ok());
@@ -449,15 +493,20 @@ void TestSessions::attemptsAreNumbered() {
         setup.familiarisation = practice;
         return storeSession(*f.database, actor, 1, 500, setup).value_or(0);
     };
-    const SessionId first = stored(*tim, 1, "", false), practice = stored(*tim, 1, "", true), shown = stored(*tim, 1, "expert", false);
-    const SessionId second = stored(*tim, 1, "", false), higher = stored(*tim, 2, "", false), others = stored(*ada, 1, "", false);
+    const SessionId first = stored(*tim, 1, "", false), practice = stored(*tim, 1, "", true),
+                    shown = stored(*tim, 1, "expert", false);
+    const SessionId second = stored(*tim, 1, "", false), higher = stored(*tim, 2, "", false),
+                    others = stored(*ada, 1, "", false);
     const SessionId third = stored(*tim, 1, "", false);
-    REQUIRE(f.database->write([&](WriteContext& w) { return SessionRepository(w.connection(), *ada).voidSession(second, "the chair fell"); }));
+    REQUIRE(f.database->write([&](WriteContext& w) {
+        return SessionRepository(w.connection(), *ada).voidSession(second, "the chair fell");
+    }));
     auto reader = f.database->openReader();
     SessionReader sessions(**reader, *ada);
     const auto listed = sessions.listSessions();
     REQUIRE(listed);
-    const std::map<SessionId, int> expected{{first, 1}, {practice, 0}, {shown, 0}, {second, 2}, {higher, 1}, {others, 1}, {third, 3}};
+    const std::map<SessionId, int> expected{{first, 1},  {practice, 0}, {shown, 0}, {second, 2},
+                                            {higher, 1}, {others, 1},   {third, 3}};
     QCOMPARE(listed->size(), expected.size());
     for (const SessionSummary& session : *listed) {
         QCOMPARE(session.attempt, expected.at(session.id)); // a voided one keeps its number
@@ -465,7 +514,8 @@ void TestSessions::attemptsAreNumbered() {
     }
 }
 
-// Whatever exercise a study uses: known by the run it was recorded for, or, of earlier versions, by its trials.
+// Whatever exercise a study uses: known by the run it was recorded for, or, of earlier versions, by its
+// trials.
 void TestSessions::aSittingIsNoAttempt() {
     DatabaseFixture f;
     REQUIRE(f.create());
@@ -477,7 +527,9 @@ void TestSessions::aSittingIsNoAttempt() {
     setup.operatorName.clear();
     const SessionId before = storeSession(*f.database, *ruth, 1, 500, setup).value_or(0);
     const SessionId byTrial = storeSession(*f.database, *ruth, 1, 500, setup).value_or(0);
-    REQUIRE(f.database->write([&](WriteContext& w) { return StudyRepository(w.connection(), *ruth).storeStudyTrial(someTrial(made->run, 1, byTrial)); }));
+    REQUIRE(f.database->write([&](WriteContext& w) {
+        return StudyRepository(w.connection(), *ruth).storeStudyTrial(someTrial(made->run, 1, byTrial));
+    }));
     setup.studyRun = made->run;
     const SessionId byRun = storeSession(*f.database, *ruth, 1, 500, setup).value_or(0);
     setup.studyRun = 0;
@@ -485,7 +537,8 @@ void TestSessions::aSittingIsNoAttempt() {
     auto reader = f.database->openReader();
     const auto listed = SessionReader(**reader, *ada).listSessions();
     REQUIRE(listed);
-    const std::map<SessionId, std::pair<int, bool>> expected{{before, {1, false}}, {byTrial, {0, true}}, {byRun, {0, true}}, {after, {2, false}}};
+    const std::map<SessionId, std::pair<int, bool>> expected{
+        {before, {1, false}}, {byTrial, {0, true}}, {byRun, {0, true}}, {after, {2, false}}};
     QCOMPARE(listed->size(), expected.size());
     for (const SessionSummary& session : *listed) {
         QVERIFY(std::pair(session.attempt, session.ofStudy) == expected.at(session.id));
@@ -510,7 +563,8 @@ void TestSessions::theLatestAttemptAwaitsReview() {
         SessionFilter filter;
         filter.toReview = true;
         std::vector<SessionId> ids;
-        for (const SessionSummary& session : SessionReader(**reader, actor).listSessions(filter).value_or(std::vector<SessionSummary>{})) {
+        for (const SessionSummary& session :
+             SessionReader(**reader, actor).listSessions(filter).value_or(std::vector<SessionSummary>{})) {
             ids.push_back(session.toReview ? session.id : -1);
         }
         return ids;
@@ -539,7 +593,8 @@ void TestSessions::commentsAreFoundAgain() {
     const auto tom = f.person(*ada, "tom", {Role::trainer});
     const auto tim = f.person(*ada, "tim", {Role::trainee});
     const auto zoe = f.person(*ada, "zoe", {Role::trainee});
-    const SessionId ofTim = storeSession(*f.database, *tim, 1).value_or(0), ofZoe = storeSession(*f.database, *zoe, 1).value_or(0);
+    const SessionId ofTim = storeSession(*f.database, *tim, 1).value_or(0),
+                    ofZoe = storeSession(*f.database, *zoe, 1).value_or(0);
     (void)storeSession(*f.database, *tim, 1); // nobody wrote anything
     REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
         SessionRepository byTom(w.connection(), *tom), byZoe(w.connection(), *zoe);
@@ -551,7 +606,9 @@ void TestSessions::commentsAreFoundAgain() {
     const auto found = [&](const Actor& actor, const CommentedFilter& which = {}) {
         auto reader = f.database->openReader();
         std::vector<std::pair<SessionId, std::size_t>> all;
-        for (const CommentedSession& each : SessionReader(**reader, actor).commentedSessions(which).value_or(std::vector<CommentedSession>{})) {
+        for (const CommentedSession& each : SessionReader(**reader, actor)
+                                                .commentedSessions(which)
+                                                .value_or(std::vector<CommentedSession>{})) {
             all.emplace_back(each.session.id, each.comments.size());
         }
         return all;
@@ -565,18 +622,21 @@ void TestSessions::commentsAreFoundAgain() {
     QVERIFY(found(*tim, toRead) == (Found{{ofTim, 2}}));
     QVERIFY(found(*tom, toRead).empty() && found(*zoe, toRead).empty()); // what one wrote oneself
     REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
-        SessionRepository byTom(w.connection(), *tom), byTim(w.connection(), *tim), byAda(w.connection(), *ada);
+        SessionRepository byTom(w.connection(), *tom), byTim(w.connection(), *tim),
+            byAda(w.connection(), *ada);
         auto good = drop(byTim.addComment(ofTim, "I will"));
         good = good ? drop(byAda.addComment(ofZoe, "rest your arm")) : good;
         return good ? drop(byTom.addComment(ofZoe, "yes")) : good;
     }));
-    QVERIFY(found(*tom, toRead) == (Found{{ofTim, 3}})); // answered; what ada wrote before tom was not for him
+    QVERIFY(found(*tom, toRead) ==
+            (Found{{ofTim, 3}})); // answered; what ada wrote before tom was not for him
     QVERIFY(found(*ada, toRead) == (Found{{ofZoe, 3}}));
     QVERIFY(found(*zoe, toRead) == (Found{{ofZoe, 3}}));
     QVERIFY(found(*tom) == (Found{{ofZoe, 3}, {ofTim, 3}}));
     QVERIFY(found(*tom, {.most = 1}) == (Found{{ofZoe, 3}}));
     auto reader = f.database->openReader();
-    QCOMPARE(SessionReader(**reader, Actor::anonymous()).commentedSessions().error().code, core::ErrorCode::notAllowed);
+    QCOMPARE(SessionReader(**reader, Actor::anonymous()).commentedSessions().error().code,
+             core::ErrorCode::notAllowed);
 }
 
 void TestSessions::badInputNamesTheField() {

@@ -25,13 +25,14 @@ private slots:
     void keysAreReadByFewAndAudited();
     void simulatedAccountKeepsToItself();
     void aBrokenJobLeavesNothing();
-
 };
 
 void TestStudies::draftsChangeUntilFrozen() {
-    const auto study = write(m_ruth, [](StudyRepository& s) { return s.createStudy("soft_tubes", "Soft tubes", "{}"); });
+    const auto study =
+        write(m_ruth, [](StudyRepository& s) { return s.createStudy("soft_tubes", "Soft tubes", "{}"); });
     REQUIRE(study);
-    QCOMPARE(write(m_ruth, [&](StudyRepository& s) { return s.freezeStudy(*study); }).error().code, core::ErrorCode::badInput);
+    QCOMPARE(write(m_ruth, [&](StudyRepository& s) { return s.freezeStudy(*study); }).error().code,
+             core::ErrorCode::badInput);
     for (const char* wrong : {"", "[]", "{", "{\"a\":1}{}"}) {
         QCOMPARE(write(m_ruth, [&](StudyRepository& s) { return s.saveDraft(*study, wrong); }).error().code,
                  core::ErrorCode::badInput);
@@ -41,7 +42,10 @@ void TestStudies::draftsChangeUntilFrozen() {
     REQUIRE(record);
     QCOMPARE(record->summary.title, std::string("Stiffness of soft_tubes"));
     QVERIFY(record->summary.state == StudyState::draft && record->summary.sha256.empty());
-    QCOMPARE(write(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(*study, "all are done"); }).error().code, core::ErrorCode::wrongUse);
+    QCOMPARE(write(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(*study, "all are done"); })
+                 .error()
+                 .code,
+             core::ErrorCode::wrongUse);
     const auto sha = write(m_ruth, [&](StudyRepository& s) { return s.freezeStudy(*study); });
     REQUIRE(sha);
     const auto after = StudyReader(*reader(), m_ruth).studyByKey("soft_tubes");
@@ -49,13 +53,15 @@ void TestStudies::draftsChangeUntilFrozen() {
     QCOMPARE(after->summary.sha256, *sha);
     QCOMPARE(catalogue::sha256Hex(after->designJson), *sha);
     QVERIFY(after->summary.state == StudyState::frozen && !after->summary.frozenUtc.empty());
-    for (const auto& again : {write(m_ruth, [&](StudyRepository& s) { return s.saveDraft(*study, "{}"); }),
-                              write(m_ruth, [&](StudyRepository& s) { return drop(s.freezeStudy(*study)); })}) {
+    for (const auto& again :
+         {write(m_ruth, [&](StudyRepository& s) { return s.saveDraft(*study, "{}"); }),
+          write(m_ruth, [&](StudyRepository& s) { return drop(s.freezeStudy(*study)); })}) {
         QCOMPARE(again.error().code, core::ErrorCode::wrongUse);
     }
     REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.closeStudy(*study); }));
-    QCOMPARE(write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(*study, "", 0, ""); }).error().code,
-             core::ErrorCode::wrongUse);
+    QCOMPARE(
+        write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(*study, "", 0, ""); }).error().code,
+        core::ErrorCode::wrongUse);
     REQUIRE(write(m_admin, [&](StudyRepository& s) { return s.setStudyArchived(*study, true); }));
     QVERIFY(StudyReader(*reader(), m_ruth).listStudies()->empty());
     QCOMPARE(StudyReader(*reader(), m_ruth).listStudies(true)->front().state, StudyState::archived);
@@ -66,10 +72,11 @@ void TestStudies::draftsChangeUntilFrozen() {
 void TestStudies::frozenDesignCannotBeChangedByAnyWay() {
     const StudyNumber study = frozen("fixed");
     QVERIFY(study != 0);
-    for (const char* sql : {"UPDATE study SET design_json = '{}'", "UPDATE study SET sha256 = zeroblob(32)",
-                            "UPDATE study SET state = 'draft', sha256 = NULL", "UPDATE study SET key = 'other'",
-                            "UPDATE study SET title = 'other'", "DELETE FROM study",
-                            "UPDATE study_condition SET sealed_code = 'AAA' || ordinal", "DELETE FROM study_condition"}) {
+    for (const char* sql :
+         {"UPDATE study SET design_json = '{}'", "UPDATE study SET sha256 = zeroblob(32)",
+          "UPDATE study SET state = 'draft', sha256 = NULL", "UPDATE study SET key = 'other'",
+          "UPDATE study SET title = 'other'", "DELETE FROM study",
+          "UPDATE study_condition SET sealed_code = 'AAA' || ordinal", "DELETE FROM study_condition"}) {
         const auto done = m->database->write([&](WriteContext& w) { return w.connection().execute(sql); });
         QVERIFY2(!done && done.error().message.find("never") != std::string::npos, sql);
     }
@@ -78,34 +85,43 @@ void TestStudies::frozenDesignCannotBeChangedByAnyWay() {
 void TestStudies::auditKnowsTheFreezing() {
     const StudyNumber study = frozen("noted");
     auto connection = reader();
-    const auto detail = selectText(*connection, "SELECT detail_json FROM audit WHERE action = 'freezeStudy' AND target_id = ?", {study});
+    const auto detail = selectText(
+        *connection, "SELECT detail_json FROM audit WHERE action = 'freezeStudy' AND target_id = ?", {study});
     const auto record = StudyReader(*connection, m_ruth).study(study);
     REQUIRE(record);
     QVERIFY((*detail)->find("\"sha256\":\"" + record->summary.sha256 + "\"") != std::string::npos);
     REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(study, "all are done"); }));
     QVERIFY(StudyReader(*reader(), m_ruth).study(study)->summary.unblinded);
-    QCOMPARE(selectInteger(*reader(), "SELECT count(*) FROM audit WHERE action = 'unblindStudy'")->value_or(0), std::int64_t{1});
+    QCOMPARE(
+        selectInteger(*reader(), "SELECT count(*) FROM audit WHERE action = 'unblindStudy'")->value_or(0),
+        std::int64_t{1});
 }
 
 void TestStudies::keysAreOfPeopleAndOfTheSimulatedAccount() {
     const StudyNumber study = frozen("same_key");
-    QCOMPARE(write(m_admin, [](StudyRepository& s) { return s.createStudy("same_key", "", "{}"); }).error().code, core::ErrorCode::badInput);
-    const auto simulated = write(Actor::simulated(), [](StudyRepository& s) { return s.createStudy("same_key", "", "{}"); });
+    QCOMPARE(
+        write(m_admin, [](StudyRepository& s) { return s.createStudy("same_key", "", "{}"); }).error().code,
+        core::ErrorCode::badInput);
+    const auto simulated =
+        write(Actor::simulated(), [](StudyRepository& s) { return s.createStudy("same_key", "", "{}"); });
     REQUIRE(simulated);
     QCOMPARE(StudyReader(*reader(), m_ruth).studyByKey("same_key")->summary.id, study);
     QCOMPARE(StudyReader(*reader(), Actor::simulated()).studyByKey("same_key")->summary.id, *simulated);
     QCOMPARE(StudyReader(*reader(), m_ruth).studyByKey("none").error().code, core::ErrorCode::notFound);
     for (const char* key : {"", "Big", "1st", "a-b", "a b"}) {
-        QCOMPARE(write(m_ruth, [&](StudyRepository& s) { return s.createStudy(key, "", "{}"); }).error().code, core::ErrorCode::badInput);
+        QCOMPARE(write(m_ruth, [&](StudyRepository& s) { return s.createStudy(key, "", "{}"); }).error().code,
+                 core::ErrorCode::badInput);
     }
 }
 
 void TestStudies::codesAreRandomAndReadable() {
     const StudyNumber study = frozen("codes");
-    static const QRegularExpression kCode(QStringLiteral("^[ACDEFGHJKMNPQRTWXY34679]{3}-[ACDEFGHJKMNPQRTWXY34679]{3}$"));
+    static const QRegularExpression kCode(
+        QStringLiteral("^[ACDEFGHJKMNPQRTWXY34679]{3}-[ACDEFGHJKMNPQRTWXY34679]{3}$"));
     std::set<std::string> codes;
     for (int i = 0; i < 60; ++i) {
-        const auto who = write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(study, "somebody", 0, ""); });
+        const auto who =
+            write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(study, "somebody", 0, ""); });
         REQUIRE(who);
         QVERIFY2(kCode.match(QString::fromStdString(who->code)).hasMatch(), who->code.c_str());
         QVERIFY(codes.insert(who->code).second);
@@ -121,7 +137,8 @@ void TestStudies::codesAreRandomAndReadable() {
 void TestStudies::ordersAreGivenOut() {
     const StudyNumber study = frozen("orders");
     const auto enrolled = [&](const std::string& observer, const std::string& code = "") {
-        return write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(study, "", 0, observer, code); });
+        return write(m_ruth,
+                     [&](StudyRepository& s) { return s.enrolParticipant(study, "", 0, observer, code); });
     };
     QCOMPARE(enrolled("")->order, 0);
     const auto second = enrolled("");
@@ -132,9 +149,12 @@ void TestStudies::ordersAreGivenOut() {
     QCOMPARE(enrolled("")->order, 1); // the row of who left
     QCOMPARE(enrolled("weber:0.1", "P01").error().code, core::ErrorCode::badInput);
     QCOMPARE(enrolled("", "P02").error().code, core::ErrorCode::badInput); // people get random codes
-    QCOMPARE(StudyReader(*reader(), m_ruth).participantByCode(study, "p01")->observer, std::string("weber:0.1"));
+    QCOMPARE(StudyReader(*reader(), m_ruth).participantByCode(study, "p01")->observer,
+             std::string("weber:0.1"));
     const auto twice = [&] {
-        return write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(study, "", m_admin.personId(), ""); });
+        return write(m_ruth, [&](StudyRepository& s) {
+            return s.enrolParticipant(study, "", m_admin.personId(), "");
+        });
     };
     REQUIRE(twice());
     QCOMPARE(twice().error().code, core::ErrorCode::badInput);
@@ -142,20 +162,26 @@ void TestStudies::ordersAreGivenOut() {
 
 void TestStudies::keysAreReadByFewAndAudited() {
     const StudyNumber study = frozen("keys");
-    const auto who = write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(study, "Jane Roe", m_admin.personId(), ""); });
+    const auto who = write(m_ruth, [&](StudyRepository& s) {
+        return s.enrolParticipant(study, "Jane Roe", m_admin.personId(), "");
+    });
     REQUIRE(who);
     const auto other = m->person(m_admin, "rob", {Role::researcher});
     const auto look = [&](const Actor& actor) {
-        return m->database->write([&](WriteContext& w) { return StudyReader(w.connection(), actor).participantKeys(study); });
+        return m->database->write(
+            [&](WriteContext& w) { return StudyReader(w.connection(), actor).participantKeys(study); });
     };
     QCOMPARE(look(*other).error().code, core::ErrorCode::notAllowed);
     QCOMPARE(StudyReader(*reader(), m_ruth).participantKeys(study).error().code, core::ErrorCode::wrongUse);
     for (const Actor& actor : {m_ruth, m_admin}) {
         const auto keys = look(actor);
         REQUIRE(keys);
-        QVERIFY(keys->front().identity == "Jane Roe" && keys->front().code == who->code && keys->front().person == m_admin.personId());
+        QVERIFY(keys->front().identity == "Jane Roe" && keys->front().code == who->code &&
+                keys->front().person == m_admin.personId());
     }
-    QCOMPARE(selectInteger(*reader(), "SELECT count(*) FROM audit WHERE action = 'participantKeys'")->value_or(0), std::int64_t{2});
+    QCOMPARE(
+        selectInteger(*reader(), "SELECT count(*) FROM audit WHERE action = 'participantKeys'")->value_or(0),
+        std::int64_t{2});
 }
 
 void TestStudies::simulatedAccountKeepsToItself() {
@@ -171,9 +197,15 @@ void TestStudies::simulatedAccountKeepsToItself() {
     for (const Participant& participant : *participants) {
         QVERIFY(participant.simulated && participant.enrolledBy == Actor::kSimulatedPerson);
     }
-    QCOMPARE(write(Actor::simulated(), [&](StudyRepository& s) { return s.enrolParticipant(study, "", 0, "weber:0.1"); }).error().code,
+    QCOMPARE(write(Actor::simulated(),
+                   [&](StudyRepository& s) { return s.enrolParticipant(study, "", 0, "weber:0.1"); })
+                 .error()
+                 .code,
              core::ErrorCode::notAllowed);
-    QCOMPARE(write(Actor::simulated(), [&](StudyRepository& s) { return s.enrolParticipant(made->frozen, "me", 0, ""); }).error().code,
+    QCOMPARE(write(Actor::simulated(),
+                   [&](StudyRepository& s) { return s.enrolParticipant(made->frozen, "me", 0, ""); })
+                 .error()
+                 .code,
              core::ErrorCode::notAllowed);
 }
 

@@ -87,7 +87,8 @@ void TestVerify::digestsCoverEveryColumn() {
 /// Else a database of an earlier version, opened to be read, would be asked for a table that it cannot have.
 void TestVerify::tablesAreAskedSinceTheVersionThatBroughtThem() {
     for (const DigestedTable& table : digestedTables()) {
-        const QRegularExpression made(QStringLiteral("CREATE TABLE %1\\b").arg(QString::fromStdString(std::string(table.name))));
+        const QRegularExpression made(
+            QStringLiteral("CREATE TABLE %1\\b").arg(QString::fromStdString(std::string(table.name))));
         int brought = 0;
         for (const Migration& migration : builtInMigrations())
             if (brought == 0 && QString::fromStdString(migration.sql).contains(made))
@@ -315,22 +316,25 @@ void TestVerify::scoreCheckIsAskedForEachSession() {
     QCOMPARE(report.findings[0].kind, std::string("score"));
 }
 
-// From nothing to all of it, in steps of which a session's scores are 500 and a row is one; asked every 64 steps, no oftener.
+// From nothing to all of it, in steps of which a session's scores are 500 and a row is one; asked every 64
+// steps, no oftener.
 void TestVerify::watchHearsAllOfIt() {
     using Told = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
     const auto heard = [&](const ScoreCheck& check) {
         Told told;
-        const VerifyReport report = verifyDatabase(m.path(), m.options, check, [&](std::uint64_t done, std::uint64_t of) {
-            told.emplace_back(done, of);
-            return true;
-        });
+        const VerifyReport report =
+            verifyDatabase(m.path(), m.options, check, [&](std::uint64_t done, std::uint64_t of) {
+                told.emplace_back(done, of);
+                return true;
+            });
         return report.ok() ? told : Told{};
     };
     auto connection = Connection::open(m.path(), Connection::Mode::readOnly);
     REQUIRE(connection);
     std::uint64_t rows = 0;
     for (const DigestedTable& table : digestedTables()) {
-        rows += static_cast<std::uint64_t>(selectInteger(**connection, "SELECT count(*) FROM " + std::string(table.name))->value_or(0));
+        rows += static_cast<std::uint64_t>(
+            selectInteger(**connection, "SELECT count(*) FROM " + std::string(table.name))->value_or(0));
     }
     QVERIFY(rows > 64);
     Told expected;

@@ -22,7 +22,8 @@ class CountingSource final : public IDrainable {
 public:
     core::Result<void> drain() override {
         const int count = ++calls;
-        return count < failAt || count >= mendedAt ? core::Result<void>() : core::fail(core::ErrorCode::storage, "ring is torn");
+        return count < failAt || count >= mendedAt ? core::Result<void>()
+                                                   : core::fail(core::ErrorCode::storage, "ring is torn");
     }
     std::atomic<int> calls{0};
     int failAt = 1 << 30;

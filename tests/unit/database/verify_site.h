@@ -18,25 +18,28 @@ inline bool has(const database::VerifyReport& report, const std::string& kind, c
     });
 }
 
-/// Two studies: in the first one run is open and one (3 trials) has ended, one participant answered and one is erased.
-/// The open run.
+/// Two studies: in the first one run is open and one (3 trials) has ended, one participant answered and one
+/// is erased. The open run.
 inline core::Result<database::StudyRunNumber> addStudies(DatabaseFixture& f, const database::Actor& ada) {
     using namespace database;
     const auto made = makeStudies(*f.database, ada, "site");
     CHIRON_TRY(made);
     auto done = f.database->write([&](WriteContext& w) -> core::Result<void> {
         StudyRepository studies(w.connection(), ada);
-        const auto run = studies.beginRun({made->ready, codeOf(w.connection(), made->frozen, "soft"), 0, 5, "descending@1"});
+        const auto run = studies.beginRun(
+            {made->ready, codeOf(w.connection(), made->frozen, "soft"), 0, 5, "descending@1"});
         auto good = run ? core::Result<void>() : tl::unexpected(run.error());
         for (int i = 0; good && i < 3; ++i) {
             good = studies.storeStudyTrial(someTrial(*run, i));
         }
         good = good ? studies.finishRun(*run, StudyRunState::completed) : good;
-        return good ? studies.storeQuestionnaireAnswers({{made->ready, "face", "real", 4.0, "", ""},
-                                                         {made->ready, "face", "remarks", {}, "soft as butter", ""}})
+        return good ? studies.storeQuestionnaireAnswers(
+                          {{made->ready, "face", "real", 4.0, "", ""},
+                           {made->ready, "face", "remarks", {}, "soft as butter", ""}})
                     : good;
     });
-    done = done ? AccountService(*f.database).eraseParticipant(ada, kPassword, made->withdrawn, "wish") : done;
+    done =
+        done ? AccountService(*f.database).eraseParticipant(ada, kPassword, made->withdrawn, "wish") : done;
     return done ? core::Result<StudyRunNumber>(made->run) : tl::unexpected(done.error());
 }
 
@@ -60,7 +63,8 @@ inline core::Result<void> makeSite(DatabaseFixture& f) {
     done = f.database->write([&](WriteContext& w) -> core::Result<void> {
         SessionRepository sessions(w.connection(), *ada);
         auto comment = sessions.addComment(*second, "steady hand");
-        auto good = comment ? sessions.voidSession(*second, "the wrong chair") : core::Result<void>(tl::unexpected(comment.error()));
+        auto good = comment ? sessions.voidSession(*second, "the wrong chair")
+                            : core::Result<void>(tl::unexpected(comment.error()));
         good = good ? sessions.reinstateSession(*second, "it was another chair") : good;
         return good ? sessions.voidSession(*second, "the chair fell over") : good;
     });
@@ -69,7 +73,8 @@ inline core::Result<void> makeSite(DatabaseFixture& f) {
         return done ? core::Result<void>(tl::unexpected(tim.error())) : done;
     }
     done = AccountService(*f.database).changeNames(*ada, tim->personId(), "timothy", "Timothy");
-    done = done ? AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "wish", true) : done;
+    done =
+        done ? AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "wish", true) : done;
     f.database.reset(); // into one file
     return done;
 }
@@ -86,7 +91,8 @@ inline std::string damagedCopy(const DatabaseFixture& m, const std::string& sql)
     std::string open = "PRAGMA foreign_keys=OFF; PRAGMA synchronous=OFF; PRAGMA journal_mode=DELETE; ";
     if (connection) {
         const auto triggers = selectText(
-            **connection, "SELECT group_concat('DROP TRIGGER ' || name, ';') FROM sqlite_schema WHERE type = 'trigger'");
+            **connection,
+            "SELECT group_concat('DROP TRIGGER ' || name, ';') FROM sqlite_schema WHERE type = 'trigger'");
         open += triggers ? triggers->value_or("") + ";" : "";
     }
     return connection && (*connection)->execute(open + sql) ? copy : std::string();

@@ -60,7 +60,8 @@ private slots:
         core::Random random(5);
         for (int n = 0; n < 200; ++n) {
             const double size = n < 20 ? 1e-5 : 2.5; // the series' branch too
-            const Vec3 r(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
+            const Vec3 r(random.uniform(-size, size), random.uniform(-size, size),
+                         random.uniform(-size, size));
             const Vec3 rate(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
             devices::AxisValues countRates{};
             for (int i = 0; i < 3; ++i)
@@ -74,7 +75,8 @@ private slots:
             };
             const Mat3 delta = turned(r + h * rate) * turned(r - h * rate).transpose();
             const Vec3 expected =
-                Vec3(delta(2, 1) - delta(1, 2), delta(0, 2) - delta(2, 0), delta(1, 0) - delta(0, 1)) / (4.0 * h);
+                Vec3(delta(2, 1) - delta(1, 2), delta(0, 2) - delta(2, 0), delta(1, 0) - delta(0, 1)) /
+                (4.0 * h);
             // Central difference: h² error; the grid of 1e-7 rad moves r by as much.
             QVERIFY2((w - expected).norm() < 2e-6, qPrintable(QString::number((w - expected).norm())));
             QVERIFY(v.isZero());
@@ -85,8 +87,8 @@ private slots:
         const auto kinematics = devices::CartesianKinematics::create(descriptor(6));
         core::Random random(6);
         for (int n = 0; n < 200; ++n) {
-            const core::DeviceSample s = sampleOf(
-                Vec3::Zero(), {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)});
+            const core::DeviceSample s =
+                sampleOf(Vec3::Zero(), {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)});
             const core::Wrench wrench{Vec3(random.normal(), random.normal(), random.normal()),
                                       Vec3(random.normal(), random.normal(), random.normal())};
             devices::AxisValues rates{};

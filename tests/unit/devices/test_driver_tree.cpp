@@ -17,8 +17,12 @@ QSet<QString> driverFolders() {
 /// Whether a source includes a file of a driver, or asks whether a driver's id is this one.
 bool namesADriver(const QString& source, const QSet<QString>& drivers) {
     for (const QString& driver : drivers) {
-        const QString asked = QStringLiteral("[dD]river(\\.id)?\\s*[=!]=\\s*(QLatin1String\\(|QStringLiteral\\()?\"%1\"|id == \"%1\"").arg(driver);
-        if (source.contains(QStringLiteral("#include \"devices/drivers/%1/").arg(driver)) || source.contains(QRegularExpression(asked)))
+        const QString asked =
+            QStringLiteral(
+                "[dD]river(\\.id)?\\s*[=!]=\\s*(QLatin1String\\(|QStringLiteral\\()?\"%1\"|id == \"%1\"")
+                .arg(driver);
+        if (source.contains(QStringLiteral("#include \"devices/drivers/%1/").arg(driver)) ||
+            source.contains(QRegularExpression(asked)))
             return true;
     }
     return false;
@@ -37,11 +41,13 @@ private slots:
         const QDir root(QStringLiteral(CHIRON_SOURCE_DIR));
         QStringList found;
         for (const char* floor : {"app", "curriculum", "database", "modules"}) {
-            QDirIterator files(root.filePath(QLatin1String(floor)), {"*.h", "*.cpp"}, QDir::Files, QDirIterator::Subdirectories);
+            QDirIterator files(root.filePath(QLatin1String(floor)), {"*.h", "*.cpp"}, QDir::Files,
+                               QDirIterator::Subdirectories);
             while (files.hasNext()) {
                 QFile file(files.next());
                 const QString path = root.relativeFilePath(file.fileName());
-                if (path.startsWith(QStringLiteral("modules/devices/drivers/")) || path == QStringLiteral("modules/devices/driver_catalogue.cpp"))
+                if (path.startsWith(QStringLiteral("modules/devices/drivers/")) ||
+                    path == QStringLiteral("modules/devices/driver_catalogue.cpp"))
                     continue;
                 QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(path));
                 if (namesADriver(QString::fromUtf8(file.readAll()), drivers))

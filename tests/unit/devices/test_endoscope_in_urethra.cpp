@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// P1's mechanism, hand, supervisor and the urethra's forces as one loop: a hand that knows the way goes in and out.
+// P1's mechanism, hand, supervisor and the urethra's forces as one loop: a hand that knows the way goes in
+// and out.
 #include "core/units.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_scene.h"
@@ -15,24 +16,29 @@ using core::Vec3;
 
 namespace {
 
-constexpr double kWait_s = 3.0;  // until the force has come up
-constexpr double kIn_s = 17.0;   // for the way in, and as long out
-constexpr double kHold_s = 3.0;  // at the neck
+constexpr double kWait_s = 3.0; // until the force has come up
+constexpr double kIn_s = 17.0;  // for the way in, and as long out
+constexpr double kHold_s = 3.0; // at the neck
 constexpr double kDepth_m = 0.177;
 
-/// Follows the centre-line, endoscope along it, from 25 mm before the entrance to 10 mm beyond the bladder neck and back.
+/// Follows the centre-line, endoscope along it, from 25 mm before the entrance to 10 mm beyond the bladder
+/// neck and back.
 class Guide final : public mechanisms::HandStrategy {
 public:
     explicit Guide(double aside_m, double tilt_rad = 0.0) : m_aside_m(aside_m), m_tilt_rad(tilt_rad) {}
     mechanisms::HandIntention decide(const mechanisms::HandPerception& seen) noexcept override {
         const double t = seen.time_s - kWait_s;
-        const double share = t < kIn_s ? t / kIn_s : t < kIn_s + kHold_s ? 1.0 : 1.0 - (t - kIn_s - kHold_s) / kIn_s;
+        const double share = t < kIn_s             ? t / kIn_s
+                             : t < kIn_s + kHold_s ? 1.0
+                                                   : 1.0 - (t - kIn_s - kHold_s) / kIn_s;
         const double s = -0.025 + kDepth_m * std::clamp(share, 0.0, 1.0);
         const simulation::CentrelinePoint at = m_line.at(s);
         const double astray = std::clamp((s - 0.05) / 0.02, 0.0, 1.0);
         mechanisms::HandIntention wanted;
         wanted.p_DDesired = m_pose.pointToW(at.p_A + astray * m_aside_m * at.n_A); // D is W
-        wanted.q_DDesired = mechanisms::SphericalJoint({at.psi_rad + astray * m_tilt_rad, -0.5 * astray * m_tilt_rad, 0.3 * std::sin(0.5 * t)}).orientation_DT();
+        wanted.q_DDesired = mechanisms::SphericalJoint({at.psi_rad + astray * m_tilt_rad,
+                                                        -0.5 * astray * m_tilt_rad, 0.3 * std::sin(0.5 * t)})
+                                .orientation_DT();
         return wanted;
     }
 
@@ -53,9 +59,11 @@ struct Run {
 void play(Run& run, double aside_m, double tilt_rad, const mechanisms::HandParameters& arm) {
     devices::SimulatedEndoscopeDevice::Configuration configuration;
     configuration.hand = arm;
-    const auto device = std::move(*devices::SimulatedEndoscopeDevice::create(configuration, std::make_unique<Guide>(aside_m, tilt_rad)));
+    const auto device = std::move(*devices::SimulatedEndoscopeDevice::create(
+        configuration, std::make_unique<Guide>(aside_m, tilt_rad)));
     QVERIFY(device->open().has_value());
-    auto scene = std::make_unique<simulation::UrethraInsertionScene>(simulation::UrethraInsertionParameters{});
+    auto scene =
+        std::make_unique<simulation::UrethraInsertionScene>(simulation::UrethraInsertionParameters{});
     const simulation::UrethraInsertionScene& procedure = *scene;
     haptics::LiveInputs inputs;
     LoopBench bench({{*device, {}}}, inputs, run.store, std::move(scene));
@@ -94,9 +102,8 @@ private slots:
         hand.tremorRms_m = hand.wristTremorRms_rad = 0.0;
         Run run;
         play(run, 1e-3 * aside_mm, core::radFromDeg(tilt_deg), hand);
-        const devices::FiveBarSphericalKinematics kinematics =
-            *devices::FiveBarSphericalKinematics::create((*devices::SimulatedEndoscopeDevice::create(
-                                                              {}, std::make_unique<Guide>(0.0)))->descriptor());
+        const devices::FiveBarSphericalKinematics kinematics = *devices::FiveBarSphericalKinematics::create(
+            (*devices::SimulatedEndoscopeDevice::create({}, std::make_unique<Guide>(0.0)))->descriptor());
         double strongest = 0.0, hardest = 0.0, jump = 0.0;
         Vec3 low = Vec3::Constant(9.0), high = Vec3::Constant(-9.0), before = Vec3::Zero();
         for (std::size_t n = 0; n < run.store.frames.size(); ++n) {
@@ -116,14 +123,15 @@ private slots:
                 high = high.cwiseMax(wrench.force);
             }
         }
-        qInfo("deepest %.1f mm, at most %.2f N and %.0f mN.m, steps %.3f N, at rest within %.3f N", 1e3 * run.deepest_m, strongest,
-              1e3 * hardest, jump, (high - low).maxCoeff());
+        qInfo("deepest %.1f mm, at most %.2f N and %.0f mN.m, steps %.3f N, at rest within %.3f N",
+              1e3 * run.deepest_m, strongest, 1e3 * hardest, jump, (high - low).maxCoeff());
         QVERIFY(run.farthest >= core::ProcedureStage::withdrawal);
         QVERIFY(run.deepest_m > 0.149);
         QVERIFY(strongest > 0.2 && strongest < 4.0);
         QVERIFY(tilt_deg == 0.0 || hardest > 0.030);
         QVERIFY(jump < 0.4);
-        // A count of each base axis in the estimator's window, either way, at b_max: 4 · 22 µm / 15 ms · 50 N·s/m = 0.29 N. Nothing swings.
+        // A count of each base axis in the estimator's window, either way, at b_max: 4 · 22 µm / 15 ms · 50
+        // N·s/m = 0.29 N. Nothing swings.
         QVERIFY((high - low).maxCoeff() < 0.29);
     }
 };

@@ -30,7 +30,9 @@ struct Bench {
     realtime::TickSource ticks;
 };
 
-Vec3 viewOf(const core::ToolState& tool) { return tool.q_WT * -Vec3::UnitZ(); }
+Vec3 viewOf(const core::ToolState& tool) {
+    return tool.q_WT * -Vec3::UnitZ();
+}
 } // namespace
 
 class TestEndoscopePointer : public QObject {
@@ -51,11 +53,14 @@ private slots:
         Bench bench;
         bench.move({.turnUp_rad = 0.5});
         bench.move({.advance_m = 0.010});
-        bench.tick(); // one tick: advanced along the old direction, turned; the next goes on along the new one
+        bench
+            .tick(); // one tick: advanced along the old direction, turned; the next goes on along the new one
         bench.move({.advance_m = 0.010});
         const core::ToolState tool = bench.pose();
         QVERIFY((viewOf(tool) - Vec3(0.0, std::cos(0.5), std::sin(0.5))).norm() < 2e-5);
-        QVERIFY((tool.p_WT - Vec3(0.0, -0.069 + 0.010 + 0.010 * std::cos(0.5), 0.010 * std::sin(0.5))).norm() < 3e-6);
+        QVERIFY(
+            (tool.p_WT - Vec3(0.0, -0.069 + 0.010 + 0.010 * std::cos(0.5), 0.010 * std::sin(0.5))).norm() <
+            3e-6);
     }
 
     /// Up, right and spin are those of the picture, whichever way the endoscope is rolled.
@@ -68,7 +73,8 @@ private slots:
             bench.move({.turnUp_rad = 0.02, .turnRight_rad = 0.01, .spin_rad = 0.03});
             const core::Quat after = bench.pose().q_WT;
             const Vec3 inTool = mechanisms::rotationVectorOf(before.conjugate() * after);
-            QVERIFY2((inTool - Vec3(0.02, -0.01, -0.03)).norm() < 6e-4, qPrintable(QString::number((inTool - Vec3(0.02, -0.01, -0.03)).norm())));
+            QVERIFY2((inTool - Vec3(0.02, -0.01, -0.03)).norm() < 6e-4,
+                     qPrintable(QString::number((inTool - Vec3(0.02, -0.01, -0.03)).norm())));
             const Vec3 view = before.conjugate() * viewOf(bench.pose()); // in the old picture: x right, y up
             QVERIFY(view.y() > 0.015 && view.x() > 0.005);
         }
@@ -95,7 +101,8 @@ private slots:
             bench.move({.advance_m = 0.010, .right_m = 0.001});
             const core::ToolState tool = bench.pose();
             QVERIFY(planar ? tool.p_WT.x() == 0.0 : tool.p_WT.x() < -0.0015);
-            QVERIFY(std::abs(viewOf(tool).x() + std::sin(0.3)) < 1e-5); // the picture shows the yaw either way
+            QVERIFY(std::abs(viewOf(tool).x() + std::sin(0.3)) <
+                    1e-5); // the picture shows the yaw either way
         }
     }
 
@@ -171,7 +178,10 @@ private slots:
         core::Random random(3);
         for (int n = 0; n < 200; ++n) {
             core::DeviceSample sample;
-            sample.counts = {100, -20'000, 30'000, static_cast<std::int32_t>(random.uniform(-3e4, 1.5e5)),
+            sample.counts = {100,
+                             -20'000,
+                             30'000,
+                             static_cast<std::int32_t>(random.uniform(-3e4, 1.5e5)),
                              static_cast<std::int32_t>(random.uniform(-5e4, 5e4)),
                              static_cast<std::int32_t>(random.uniform(-3e5, 3e5))};
             devices::AxisValues rates{};

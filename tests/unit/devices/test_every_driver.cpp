@@ -11,7 +11,9 @@
 using namespace chiron;
 
 namespace {
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
+QString text(std::string_view view) {
+    return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+}
 
 /// A request that any driver can serve: one point, and whatever may move it.
 devices::DriverRequest requestFor(std::string_view mechanism) {
@@ -19,7 +21,8 @@ devices::DriverRequest requestFor(std::string_view mechanism) {
     request.mechanism = std::string(mechanism);
     request.endoscopeStart_W = {0.0, -0.069, 0.0};
     devices::ToolRequest tool;
-    const core::Vec3 start = mechanism == "five_bar_spherical" ? core::Vec3(0.0, -0.069, 0.0) : core::Vec3(0.0, 0.0, 0.05);
+    const core::Vec3 start =
+        mechanism == "five_bar_spherical" ? core::Vec3(0.0, -0.069, 0.0) : core::Vec3(0.0, 0.0, 0.05);
     tool.strategy = std::make_unique<mechanisms::ScriptedMotion>(start);
     tool.trace = {{0.0, {0.0, 0.0, 0.05}}, {1.0, {0.01, 0.0, 0.05}}};
     request.tools.push_back(std::move(tool));
@@ -42,7 +45,8 @@ void isValid(const devices::DeviceDescriptor& descriptor) {
     for (const devices::AxisDescriptor& axis : descriptor.axes) {
         QVERIFY2(ids.insert(axis.id).second, axis.id.c_str());
         QVERIFY2(axis.resolution > 0.0 && axis.minimum <= axis.maximum, axis.id.c_str());
-        QVERIFY2(axis.continuousRating >= 0.0 && axis.coulombFriction >= 0.0 && axis.viscousFriction >= 0.0, axis.id.c_str());
+        QVERIFY2(axis.continuousRating >= 0.0 && axis.coulombFriction >= 0.0 && axis.viscousFriction >= 0.0,
+                 axis.id.c_str());
     }
     QVERIFY(descriptor.period_us > 0);
     QVERIFY(std::isfinite(descriptor.maximumDamping_Ns_per_m) && descriptor.maximumDamping_Ns_per_m > 0.0);
@@ -71,7 +75,8 @@ private slots:
         std::set<std::string_view> ids;
         std::set<std::string_view> words;
         for (const devices::Driver* driver : devices::driverCatalogue()) {
-            QVERIFY(!driver->id.empty() && !driver->title.empty() && !driver->needs.empty() && !driver->planWord.empty());
+            QVERIFY(!driver->id.empty() && !driver->title.empty() && !driver->needs.empty() &&
+                    !driver->planWord.empty());
             QVERIFY(ids.insert(driver->id).second && words.insert(driver->planWord).second);
             QCOMPARE(devices::findDriver(driver->id), driver);
             QCOMPARE(devices::findDriverOfPlan(driver->planWord), driver);
@@ -84,7 +89,8 @@ private slots:
         QStringList all;
         for (const devices::Driver* driver : devices::driverCatalogue())
             all << text(driver->id) + '=' + text(driver->planWord);
-        QCOMPARE(all.mid(0, 3), QStringList({"simulated=demonstration", "keyboard_mouse=mouse", "replay=trace"}));
+        QCOMPARE(all.mid(0, 3),
+                 QStringList({"simulated=demonstration", "keyboard_mouse=mouse", "replay=trace"}));
     }
 
     /// So that no screen falls back to words of the command line for a device that we ship.
@@ -96,11 +102,13 @@ private slots:
         const devices::Driver& mechanisms = *devices::findDriver("simulated");
         std::set<std::string_view> names;
         for (const devices::KinematicsEntry& kinematics : mechanisms.kinematics)
-            QVERIFY(!kinematics.name.empty() && names.insert(devices::nameOf(mechanisms, kinematics.id)).second);
+            QVERIFY(!kinematics.name.empty() &&
+                    names.insert(devices::nameOf(mechanisms, kinematics.id)).second);
     }
 
     void thereIsAUsualOneForEachMover() {
-        for (const devices::MovedBy mover : {devices::MovedBy::person, devices::MovedBy::scriptedOperator, devices::MovedBy::recording})
+        for (const devices::MovedBy mover :
+             {devices::MovedBy::person, devices::MovedBy::scriptedOperator, devices::MovedBy::recording})
             QVERIFY(devices::usualDriver(mover).movedBy == mover);
     }
 
@@ -127,7 +135,8 @@ private slots:
             QVERIFY(devices::makeKinematics(descriptor).has_value());
             const auto opened = device.open();
             if (driver.discover().empty()) // real hardware that is not here
-                QVERIFY(opened || (opened.error().code == core::ErrorCode::device && !opened.error().message.empty()));
+                QVERIFY(opened ||
+                        (opened.error().code == core::ErrorCode::device && !opened.error().message.empty()));
             else
                 QVERIFY2(opened.has_value(), opened ? "" : opened.error().message.c_str());
             QVERIFY(!device.finished());
@@ -140,7 +149,8 @@ private slots:
         const auto refused = current().open(wrongRequest());
         QVERIFY(!refused);
         QVERIFY(!refused.error().message.empty());
-        QVERIFY(refused.error().code == core::ErrorCode::badInput || refused.error().code == core::ErrorCode::wrongUse);
+        QVERIFY(refused.error().code == core::ErrorCode::badInput ||
+                refused.error().code == core::ErrorCode::wrongUse);
     }
 };
 

@@ -44,7 +44,8 @@ private slots:
         QCOMPARE(d.axes[0].resolution, 1e-6);
     }
 
-    /// A jaw moves as fast as it is told and for as long, between closed and its stop; the rest of the tool stays.
+    /// A jaw moves as fast as it is told and for as long, between closed and its stop; the rest of the tool
+    /// stays.
     void aJawOpensAndCloses() {
         Bench bench({.widestJaw_rad = 1.0, .homeJaw_rad = 0.4, .following_s = 0.025});
         QCOMPARE(bench.device->descriptor().jawResolution_rad, KeyboardMouseDevice::kJawGrid_rad);
@@ -59,7 +60,7 @@ private slots:
         bench.device->mailbox().setJawRate(-1.0);
         QVERIFY(std::abs(jaw(100) - 0.3) < 1e-9);
         bench.device->mailbox().setJawRate(0.0);
-        QVERIFY(std::abs(jaw(100) - 0.3) < 1e-9); // let go: it stays
+        QVERIFY(std::abs(jaw(100) - 0.3) < 1e-9);        // let go: it stays
         bench.device->mailbox().setRate(0.01, 0.0, 0.0); // and moving the tool is another matter
         bench.device->mailbox().setJawRate(-1.0);
         QCOMPARE(jaw(1000), 0.0);
@@ -70,7 +71,8 @@ private slots:
         QVERIFY(bench.tick().counts[0] > start.counts[0] + 9000);
         QVERIFY(bench.tick().counts[1] == start.counts[1] && bench.tick().counts[2] == start.counts[2]);
         QVERIFY(bench.device->open());
-        QCOMPARE(bench.device->kinematics().pose(bench.tick()).jaw_rad, 0.402); // home again, and opening goes on
+        QCOMPARE(bench.device->kinematics().pose(bench.tick()).jaw_rad,
+                 0.402); // home again, and opening goes on
     }
 
     void aToolWithoutAJawHasNone() {
@@ -84,7 +86,8 @@ private slots:
         QVERIFY(!KeyboardMouseDevice::create({.homeJaw_rad = -0.1}));
     }
 
-    /// A pointer's jump of 2 mm becomes a movement: never faster than its first tick, nothing lost, nothing past the goal.
+    /// A pointer's jump of 2 mm becomes a movement: never faster than its first tick, nothing lost, nothing
+    /// past the goal.
     void aJumpIsFollowed() {
         Bench bench({.following_s = 0.025});
         const std::int32_t start = bench.tick().counts[0];

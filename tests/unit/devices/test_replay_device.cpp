@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/recorded_device.h"
 #include "devices/drivers/replay/replay_device.h"
+#include "devices/recorded_device.h"
 
 #include "core/units.h"
 
@@ -22,15 +22,18 @@ std::vector<core::DeviceSample> play(ReplayDevice& device, std::size_t ticks) {
         samples.push_back(device.read(source.next(static_cast<std::int64_t>(n) * 1'000'000)));
     return samples;
 }
-Quat about(const Vec3& axis, double angle) { return Quat(Eigen::AngleAxisd(angle, axis.normalized())); }
+Quat about(const Vec3& axis, double angle) {
+    return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
+}
 } // namespace
 
 class TestReplayDevice : public QObject {
     Q_OBJECT
 private slots:
     void resamplesLinearlyOnOneMicrometre() {
-        const auto device = ReplayDevice::create({{.t_s = 5.0, .p_WT_m = {0.0, 0.0, 0.010}, .jaw_rad = 0.0},
-                                                  {.t_s = 5.004, .p_WT_m = {0.004, -0.001, 0.010}, .jaw_rad = 0.2}});
+        const auto device =
+            ReplayDevice::create({{.t_s = 5.0, .p_WT_m = {0.0, 0.0, 0.010}, .jaw_rad = 0.0},
+                                  {.t_s = 5.004, .p_WT_m = {0.004, -0.001, 0.010}, .jaw_rad = 0.2}});
         QVERIFY(device.has_value());
         QCOMPARE((*device)->ticks(), std::size_t{5});
         const auto samples = play(**device, 5);
@@ -134,16 +137,37 @@ private slots:
         std::vector<TracePoint> trace{{.t_s = 0.0}, {.t_s = 0.1}, {.t_s = 0.2}};
         TracePoint& bad = trace[2];
         switch (kind) {
-        case 0: bad.t_s = 0.1; break;
-        case 1: bad.t_s = 0.05; break;
-        case 2: bad.t_s = std::nan(""); break;
-        case 3: bad.p_WT_m.y() = std::numeric_limits<double>::infinity(); break;
-        case 4: bad.p_WT_m.z() = 10.5; break;
-        case 5: bad.jaw_rad = std::nan(""); break;
-        case 6: bad.q_WT = Quat::Identity(); break;
-        case 7: for (auto& point : trace) point.q_WT = Quat(2.0, 0.0, 0.0, 0.0); break;
-        case 8: bad.t_s = 1e9; break;
-        case 9: bad.t_s = std::numeric_limits<double>::infinity(); break;
+        case 0:
+            bad.t_s = 0.1;
+            break;
+        case 1:
+            bad.t_s = 0.05;
+            break;
+        case 2:
+            bad.t_s = std::nan("");
+            break;
+        case 3:
+            bad.p_WT_m.y() = std::numeric_limits<double>::infinity();
+            break;
+        case 4:
+            bad.p_WT_m.z() = 10.5;
+            break;
+        case 5:
+            bad.jaw_rad = std::nan("");
+            break;
+        case 6:
+            bad.q_WT = Quat::Identity();
+            break;
+        case 7:
+            for (auto& point : trace)
+                point.q_WT = Quat(2.0, 0.0, 0.0, 0.0);
+            break;
+        case 8:
+            bad.t_s = 1e9;
+            break;
+        case 9:
+            bad.t_s = std::numeric_limits<double>::infinity();
+            break;
         }
         const auto device = ReplayDevice::create(trace);
         QVERIFY(!device);
@@ -170,7 +194,8 @@ private slots:
         realtime::TickSource ticks;
         const core::DeviceSample again = (*recorded)->read(ticks.next(0));
         QCOMPARE(again.counts, samples[0].counts);
-        QVERIFY((*recorded)->kinematics().pose(again).p_WT == (*original)->kinematics().pose(samples[0]).p_WT);
+        QVERIFY((*recorded)->kinematics().pose(again).p_WT ==
+                (*original)->kinematics().pose(samples[0]).p_WT);
         devices::DeviceDescriptor unknown;
         unknown.kinematics = "none";
         QVERIFY(!devices::RecordedDevice::create(unknown));

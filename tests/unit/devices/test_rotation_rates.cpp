@@ -16,7 +16,8 @@ private slots:
 
 void TestRotationRates::isTheIntegralOfTheRotations_data() {
     QTest::addColumn<double>("angle");
-    for (const double angle : {0.0, 1e-9, 2e-5, 9.9e-5, 1.01e-4, 1e-3, 0.1, 1.0, 3.0}) // on both sides of where the series takes over
+    for (const double angle : {0.0, 1e-9, 2e-5, 9.9e-5, 1.01e-4, 1e-3, 0.1, 1.0,
+                               3.0}) // on both sides of where the series takes over
         QTest::addRow("%g rad", angle) << angle;
 }
 

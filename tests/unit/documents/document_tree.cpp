@@ -39,7 +39,8 @@ QString anchorOf(const QString& heading) {
 } // namespace
 
 Document::Document(const QString& markdown) {
-    static const QRegularExpression heading(QStringLiteral("^#{1,6} +(.+?) *#* *$"), QRegularExpression::MultilineOption);
+    static const QRegularExpression heading(QStringLiteral("^#{1,6} +(.+?) *#* *$"),
+                                            QRegularExpression::MultilineOption);
     for (auto it = heading.globalMatch(withoutFences(markdown)); it.hasNext();)
         m_headings << it.next().captured(1);
 }
@@ -52,7 +53,8 @@ bool Document::hasSection(const QString& number) const {
 bool Document::hasHeading(const QString& words) const {
     static const QRegularExpression number(QStringLiteral("^[0-9.]+ "));
     const auto begins = [](const QString& whole, const QString& part) {
-        return !part.isEmpty() && whole.startsWith(part, Qt::CaseInsensitive) && (whole.size() == part.size() || !whole.at(part.size()).isLetterOrNumber());
+        return !part.isEmpty() && whole.startsWith(part, Qt::CaseInsensitive) &&
+               (whole.size() == part.size() || !whole.at(part.size()).isLetterOrNumber());
     };
     return std::any_of(m_headings.begin(), m_headings.end(), [&](QString heading) {
         heading.remove(number);
@@ -61,16 +63,20 @@ bool Document::hasHeading(const QString& words) const {
 }
 
 bool Document::hasAnchor(const QString& anchor) const {
-    return std::any_of(m_headings.begin(), m_headings.end(), [&](const QString& heading) { return anchorOf(heading) == anchor; });
+    return std::any_of(m_headings.begin(), m_headings.end(),
+                       [&](const QString& heading) { return anchorOf(heading) == anchor; });
 }
 
 QList<Citation> citationsIn(const QString& text) {
-    static const QRegularExpression cited(QStringLiteral("(?<![\\w/.-])(?<!\\]\\()([a-z][a-z-]*)\\.md\\b((?:(?:,| and|,? or)?\\s*§\\s*[0-9]+(?:\\.[0-9]+)*)*)(?:, ([A-Z][a-z]+(?: [a-z]+){0,3}))?"));
+    static const QRegularExpression cited(
+        QStringLiteral("(?<![\\w/.-])(?<!\\]\\()([a-z][a-z-]*)\\.md\\b((?:(?:,| and|,? "
+                       "or)?\\s*§\\s*[0-9]+(?:\\.[0-9]+)*)*)(?:, ([A-Z][a-z]+(?: [a-z]+){0,3}))?"));
     static const QRegularExpression number(QStringLiteral("[0-9]+(?:\\.[0-9]+)*"));
     QList<Citation> citations;
     for (auto it = cited.globalMatch(text); it.hasNext();) {
         const auto match = it.next();
-        const Citation whole{match.captured(1), {}, match.captured(2).isEmpty() ? match.captured(3) : QString()};
+        const Citation whole{
+            match.captured(1), {}, match.captured(2).isEmpty() ? match.captured(3) : QString()};
         if (match.captured(2).isEmpty())
             citations << whole;
         for (auto section = number.globalMatch(match.captured(2)); section.hasNext();)
@@ -86,20 +92,24 @@ QStringList relativeLinks(const QString& markdown) {
     text.remove(code);
     QStringList targets;
     for (auto it = link.globalMatch(text); it.hasNext();)
-        if (const QString target = it.next().captured(1); !target.contains(QLatin1String("://")) && !target.startsWith(QLatin1String("mailto:")))
+        if (const QString target = it.next().captured(1);
+            !target.contains(QLatin1String("://")) && !target.startsWith(QLatin1String("mailto:")))
             targets << target;
     return targets;
 }
 
 QStringList ownTextFiles(const QString& root) {
-    static const QSet<QString> endings{"h",  "cpp", "c",  "json", "md", "txt", "cmake", "py", "sql", "qml", "frag", "vert", "sh", "in", "cff", "yml"};
+    static const QSet<QString> endings{"h",   "cpp", "c",    "json", "md", "txt", "cmake", "py",
+                                       "sql", "qml", "frag", "vert", "sh", "in",  "cff",   "yml"};
     QStringList files;
     const QDir top(root);
     for (const QString& name : top.entryList(QDir::Files))
         if (endings.contains(QFileInfo(name).suffix()))
             files << name;
-    for (const char* folder : {"app", "curriculum", "database", "docs", "modules", "packaging", "resources", "scripts", "tests", "translations"})
-        for (QDirIterator it(top.filePath(QLatin1String(folder)), QDir::Files, QDirIterator::Subdirectories); it.hasNext();)
+    for (const char* folder : {"app", "curriculum", "database", "docs", "modules", "packaging", "resources",
+                               "scripts", "tests", "translations"})
+        for (QDirIterator it(top.filePath(QLatin1String(folder)), QDir::Files, QDirIterator::Subdirectories);
+             it.hasNext();)
             if (const QFileInfo file(it.next()); endings.contains(file.suffix()) || file.suffix().isEmpty())
                 files << top.relativeFilePath(file.filePath());
     files.sort();

@@ -32,7 +32,8 @@ struct Citation {
 };
 QList<Citation> citationsIn(const QString& text);
 
-/// Targets of the links of a Markdown document that lead into the repository, with their anchor; code is left out.
+/// Targets of the links of a Markdown document that lead into the repository, with their anchor; code is left
+/// out.
 QStringList relativeLinks(const QString& markdown);
 
 /// The text files of the repository that are ours, relative to its root.

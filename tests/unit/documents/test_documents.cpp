@@ -39,15 +39,20 @@ void TestDocuments::citationsAreRead() {
 }
 
 void TestDocuments::headingsAreFound() {
-    const Document document(QStringLiteral("# Models\n## 0. Frames\n### 2.2 Attributes of an object\ntext\n```\n## 9. Not one\n```\n## Range of a law\n"));
+    const Document document(QStringLiteral("# Models\n## 0. Frames\n### 2.2 Attributes of an "
+                                           "object\ntext\n```\n## 9. Not one\n```\n## Range of a law\n"));
     QVERIFY(document.hasHeading("Range of a law and what lies beyond"));
-    QVERIFY(document.hasSection("0") && document.hasSection("2.2") && document.hasHeading("Range of a law") && document.hasHeading("Attributes"));
+    QVERIFY(document.hasSection("0") && document.hasSection("2.2") && document.hasHeading("Range of a law") &&
+            document.hasHeading("Attributes"));
     QVERIFY(document.hasAnchor("22-attributes-of-an-object"));
-    QVERIFY(!document.hasSection("2") && !document.hasSection("9") && !document.hasHeading("Rang") && !document.hasAnchor("22"));
+    QVERIFY(!document.hasSection("2") && !document.hasSection("9") && !document.hasHeading("Rang") &&
+            !document.hasAnchor("22"));
 }
 
 void TestDocuments::linksAreRead() {
-    QCOMPARE(relativeLinks(QStringLiteral("[a](b.md) ![p](c.png \"C\") [w](https://x.org/y) `[n](o)`\n```\n[q](r)\n```\n[s](t.md#u)")), (QStringList{"b.md", "c.png", "t.md#u"}));
+    QCOMPARE(relativeLinks(QStringLiteral(
+                 "[a](b.md) ![p](c.png \"C\") [w](https://x.org/y) `[n](o)`\n```\n[q](r)\n```\n[s](t.md#u)")),
+             (QStringList{"b.md", "c.png", "t.md#u"}));
 }
 
 void TestDocuments::everyCitationResolves() {
@@ -60,11 +65,18 @@ void TestDocuments::everyCitationResolves() {
         for (const Citation& each : citationsIn(contentOf(kRoot + QLatin1Char('/') + file))) {
             ++citations;
             if (!documents.contains(each.document))
-                documents.insert(each.document, Document(contentOf(kRoot + QStringLiteral("/docs/%1.md").arg(each.document))));
+                documents.insert(
+                    each.document,
+                    Document(contentOf(kRoot + QStringLiteral("/docs/%1.md").arg(each.document))));
             const Document& document = *documents.constFind(each.document);
-            const bool there = !document.isEmpty() && (each.section.isEmpty() || document.hasSection(each.section)) && (each.heading.isEmpty() || document.hasHeading(each.heading));
+            const bool there = !document.isEmpty() &&
+                               (each.section.isEmpty() || document.hasSection(each.section)) &&
+                               (each.heading.isEmpty() || document.hasHeading(each.heading));
             if (!there)
-                wrong << QStringLiteral("%1: docs/%2.md %3%4").arg(file, each.document, each.section.isEmpty() ? QString() : QStringLiteral("§") + each.section, each.heading);
+                wrong << QStringLiteral("%1: docs/%2.md %3%4")
+                             .arg(file, each.document,
+                                  each.section.isEmpty() ? QString() : QStringLiteral("§") + each.section,
+                                  each.heading);
         }
     }
     QVERIFY(citations > 300);
@@ -79,9 +91,13 @@ void TestDocuments::everyLinkResolves() {
             continue;
         for (const QString& target : relativeLinks(contentOf(kRoot + QLatin1Char('/') + file))) {
             ++links;
-            const QString path = target.section(QLatin1Char('#'), 0, 0), anchor = target.section(QLatin1Char('#'), 1);
-            const QFileInfo to(path.isEmpty() ? kRoot + QLatin1Char('/') + file : QFileInfo(kRoot + QLatin1Char('/') + file).dir().filePath(path));
-            if (!to.exists() || (!anchor.isEmpty() && to.suffix() == QLatin1String("md") && !Document(contentOf(to.filePath())).hasAnchor(anchor)))
+            const QString path = target.section(QLatin1Char('#'), 0, 0),
+                          anchor = target.section(QLatin1Char('#'), 1);
+            const QFileInfo to(path.isEmpty()
+                                   ? kRoot + QLatin1Char('/') + file
+                                   : QFileInfo(kRoot + QLatin1Char('/') + file).dir().filePath(path));
+            if (!to.exists() || (!anchor.isEmpty() && to.suffix() == QLatin1String("md") &&
+                                 !Document(contentOf(to.filePath())).hasAnchor(anchor)))
                 wrong << file + QStringLiteral(" → ") + target;
         }
     }
@@ -89,17 +105,21 @@ void TestDocuments::everyLinkResolves() {
     QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("lead nowhere:\n") + wrong.join(QLatin1Char('\n'))));
 }
 
-/// Qt's macros without a time give up after 5 s, which a machine with other work may need for anything: tests say kPatience_ms.
+/// Qt's macros without a time give up after 5 s, which a machine with other work may need for anything: tests
+/// say kPatience_ms.
 void TestDocuments::testsWaitWithPatience() {
     static const QRegularExpression impatient(QStringLiteral(R"(\bQTRY_(VERIFY2?|COMPARE)\()"));
     int patient = 0;
     for (const QString& file : ownTextFiles(kRoot)) {
-        if (!file.startsWith(QLatin1String("tests/")) || !(file.endsWith(QLatin1String(".cpp")) || file.endsWith(QLatin1String(".h"))))
+        if (!file.startsWith(QLatin1String("tests/")) ||
+            !(file.endsWith(QLatin1String(".cpp")) || file.endsWith(QLatin1String(".h"))))
             continue;
         const QString text = contentOf(kRoot + QLatin1Char('/') + file);
         patient += static_cast<int>(text.count(QLatin1String("kPatience_ms)")));
         const auto found = impatient.match(text);
-        QVERIFY2(!found.hasMatch(), qPrintable(file + QStringLiteral(": ") + found.captured() + QStringLiteral(": say _WITH_TIMEOUT and kPatience_ms (support/patience.h)")));
+        QVERIFY2(!found.hasMatch(),
+                 qPrintable(file + QStringLiteral(": ") + found.captured() +
+                            QStringLiteral(": say _WITH_TIMEOUT and kPatience_ms (support/patience.h)")));
     }
     QVERIFY(patient > 300); // the files were read
 }

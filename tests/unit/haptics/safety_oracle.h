@@ -26,7 +26,8 @@ public:
     std::string check(const OracleTick& in, const haptics::SafetyOutput& out) {
         noteCommands(in);
         noteLatches(in);
-        for (std::size_t i = 0; i < m_devices.size(); ++i) // injected damping acts on the velocity after 2 ms of low-pass
+        for (std::size_t i = 0; i < m_devices.size();
+             ++i) // injected damping acts on the velocity after 2 ms of low-pass
             m_smoothed[i] = (2.0 * m_smoothed[i] + in.states[i].v_WT) / 3.0;
         std::string broken = checkStateless(in, out);
         if (broken.empty()) {
@@ -246,8 +247,9 @@ private:
                 return false;
             }
             const double asked = finiteNorm(in.requested[i].force);
-            const double damping = std::max(m_devices[i].maximumDamping_Ns_per_m * m_smoothed[i].norm(),
-                                            m_settings.overVelocityDamping_Ns_per_m * in.states[i].v_WT.norm());
+            const double damping =
+                std::max(m_devices[i].maximumDamping_Ns_per_m * m_smoothed[i].norm(),
+                         m_settings.overVelocityDamping_Ns_per_m * in.states[i].v_WT.norm());
             if (w.force.norm() > gain * (asked + damping) * (1.0 + 1e-9) + 4e-9 * (1.0 + damping)) {
                 return false;
             }
@@ -280,7 +282,8 @@ private:
     haptics::SafetySettings m_settings;
     std::vector<devices::DeviceDescriptor> m_devices;
     std::array<core::Wrench, core::kMaxTools> m_last{};
-    std::array<core::Vec3, core::kMaxTools> m_smoothed{core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero()};
+    std::array<core::Vec3, core::kMaxTools> m_smoothed{core::Vec3::Zero(), core::Vec3::Zero(),
+                                                       core::Vec3::Zero(), core::Vec3::Zero()};
     std::int64_t m_tick = 0;
     std::int64_t m_permitted = -1;
     std::int64_t m_pausedSince = -1;

@@ -22,7 +22,8 @@ struct Truth {
     int bursts = 6;
 };
 
-/// What a mass on a spring and a damper answers, by its frequency response, so many seconds late and half a tick for the hold.
+/// What a mass on a spring and a damper answers, by its frequency response, so many seconds late and half a
+/// tick for the hold.
 DelayRecord answered(const Truth& truth) {
     DelayRecord record;
     record.reserve(truth.bursts);
@@ -31,8 +32,10 @@ DelayRecord answered(const Truth& truth) {
         double f = 0.0, x = 0.0;
         for (std::size_t i = 0; i < DelayRecord::kFrequencies_Hz.size(); ++i) {
             const double w = 2.0 * core::kPi * DelayRecord::kFrequencies_Hz[i];
-            const std::complex<double> in = std::polar(truth.amplitude_N, w * n * core::kTickSeconds + static_cast<double>(i * i));
-            const std::complex<double> stiffness(truth.stiffness_N_per_m - truth.mass_kg * w * w, truth.damping_Ns_per_m * w);
+            const std::complex<double> in =
+                std::polar(truth.amplitude_N, w * n * core::kTickSeconds + static_cast<double>(i * i));
+            const std::complex<double> stiffness(truth.stiffness_N_per_m - truth.mass_kg * w * w,
+                                                 truth.damping_Ns_per_m * w);
             f += in.real();
             x += (in / stiffness * std::polar(1.0, -w * (truth.delay_s + 0.5 * core::kTickSeconds))).real();
         }
@@ -63,24 +66,29 @@ private slots:
         for (const double mass_kg : {0.05, 0.2, 1.5}) {
             const auto found = haptics::estimateDelay(answered({.delay_s = 1e-3 * ms, .mass_kg = mass_kg}));
             QVERIFY2(found, found ? "" : found.error().message.c_str());
-            QVERIFY2(std::abs(1e3 * found->delay_s - ms) < 0.002, qPrintable(QString::number(1e3 * found->delay_s)));
+            QVERIFY2(std::abs(1e3 * found->delay_s - ms) < 0.002,
+                     qPrintable(QString::number(1e3 * found->delay_s)));
             QVERIFY(std::abs(found->mass_kg / mass_kg - 1.0) < 0.01);
             QCOMPARE(found->bursts, 6);
         }
     }
     /// Counts of 25 µm and a trembling hand: still a tenth of a millisecond, and it says how sure it is.
     void noiseAndCoarseCountsCostLittle() {
-        const auto found = haptics::estimateDelay(answered({.delay_s = 0.002, .noise_m = 30e-6, .resolution_m = 25e-6}));
+        const auto found =
+            haptics::estimateDelay(answered({.delay_s = 0.002, .noise_m = 30e-6, .resolution_m = 25e-6}));
         QVERIFY2(found, found ? "" : found.error().message.c_str());
         QVERIFY(found->standardError_s > 1e-6);
-        QVERIFY2(std::abs(found->delay_s - 0.002) < std::max(0.0001, 4.0 * found->standardError_s), qPrintable(QString::number(found->delay_s)));
+        QVERIFY2(std::abs(found->delay_s - 0.002) < std::max(0.0001, 4.0 * found->standardError_s),
+                 qPrintable(QString::number(found->delay_s)));
     }
     void whatIsNoAnswerIsRefused() {
-        QCOMPARE(codeOf(answered({.noise_m = 0.02})), core::ErrorCode::doesNotHold);          // drowned
-        QCOMPARE(codeOf(answered({.delay_s = 0.03})), core::ErrorCode::doesNotHold);          // later than any device that renders
-        QCOMPARE(codeOf(answered({.mass_kg = -0.2})), core::ErrorCode::doesNotHold);          // the wrong way round
-        QCOMPARE(codeOf(answered({.amplitude_N = 0.001})), core::ErrorCode::doesNotHold);     // not armed
-        QCOMPARE(codeOf(answered({.mass_kg = 1e9, .resolution_m = 1e-6})), core::ErrorCode::doesNotHold); // clamped
+        QCOMPARE(codeOf(answered({.noise_m = 0.02})), core::ErrorCode::doesNotHold); // drowned
+        QCOMPARE(codeOf(answered({.delay_s = 0.03})),
+                 core::ErrorCode::doesNotHold); // later than any device that renders
+        QCOMPARE(codeOf(answered({.mass_kg = -0.2})), core::ErrorCode::doesNotHold); // the wrong way round
+        QCOMPARE(codeOf(answered({.amplitude_N = 0.001})), core::ErrorCode::doesNotHold); // not armed
+        QCOMPARE(codeOf(answered({.mass_kg = 1e9, .resolution_m = 1e-6})),
+                 core::ErrorCode::doesNotHold); // clamped
         QCOMPARE(codeOf(answered({.bursts = 2})), core::ErrorCode::badInput);
         QCOMPARE(codeOf(DelayRecord{}), core::ErrorCode::badInput);
         QCOMPARE(codeOf(answered({.noise_m = std::nan("")})), core::ErrorCode::badInput);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Feed-forward of the gimbal's friction: less than what is there, nothing at rest, never a source of energy, and within the supervisor.
+// Feed-forward of the gimbal's friction: less than what is there, nothing at rest, never a source of energy,
+// and within the supervisor.
 #include "core/random.h"
 #include "core/units.h"
 #include "devices/drivers/simulated/simulated_device.h"
@@ -25,7 +26,8 @@ public:
     explicit Wandering(std::uint64_t seed, bool rests = false) : m_rests(rests) {
         core::Random random(seed);
         for (Term& term : m_terms)
-            term = {Vec3(random.uniform(-0.012, 0.012), random.uniform(-0.012, 0.012), random.uniform(-0.012, 0.012)),
+            term = {Vec3(random.uniform(-0.012, 0.012), random.uniform(-0.012, 0.012),
+                         random.uniform(-0.012, 0.012)),
                     random.uniform(0.05, 0.8), random.uniform(0.0, 6.0)};
     }
     mechanisms::HandIntention decide(const mechanisms::HandPerception& seen) noexcept override {
@@ -36,7 +38,8 @@ public:
         const bool pauses = std::fmod(seen.time_s, 5.0) > 4.0;
         m_time_s += pauses ? 0.0 : core::kTickSeconds;
         for (const Term& term : m_terms)
-            wanted.p_DDesired += rise * term.amplitude_m * std::sin(2.0 * core::kPi * term.frequency_Hz * m_time_s + term.phase);
+            wanted.p_DDesired += rise * term.amplitude_m *
+                                 std::sin(2.0 * core::kPi * term.frequency_Hz * m_time_s + term.phase);
         return wanted;
     }
     Vec3 force_D = Vec3::Zero(); ///< on the hand, mean over the last tick
@@ -53,7 +56,8 @@ private:
 
 class FreeAir final : public simulation::IScene {
 public:
-    void respond(const realtime::HapticTick&, const simulation::SceneInput& in, simulation::SceneOutput& out) noexcept override {
+    void respond(const realtime::HapticTick&, const simulation::SceneInput& in,
+                 simulation::SceneOutput& out) noexcept override {
         out = simulation::SceneOutput{};
         out.tissue.count = in.tools.count;
         out.phase = core::TrialPhase::running;
@@ -63,7 +67,8 @@ public:
 /// The device with another descriptor, and what it is commanded.
 class Listening final : public devices::IDevice {
 public:
-    Listening(std::unique_ptr<devices::SimulatedDevice> device, double times) : m_device(std::move(device)), m_descriptor(m_device->descriptor()) {
+    Listening(std::unique_ptr<devices::SimulatedDevice> device, double times)
+        : m_device(std::move(device)), m_descriptor(m_device->descriptor()) {
         for (auto& axis : m_descriptor.axes)
             axis.coulombFriction *= times;
     }
@@ -94,17 +99,18 @@ public:
 };
 
 struct Outcome {
-    double least_J = 0.0;   ///< what the hand has put in less what moves, at any time: below 0, energy was made
-    double drop_J = 0.0;    ///< its largest fall from what it had been
-    double taken_J = 0.0;   ///< the same at the end: what friction took less what the compensation gave
-    double most_N = 0.0;    ///< compensation, at the tip
+    double least_J = 0.0; ///< what the hand has put in less what moves, at any time: below 0, energy was made
+    double drop_J = 0.0;  ///< its largest fall from what it had been
+    double taken_J = 0.0; ///< the same at the end: what friction took less what the compensation gave
+    double most_N = 0.0;  ///< compensation, at the tip
     double commanded_N = 0.0, measured_N = 0.0; ///< recorded; nothing is touched
-    bool early = false;     ///< compensated while force was off
-    bool apart = false;     ///< what the device gets is not what is rendered and the compensation
+    bool early = false;                         ///< compensated while force was off
+    bool apart = false; ///< what the device gets is not what is rendered and the compensation
 };
 
 /// `times`: the friction that the descriptor states, of what was identified. W is D.
-Outcome run(const mechanisms::HandParameters& hand, double share, double times, std::uint64_t seed, bool rests = false, double seconds = 30.0) {
+Outcome run(const mechanisms::HandParameters& hand, double share, double times, std::uint64_t seed,
+            bool rests = false, double seconds = 30.0) {
     devices::SimulatedDevice::Configuration configuration;
     configuration.hand = hand;
     configuration.frictionCompensation = share;
@@ -140,17 +146,21 @@ Outcome run(const mechanisms::HandParameters& hand, double share, double times, 
         before = plant.p_DT();
         moving_J = 0.5 * plant.rates().dot(plant.inertia(plant.q()).cwiseProduct(plant.rates()));
         const auto& tool = frames.last.tool[0];
-        const Vec3 help = device.last.compensation_D.force, commanded(tool.commanded[0], tool.commanded[1], tool.commanded[2]);
+        const Vec3 help = device.last.compensation_D.force,
+                   commanded(tool.commanded[0], tool.commanded[1], tool.commanded[2]);
         outcome.most_N = std::max(outcome.most_N, help.norm());
         outcome.commanded_N = std::max(outcome.commanded_N, commanded.norm());
-        outcome.measured_N = std::max(outcome.measured_N, std::hypot(tool.measured[0], tool.measured[1], tool.measured[2]));
-        outcome.early = outcome.early || (frames.last.header.force == core::ForceState::off && help != Vec3::Zero());
+        outcome.measured_N =
+            std::max(outcome.measured_N, std::hypot(tool.measured[0], tool.measured[1], tool.measured[2]));
+        outcome.early =
+            outcome.early || (frames.last.header.force == core::ForceState::off && help != Vec3::Zero());
         outcome.apart = outcome.apart || (device.last.wrench_D.force - help - commanded).norm() > 1e-12;
     }
     return outcome;
 }
 
-constexpr double kBooks_J = 1e-4; ///< what the sums err by: forces are means of a tick; and the bristles' 10 µJ
+constexpr double kBooks_J =
+    1e-4; ///< what the sums err by: forces are means of a tick; and the bristles' 10 µJ
 
 } // namespace
 
@@ -209,7 +219,8 @@ void TestFrictionCompensation::effortsAreBounded() {
 void TestFrictionCompensation::theWrenchGivesTheEfforts() {
     devices::SimulatedDevice::Configuration configuration;
     configuration.frictionCompensation = 0.8;
-    const auto device = std::move(*devices::SimulatedDevice::create(configuration, std::make_unique<Wandering>(1)));
+    const auto device =
+        std::move(*devices::SimulatedDevice::create(configuration, std::make_unique<Wandering>(1)));
     const FrictionCompensation compensation(device->descriptor());
     core::Random random(3);
     for (int n = 0; n < 500; ++n) {
@@ -217,7 +228,8 @@ void TestFrictionCompensation::theWrenchGivesTheEfforts() {
         AxisValues rates{};
         for (std::size_t axis = 0; axis < 4; ++axis) {
             const devices::AxisDescriptor& of = device->descriptor().axes[axis];
-            sample.counts[axis] = static_cast<std::int32_t>(random.uniform(of.minimum, of.maximum) / of.resolution);
+            sample.counts[axis] =
+                static_cast<std::int32_t>(random.uniform(of.minimum, of.maximum) / of.resolution);
             rates[axis] = random.uniform(-2e4, 2e4);
         }
         const AxisValues wanted = compensation.efforts(rates);
@@ -225,7 +237,8 @@ void TestFrictionCompensation::theWrenchGivesTheEfforts() {
         QCOMPARE(wrench.torque, Vec3(Vec3::Zero())); // the gimbal gives none
         const AxisValues given = device->kinematics().efforts(sample, wrench);
         for (const std::size_t axis : {std::size_t{0}, std::size_t{1}, std::size_t{3}})
-            QVERIFY2(std::abs(given[axis] - wanted[axis]) < 1e-6 * (1.0 + std::abs(wanted[axis])), qPrintable(QString::number(given[axis] - wanted[axis])));
+            QVERIFY2(std::abs(given[axis] - wanted[axis]) < 1e-6 * (1.0 + std::abs(wanted[axis])),
+                     qPrintable(QString::number(given[axis] - wanted[axis])));
     }
 }
 
@@ -248,13 +261,16 @@ void TestFrictionCompensation::neverMakesEnergy_data() {
 
 void TestFrictionCompensation::neverMakesEnergy() {
     QFETCH(QString, name);
-    const mechanisms::HandParameters hand = name == QLatin1String("light")  ? mechanisms::HandParameters::light()
-                                            : name == QLatin1String("firm") ? mechanisms::HandParameters::firm()
-                                                                            : mechanisms::HandParameters{};
+    const mechanisms::HandParameters hand =
+        name == QLatin1String("light")  ? mechanisms::HandParameters::light()
+        : name == QLatin1String("firm") ? mechanisms::HandParameters::firm()
+                                        : mechanisms::HandParameters{};
     for (const std::uint64_t seed : {11u, 12u}) {
         const Outcome without = run(hand, 0.0, 1.0, seed), with = run(hand, 0.8, 1.0, seed);
-        qInfo("%s, seed %llu: friction takes %.1f mJ, with the compensation %.1f mJ; largest fall %.3f mJ; at most %.3f N", qPrintable(name),
-              static_cast<unsigned long long>(seed), 1e3 * without.taken_J, 1e3 * with.taken_J, 1e3 * with.drop_J, with.most_N);
+        qInfo("%s, seed %llu: friction takes %.1f mJ, with the compensation %.1f mJ; largest fall %.3f mJ; "
+              "at most %.3f N",
+              qPrintable(name), static_cast<unsigned long long>(seed), 1e3 * without.taken_J,
+              1e3 * with.taken_J, 1e3 * with.drop_J, with.most_N);
         QVERIFY(with.least_J > -kBooks_J && with.drop_J < kBooks_J);
         QVERIFY(with.taken_J > 0.0 && with.taken_J < 0.75 * without.taken_J); // it does help
         // Friction that has become a tenth less than what was identified is still more than the help.
@@ -282,7 +298,8 @@ void TestFrictionCompensation::isNoTissueForce() {
     const Outcome outcome = run({}, 0.8, 1.0, 7);
     QVERIFY(outcome.most_N > 0.05 && outcome.most_N < 0.3);
     QCOMPARE(outcome.commanded_N, 0.0); // nothing is touched: nothing is recorded as rendered
-    QVERIFY2(outcome.measured_N < 0.1, qPrintable(QString::number(outcome.measured_N))); // an amplifier's lag of it at turns
+    QVERIFY2(outcome.measured_N < 0.1,
+             qPrintable(QString::number(outcome.measured_N))); // an amplifier's lag of it at turns
     QVERIFY(!outcome.early && !outcome.apart);
 }
 

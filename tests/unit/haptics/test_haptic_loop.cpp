@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/haptic_bench.h"
-#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "core/laparoscopy_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "support/haptic_bench.h"
 
 #include <QtTest>
 
@@ -96,7 +96,8 @@ private slots:
         int alive = 0;
         auto scene = std::make_unique<ConstantScene>(Vec3(0.1, 0.05, 0.02), &alive);
         const ConstantScene* const watched = scene.get();
-        const devices::WorkspaceMapping mirrored{.origin_m = {0.1, 0.0, -0.02}, .scale = 2.0, .leftHanded = true};
+        const devices::WorkspaceMapping mirrored{
+            .origin_m = {0.1, 0.0, -0.02}, .scale = 2.0, .leftHanded = true};
         LoopBench bench({{right, {}}, {left, mirrored}}, inputs, store, std::move(scene));
         realtime::TickSource ticks;
         run(*bench.loop, ticks, 2500); // arming needs 4 ticks and its ramp 2 s
@@ -129,7 +130,8 @@ private slots:
         QCOMPARE(watched->last.tools.tools[0].p_WT.x(), 50.0);
         QVERIFY((store.frames.back().header.guards & core::guard_bits::kBadSample) != 0);
         QCOMPARE(store.frames.back().tool[0].counts[0], 49'000'000); // recorded as read
-        QVERIFY((store.frames.back().tool[0].status & core::sample_status::kRefused) != 0); // and marked, for the metrics
+        QVERIFY((store.frames.back().tool[0].status & core::sample_status::kRefused) !=
+                0); // and marked, for the metrics
         QVERIFY((store.frames.front().tool[0].status & core::sample_status::kRefused) == 0);
     }
 
@@ -138,7 +140,8 @@ private slots:
         haptics::LiveInputs inputs;
         FrameStore store;
         int alive = 0;
-        LoopBench bench({{device, {}}}, inputs, store, std::make_unique<ConstantScene>(Vec3(0.1, 0, 0), &alive));
+        LoopBench bench({{device, {}}}, inputs, store,
+                        std::make_unique<ConstantScene>(Vec3(0.1, 0, 0), &alive));
         realtime::TickSource ticks;
         run(*bench.loop, ticks, 2);
         std::unique_ptr<simulation::IScene> next = std::make_unique<ConstantScene>(Vec3(0.2, 0, 0), &alive);
@@ -164,7 +167,8 @@ private slots:
         FrameStore store;
         int alive = 0;
         {
-            LoopBench bench({{device, {}}}, inputs, store, std::make_unique<ConstantScene>(Vec3::Zero(), &alive));
+            LoopBench bench({{device, {}}}, inputs, store,
+                            std::make_unique<ConstantScene>(Vec3::Zero(), &alive));
             realtime::TickSource ticks;
             std::unique_ptr<simulation::IScene> next;
             for (int n = 0; n < 3; ++n) {
@@ -205,7 +209,9 @@ private slots:
         LoopBench bench({{device, {}}}, inputs, store, apexScene());
         realtime::TickSource ticks;
         const std::vector<std::pair<std::int64_t, std::uint32_t>> cases{
-            {0, 0}, {999, 0}, {1'000, 1}, {1'234'567, 1'234}, {-5'000'000, 0}, {INT64_C(9'000'000'000'000), UINT32_MAX}};
+            {0, 0},          {999, 0},
+            {1'000, 1},      {1'234'567, 1'234},
+            {-5'000'000, 0}, {INT64_C(9'000'000'000'000), UINT32_MAX}};
         for (const auto& [before_ns, expected_us] : cases) {
             device.arrivedBefore_ns = before_ns;
             run(*bench.loop, ticks, 1);
@@ -270,8 +276,10 @@ private slots:
             return bench.loop->display().latest();
         };
         const haptics::DisplayState none = shownOf({});
-        QVERIFY(!none.objectShown && !none.exercise.holds<simulation::PalpationCues>() && !none.exercise.of<simulation::PalpationCues>().present);
-        QVERIFY(none.objectRadius_m == 0.0 && none.timeLeft_s == 0.0 && none.trial == 7 && none.events == core::event_bits::kMarked);
+        QVERIFY(!none.objectShown && !none.exercise.holds<simulation::PalpationCues>() &&
+                !none.exercise.of<simulation::PalpationCues>().present);
+        QVERIFY(none.objectRadius_m == 0.0 && none.timeLeft_s == 0.0 && none.trial == 7 &&
+                none.events == core::event_bits::kMarked);
         core::VisibleCues cues;
         cues.objectShown = true;
         const haptics::DisplayState object = shownOf(cues);
@@ -287,11 +295,14 @@ private slots:
         cues.exercise.own<simulation::PalpationCues>().present = true;
         cues.exercise.own<simulation::PalpationCues>().squeeze_N = {0.5, 1.5};
         const haptics::DisplayState own = shownOf(cues);
-        QVERIFY(own.exercise.of<simulation::PalpationCues>().present && own.exercise.of<simulation::PalpationCues>().squeeze_N[1] == 1.5);
-        QVERIFY(!own.exercise.holds<core::LaparoscopyCues>() && !own.exercise.of<core::LaparoscopyCues>().present);
+        QVERIFY(own.exercise.of<simulation::PalpationCues>().present &&
+                own.exercise.of<simulation::PalpationCues>().squeeze_N[1] == 1.5);
+        QVERIFY(!own.exercise.holds<core::LaparoscopyCues>() &&
+                !own.exercise.of<core::LaparoscopyCues>().present);
         cues.exercise.own<core::LaparoscopyCues>().stretch_m = 0.01; // another's takes its place
         const haptics::DisplayState other = shownOf(cues);
-        QVERIFY(other.exercise.of<core::LaparoscopyCues>().stretch_m == 0.01 && !other.exercise.of<core::LaparoscopyCues>().present);
+        QVERIFY(other.exercise.of<core::LaparoscopyCues>().stretch_m == 0.01 &&
+                !other.exercise.of<core::LaparoscopyCues>().present);
         QVERIFY(!other.exercise.of<simulation::PalpationCues>().present);
     }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A whole loop of three instruments (a gimbal whose friction is compensated and whose base is turned, an endoscope's linkage, a tool that is
-// only shown) round a scene that says a little of everything: what is recorded of each block, and what the screen gets. Against what was
-// looked at and kept. A change that is meant is kept anew, and its difference is read in review:
-// CHIRON_STORE_OUTLINES=1 ctest --test-dir build/release -R "^test_kept_loop$"
+// A whole loop of three instruments (a gimbal whose friction is compensated and whose base is turned, an
+// endoscope's linkage, a tool that is only shown) round a scene that says a little of everything: what is
+// recorded of each block, and what the screen gets. Against what was looked at and kept. A change that is
+// meant is kept anew, and its difference is read in review: CHIRON_STORE_OUTLINES=1 ctest --test-dir
+// build/release -R "^test_kept_loop$"
 #include "core/fp_environment.h"
 #include "devices/drivers/simulated/simulated_device.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
@@ -34,12 +35,17 @@ constexpr int kTicks = 3600, kBlock = 150;
 /// Walls at z = 0 of each tool's start, and in every field something that goes with tick and tool.
 class TalkingScene final : public simulation::IScene {
 public:
-    void respond(const realtime::HapticTick& now, const simulation::SceneInput& in, simulation::SceneOutput& out) noexcept override {
+    void respond(const realtime::HapticTick& now, const simulation::SceneInput& in,
+                 simulation::SceneOutput& out) noexcept override {
         out = {};
         const auto n = static_cast<double>(now.index());
         out.tissue.count = in.tools.count;
-        out.trial = static_cast<std::uint16_t>(now.index() / 1000 + 10U * static_cast<unsigned>(in.reports) + (in.mark ? 100U : 0U));
-        out.phase = !in.started ? core::TrialPhase::idle : !in.forceReady ? core::TrialPhase::ready : in.paused ? core::TrialPhase::between : core::TrialPhase::running;
+        out.trial = static_cast<std::uint16_t>(now.index() / 1000 + 10U * static_cast<unsigned>(in.reports) +
+                                               (in.mark ? 100U : 0U));
+        out.phase = !in.started      ? core::TrialPhase::idle
+                    : !in.forceReady ? core::TrialPhase::ready
+                    : in.paused      ? core::TrialPhase::between
+                                     : core::TrialPhase::running;
         out.events = now.index() % 700 == 0 && now.index() > 0 ? core::event_bits::kMarked : 0U;
         out.quantities[0] = in.present ? in.presented : 0.0;
         out.quantities[1] = in.answer ? in.answered : 0.0;
@@ -81,20 +87,30 @@ private:
 
 std::unique_ptr<mechanisms::HandStrategy> swinging(const Vec3& centre_D, double wide_m) {
     return std::make_unique<mechanisms::ScriptedMotion>(
-        centre_D, std::vector<mechanisms::ScriptedMotion::Term>{{Vec3(wide_m, 0.0, 0.0), 0.7, 0.0}, {Vec3(0.0, wide_m, 0.0), 0.5, 1.0}, {Vec3(0.0, 0.0, wide_m), 0.9, 0.3}});
+        centre_D, std::vector<mechanisms::ScriptedMotion::Term>{{Vec3(wide_m, 0.0, 0.0), 0.7, 0.0},
+                                                                {Vec3(0.0, wide_m, 0.0), 0.5, 1.0},
+                                                                {Vec3(0.0, 0.0, wide_m), 0.9, 0.3}});
 }
 
-template <class Values>
-void addAll(std::vector<double>& out, const Values& values) {
+template <class Values> void addAll(std::vector<double>& out, const Values& values) {
     for (const auto& value : values)
         out.push_back(static_cast<double>(value));
 }
 
 std::vector<double> numbersOf(const core::HapticFrame& frame) {
     const core::TickHeader& h = frame.header;
-    std::vector<double> out{static_cast<double>(frame.tools), static_cast<double>(h.index), static_cast<double>(h.now_ns) * 1e-6, static_cast<double>(h.events), static_cast<double>(h.guards),
-                            static_cast<double>(h.trial), static_cast<double>(h.heartbeatAge_ms), static_cast<double>(h.phase), static_cast<double>(h.force), static_cast<double>(h.paused),
-                            h.energySupplied_J, h.energyStored_J};
+    std::vector<double> out{static_cast<double>(frame.tools),
+                            static_cast<double>(h.index),
+                            static_cast<double>(h.now_ns) * 1e-6,
+                            static_cast<double>(h.events),
+                            static_cast<double>(h.guards),
+                            static_cast<double>(h.trial),
+                            static_cast<double>(h.heartbeatAge_ms),
+                            static_cast<double>(h.phase),
+                            static_cast<double>(h.force),
+                            static_cast<double>(h.paused),
+                            h.energySupplied_J,
+                            h.energyStored_J};
     for (const core::Command& command : h.commands) {
         out.push_back(static_cast<double>(command.kind));
         out.push_back(static_cast<double>(command.argument));
@@ -103,8 +119,10 @@ std::vector<double> numbersOf(const core::HapticFrame& frame) {
     for (std::uint32_t t = 0; t < frame.tools; ++t) {
         const core::ToolFrame& tool = frame.tool[t];
         addAll(out, tool.counts);
-        addAll(out, std::array<double, 6>{static_cast<double>(tool.jawCounts), static_cast<double>(tool.buttons), static_cast<double>(tool.packet), static_cast<double>(tool.status % 1024),
-                                          static_cast<double>(tool.status >> 28), static_cast<double>(tool.deviceTime_us)});
+        addAll(out, std::array<double, 6>{
+                        static_cast<double>(tool.jawCounts), static_cast<double>(tool.buttons),
+                        static_cast<double>(tool.packet), static_cast<double>(tool.status % 1024),
+                        static_cast<double>(tool.status >> 28), static_cast<double>(tool.deviceTime_us)});
         out.push_back(static_cast<double>(tool.age_us));
         addAll(out, tool.tissue);
         addAll(out, tool.commanded);
@@ -115,11 +133,32 @@ std::vector<double> numbersOf(const core::HapticFrame& frame) {
 }
 
 std::vector<double> numbersOf(const haptics::DisplayState& s) {
-    std::vector<double> out{static_cast<double>(s.tick), static_cast<double>(s.now_ns) * 1e-6, static_cast<double>(s.tools), static_cast<double>(s.force), static_cast<double>(s.waitsFor),
-                            static_cast<double>(s.guards), static_cast<double>(s.guardsSeen), s.gain, s.forceReady ? 1.0 : 0.0, static_cast<double>(s.trial), static_cast<double>(s.phase),
-                            static_cast<double>(s.events), s.timeLeft_s, s.started ? 1.0 : 0.0, s.paused ? 1.0 : 0.0, s.ended ? 1.0 : 0.0, s.objectShown ? 1.0 : 0.0, s.objectRadius_m,
-                            s.exercise.of<OwnCues>().first, s.exercise.of<OwnCues>().second, s.exercise.of<OwnCues>().third, s.energySupplied_J, s.energyStored_J, static_cast<double>(s.lateTicks),
-                            static_cast<double>(s.skippedDeadlines), static_cast<double>(s.droppedFrames)};
+    std::vector<double> out{static_cast<double>(s.tick),
+                            static_cast<double>(s.now_ns) * 1e-6,
+                            static_cast<double>(s.tools),
+                            static_cast<double>(s.force),
+                            static_cast<double>(s.waitsFor),
+                            static_cast<double>(s.guards),
+                            static_cast<double>(s.guardsSeen),
+                            s.gain,
+                            s.forceReady ? 1.0 : 0.0,
+                            static_cast<double>(s.trial),
+                            static_cast<double>(s.phase),
+                            static_cast<double>(s.events),
+                            s.timeLeft_s,
+                            s.started ? 1.0 : 0.0,
+                            s.paused ? 1.0 : 0.0,
+                            s.ended ? 1.0 : 0.0,
+                            s.objectShown ? 1.0 : 0.0,
+                            s.objectRadius_m,
+                            s.exercise.of<OwnCues>().first,
+                            s.exercise.of<OwnCues>().second,
+                            s.exercise.of<OwnCues>().third,
+                            s.energySupplied_J,
+                            s.energyStored_J,
+                            static_cast<double>(s.lateTicks),
+                            static_cast<double>(s.skippedDeadlines),
+                            static_cast<double>(s.droppedFrames)};
     addAll(out, s.p_WObject_m);
     for (const haptics::ToolDisplay& tool : s.tool) {
         addAll(out, tool.p_WT_m);
@@ -132,8 +171,9 @@ std::vector<double> numbersOf(const haptics::DisplayState& s) {
         addAll(out, tool.measured);
         addAll(out, tool.displayPose);
         addAll(out, tool.safeDisplay);
-        addAll(out, std::array<double, 6>{static_cast<double>(tool.buttons), static_cast<double>(tool.age_us), tool.measuredValid ? 1.0 : 0.0, tool.rendersForce ? 1.0 : 0.0, tool.enabled ? 1.0 : 0.0,
-                                          tool.noMovement ? 1.0 : 0.0});
+        addAll(out, std::array<double, 6>{static_cast<double>(tool.buttons), static_cast<double>(tool.age_us),
+                                          tool.measuredValid ? 1.0 : 0.0, tool.rendersForce ? 1.0 : 0.0,
+                                          tool.enabled ? 1.0 : 0.0, tool.noMovement ? 1.0 : 0.0});
     }
     return out;
 }
@@ -156,7 +196,8 @@ private slots:
     void everythingKeptIsSeen() { QCOMPARE(m_kept.unseen(), QStringList()); }
 
 private:
-    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/haptics/kept_loop.txt"), &tests::sameNumbers};
+    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/haptics/kept_loop.txt"),
+                           &tests::sameNumbers};
 };
 
 void TestKeptLoop::aLoopIsAsItWasKept() {
@@ -171,7 +212,12 @@ void TestKeptLoop::aLoopIsAsItWasKept() {
     auto gimbal = devices::SimulatedDevice::create(gimbalSet, swinging(gimbalSet.start_D, 0.01));
     devices::SimulatedEndoscopeDevice::Configuration scopeSet;
     auto scope = devices::SimulatedEndoscopeDevice::create(scopeSet, swinging(scopeSet.start_D, 0.006));
-    tests::BenchDevice shown([](std::uint64_t tick) { return Vec3(0.01 * std::sin(0.004 * static_cast<double>(tick)), 0.0, 0.02 * std::cos(0.003 * static_cast<double>(tick))); }, false);
+    tests::BenchDevice shown(
+        [](std::uint64_t tick) {
+            return Vec3(0.01 * std::sin(0.004 * static_cast<double>(tick)), 0.0,
+                        0.02 * std::cos(0.003 * static_cast<double>(tick)));
+        },
+        false);
     shown.arrivedBefore_ns = 2'345'678;
     QVERIFY(gimbal && scope && (*gimbal)->open() && (*scope)->open());
     haptics::LiveInputs inputs;
@@ -179,7 +225,8 @@ void TestKeptLoop::aLoopIsAsItWasKept() {
     haptics::SafetySettings safety;
     safety.armingRamp_ms = 200;
     safety.pauseRamp_ms = 100;
-    tests::LoopBench bench({{**gimbal, gimbalSet.mapping}, {**scope, {}}, {shown, {}}}, inputs, frames, std::make_unique<TalkingScene>(), safety);
+    tests::LoopBench bench({{**gimbal, gimbalSet.mapping}, {**scope, {}}, {shown, {}}}, inputs, frames,
+                           std::make_unique<TalkingScene>(), safety);
     NumberLines lines;
     realtime::TickSource source;
     std::vector<double> sums;
@@ -220,11 +267,13 @@ void TestKeptLoop::aLoopIsAsItWasKept() {
             continue;
         lines.add(lineOf(QStringLiteral("frames to %1:").arg(tick + 1), sums));
         sums.clear();
-        lines.add(lineOf(QStringLiteral("shown at %1:").arg(tick + 1), numbersOf(bench.loop->display().latest())));
+        lines.add(
+            lineOf(QStringLiteral("shown at %1:").arg(tick + 1), numbersOf(bench.loop->display().latest())));
     }
     QVERIFY(!goesOn);
     lines.add(lineOf(QStringLiteral("shown at the end:"), numbersOf(bench.loop->display().latest())));
-    lines.add(QStringLiteral("what the tool that is shown was told"), {shown.seen.shownForce_N, shown.seen.timeLeft_s, shown.received.back().enabled ? 1.0 : 0.0});
+    lines.add(QStringLiteral("what the tool that is shown was told"),
+              {shown.seen.shownForce_N, shown.seen.timeLeft_s, shown.received.back().enabled ? 1.0 : 0.0});
     const QString differs = m_kept.differs(QStringLiteral("loop"), lines.lines());
     QVERIFY2(differs.isEmpty(), qPrintable(differs));
 }

@@ -16,18 +16,34 @@ const devices::WorkspaceMapping kMirrored{.origin_m = {0.005, 0.0, 0.0}, .scale 
 
 /// A session of two tools with commands on the way, as a task for any runner. 12 s.
 struct Session {
-    Session() : first(circlingPath), second(circlingPath), bench({{first, {}}, {second, kMirrored}}, inputs, store, apexScene()) {
+    Session()
+        : first(circlingPath), second(circlingPath),
+          bench({{first, {}}, {second, kMirrored}}, inputs, store, apexScene()) {
         inputs.post({CommandKind::start});
     }
     bool tick(const realtime::HapticTick& now) noexcept {
         switch (now.index()) {
-        case 4'800: inputs.post({CommandKind::mark}); break;
-        case 5'000: inputs.post({CommandKind::pause}); break;
-        case 5'600: inputs.post({CommandKind::resume}); inputs.post({CommandKind::confirmHold}); break;
-        case 7'000: inputs.post({CommandKind::stopForce}); break;
-        case 7'050: inputs.post({CommandKind::rearm}); break;
-        case 11'999: inputs.post({CommandKind::end}); break;
-        default: break;
+        case 4'800:
+            inputs.post({CommandKind::mark});
+            break;
+        case 5'000:
+            inputs.post({CommandKind::pause});
+            break;
+        case 5'600:
+            inputs.post({CommandKind::resume});
+            inputs.post({CommandKind::confirmHold});
+            break;
+        case 7'000:
+            inputs.post({CommandKind::stopForce});
+            break;
+        case 7'050:
+            inputs.post({CommandKind::rearm});
+            break;
+        case 11'999:
+            inputs.post({CommandKind::end});
+            break;
+        default:
+            break;
         }
         return bench.loop->tick(now);
     }
@@ -38,7 +54,8 @@ struct Session {
     LoopBench bench;
 };
 
-/// The same on a machine that is often late: every tick wakes some hundred microseconds late, some take milliseconds.
+/// The same on a machine that is often late: every tick wakes some hundred microseconds late, some take
+/// milliseconds.
 struct BusySession : Session {
     explicit BusySession(realtime::VirtualClock& clock) : m_clock(clock) {}
     bool tick(const realtime::HapticTick& now) noexcept {
@@ -50,11 +67,13 @@ struct BusySession : Session {
 };
 
 bool sameBits(const core::HapticFrame& a, const core::HapticFrame& b) {
-    return a.layout == b.layout && a.tools == b.tools && std::memcmp(&a.header, &b.header, sizeof a.header) == 0 &&
+    return a.layout == b.layout && a.tools == b.tools &&
+           std::memcmp(&a.header, &b.header, sizeof a.header) == 0 &&
            std::memcmp(a.tool.data(), b.tool.data(), a.tools * sizeof(core::ToolFrame)) == 0;
 }
 
-std::vector<core::HapticFrame> replayOf(const std::vector<core::HapticFrame>& recorded, const Session& session) {
+std::vector<core::HapticFrame> replayOf(const std::vector<core::HapticFrame>& recorded,
+                                        const Session& session) {
     const auto first = devices::RecordedDevice::create(session.first.descriptor());
     const auto second = devices::RecordedDevice::create(session.second.descriptor());
     haptics::RecordedInputs inputs;
@@ -116,14 +135,17 @@ private slots:
             ++touching;
         QVERIFY(touching < 5'000);
         recorded[touching].tool[0].counts[2] -= 1; // 1 µm deeper
-        QCOMPARE(firstDifference(session.store.frames, replayOf(recorded, session)), static_cast<int>(touching));
-        QVERIFY(replayOf(recorded, session)[touching].tool[0].tissue != session.store.frames[touching].tool[0].tissue);
+        QCOMPARE(firstDifference(session.store.frames, replayOf(recorded, session)),
+                 static_cast<int>(touching));
+        QVERIFY(replayOf(recorded, session)[touching].tool[0].tissue !=
+                session.store.frames[touching].tool[0].tissue);
         recorded = session.store.frames;
         recorded[4'800].header.commands[0] = {}; // the mark is gone
         QCOMPARE(firstDifference(recorded, replayOf(recorded, session)), 4'800);
     }
 
-    /// A tick-stepped device does not know what time it is: late and as-fast runs give the same frames but for now_ns.
+    /// A tick-stepped device does not know what time it is: late and as-fast runs give the same frames but
+    /// for now_ns.
     void realTimeAndAsFastRunsAreTheSame() {
         Session fast;
         realtime::TickSource fastTicks;

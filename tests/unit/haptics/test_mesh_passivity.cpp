@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Laws that are not conservative: what strokes over the bumpy mesh and the two-rate organ make, without the guard and with it.
+// Laws that are not conservative: what strokes over the bumpy mesh and the two-rate organ make, without the
+// guard and with it.
 #include "core/units.h"
 #include "support/two_rate_bench.h"
 #include "unit/haptics/safety_rig.h"
@@ -14,12 +15,13 @@ using simulation::ApexSurface;
 namespace {
 
 struct Made {
-    double worst_J = -1.0;  ///< of one contact: work of the commanded force on the hand; > 0: energy was made
-    double total_J = 0.0;   ///< of all of them
+    double worst_J = -1.0; ///< of one contact: work of the commanded force on the hand; > 0: energy was made
+    double total_J = 0.0;  ///< of all of them
     int contacts = 0;
 };
 
-/// Presses at a random place, slides to another, lifts: one contact each. The motion is prescribed, so that no hand hides anything.
+/// Presses at a random place, slides to another, lifts: one contact each. The motion is prescribed, so that
+/// no hand hides anything.
 Made strokes(ApexSurface surface, std::uint32_t without) {
     simulation::SphereApexParameters p = tests::softDome();
     p.surface = surface;
@@ -69,8 +71,8 @@ Made strokes(ApexSurface surface, std::uint32_t without) {
     return made;
 }
 
-/// One contact: comes down, goes round and round in the same small circle over the bumps, and lifts: what the law makes in a turn
-/// adds up. `centre` of the circle; `way` = ±1: which way round.
+/// One contact: comes down, goes round and round in the same small circle over the bumps, and lifts: what the
+/// law makes in a turn adds up. `centre` of the circle; `way` = ±1: which way round.
 double circles(const core::Vec2& centre, double way, std::uint32_t without) {
     simulation::SphereApexParameters p = tests::softDome();
     p.surface = ApexSurface::mesh;
@@ -117,8 +119,9 @@ private slots:
         QFETCH(int, surface);
         const Made without = strokes(static_cast<ApexSurface>(surface), GuardMask::kPassivity);
         const Made with = strokes(static_cast<ApexSurface>(surface), 0);
-        qInfo("%d contacts: worst %.3f mJ and %.2f mJ in all; with the guard %.3f and %.2f mJ", without.contacts,
-              1e3 * without.worst_J, 1e3 * without.total_J, 1e3 * with.worst_J, 1e3 * with.total_J);
+        qInfo("%d contacts: worst %.3f mJ and %.2f mJ in all; with the guard %.3f and %.2f mJ",
+              without.contacts, 1e3 * without.worst_J, 1e3 * without.total_J, 1e3 * with.worst_J,
+              1e3 * with.total_J);
         // The guard lets 1 mJ pass in a contact, and sees what a tick makes only after it.
         QVERIFY(with.worst_J <= 0.0011);
         QVERIFY(with.worst_J <= without.worst_J + 1e-9);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The closed loop of a palpation: hand → arm → tissue → supervisor → platform → pad, displayed against computed while in contact, beside P3's figures.
+// The closed loop of a palpation: hand → arm → tissue → supervisor → platform → pad, displayed against
+// computed while in contact, beside P3's figures.
 #include "devices/drivers/simulated/simulated_fingertip_device.h"
 #include "haptics/safety_supervisor.h"
 #include "mechanisms/fingertip_verification.h"
@@ -15,7 +16,8 @@ using core::Vec3;
 
 namespace {
 
-/// Waits above until force is on, presses, strokes over the lump and back along both axes, lifts; again and again.
+/// Waits above until force is on, presses, strokes over the lump and back along both axes, lifts; again and
+/// again.
 class Stroker final : public mechanisms::HandStrategy {
 public:
     mechanisms::HandIntention decide(const mechanisms::HandPerception& seen) noexcept override {
@@ -58,7 +60,8 @@ struct Loop {
         int contact = 0; ///< ticks: all the figures are of these
     };
 
-    explicit Loop(std::uint64_t seed, std::unique_ptr<mechanisms::HandStrategy> other = nullptr) : contact(tissue()), pinches(other != nullptr) {
+    explicit Loop(std::uint64_t seed, std::unique_ptr<mechanisms::HandStrategy> other = nullptr)
+        : contact(tissue()), pinches(other != nullptr) {
         const simulation::Lump lump{{0.004, 0.0}, 0.010, 0.005, 10.0};
         contact.setLumps({&lump, 1});
         auto strategy = std::move(other);
@@ -71,7 +74,8 @@ struct Loop {
         c.start_D = Vec3(0.0, 0.0, 0.006);
         c.seed = seed;
         device = std::move(devices::SimulatedFingertipDevice::create(c, std::move(strategy)).value());
-        const std::array<haptics::SafetyTool, 1> tools{haptics::SafetyTool{device->descriptor(), device->kinematics(), {}}};
+        const std::array<haptics::SafetyTool, 1> tools{
+            haptics::SafetyTool{device->descriptor(), device->kinematics(), {}}};
         haptics::SafetySettings settings;
         settings.heartbeatWatched = false;
         if (!device->open() || !supervisor.configure(settings, tools))
@@ -110,17 +114,21 @@ struct Loop {
         command.enabled = out.tools[0].enabled;
         device->command(now, command);
         guards |= out.guards;
-        if (!out.forceReady || !response.inContact) // in the air there is nothing to display: it would only flatter
+        if (!out.forceReady ||
+            !response.inContact) // in the air there is nothing to display: it would only flatter
             return;
         ++f.contact;
         const core::DisplayPose &asked = response.display, &real = device->platform().truth();
-        const double force = asked.normalForce_N - device->platform().sensedForce_N(), truly = asked.normalForce_N - real.normalForce_N;
+        const double force = asked.normalForce_N - device->platform().sensedForce_N(),
+                     truly = asked.normalForce_N - real.normalForce_N;
         f.forceSum2 += force * force;
         f.forceTrueSum2 += truly * truly;
         f.mostComputed_N = std::max(f.mostComputed_N, asked.normalForce_N);
         f.mostLean_rad = std::max(f.mostLean_rad, std::hypot(asked.pitch_rad, asked.roll_rad));
-        f.angleSum += core::degFromRad(std::hypot(asked.pitch_rad - device->platform().sensedPitch_rad(), asked.roll_rad - device->platform().sensedRoll_rad()));
-        f.angleTrueSum += core::degFromRad(std::hypot(asked.pitch_rad - real.pitch_rad, asked.roll_rad - real.roll_rad));
+        f.angleSum += core::degFromRad(std::hypot(asked.pitch_rad - device->platform().sensedPitch_rad(),
+                                                  asked.roll_rad - device->platform().sensedRoll_rad()));
+        f.angleTrueSum +=
+            core::degFromRad(std::hypot(asked.pitch_rad - real.pitch_rad, asked.roll_rad - real.roll_rad));
     }
 
     simulation::TissueContact contact;
@@ -165,19 +173,25 @@ void TestPalpationDisplay::displayedFollowsComputed() {
         loop.tick(f);
     QVERIFY(loop.out.forceReady);
     QVERIFY2(f.contact > 12000 && f.mostComputed_N > 1.0 && f.mostComputed_N < 4.0 && f.mostLean_rad > 0.15,
-             qPrintable(QString("%1 ticks, %2 N, %3 rad").arg(f.contact).arg(f.mostComputed_N).arg(f.mostLean_rad)));
+             qPrintable(
+                 QString("%1 ticks, %2 N, %3 rad").arg(f.contact).arg(f.mostComputed_N).arg(f.mostLean_rad)));
     QVERIFY(loop.stroker->most_N > 0.8 * f.mostComputed_N); // the hand felt it
     QCOMPARE(loop.guards & (core::guard_bits::kPassivity | core::guard_bits::kOverVelocity), 0u);
     const double rmse = std::sqrt(f.forceSum2 / f.contact), truly = std::sqrt(f.forceTrueSum2 / f.contact);
     const double angle = f.angleSum / f.contact, angleTruly = f.angleTrueSum / f.contact;
-    qInfo("palpation up to %.2f N and %.1f deg: RMSE %.4f N (P3's sine %.4f), on the pad %.4f N; angle %.2f deg (P3's poses %.2f), truly %.2f",
-          f.mostComputed_N, core::degFromRad(f.mostLean_rad), rmse, mechanisms::FingertipPublished::kMeanRmse_N, truly, angle,
+    qInfo("palpation up to %.2f N and %.1f deg: RMSE %.4f N (P3's sine %.4f), on the pad %.4f N; angle %.2f "
+          "deg (P3's poses %.2f), truly %.2f",
+          f.mostComputed_N, core::degFromRad(f.mostLean_rad), rmse,
+          mechanisms::FingertipPublished::kMeanRmse_N, truly, angle,
           mechanisms::FingertipPublished::kMeanError_deg, angleTruly);
-    QVERIFY(rmse < mechanisms::FingertipPublished::kMeanRmse_N && truly < mechanisms::FingertipPublished::kMeanRmse_N);
-    QVERIFY(angle < mechanisms::FingertipPublished::kMeanError_deg && angleTruly < mechanisms::FingertipPublished::kMeanError_deg);
+    QVERIFY(rmse < mechanisms::FingertipPublished::kMeanRmse_N &&
+            truly < mechanisms::FingertipPublished::kMeanRmse_N);
+    QVERIFY(angle < mechanisms::FingertipPublished::kMeanError_deg &&
+            angleTruly < mechanisms::FingertipPublished::kMeanError_deg);
 }
 
-// Fingers close the arm's lever, its Hall sensor tells the jaw, the tissue between the jaws is squeezed, and the platform presses the pad by that much more.
+// Fingers close the arm's lever, its Hall sensor tells the jaw, the tissue between the jaws is squeezed, and
+// the platform presses the pad by that much more.
 void TestPalpationDisplay::aPinchIsFeltAtThePad() {
     auto strategy = std::make_unique<Pincher>();
     Pincher* hand = strategy.get();
@@ -191,7 +205,8 @@ void TestPalpationDisplay::aPinchIsFeltAtThePad() {
     QVERIFY2(squeeze > 0.4 && squeeze < 3.0, qPrintable(QString::number(squeeze)));
     QVERIFY2(hand->before_N > 0.3, qPrintable(QString::number(hand->before_N)));
     const double more = hand->after_N - hand->before_N;
-    QVERIFY2(std::abs(more - squeeze) < 0.1 + 0.1 * squeeze, qPrintable(QString("%1 N more at the pad for %2 N between the jaws").arg(more).arg(squeeze)));
+    QVERIFY2(std::abs(more - squeeze) < 0.1 + 0.1 * squeeze,
+             qPrintable(QString("%1 N more at the pad for %2 N between the jaws").arg(more).arg(squeeze)));
 }
 
 QTEST_APPLESS_MAIN(TestPalpationDisplay)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Palpation laws in the loop: what press–slide–lift makes on the hand, without the passivity guard and with it, forwards and back.
+// Palpation laws in the loop: what press–slide–lift makes on the hand, without the passivity guard and with
+// it, forwards and back.
 #include "core/units.h"
 #include "unit/haptics/safety_rig.h"
 #include "unit/simulation/tissue_laws.h"
@@ -20,10 +21,12 @@ struct Case {
     Vec3 from{-0.030, 0, 0}, to{0, 0, 0};
     bool back = false;
     int rounds = 1;     ///< down, there, up, back, and again
-    bool lifts = false; ///< up into the air: a contact a round; else by all but 0.2 mm, the way back hardly touching: one contact
+    bool lifts = false; ///< up into the air: a contact a round; else by all but 0.2 mm, the way back hardly
+                        ///< touching: one contact
 };
 
-/// Work (J) of the commanded force on the hand over all its rounds; > 0: energy was made. The motion is prescribed, so no hand hides it.
+/// Work (J) of the commanded force on the hand over all its rounds; > 0: energy was made. The motion is
+/// prescribed, so no hand hides it.
 double made(const Case& of, std::uint32_t without) {
     const TissueContact contact = contactOf(of.tissue, of.lumps);
     test::SafetyRig rig(test::sixAxisDevice(20.0), {}, {}, nullptr, GuardMask::without(without));
@@ -33,7 +36,8 @@ double made(const Case& of, std::uint32_t without) {
     const Vec3 up = Vec3::UnitZ();
     std::vector<Vec3> corners{of.from + kAbove * up};
     for (int n = 0; n < of.rounds; ++n) // one turn of the loop, back while hardly touching
-        for (const Vec3& corner : {Vec3(of.from - kDeep * up), Vec3(of.to - kDeep * up), Vec3(of.to - back * up), Vec3(of.from - back * up)})
+        for (const Vec3& corner : {Vec3(of.from - kDeep * up), Vec3(of.to - kDeep * up),
+                                   Vec3(of.to - back * up), Vec3(of.from - back * up)})
             corners.push_back(corner);
     corners.push_back(of.from + kAbove * up);
     if (of.back)
@@ -100,16 +104,20 @@ Case inclusion(bool back, int rounds, double friction) {
 }
 
 Case published(int law, bool back, int rounds) {
-    return law == 0 ? stiffnessTimesDepth(back, rounds) : law == 1 ? recast(back, rounds) : lumpByDepth(back, rounds);
+    return law == 0   ? stiffnessTimesDepth(back, rounds)
+           : law == 1 ? recast(back, rounds)
+                      : lumpByDepth(back, rounds);
 }
 
-/// What one turn makes of a force along the normal alone: ∫ of the difference of the two places' forces over the depth, J.
+/// What one turn makes of a force along the normal alone: ∫ of the difference of the two places' forces over
+/// the depth, J.
 double turnOf(const Case& of) {
     const TissueContact contact = contactOf(of.tissue, of.lumps);
     double sum_J = 0.0;
     for (int n = 0; n < 4000; ++n) {
         const Vec3 down(0.0, 0.0, -1e-6 * (n + 0.5));
-        sum_J += 1e-6 * (pressAt(contact, of.to + down).force.z() - pressAt(contact, of.from + down).force.z());
+        sum_J +=
+            1e-6 * (pressAt(contact, of.to + down).force.z() - pressAt(contact, of.from + down).force.z());
     }
     return sum_J;
 }
@@ -136,8 +144,8 @@ void TestPalpationPassivity::publishedLawsAreHeldToTheAllowance_data() {
     }
 }
 
-// Each way round once: one of the two makes energy, the other takes it. The guard lets 1 mJ pass in a contact and sees what a tick makes
-// after it.
+// Each way round once: one of the two makes energy, the other takes it. The guard lets 1 mJ pass in a contact
+// and sees what a tick makes after it.
 void TestPalpationPassivity::publishedLawsAreHeldToTheAllowance() {
     QFETCH(int, law);
     QFETCH(int, rounds);
@@ -162,8 +170,8 @@ void TestPalpationPassivity::eachContactIsForgivenOnce_data() {
     QTest::newRow("stiffness times depth over a lump") << 2;
 }
 
-// Press, slide, lift, twenty times: without the guard every loop makes energy, with it at most the supervisor's 1 mJ a contact is
-// passed (models.md's "≤ 0 with it" holds beyond that), however often.
+// Press, slide, lift, twenty times: without the guard every loop makes energy, with it at most the
+// supervisor's 1 mJ a contact is passed (models.md's "≤ 0 with it" holds beyond that), however often.
 void TestPalpationPassivity::eachContactIsForgivenOnce() {
     QFETCH(int, law);
     constexpr int kRounds = 20;
@@ -181,12 +189,15 @@ void TestPalpationPassivity::eachContactIsForgivenOnce() {
     QVERIFY(most > 0.85 * once * kRounds);
 }
 
-// The potential makes what a tick of delay leaks, whatever the guard does: a hundredth of what the published laws make.
+// The potential makes what a tick of delay leaks, whatever the guard does: a hundredth of what the published
+// laws make.
 void TestPalpationPassivity::thePotentialNeedsNoGuard() {
     for (const double friction : {0.0, 0.2})
         for (const bool back : {false, true}) {
-            const double without = made(inclusion(back, 5, friction), GuardMask::kPassivity), with = made(inclusion(back, 5, friction), 0);
-            qInfo("friction %.1f, %s: %.4f mJ; with the guard %.4f mJ", friction, back ? "back" : "there", 1e3 * without, 1e3 * with);
+            const double without = made(inclusion(back, 5, friction), GuardMask::kPassivity),
+                         with = made(inclusion(back, 5, friction), 0);
+            qInfo("friction %.1f, %s: %.4f mJ; with the guard %.4f mJ", friction, back ? "back" : "there",
+                  1e3 * without, 1e3 * with);
             QVERIFY(with <= 0.001 && without <= 0.001);
             if (friction > 0.0)
                 QVERIFY(without < -0.001);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The books of bodies alone (passivity_controller.h), without devices: who owes what, what is softened and what comes back.
+// The books of bodies alone (passivity_controller.h), without devices: who owes what, what is softened and
+// what comes back.
 #include "haptics/passivity_controller.h"
 
 #include "support/passive_object.h"
@@ -20,8 +21,8 @@ struct Books {
         states.count = 2;
     }
     /// Tool i of body `of[i]` is shown f[i]; then moves by dx[i].
-    void tick(const std::array<std::uint8_t, 2>& of, const std::array<double, 2>& force, const std::array<double, 2>& dx,
-              const std::array<double, 4>& energy, double stiffness = 0.0) {
+    void tick(const std::array<std::uint8_t, 2>& of, const std::array<double, 2>& force,
+              const std::array<double, 2>& dx, const std::array<double, 4>& energy, double stiffness = 0.0) {
         haptics::PassivityBodies bodies;
         for (std::size_t i = 0; i < 2; ++i) {
             bodies.bodyOf[i] = of[i];
@@ -74,7 +75,8 @@ private slots:
 };
 
 void TestPassivityBooks::oneBodyCannotBorrowFromAnother() {
-    // Tool 1 pushes into its spring: 1 N over 20 mm, 20 mJ in. Tool 0 is pushed by 1 N over 20 mm, and nobody pays.
+    // Tool 1 pushes into its spring: 1 N over 20 mm, 20 mJ in. Tool 0 is pushed by 1 N over 20 mm, and nobody
+    // pays.
     for (const bool apart : {false, true}) {
         Books books;
         double least = 1.0;
@@ -108,7 +110,8 @@ void TestPassivityBooks::booksGoWithTheirTools() {
     Books books;
     // Both at bodies of their own, 2 mJ put into each by 1 N over 2 mm.
     for (int n = 0; n <= 20; ++n)
-        books.tick({0, 1}, {1.0, 1.0}, {n < 20 ? -1e-4 : 0.0, n < 20 ? -1e-4 : 0.0}, {1e-4 * n, 1e-4 * n, 0.0, 0.0});
+        books.tick({0, 1}, {1.0, 1.0}, {n < 20 ? -1e-4 : 0.0, n < 20 ? -1e-4 : 0.0},
+                   {1e-4 * n, 1e-4 * n, 0.0, 0.0});
     QVERIFY(std::abs(books.controller.supplied_J() - 4e-3) < 1e-6);
     // They become one: the books are one, nothing is lost and nothing is owed.
     books.tick({0, 0}, {1.0, 1.0}, {0.0, 0.0}, {4e-3, 0.0, 0.0, 0.0});
@@ -155,10 +158,11 @@ void TestPassivityBooks::aSoftenedBodyRecoversOnWorkAlone() {
 
 namespace {
 
-/// P2's passive object and the supervisor's book of one body, with the same motion and the same force of two tools.
+/// P2's passive object and the supervisor's book of one body, with the same motion and the same force of two
+/// tools.
 struct SideBySide {
-    void tick(const std::array<core::Vec3, 2>& p, const std::array<core::Vec3, 2>& asked, const std::array<core::Vec3, 2>& shown,
-              const std::array<bool, 2>& touching, double stored_J) {
+    void tick(const std::array<core::Vec3, 2>& p, const std::array<core::Vec3, 2>& asked,
+              const std::array<core::Vec3, 2>& shown, const std::array<bool, 2>& touching, double stored_J) {
         core::ToolStates states;
         core::ToolWrenches held;
         states.count = held.count = 2;
@@ -178,7 +182,8 @@ struct SideBySide {
 
 } // namespace
 
-// The object is passive or not by both, to rounding: for a spring, for a stiffness that is told too late, and through two tools.
+// The object is passive or not by both, to rounding: for a spring, for a stiffness that is told too late, and
+// through two tools.
 void TestPassivityBooks::bookOfABodyIsThatOfP2() {
     const core::Vec3 z = core::Vec3::UnitZ(), x = core::Vec3::UnitX(), none = core::Vec3::Zero();
     for (const double kOut : {500.0, 1200.0}) {
@@ -198,11 +203,13 @@ void TestPassivityBooks::bookOfABodyIsThatOfP2() {
         both.tick({a * x, b * x}, {f, -f}, {f, -f}, {true, true}, 50.0 * (a - b) * (a - b));
         QVERIFY(std::abs(both.published.displayed_J() + both.book.supplied_J()) < 1e-12);
     }
-    QVERIFY(std::abs(both.book.supplied_J()) < 2e-5); // neither alone: the first gave 5 mJ, the second got them
+    QVERIFY(std::abs(both.book.supplied_J()) <
+            2e-5); // neither alone: the first gave 5 mJ, the second got them
 }
 
-// Why the scene keeps no such object: it knows the force it asked for. Capped to 1 N on the way in and felt whole on the way out, the spring
-// gives more than it took, and a book of what was asked for says that nothing happened.
+// Why the scene keeps no such object: it knows the force it asked for. Capped to 1 N on the way in and felt
+// whole on the way out, the spring gives more than it took, and a book of what was asked for says that
+// nothing happened.
 void TestPassivityBooks::onlyTheBookOfWhatWasShownIsRight() {
     const core::Vec3 z = core::Vec3::UnitZ(), none = core::Vec3::Zero();
     SideBySide both;
@@ -225,7 +232,9 @@ void TestPassivityBooks::capsAreBookedAtTheShare() {
     contact.share[0] = 1.0;
     contact.stored_J = 0.01;
     contact.capRatio[0] = 0.5; // twice the cap is asked for
-    const auto held = [&](double scale) { return haptics::PassivityController::renderedEnergy_J(contact, scale, 1); };
+    const auto held = [&](double scale) {
+        return haptics::PassivityController::renderedEnergy_J(contact, scale, 1);
+    };
     // ∫ min(c f, f/2) over the stretch x of f = k x: c U s(2 - s), s = 1/(2c)
     for (const double c : {0.1, 0.3, 0.5, 0.8, 1.0}) {
         double sum = 0.0;

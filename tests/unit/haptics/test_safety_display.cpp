@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a fingertip platform is told to display (P3): over random scenes, commands, packets and hands every row of the
-// supervisor's table holds for the displayed normal force and lean too; and without the stage, or without a guard, the same
-// check finds the row broken.
+// What a fingertip platform is told to display (P3): over random scenes, commands, packets and hands every
+// row of the supervisor's table holds for the displayed normal force and lean too; and without the stage, or
+// without a guard, the same check finds the row broken.
 #include "core/random.h"
 #include "haptics/safety_display.h"
 #include "unit/haptics/safety_rig.h"
@@ -51,7 +51,8 @@ private:
             m_push = m_random.uniform(0.0, chance(0.2) ? 40.0 : 6.0);
         const Vec3 side(m_random.normal(), m_random.normal(), 3.0);
         m_rig.ask(m_quiet > 0 ? Vec3(0.0, 0.0, 0.05) : Vec3(m_push * side.normalized()));
-        asked.normalForce_N = chance(0.05) ? m_random.uniform(-5.0, 50.0) : m_push; // nothing ties it to the wrench
+        asked.normalForce_N =
+            chance(0.05) ? m_random.uniform(-5.0, 50.0) : m_push; // nothing ties it to the wrench
         asked.pitch_rad = chance(0.05) ? m_random.uniform(-3.0, 3.0) : 0.3;
         asked.roll_rad = chance(0.05) ? m_random.uniform(-3.0, 3.0) : -0.1;
         if (chance(0.001))
@@ -62,7 +63,8 @@ private:
         m_fast = chance(0.0003);
         m_rig.states.tools[0].v_WT = Vec3(m_fast ? 1.5 : 0.2, 0.0, 0.0);
         m_frozenFor = m_frozenFor > 0 ? (chance(0.001) ? 0 : m_frozenFor + 1) : chance(0.0002) ? 1 : 0;
-        m_rig.heartbeatAge_ms = static_cast<std::uint16_t>(m_frozenFor > 0 ? 250 + std::min(m_frozenFor, 5000) : 20);
+        m_rig.heartbeatAge_ms =
+            static_cast<std::uint16_t>(m_frozenFor > 0 ? 250 + std::min(m_frozenFor, 5000) : 20);
         m_silentFor = m_silentFor > 0 ? (chance(0.02) ? 0 : m_silentFor + 1) : chance(0.0004) ? 1 : 0;
         m_rig.silent = m_silentFor > 0;
         m_rig.age_us = static_cast<std::uint32_t>(1000 * m_silentFor);
@@ -78,8 +80,10 @@ private:
             kind = core::CommandKind::resume;
         else if (chance(0.01))
             kind = core::CommandKind::rearm;
-        m_pausedFor = kind == core::CommandKind::pause ? std::max(m_pausedFor, 1) : kind == core::CommandKind::resume ? 0
-                                                                          : m_pausedFor > 0 ? m_pausedFor + 1 : 0;
+        m_pausedFor = kind == core::CommandKind::pause    ? std::max(m_pausedFor, 1)
+                      : kind == core::CommandKind::resume ? 0
+                      : m_pausedFor > 0                   ? m_pausedFor + 1
+                                                          : 0;
         m_stopped = kind == core::CommandKind::stopForce || (m_stopped && kind != core::CommandKind::rearm);
         m_rig.tick({kind});
     }
@@ -104,9 +108,12 @@ private:
     void check(const DisplayPose& asked, const DisplayPose& shown) {
         constexpr double kEps = 1e-12;
         const bool zero = shown.normalForce_N == 0.0 && shown.pitch_rad == 0.0 && shown.roll_rad == 0.0;
-        require(std::isfinite(shown.normalForce_N) && std::isfinite(shown.pitch_rad) && std::isfinite(shown.roll_rad), "finite");
+        require(std::isfinite(shown.normalForce_N) && std::isfinite(shown.pitch_rad) &&
+                    std::isfinite(shown.roll_rad),
+                "finite");
         require(shown.normalForce_N >= 0.0 && shown.normalForce_N <= 4.0 + kEps, "cap");
-        require(std::hypot(shown.pitch_rad, shown.roll_rad) <= haptics::kMaximumLean_rad + kEps && std::abs(shown.roll_rad) <= haptics::kMaximumRoll_rad + kEps,
+        require(std::hypot(shown.pitch_rad, shown.roll_rad) <= haptics::kMaximumLean_rad + kEps &&
+                    std::abs(shown.roll_rad) <= haptics::kMaximumRoll_rad + kEps,
                 "lean"); // |pitch| ≤ 30° is in the first
         require(m_rig.out.tools[0].enabled || zero, "disabled");
         require(shown.normalForce_N <= m_last.normalForce_N + 2.0 + kEps, "slew");
@@ -120,7 +127,9 @@ private:
         require(m_silentFor < 20 || zero, "watchdog");
         require(!m_fast || zero, "over-velocity");
         if (std::isfinite(asked.normalForce_N))
-            require(shown.normalForce_N <= std::max(0.0, asked.normalForce_N) * std::min(1.0, (m_sinceOff + 1) / 2000.0) + 1e-9, "arming");
+            require(shown.normalForce_N <=
+                        std::max(0.0, asked.normalForce_N) * std::min(1.0, (m_sinceOff + 1) / 2000.0) + 1e-9,
+                    "arming");
     }
 
     core::Random m_random;
@@ -155,7 +164,9 @@ void TestSafetyDisplay::noRowIsEverBroken() {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         DisplayEpisode episode(seed, {}, Stage::kept);
         const auto broken = episode.run(8000);
-        QVERIFY2(broken.empty(), qPrintable(QString("%1, seed %2").arg(broken.empty() ? "" : broken.begin()->c_str()).arg(seed)));
+        QVERIFY2(
+            broken.empty(),
+            qPrintable(QString("%1, seed %2").arg(broken.empty() ? "" : broken.begin()->c_str()).arg(seed)));
         most = std::max(most, episode.most_N());
     }
     QVERIFY(most > 3.9); // force did come on
@@ -165,8 +176,8 @@ void TestSafetyDisplay::withoutTheStageEveryRowIsFound() {
     std::set<std::string> found;
     for (std::uint64_t seed = 0; seed < 10; ++seed)
         found.merge(DisplayEpisode(seed, {}, Stage::removed).run(8000));
-    for (const char* row : {"finite", "cap", "lean", "disabled", "slew", "lean slew", "stop", "pause", "frozen window", "watchdog",
-                            "over-velocity", "arming"})
+    for (const char* row : {"finite", "cap", "lean", "disabled", "slew", "lean slew", "stop", "pause",
+                            "frozen window", "watchdog", "over-velocity", "arming"})
         QVERIFY2(found.contains(row), row);
 }
 
@@ -210,7 +221,8 @@ void TestSafetyDisplay::dampingOfAFastHandIsNoTissueForce() {
     }
 }
 
-// Pressed, moved against the force and let go of: with motors on the tool that is work; through a pad it is none.
+// Pressed, moved against the force and let go of: with motors on the tool that is work; through a pad it is
+// none.
 void TestSafetyDisplay::aPadBooksNoEnergy() {
     for (const double rating : {0.0, 6.0}) {
         SafetyRig rig(padDevice(rating));
@@ -281,13 +293,16 @@ void TestSafetyDisplay::aLeanIsLimitedAlongItsOwnDirection() {
             const double lean = std::hypot(shown.pitch_rad, shown.roll_rad);
             QVERIFY(std::abs(shown.pitch_rad * asked.roll_rad - shown.roll_rad * asked.pitch_rad) < 1e-12);
             QVERIFY(shown.pitch_rad * asked.pitch_rad >= 0.0 && shown.roll_rad * asked.roll_rad >= 0.0);
-            const double largest = std::min(haptics::kMaximumLean_rad, haptics::kMaximumRoll_rad / std::max(1e-9, std::abs(std::sin(way))));
+            const double largest =
+                std::min(haptics::kMaximumLean_rad,
+                         haptics::kMaximumRoll_rad / std::max(1e-9, std::abs(std::sin(way))));
             QVERIFY(std::abs(lean - std::min(angle, largest)) < 1e-12);
         }
 }
 
-// Left-handed, R_W = H R_D H: what leans the tool's pad towards l in W leans it towards H l in D. The lean vector from roll and pitch:
-// roll·x − pitch·(n × x), in D's own terms and mirrored, against the scene's in W.
+// Left-handed, R_W = H R_D H: what leans the tool's pad towards l in W leans it towards H l in D. The lean
+// vector from roll and pitch: roll·x − pitch·(n × x), in D's own terms and mirrored, against the scene's in
+// W.
 void TestSafetyDisplay::aMirroredToolLeansTheOtherWay() {
     const auto leanVector = [](const DisplayPose& pose, const Vec3& x, const Vec3& n) {
         return Vec3(pose.roll_rad * x - pose.pitch_rad * n.cross(x));
@@ -309,7 +324,8 @@ void TestSafetyDisplay::aMirroredToolLeansTheOtherWay() {
         rig.ticks(60);
         QVERIFY(std::abs(rig.out.tools[0].display.roll_rad + 0.1) < 1e-12); // the picture is W's
         QVERIFY(std::abs(rig.out.tools[0].display_D.roll_rad - (left ? 0.1 : -0.1)) < 1e-12);
-        QVERIFY(std::abs(rig.out.tools[0].display_D.pitch_rad - 0.2) < 1e-12 && rig.out.tools[0].display_D.normalForce_N > 0.99);
+        QVERIFY(std::abs(rig.out.tools[0].display_D.pitch_rad - 0.2) < 1e-12 &&
+                rig.out.tools[0].display_D.normalForce_N > 0.99);
     }
 }
 

@@ -74,7 +74,8 @@ void TestSafetyLimits::axisCapsHoldInTheDevicesFrame() {
     QVERIFY(rig.out.guards & guard_bits::kCap);
 }
 
-// x up to 1 − w, ever nearer to 1 beyond, and no corner between; nothing is ever more than asked for, or more than the cap.
+// x up to 1 − w, ever nearer to 1 beyond, and no corner between; nothing is ever more than asked for, or more
+// than the cap.
 void TestSafetyLimits::aForceMayBendIntoItsCap() {
     for (const double w : {0.05, 0.2, 0.5}) {
         double before = 0.0, slope = 1.0, sum = 0.0;
@@ -168,12 +169,14 @@ void TestSafetyLimits::capsHoldWhereTheSlewKeepsPartOfTheLastForce() {
     QVERIFY(rig.force().y() > 1.4);
 }
 
-/// Where the kinematics gives an effort that is not finite, on any axis, no force or torque is rendered at all.
+/// Where the kinematics gives an effort that is not finite, on any axis, no force or torque is rendered at
+/// all.
 void TestSafetyLimits::aKinematicsWithoutAnAnswerGivesNoForce() {
     class Unanswered : public test::CartesianKinematics {
     public:
         Unanswered(double value, std::size_t axis) : m_value(value), m_axis(axis) {}
-        devices::AxisValues efforts(const core::DeviceSample& sample, const core::Wrench& w) const noexcept override {
+        devices::AxisValues efforts(const core::DeviceSample& sample,
+                                    const core::Wrench& w) const noexcept override {
             auto all = CartesianKinematics::efforts(sample, w);
             if (sample.counts[0] > 500)
                 all[m_axis] = m_value;

@@ -220,8 +220,9 @@ void TestSafetyPassivity::anActiveContactIsDamped() {
     const auto [with, kept] = returned(0);
     const auto [without, keptWithout] = returned(GuardMask::kPassivity);
     QCOMPARE(keptWithout, 0.0);
-    QVERIFY2(std::abs(kept - (without - with)) < 2e-4, qPrintable(QString::number(kept))); // told as what the hand did not get
-    QVERIFY(std::abs(without - 0.010) < 2e-4); // 0.01 m · (2 N - 1 N), to within the turning tick
+    QVERIFY2(std::abs(kept - (without - with)) < 2e-4,
+             qPrintable(QString::number(kept))); // told as what the hand did not get
+    QVERIFY(std::abs(without - 0.010) < 2e-4);   // 0.01 m · (2 N - 1 N), to within the turning tick
     // b_max = 50 N·s/m at 0.05 m/s can take all 2 N back; what one tick makes (0.1 mJ) is seen only after it.
     // The sum of 400 products is exact to far better than a nanojoule.
     QVERIFY(with <= 0.001 + 0.0001 + 1e-9);
@@ -260,12 +261,14 @@ void TestSafetyPassivity::injectionTakesWhatTheLawsLeave() {
         rig->scene.damping_Ns_per_m[0] = used;
         rig->ask(Vec3(0.5, 0, 0));
         rig->ticks(100);
-        QVERIFY2(std::abs(rig->force().x() - (0.5 + std::max(0.0, 50.0 - used) * 0.01)) < 1e-12, qPrintable(QString::number(used)));
+        QVERIFY2(std::abs(rig->force().x() - (0.5 + std::max(0.0, 50.0 - used) * 0.01)) < 1e-12,
+                 qPrintable(QString::number(used)));
     }
 }
 
 void TestSafetyPassivity::injectionDoesNotFollowACountingVelocity() {
-    // A tool that creeps in at 6 mm/s while its estimate jumps by 10 mm/s at 500 Hz, as a mechanism shakes that is damped too much.
+    // A tool that creeps in at 6 mm/s while its estimate jumps by 10 mm/s at 500 Hz, as a mechanism shakes
+    // that is damped too much.
     const auto rig = freshRig(0);
     rig->ask(Vec3(1.0, 0, 0));
     rig->scene.storedEnergy_J = 1.0;
@@ -279,7 +282,8 @@ void TestSafetyPassivity::injectionDoesNotFollowACountingVelocity() {
         least = std::min(least, rig->force().x());
         most = std::max(most, rig->force().x());
     }
-    // Of the 1 N from peak to peak that 50 N·s/m make of the jumps, a low-pass of 2 ms leaves a fifth: (1/3)/(2 − 1/3).
+    // Of the 1 N from peak to peak that 50 N·s/m make of the jumps, a low-pass of 2 ms leaves a fifth:
+    // (1/3)/(2 − 1/3).
     QVERIFY2(most - least < 0.21, qPrintable(QString::number(most - least)));
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A session with a late slow model gives the same bits when it is replayed; as-fast runs too, and on a thread of its own.
+// A session with a late slow model gives the same bits when it is replayed; as-fast runs too, and on a thread
+// of its own.
+#include "core/fp_environment.h"
 #include "devices/recorded_device.h"
 #include "haptics/recorded_inputs.h"
-#include "core/fp_environment.h"
 #include "haptics/slow_model_thread.h"
 #include "realtime/monotonic_clock.h"
 #include "support/haptic_bench.h"
@@ -29,8 +30,8 @@ struct Session {
         auto scene = std::make_unique<simulation::SphereApexScene>(p, 7);
         model = scene->slowModel();
         inputs.setSlowUpdate(when);
-        bench = std::make_unique<LoopBench>(std::vector<haptics::LoopTool>{{first, {}}, {second, {}}}, inputs, store,
-                                            std::move(scene));
+        bench = std::make_unique<LoopBench>(std::vector<haptics::LoopTool>{{first, {}}, {second, {}}}, inputs,
+                                            store, std::move(scene));
         inputs.post({CommandKind::start});
     }
     bool tick(const realtime::HapticTick& now) noexcept {
@@ -64,7 +65,8 @@ int firstDifference(const std::vector<core::HapticFrame>& recorded, const Sessio
     simulation::SphereApexParameters p = softDome();
     p.trials = 2;
     p.trialLimit_s = 8.0;
-    LoopBench bench({{**first, {}}, {**second, {}}}, inputs, store, std::make_unique<simulation::SphereApexScene>(p, 7));
+    LoopBench bench({{**first, {}}, {**second, {}}}, inputs, store,
+                    std::make_unique<simulation::SphereApexScene>(p, 7));
     realtime::TickSource ticks;
     for (const core::HapticFrame& frame : recorded) {
         inputs.setFrame(frame);

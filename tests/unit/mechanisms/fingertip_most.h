@@ -8,8 +8,8 @@
 
 namespace chiron::mechanisms::tests {
 
-/// The most that the pad gets in 4 s (N, mean over a tick) when 4 to 8 N are asked at once every 0.8 s, half the time while it leans
-/// to and fro by 0.3 rad.
+/// The most that the pad gets in 4 s (N, mean over a tick) when 4 to 8 N are asked at once every 0.8 s, half
+/// the time while it leans to and fro by 0.3 rad.
 inline double mostOf(const FingertipPlatformParameters& parameters, std::uint64_t seed) {
     FingertipPlatform platform(parameters, seed);
     double most = 0.0;

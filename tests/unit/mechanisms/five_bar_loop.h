@@ -21,7 +21,8 @@ inline mechanisms::FiveBarVector fiveBarAt(const core::Vec3& p_D, const mechanis
     return q;
 }
 
-/// P1's mechanism with hand and wrist on it, against any law of what the host sees; the law's answer is one tick late.
+/// P1's mechanism with hand and wrist on it, against any law of what the host sees; the law's answer is one
+/// tick late.
 class FiveBarLoop {
 public:
     static constexpr double kToolMass_kg = 0.15;

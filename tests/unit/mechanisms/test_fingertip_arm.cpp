@@ -22,12 +22,12 @@ namespace {
 constexpr int kHandle = FingertipArmParameters::kHandle;
 
 /// Corners, edges, faces and middle of the box that sessions use.
-template <class Visit>
-void everywhere(const FingertipArmParameters& p, int steps, Visit&& visit) {
+template <class Visit> void everywhere(const FingertipArmParameters& p, int steps, Visit&& visit) {
     for (int i = 0; i <= steps; ++i)
         for (int j = 0; j <= steps; ++j)
             for (int k = 0; k <= steps; ++k) {
-                const Vec3 share(static_cast<double>(i) / steps, static_cast<double>(j) / steps, static_cast<double>(k) / steps);
+                const Vec3 share(static_cast<double>(i) / steps, static_cast<double>(j) / steps,
+                                 static_cast<double>(k) / steps);
                 visit(Vec3(p.boxMinimum_m + share.cwiseProduct(p.boxMaximum_m - p.boxMinimum_m)));
             }
 }
@@ -101,7 +101,8 @@ void TestFingertipArm::placeAgreesWithTheChain() {
             q[i] = random.uniform(-2.0, 2.0);
         chain.place(q);
         QVERIFY((chain.joint(FingertipArmParameters::kWrist) - place.place_D(q.head<3>())).norm() < 1e-14);
-        QVERIFY((chain.joint(kHandle) - place.place_D(q.head<3>())).norm() < 1e-14); // the wrist's axes meet in the pad
+        QVERIFY((chain.joint(kHandle) - place.place_D(q.head<3>())).norm() <
+                1e-14); // the wrist's axes meet in the pad
     }
 }
 
@@ -127,14 +128,17 @@ void TestFingertipArm::inverseAndForwardAgree() {
     int reached = 0;
     for (int n = 0; n < 2000; ++n) {
         const Vec3 at(random.uniform(-0.15, 0.15), random.uniform(-0.15, 0.15), random.uniform(-0.05, 0.20));
-        const Quat turn = mechanisms::turned(Quat::Identity(), Vec3(random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9)));
+        const Quat turn =
+            mechanisms::turned(Quat::Identity(), Vec3(random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9),
+                                                      random.uniform(-0.9, 0.9)));
         const auto posture = mechanisms::fingertipArmPosture(p, at, turn, 0.4);
         if (posture.reach != ArmReach::reached)
             continue;
         ++reached;
         chain.place(posture.q);
         QVERIFY((chain.joint(kHandle) - at).norm() < 1e-12);
-        QVERIFY(mechanisms::rotationVectorOf(Quat(chain.orientation(kHandle)) * turn.conjugate()).norm() < 1e-7);
+        QVERIFY(mechanisms::rotationVectorOf(Quat(chain.orientation(kHandle)) * turn.conjugate()).norm() <
+                1e-7);
         QCOMPARE(posture.q[6], 0.4);
         QVERIFY(posture.q[2] > 0.0); // elbow up
         const double elbow = chain.joint(2).z(), middle = 0.5 * (p.geometry.shoulder_D.z() + at.z());
@@ -148,9 +152,17 @@ void TestFingertipArm::theWholeBoxIsReachedFarFromSingular() {
     const FingertipArmPlace place(p.geometry);
     double worst = 0.0, coarsest = 0.0;
     everywhere(p, 8, [&](const Vec3& at) {
-        for (const Vec3& lean : {Vec3(0.0, 0.0, 0.0), Vec3(0.6, 0.0, 0.0), Vec3(-0.6, 0.0, 0.0), Vec3(0.0, 0.6, 0.0), Vec3(0.0, -0.6, 0.0), Vec3(0.0, 0.0, 0.8)}) {
-            const auto posture = mechanisms::fingertipArmPosture(p, at, mechanisms::turned(Quat::Identity(), lean));
-            QVERIFY2(posture.reach == ArmReach::reached, qPrintable(QString("%1 %2 %3: %4, joint %5").arg(at.x()).arg(at.y()).arg(at.z()).arg(mechanisms::wordsFor(posture.reach)).arg(posture.joint)));
+        for (const Vec3& lean : {Vec3(0.0, 0.0, 0.0), Vec3(0.6, 0.0, 0.0), Vec3(-0.6, 0.0, 0.0),
+                                 Vec3(0.0, 0.6, 0.0), Vec3(0.0, -0.6, 0.0), Vec3(0.0, 0.0, 0.8)}) {
+            const auto posture =
+                mechanisms::fingertipArmPosture(p, at, mechanisms::turned(Quat::Identity(), lean));
+            QVERIFY2(posture.reach == ArmReach::reached,
+                     qPrintable(QString("%1 %2 %3: %4, joint %5")
+                                    .arg(at.x())
+                                    .arg(at.y())
+                                    .arg(at.z())
+                                    .arg(mechanisms::wordsFor(posture.reach))
+                                    .arg(posture.joint)));
             const core::Mat3 j = place.jacobian(posture.q.head<3>());
             worst = std::max(worst, FingertipArmPlace::conditionNumber(j));
             coarsest = std::max(coarsest, p.encoderResolution_rad() * j.colwise().norm().maxCoeff());
@@ -163,17 +175,23 @@ void TestFingertipArm::theWholeBoxIsReachedFarFromSingular() {
 
 void TestFingertipArm::posesOutOfReachAreAnswered() {
     const FingertipArmParameters p;
-    const auto reachOf = [&](const Vec3& at, const Quat& turn = Quat::Identity()) { return mechanisms::fingertipArmPosture(p, at, turn).reach; };
+    const auto reachOf = [&](const Vec3& at, const Quat& turn = Quat::Identity()) {
+        return mechanisms::fingertipArmPosture(p, at, turn).reach;
+    };
     QCOMPARE(reachOf({0.0, -0.5, 0.0}), ArmReach::tooFar);
     QCOMPARE(reachOf({0.0, 0.0, std::nan("")}), ArmReach::notANumber);
     QCOMPARE(reachOf({0.0, std::numeric_limits<double>::infinity(), 0.0}), ArmReach::notANumber);
     QCOMPARE(reachOf({0.0, 0.0, 0.05}, Quat(0.0, 0.0, 0.0, 0.0)), ArmReach::notANumber);
-    QCOMPARE(reachOf(p.geometry.shoulder_D + Vec3(0.05, -0.02, 0.0)), ArmReach::beyondTravel); // folded beyond the elbow's stop
-    const auto behind = mechanisms::fingertipArmPosture(p, p.geometry.shoulder_D + Vec3(0.0, 0.3, -0.1), Quat::Identity());
+    QCOMPARE(reachOf(p.geometry.shoulder_D + Vec3(0.05, -0.02, 0.0)),
+             ArmReach::beyondTravel); // folded beyond the elbow's stop
+    const auto behind =
+        mechanisms::fingertipArmPosture(p, p.geometry.shoulder_D + Vec3(0.0, 0.3, -0.1), Quat::Identity());
     QCOMPARE(behind.reach, ArmReach::beyondTravel);
     QCOMPARE(behind.joint, 0);
-    QCOMPARE(reachOf({0.0, 0.0, 0.05}, mechanisms::turned(Quat::Identity(), Vec3(0.0, 1.4, 0.0))), ArmReach::beyondTravel); // the wrist's roll
-    for (const ArmReach reach : {ArmReach::notANumber, ArmReach::tooFar, ArmReach::overShoulder, ArmReach::gimbalLock, ArmReach::beyondTravel})
+    QCOMPARE(reachOf({0.0, 0.0, 0.05}, mechanisms::turned(Quat::Identity(), Vec3(0.0, 1.4, 0.0))),
+             ArmReach::beyondTravel); // the wrist's roll
+    for (const ArmReach reach : {ArmReach::notANumber, ArmReach::tooFar, ArmReach::overShoulder,
+                                 ArmReach::gimbalLock, ArmReach::beyondTravel})
         QVERIFY(QString::fromLatin1(mechanisms::wordsFor(reach)).size() > 10);
     FingertipArmPlant arm(p, 1); // a place out of reach: it stands in the middle of its box
     arm.reset({0.0, -5.0, 0.0});
@@ -183,11 +201,15 @@ void TestFingertipArm::posesOutOfReachAreAnswered() {
 void TestFingertipArm::singularPosesAreAnswered() {
     const FingertipArmParameters p;
     const mechanisms::FingertipArmGeometry& g = p.geometry;
-    QCOMPARE(mechanisms::fingertipArmPosture(p, g.shoulder_D + Vec3(0.0, 0.0, -0.3), Quat::Identity()).reach, ArmReach::overShoulder);
-    const auto stretched = mechanisms::fingertipArmPosture(p, g.shoulder_D + Vec3(0.0, -0.9999 * (g.upper_m + g.fore_m), 0.0), Quat::Identity());
+    QCOMPARE(mechanisms::fingertipArmPosture(p, g.shoulder_D + Vec3(0.0, 0.0, -0.3), Quat::Identity()).reach,
+             ArmReach::overShoulder);
+    const auto stretched = mechanisms::fingertipArmPosture(
+        p, g.shoulder_D + Vec3(0.0, -0.9999 * (g.upper_m + g.fore_m), 0.0), Quat::Identity());
     QCOMPARE(stretched.reach, ArmReach::beyondTravel); // the elbow's stop keeps it off
-    QVERIFY(std::isinf(FingertipArmPlace::conditionNumber(FingertipArmPlace(g).jacobian(Vec3(0.2, -0.1, 0.0)))));
-    const Quat locked = mechanisms::turned(Quat::Identity(), Vec3(0.0, 0.5 * core::kPi, 0.0)); // straight ahead, where the yaw is 0
+    QVERIFY(
+        std::isinf(FingertipArmPlace::conditionNumber(FingertipArmPlace(g).jacobian(Vec3(0.2, -0.1, 0.0)))));
+    const Quat locked = mechanisms::turned(
+        Quat::Identity(), Vec3(0.0, 0.5 * core::kPi, 0.0)); // straight ahead, where the yaw is 0
     QCOMPARE(mechanisms::fingertipArmPosture(p, {0.0, 0.0, 0.05}, locked).reach, ArmReach::gimbalLock);
 }
 
@@ -209,13 +231,15 @@ void TestFingertipArm::frictionTakesEnergyAlways() {
     for (int n = 0; n < 4000; ++n) {
         arm.step(0.00025, {});
         // The step is of first order: a hundred-thousandth of what it began with is what it may ripple by.
-        QVERIFY2(arm.energy_J() <= before + 1e-5 * std::abs(start), qPrintable(QString("%1 %2").arg(n).arg(arm.energy_J() - before)));
+        QVERIFY2(arm.energy_J() <= before + 1e-5 * std::abs(start),
+                 qPrintable(QString("%1 %2").arg(n).arg(arm.energy_J() - before)));
         before = arm.energy_J();
     }
     QVERIFY2(arm.rates().norm() < 0.05, qPrintable(wordsOf(arm.rates())));
 }
 
-// Balanced to 98 %: what is left is about what friction holds, so that the arm stays where it is let go of, or sinks by 2 mm in half a second.
+// Balanced to 98 %: what is left is about what friction holds, so that the arm stays where it is let go of,
+// or sinks by 2 mm in half a second.
 void TestFingertipArm::aHeldArmStaysAndAHandFeelsLittleWeight() {
     const FingertipArmParameters p;
     double most = 0.0;
@@ -249,7 +273,8 @@ void TestFingertipArm::gravityFallsOnTheHandWhenNothingBalances() {
 void TestFingertipArm::stopsHoldTheTravel() {
     const FingertipArmParameters p;
     FingertipArmPlant arm(p, 1);
-    for (const Vec3& direction : {Vec3(1.0, 0.0, 0.0), Vec3(-1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.3), Vec3(0.0, -1.0, -0.3), Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0)}) {
+    for (const Vec3& direction : {Vec3(1.0, 0.0, 0.0), Vec3(-1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.3),
+                                  Vec3(0.0, -1.0, -0.3), Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0)}) {
         arm.reset({0.0, 0.0, 0.05});
         core::Wrench push;
         push.force = 5.0 * direction;
@@ -258,7 +283,8 @@ void TestFingertipArm::stopsHoldTheTravel() {
             arm.step(0.00025, push);
         for (int i = 0; i < FingertipArmParameters::kJoints; ++i) {
             const auto at = static_cast<std::size_t>(i);
-            QVERIFY2(arm.q()[i] > p.minimum[at] - 0.1 && arm.q()[i] < p.maximum[at] + 0.1, qPrintable(QString("joint %1: %2").arg(i).arg(arm.q()[i])));
+            QVERIFY2(arm.q()[i] > p.minimum[at] - 0.1 && arm.q()[i] < p.maximum[at] + 0.1,
+                     qPrintable(QString("joint %1: %2").arg(i).arg(arm.q()[i])));
         }
         QVERIFY2(arm.rates().norm() < 0.5, qPrintable(wordsOf(arm.rates()) + " at " + wordsOf(arm.q())));
     }
@@ -270,12 +296,15 @@ void TestFingertipArm::strongPushesStayFinite() {
     core::Wrench push;
     for (int n = 0; n < 20000; ++n) {
         if (n % 200 == 0) {
-            push.force = Vec3(random.uniform(-20.0, 20.0), random.uniform(-20.0, 20.0), random.uniform(-20.0, 20.0));
-            push.torque = Vec3(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2));
+            push.force =
+                Vec3(random.uniform(-20.0, 20.0), random.uniform(-20.0, 20.0), random.uniform(-20.0, 20.0));
+            push.torque =
+                Vec3(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2));
             arm.holdLever(random.uniform(0.0, 1.6));
         }
         arm.step(0.00025, push);
-        QVERIFY2(arm.rates().allFinite() && arm.rates().norm() < 500.0, qPrintable(QString("%1: %2").arg(n).arg(arm.rates().norm())));
+        QVERIFY2(arm.rates().allFinite() && arm.rates().norm() < 500.0,
+                 qPrintable(QString("%1: %2").arg(n).arg(arm.rates().norm())));
     }
 }
 
@@ -306,7 +335,8 @@ void TestFingertipArm::encodersHaveTheirResolution() {
         FingertipArmPlant arm(p, 1);
         arm.reset({0.03, 0.02, 0.05});
         for (int i = 0; i < 3; ++i)
-            QVERIFY(std::abs(arm.encoderCounts()[static_cast<std::size_t>(i)] * p.encoderResolution_rad() - arm.q()[i]) <= 0.5 * p.encoderResolution_rad() + 1e-12);
+            QVERIFY(std::abs(arm.encoderCounts()[static_cast<std::size_t>(i)] * p.encoderResolution_rad() -
+                             arm.q()[i]) <= 0.5 * p.encoderResolution_rad() + 1e-12);
     }
 }
 
@@ -328,11 +358,14 @@ void TestFingertipArm::imuReadsAtItsRates() {
 }
 
 void TestFingertipArm::imuFollowsTheHandleWithinItsErrors() {
-    // Without errors it is exact but for the step and the count; with them within a degree, over two minutes of turning and shaking.
+    // Without errors it is exact but for the step and the count; with them within a degree, over two minutes
+    // of turning and shaking.
     mechanisms::AttitudeSensorParameters perfect;
-    perfect.rateNoise_rad_per_s_rtHz = perfect.rateBias_rad_per_s = perfect.accelerationNoise_m_per_s2_rtHz = 0.0;
+    perfect.rateNoise_rad_per_s_rtHz = perfect.rateBias_rad_per_s = perfect.accelerationNoise_m_per_s2_rtHz =
+        0.0;
     perfect.accelerationBias_m_per_s2 = perfect.headingError_rad = 0.0;
-    const auto worstOf = [](const mechanisms::AttitudeSensorParameters& p, std::uint64_t seed, double shake_m_per_s2, int ticks) {
+    const auto worstOf = [](const mechanisms::AttitudeSensorParameters& p, std::uint64_t seed,
+                            double shake_m_per_s2, int ticks) {
         mechanisms::AttitudeSensor imu(p, seed);
         Quat q = Quat::Identity();
         double worst = 0.0;
@@ -340,9 +373,13 @@ void TestFingertipArm::imuFollowsTheHandleWithinItsErrors() {
             const double t = 1e-3 * n;
             const Vec3 w(0.6 * std::cos(1.3 * t), 0.5 * std::cos(0.9 * t), 0.4 * std::cos(0.7 * t));
             q = mechanisms::turned(q, 1e-3 * w);
-            imu.tick(q, w, Vec3(shake_m_per_s2 * std::sin(12.0 * t), 0.0, shake_m_per_s2 * std::cos(9.0 * t)));
-            const Vec3 told(imu.counts()[0] * p.resolution_rad, imu.counts()[1] * p.resolution_rad, imu.counts()[2] * p.resolution_rad);
-            worst = std::max(worst, mechanisms::rotationVectorOf(mechanisms::turned(Quat::Identity(), told) * q.conjugate()).norm());
+            imu.tick(q, w,
+                     Vec3(shake_m_per_s2 * std::sin(12.0 * t), 0.0, shake_m_per_s2 * std::cos(9.0 * t)));
+            const Vec3 told(imu.counts()[0] * p.resolution_rad, imu.counts()[1] * p.resolution_rad,
+                            imu.counts()[2] * p.resolution_rad);
+            worst = std::max(worst, mechanisms::rotationVectorOf(mechanisms::turned(Quat::Identity(), told) *
+                                                                 q.conjugate())
+                                        .norm());
         }
         return worst;
     };
@@ -354,7 +391,8 @@ void TestFingertipArm::imuFollowsTheHandleWithinItsErrors() {
         worst = std::max(worst, one);
         least = std::min(least, one);
     }
-    QVERIFY2(worst < core::radFromDeg(2.5) && least > core::radFromDeg(0.1), qPrintable(QString("%1 %2").arg(worst).arg(least)));
+    QVERIFY2(worst < core::radFromDeg(2.5) && least > core::radFromDeg(0.1),
+             qPrintable(QString("%1 %2").arg(worst).arg(least)));
 }
 
 void TestFingertipArm::theLeverFollowsTheFingers() {
@@ -370,7 +408,8 @@ void TestFingertipArm::theLeverFollowsTheFingers() {
         arm.step(0.00025, still);
     }
     arm.endTick();
-    QVERIFY2(std::abs(arm.jawCounts() * p.grasp.resolution_rad() - 0.8) < 0.01, qPrintable(QString::number(arm.jawCounts())));
+    QVERIFY2(std::abs(arm.jawCounts() * p.grasp.resolution_rad() - 0.8) < 0.01,
+             qPrintable(QString::number(arm.jawCounts())));
     QVERIFY(mechanisms::rotationVectorOf(arm.motion().q_DT).norm() < 0.01); // squeezing turns nothing
 }
 
@@ -388,7 +427,8 @@ void TestFingertipArm::theApparentMassIsThatOfAPush() {
     FingertipArmPlant arm(p, 1);
     arm.reset({0.0, 0.0, 0.05});
     double sum = 0.0;
-    for (int axis = 0; axis < 3; ++axis) { // with the handle held from turning, as a hand does: an upper bound of what moves freely
+    for (int axis = 0; axis < 3;
+         ++axis) { // with the handle held from turning, as a hand does: an upper bound of what moves freely
         FingertipArmPlant pushed(p, 1);
         pushed.reset({0.0, 0.0, 0.05});
         core::Wrench push;
@@ -404,10 +444,14 @@ void TestFingertipArm::theVerificationHolds() {
     QVERIFY(v.holds());
     QCOMPARE(v.poses, 9 * 9 * 9 * 6);
     QCOMPARE(v.drags.size(), std::size_t{9});
-    for (const auto& drag : v.drags) // in the middle of the travel: 0.06 N and 0.5 N·s/m at the pad (models.md §4), by direction and with the wrist's
-        QVERIFY2(drag.felt_N > 0.04 && drag.felt_N < 0.12 + 1.0 * drag.speed_m_per_s, qPrintable(QString("%1 %2: %3").arg(drag.axis).arg(drag.speed_m_per_s).arg(drag.felt_N)));
-    qInfo("friction %.2f %%, condition %.3f, weight %.3f N, sinks %.2f mm, place %.3f mm, jacobian %.1e, gravity %.1e", 100.0 * v.frictionError(), v.condition, v.weight_N,
-          1e3 * v.sinks_m, 1e3 * v.place_m, v.jacobian, v.gravity_Nm);
+    for (const auto& drag : v.drags) // in the middle of the travel: 0.06 N and 0.5 N·s/m at the pad
+                                     // (models.md §4), by direction and with the wrist's
+        QVERIFY2(drag.felt_N > 0.04 && drag.felt_N < 0.12 + 1.0 * drag.speed_m_per_s,
+                 qPrintable(QString("%1 %2: %3").arg(drag.axis).arg(drag.speed_m_per_s).arg(drag.felt_N)));
+    qInfo("friction %.2f %%, condition %.3f, weight %.3f N, sinks %.2f mm, place %.3f mm, jacobian %.1e, "
+          "gravity %.1e",
+          100.0 * v.frictionError(), v.condition, v.weight_N, 1e3 * v.sinks_m, 1e3 * v.place_m, v.jacobian,
+          v.gravity_Nm);
 }
 
 // Each figure has to be able to fail.
@@ -429,10 +473,11 @@ void TestFingertipArm::theVerificationNoticesAWorseArm() {
         p.encoderRunout_rad[0] *= 5.0;
     });
     QVERIFY(coarse.countMost_m > Bounds::kCount_m && coarse.place_m > Bounds::kPlace_m && !coarse.holds());
-    const auto rough = with([](FingertipArmParameters& p) { // what the joints were given is what is felt, whatever it is
-        for (auto& friction : p.friction)
-            friction.coulomb *= 3.0;
-    });
+    const auto rough =
+        with([](FingertipArmParameters& p) { // what the joints were given is what is felt, whatever it is
+            for (auto& friction : p.friction)
+                friction.coulomb *= 3.0;
+        });
     QVERIFY(rough.frictionError() < Bounds::kFriction);
     QVERIFY(rough.drags[0].felt_N > 1.5 * asItIs.drags[0].felt_N);
     auto other = asItIs;
@@ -453,7 +498,8 @@ void TestFingertipArm::sameSeedSameBits() {
             arm->endTick();
         }
         QVERIFY(std::equal(a.encoderCounts().begin(), a.encoderCounts().end(), b.encoderCounts().begin()));
-        differs = differs || !std::equal(a.encoderCounts().begin(), a.encoderCounts().end(), c.encoderCounts().begin());
+        differs = differs ||
+                  !std::equal(a.encoderCounts().begin(), a.encoderCounts().end(), c.encoderCounts().begin());
     }
     QVERIFY(differs);
     a.reset({0.0, 0.0, 0.05});
@@ -464,7 +510,8 @@ void TestFingertipArm::sameSeedSameBits() {
         a.endTick();
         fresh.step(0.001, push);
         fresh.endTick();
-        QVERIFY(std::equal(a.encoderCounts().begin(), a.encoderCounts().end(), fresh.encoderCounts().begin()));
+        QVERIFY(
+            std::equal(a.encoderCounts().begin(), a.encoderCounts().end(), fresh.encoderCounts().begin()));
     }
 }
 

@@ -44,7 +44,8 @@ void TestFingertipKinematics::levelIsWhereTheFormulaSays() {
     QVERIFY(q.has_value());
     for (int i = 0; i < 3; ++i)
         QVERIFY(std::abs((*q)[i] - (0.003 - std::sqrt(g.leg_m * g.leg_m - s * s))) < 1e-15);
-    const FingertipLoop tilted = k.loop({0.0, g.maximumPitch_rad, g.maximumRoll_rad}); // devices.md §5: about 1 mm
+    const FingertipLoop tilted =
+        k.loop({0.0, g.maximumPitch_rad, g.maximumRoll_rad}); // devices.md §5: about 1 mm
     QVERIFY(tilted.centre.head<2>().norm() > 0.7e-3 && tilted.centre.head<2>().norm() < 1.6e-3);
 }
 
@@ -60,7 +61,8 @@ void TestFingertipKinematics::theLegsAreAsLongAsTheyAre() {
             const Vec3 joint = at.centre + at.turn * (k.geometry().platformRadius_m * out);
             const Vec3 carriage = k.geometry().railRadius_m * out + Vec3(0.0, 0.0, at.drives[i]);
             QVERIFY(std::abs((joint - carriage).norm() - k.geometry().leg_m) < 1e-12);
-            QVERIFY(std::abs(joint.dot(Vec3(-std::sin(phi), std::cos(phi), 0.0))) < 1e-15); // in its radial plane
+            QVERIFY(std::abs(joint.dot(Vec3(-std::sin(phi), std::cos(phi), 0.0))) <
+                    1e-15); // in its radial plane
             QVERIFY(joint.z() > carriage.z());
         }
     }
@@ -73,7 +75,9 @@ void TestFingertipKinematics::turnAndShiftAreThoseOfTheRadialPlanes() {
     for (int n = 0; n < 200; ++n) {
         const FingertipPose pose = anyPose(random, k.geometry());
         const FingertipLoop at = k.loop(pose);
-        const Mat3 before = (Eigen::AngleAxisd(pose.pitch_rad, Vec3::UnitX()) * Eigen::AngleAxisd(pose.roll_rad, Vec3::UnitY())).toRotationMatrix();
+        const Mat3 before = (Eigen::AngleAxisd(pose.pitch_rad, Vec3::UnitX()) *
+                             Eigen::AngleAxisd(pose.roll_rad, Vec3::UnitY()))
+                                .toRotationMatrix();
         const double gamma = std::atan2(before(0, 1) - before(1, 0), before(0, 0) + before(1, 1));
         const Mat3 m = before * Eigen::AngleAxisd(gamma, Vec3::UnitZ()).toRotationMatrix();
         QVERIFY((m - at.turn).norm() < 1e-14);
@@ -91,7 +95,8 @@ void TestFingertipKinematics::roundTrips() {
         QVERIFY(q.has_value());
         const auto back = k.forward(*q);
         QVERIFY(back.has_value());
-        QVERIFY(std::abs(back->z_m - pose.z_m) < 1e-12 && std::abs(back->pitch_rad - pose.pitch_rad) < 1e-11 &&
+        QVERIFY(std::abs(back->z_m - pose.z_m) < 1e-12 &&
+                std::abs(back->pitch_rad - pose.pitch_rad) < 1e-11 &&
                 std::abs(back->roll_rad - pose.roll_rad) < 1e-11);
         QVERIFY((k.loop(*back).drives - *q).cwiseAbs().maxCoeff() < 1e-12);
     }
@@ -142,9 +147,11 @@ void TestFingertipKinematics::whatIsOutOfReachIsRefused() {
     const auto& g = k.geometry();
     QVERIFY(k.inverse({0.0, g.maximumPitch_rad, g.maximumRoll_rad}).has_value());
     QVERIFY(k.inverse({0.0, -g.maximumPitch_rad, -g.maximumRoll_rad}).has_value());
-    for (const FingertipPose bad : {FingertipPose{0.0, g.maximumPitch_rad + 1e-6, 0.0}, FingertipPose{0.0, 0.0, -g.maximumRoll_rad - 1e-6},
-                                    FingertipPose{0.05, 0.0, 0.0}, FingertipPose{-0.05, 0.0, 0.0}, FingertipPose{std::nan(""), 0.0, 0.0},
-                                    FingertipPose{0.0, std::nan(""), 0.0}}) {
+    for (const FingertipPose bad :
+         {FingertipPose{0.0, g.maximumPitch_rad + 1e-6, 0.0},
+          FingertipPose{0.0, 0.0, -g.maximumRoll_rad - 1e-6}, FingertipPose{0.05, 0.0, 0.0},
+          FingertipPose{-0.05, 0.0, 0.0}, FingertipPose{std::nan(""), 0.0, 0.0},
+          FingertipPose{0.0, std::nan(""), 0.0}}) {
         const auto refused = k.inverse(bad);
         QVERIFY(!refused && refused.error().code == core::ErrorCode::badInput);
     }
@@ -165,7 +172,8 @@ void TestFingertipKinematics::padGradientAgreesWithDifferences() {
         mechanisms::FingerPadParameters finger;
         finger.surface_m = surface_m;
         QVERIFY(std::abs(mechanisms::FingerPad(finger).penetration(k.loop({surface_m, 0.0, 0.0}))) < 1e-15);
-        QVERIFY(std::abs(mechanisms::FingerPad(finger).penetration(k.loop({surface_m + 0.0005, 0.0, 0.0})) - 0.0005) < 1e-12);
+        QVERIFY(std::abs(mechanisms::FingerPad(finger).penetration(k.loop({surface_m + 0.0005, 0.0, 0.0})) -
+                         0.0005) < 1e-12);
         QVERIFY(std::abs(mechanisms::FingerPad(finger).heightFor(k.loop({}), 0.0) - surface_m) < 1e-12);
     }
     for (int n = 0; n < 100; ++n) {
@@ -173,7 +181,8 @@ void TestFingertipKinematics::padGradientAgreesWithDifferences() {
         const Vec3 gradient = pad.gradient(k.loop(FingertipPose::of(x)));
         for (int i = 0; i < 3; ++i) {
             const Vec3 e = kStep * Vec3::Unit(i);
-            const double d = pad.penetration(k.loop(FingertipPose::of(x + e))) - pad.penetration(k.loop(FingertipPose::of(x - e)));
+            const double d = pad.penetration(k.loop(FingertipPose::of(x + e))) -
+                             pad.penetration(k.loop(FingertipPose::of(x - e)));
             QVERIFY(std::abs(d / (2.0 * kStep) - gradient[i]) < 1e-9);
         }
         const FingertipLoop at = k.loop(FingertipPose::of(x));
@@ -182,7 +191,8 @@ void TestFingertipKinematics::padGradientAgreesWithDifferences() {
     }
     for (const double force : {0.0, 0.01, 1.0, 4.0})
         QVERIFY(std::abs(pad.elasticForce(pad.depthOf(force)) - force) < 1e-12);
-    QVERIFY(std::abs((pad.energy_J(0.001 + 1e-7) - pad.energy_J(0.001 - 1e-7)) / 2e-7 - pad.elasticForce(0.001)) < 1e-6);
+    QVERIFY(std::abs((pad.energy_J(0.001 + 1e-7) - pad.energy_J(0.001 - 1e-7)) / 2e-7 -
+                     pad.elasticForce(0.001)) < 1e-6);
 }
 
 QTEST_APPLESS_MAIN(TestFingertipKinematics)

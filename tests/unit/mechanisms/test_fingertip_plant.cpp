@@ -35,7 +35,8 @@ Held hold(FingertipPlatform& platform, const DisplayPose& wanted, int ticks) {
 
 FingertipPlatformParameters noiseless() {
     FingertipPlatformParameters p;
-    p.force.gainSd = p.force.exponentSd = p.force.hysteresis = p.force.creep = p.force.noise_N = p.force.adcNoise_counts = 0.0;
+    p.force.gainSd = p.force.exponentSd = p.force.hysteresis = p.force.creep = p.force.noise_N =
+        p.force.adcNoise_counts = 0.0;
     p.imu.bias_rad = p.imu.noise_rad = 0.0;
     return p;
 }
@@ -70,7 +71,8 @@ void TestFingertipPlant::energyOfThePassivePlantFalls() {
         for (int step = 0; step < 8; ++step)
             plant.step(core::kTickSeconds / 8.0, Vec3::Zero());
         const double now = plant.energy_J();
-        // Semi-implicit Euler lets it ripple; over a tick it must not rise by more than a hundredth of what it began with.
+        // Semi-implicit Euler lets it ripple; over a tick it must not rise by more than a hundredth of what
+        // it began with.
         QVERIFY2(now <= before + 0.01 * start, qPrintable(QString("%1 %2 %3").arg(n).arg(before).arg(now)));
         before = now;
     }
@@ -82,7 +84,8 @@ void TestFingertipPlant::withoutLossesEnergyIsKept() {
     const auto drift = [](int substeps) {
         FingertipPlatformParameters p;
         p.drive.friction = {};
-        p.drive.gearDamping_Ns_per_m = p.drive.jointDamping_Nms_per_rad = p.pad.damping_Ns_per_m = p.drive.backlash_m = 0.0;
+        p.drive.gearDamping_Ns_per_m = p.drive.jointDamping_Nms_per_rad = p.pad.damping_Ns_per_m =
+            p.drive.backlash_m = 0.0;
         FingertipPlant plant(p);
         plant.reset({0.0006, 0.1, -0.05});
         const double start = plant.energy_J();
@@ -104,7 +107,8 @@ void TestFingertipPlant::motorsStopAtTheirLimit() {
         plant.step(core::kTickSeconds / 8.0, Vec3::Constant(100.0));
     QVERIFY(plant.saturated());
     const double most = 3.0 * p.drive.forceLimit_N;
-    QVERIFY2(plant.padForce_N() > 4.0 && plant.padForce_N() < most, qPrintable(QString::number(plant.padForce_N())));
+    QVERIFY2(plant.padForce_N() > 4.0 && plant.padForce_N() < most,
+             qPrintable(QString::number(plant.padForce_N())));
 }
 
 // P3: 10 bits, about 4 mN a count at small force, coarser above: V = x/(1+x).
@@ -128,7 +132,7 @@ void TestFingertipPlant::theConverterHasItsSteps() {
     }
     QVERIFY2(least > 3.5e-3, qPrintable(QString::number(least))); // no finer than a count
     QVERIFY2(worst < 0.06, qPrintable(QString::number(worst)));   // delay of the ramp and three half counts
-    QVERIFY(*seen.rbegin() < 512 && seen.size() > 150);           // a third of 4 N and the preload: well below half
+    QVERIFY(*seen.rbegin() < 512 && seen.size() > 150); // a third of 4 N and the preload: well below half
     FingertipForceSensors clipped(noiseless().force, 1);
     for (int n = 0; n < 10; ++n)
         clipped.tick(1e12, {0.0, 0.0});
@@ -187,8 +191,9 @@ void TestFingertipPlant::isStableOnSoftAndStiffPads_data() {
     QTest::addColumn<double>("stiffness");
     QTest::addColumn<double>("hardening");
     QTest::addColumn<double>("damping");
-    for (const auto& [name, pad] : {std::pair{"soft", FingerPadParameters::soft()}, std::pair{"as measured", FingerPadParameters{}},
-                                    std::pair{"stiff", FingerPadParameters::stiff()}})
+    for (const auto& [name, pad] :
+         {std::pair{"soft", FingerPadParameters::soft()}, std::pair{"as measured", FingerPadParameters{}},
+          std::pair{"stiff", FingerPadParameters::stiff()}})
         QTest::newRow(name) << pad.stiffness_N_per_m << pad.hardening_per_m << pad.damping_Ns_per_m;
 }
 
@@ -204,8 +209,10 @@ void TestFingertipPlant::isStableOnSoftAndStiffPads() {
     FingertipPlatform platform(p, 3);
     for (const double force : {0.1, 0.5, 2.0, 3.4}) {
         const Held held = hold(platform, {force, 0.2, -0.1}, 3000);
-        QVERIFY2(std::abs(held.mean - force) < 0.01 + 0.03 * force, qPrintable(QString("%1 N: %2").arg(force).arg(held.mean)));
-        QVERIFY2(held.most - held.least < 0.04 + 0.12 * force, qPrintable(QString("%1 N: %2..%3").arg(force).arg(held.least).arg(held.most)));
+        QVERIFY2(std::abs(held.mean - force) < 0.01 + 0.03 * force,
+                 qPrintable(QString("%1 N: %2").arg(force).arg(held.mean)));
+        QVERIFY2(held.most - held.least < 0.04 + 0.12 * force,
+                 qPrintable(QString("%1 N: %2..%3").arg(force).arg(held.least).arg(held.most)));
     }
 }
 
@@ -215,8 +222,10 @@ void TestFingertipPlant::forceAndLeanTogetherAtTheLimits() {
         const DisplayPose wanted{4.0, side * core::radFromDeg(30.0), -side * core::radFromDeg(20.0)};
         const Held held = hold(platform, wanted, 3000);
         // A limit is a limit at the pad: what the sensors cannot know of the force is left below 4 N.
-        QVERIFY2(held.most <= 4.0 && held.mean > 3.3, qPrintable(QString("%1, at most %2").arg(held.mean).arg(held.most)));
-        QVERIFY(std::abs(platform.truth().pitch_rad - wanted.pitch_rad) < 0.02 && std::abs(platform.truth().roll_rad - wanted.roll_rad) < 0.02);
+        QVERIFY2(held.most <= 4.0 && held.mean > 3.3,
+                 qPrintable(QString("%1, at most %2").arg(held.mean).arg(held.most)));
+        QVERIFY(std::abs(platform.truth().pitch_rad - wanted.pitch_rad) < 0.02 &&
+                std::abs(platform.truth().roll_rad - wanted.roll_rad) < 0.02);
     }
 }
 
@@ -226,7 +235,8 @@ void TestFingertipPlant::motorsOffLetGo() {
     for (int n = 0; n < 300; ++n)
         platform.tick({3.0, 0.2, 0.0}, false); // what is asked for does not matter
     // The gears are driven back by the pad until friction holds: 0.25 N on each of three drives.
-    QVERIFY2(platform.truth().normalForce_N < 0.9, qPrintable(QString::number(platform.truth().normalForce_N)));
+    QVERIFY2(platform.truth().normalForce_N < 0.9,
+             qPrintable(QString::number(platform.truth().normalForce_N)));
     const Held again = hold(platform, {1.0, 0.0, 0.0}, 1500);
     QVERIFY(std::abs(again.mean - 1.0) < 0.05);
 }
@@ -238,8 +248,8 @@ void TestFingertipPlant::sameSeedSameBits() {
         const DisplayPose wanted{1.0 + 0.5 * std::sin(0.01 * n), 0.2, 0.0};
         for (FingertipPlatform* platform : {&a, &b, &c})
             platform->tick(wanted, true);
-        QVERIFY(a.truth().normalForce_N == b.truth().normalForce_N && a.sensedForce_N() == b.sensedForce_N() &&
-                a.sensedPitch_rad() == b.sensedPitch_rad());
+        QVERIFY(a.truth().normalForce_N == b.truth().normalForce_N &&
+                a.sensedForce_N() == b.sensedForce_N() && a.sensedPitch_rad() == b.sensedPitch_rad());
         differs = differs || a.sensedForce_N() != c.sensedForce_N();
     }
     QVERIFY(differs);
@@ -248,7 +258,8 @@ void TestFingertipPlant::sameSeedSameBits() {
     for (int n = 0; n < 500; ++n) {
         a.tick({1.0, 0.1, 0.1}, true);
         fresh.tick({1.0, 0.1, 0.1}, true);
-        QVERIFY(a.truth().normalForce_N == fresh.truth().normalForce_N && a.sensedForce_N() == fresh.sensedForce_N());
+        QVERIFY(a.truth().normalForce_N == fresh.truth().normalForce_N &&
+                a.sensedForce_N() == fresh.sensedForce_N());
     }
 }
 

@@ -33,22 +33,26 @@ void TestFingertipVerification::isBetterThanPublished() {
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
         const auto v = verifyFingertip({}, seed);
         QVERIFY(v.has_value());
-        qInfo("seed %llu: RMSE %.4f %.4f %.4f, mean %.4f N (P3 %.4f), on the pad %.4f N; angle %.2f ± %.2f deg (P3 %.2f ± %.1f), truly %.2f; latency %.1f ms",
+        qInfo("seed %llu: RMSE %.4f %.4f %.4f, mean %.4f N (P3 %.4f), on the pad %.4f N; angle %.2f ± %.2f "
+              "deg (P3 %.2f ± %.1f), truly %.2f; latency %.1f ms",
               static_cast<unsigned long long>(seed), v->rmse_N[0], v->rmse_N[1], v->rmse_N[2], v->meanRmse_N,
-              FingertipPublished::kMeanRmse_N, v->meanRmseTrue_N, v->meanError_deg, v->sdError_deg, FingertipPublished::kMeanError_deg,
-              FingertipPublished::kSdError_deg, v->meanErrorTrue_deg, 1e3 * v->latency_s);
+              FingertipPublished::kMeanRmse_N, v->meanRmseTrue_N, v->meanError_deg, v->sdError_deg,
+              FingertipPublished::kMeanError_deg, FingertipPublished::kSdError_deg, v->meanErrorTrue_deg,
+              1e3 * v->latency_s);
         QVERIFY(v->holds());
         for (std::size_t cycle = 0; cycle < 3; ++cycle)
             QVERIFY(v->rmse_N[cycle] < FingertipPublished::kRmse_N[cycle]);
-        QVERIFY(v->meanRmseTrue_N < FingertipPublished::kMeanRmse_N && v->meanErrorTrue_deg < FingertipPublished::kMeanError_deg);
+        QVERIFY(v->meanRmseTrue_N < FingertipPublished::kMeanRmse_N &&
+                v->meanErrorTrue_deg < FingertipPublished::kMeanError_deg);
         QVERIFY(v->sdError_deg < FingertipPublished::kSdError_deg);
-        QVERIFY(v->meanRmse_N > 0.004 && v->meanError_deg > 0.1); // honest noise: no figure below what a count can do
+        QVERIFY(v->meanRmse_N > 0.004 &&
+                v->meanError_deg > 0.1); // honest noise: no figure below what a count can do
         QVERIFY(v->latency_s > 0.0 && v->latency_s < 0.05);
     }
 }
 
-// Judged on what the pad truly got, on fingers that the platform knows by its own sensors alone. All of them, with several seeds:
-// test_fingertip_fingers.
+// Judged on what the pad truly got, on fingers that the platform knows by its own sensors alone. All of them,
+// with several seeds: test_fingertip_fingers.
 void TestFingertipVerification::holdsOnOtherFingers() {
     FingertipVerificationSettings s;
     s.poses = 10;
@@ -60,8 +64,12 @@ void TestFingertipVerification::holdsOnOtherFingers() {
         const auto v = verifyFingertip(on, 11, s);
         QVERIFY(v.has_value());
         QVERIFY2(v->holds() && v->largest_N > 3.3 && v->oneNewton_N < 1.15,
-                 qPrintable(QString("%1: RMSE %2 N, overshoot %3 of the force; 1 N: %4 N, 4 N: %5 N").arg(QString::fromStdString(name))
-                                .arg(v->meanRmseTrue_N).arg(v->overshootOfForce).arg(v->oneNewton_N).arg(v->largest_N)));
+                 qPrintable(QString("%1: RMSE %2 N, overshoot %3 of the force; 1 N: %4 N, 4 N: %5 N")
+                                .arg(QString::fromStdString(name))
+                                .arg(v->meanRmseTrue_N)
+                                .arg(v->overshootOfForce)
+                                .arg(v->oneNewton_N)
+                                .arg(v->largest_N)));
     }
     s.feedback = false; // the same must not hold without the force loop
     QVERIFY(!verifyFingertip({}, 11, s).value().holds());
@@ -74,14 +82,16 @@ void TestFingertipVerification::sevenOtherFingersDiffer() {
     QCOMPARE(fingers.size(), std::size_t(7));
     double least = 1e9, most = 0.0; // force where the one that is assumed gives 1 N
     for (const auto& finger : fingers) {
-        const double force = mechanisms::FingerPad(finger.pad).elasticForce(assumed.depthOf(1.0) - finger.pad.surface_m);
+        const double force =
+            mechanisms::FingerPad(finger.pad).elasticForce(assumed.depthOf(1.0) - finger.pad.surface_m);
         least = std::min(least, force);
         most = std::max(most, force);
     }
     QVERIFY2(least < 0.7 && most > 1.8, qPrintable(QString("%1 %2 N").arg(least).arg(most)));
 }
 
-// Whatever is asked, also far beyond the limit, of fingers that were identified; and of one twice as stiff that was not.
+// Whatever is asked, also far beyond the limit, of fingers that were identified; and of one twice as stiff
+// that was not.
 void TestFingertipVerification::fourNewtonsAreNeverExceeded() {
     for (const double stiffness : {0.5, 1.0, 2.0}) {
         for (const bool identified : {true, false}) {
@@ -90,7 +100,9 @@ void TestFingertipVerification::fourNewtonsAreNeverExceeded() {
             if (identified)
                 p = mechanisms::worn(p, 31).value();
             const double most = mechanisms::tests::mostOf(p, 31);
-            QVERIFY2(most > 3.2 && most <= 4.0, qPrintable(QString("stiffness x %1, %2: %3 N").arg(stiffness).arg(identified).arg(most)));
+            QVERIFY2(
+                most > 3.2 && most <= 4.0,
+                qPrintable(QString("stiffness x %1, %2: %3 N").arg(stiffness).arg(identified).arg(most)));
         }
     }
 }
@@ -104,22 +116,26 @@ void TestFingertipVerification::thePadIsIdentified() {
         const auto found = mechanisms::identifyPad(p, 3);
         QVERIFY(found.has_value());
         const mechanisms::FingerPad real(p.pad), known(*found);
-        for (const double force : {0.5, 1.0, 2.0, 3.0}) { // where the real one gives it, the identified one does within a tenth
+        for (const double force :
+             {0.5, 1.0, 2.0, 3.0}) { // where the real one gives it, the identified one does within a tenth
             const double there = known.elasticForce(real.depthOf(force) + p.pad.surface_m - found->surface_m);
-            QVERIFY2(std::abs(there / force - 1.0) < 0.1, qPrintable(QString("x %1, %2 N: %3").arg(stiffness).arg(force).arg(there)));
+            QVERIFY2(std::abs(there / force - 1.0) < 0.1,
+                     qPrintable(QString("x %1, %2 N: %3").arg(stiffness).arg(force).arg(there)));
         }
     }
     FingertipPlatformParameters nobody; // a finger beyond the travel
     nobody.pad.surface_m = 0.02;
     const auto none = mechanisms::identifyPad(nobody, 1);
-    QVERIFY(!none && none.error().code == core::ErrorCode::badInput && none.error().message.find("no finger") != std::string::npos);
+    QVERIFY(!none && none.error().code == core::ErrorCode::badInput &&
+            none.error().message.find("no finger") != std::string::npos);
     QVERIFY(!mechanisms::fitPad({}, 2.0, nominal).has_value());
     std::vector<mechanisms::PadReading> exact; // without noise it is found to the last digits
     for (int n = 1; n < 100; ++n)
         exact.push_back({0.0002 + 1e-5 * n, mechanisms::FingerPad(nominal).elasticForce(1e-5 * n)});
     const auto fitted = mechanisms::fitPad(exact, 2.0, nominal);
     QVERIFY(fitted.has_value());
-    QVERIFY(std::abs(fitted->stiffness_N_per_m / nominal.stiffness_N_per_m - 1.0) < 1e-4 && std::abs(fitted->surface_m - 0.0002) < 1e-7);
+    QVERIFY(std::abs(fitted->stiffness_N_per_m / nominal.stiffness_N_per_m - 1.0) < 1e-4 &&
+            std::abs(fitted->surface_m - 0.0002) < 1e-7);
 }
 
 void TestFingertipVerification::figuresAreThoseOfTheSeries() {
@@ -141,8 +157,10 @@ void TestFingertipVerification::figuresAreThoseOfTheSeries() {
     QCOMPARE(v->poses.size(), std::size_t(7)); // N_s terms, not one more
     double sum = 0.0;
     for (const auto& pose : v->poses) {
-        QVERIFY(std::abs(pose.referencePitch_rad) <= core::radFromDeg(30.0) && std::abs(pose.referenceRoll_rad) <= core::radFromDeg(20.0));
-        sum += core::degFromRad(std::hypot(pose.referencePitch_rad - pose.measuredPitch_rad, pose.referenceRoll_rad - pose.measuredRoll_rad));
+        QVERIFY(std::abs(pose.referencePitch_rad) <= core::radFromDeg(30.0) &&
+                std::abs(pose.referenceRoll_rad) <= core::radFromDeg(20.0));
+        sum += core::degFromRad(std::hypot(pose.referencePitch_rad - pose.measuredPitch_rad,
+                                           pose.referenceRoll_rad - pose.measuredRoll_rad));
     }
     QVERIFY(std::abs(sum / 7.0 - v->meanError_deg) < 1e-12);
 }
@@ -151,14 +169,16 @@ void TestFingertipVerification::sameSeedSameFigures() {
     FingertipVerificationSettings s;
     s.poses = 5;
     const auto a = verifyFingertip({}, 9, s), b = verifyFingertip({}, 9, s), c = verifyFingertip({}, 10, s);
-    QVERIFY(a->meanRmse_N == b->meanRmse_N && a->meanError_deg == b->meanError_deg && a->latency_s == b->latency_s);
+    QVERIFY(a->meanRmse_N == b->meanRmse_N && a->meanError_deg == b->meanError_deg &&
+            a->latency_s == b->latency_s);
     QVERIFY(a->meanRmse_N != c->meanRmse_N && a->meanError_deg != c->meanError_deg);
 }
 
 void TestFingertipVerification::aWorsePlantDoesNotHold() {
     FingertipVerificationSettings s;
     s.poses = 20;
-    FingertipPlatformParameters weak; // motors that cannot give 1 N through their friction: the finger is not even identified
+    FingertipPlatformParameters
+        weak; // motors that cannot give 1 N through their friction: the finger is not even identified
     weak.drive.forceLimit_N = 0.3;
     const auto tooWeak = verifyFingertip(weak, 1, s);
     QVERIFY(!tooWeak && tooWeak.error().code == core::ErrorCode::badInput);
@@ -166,15 +186,18 @@ void TestFingertipVerification::aWorsePlantDoesNotHold() {
     FingertipPlatformParameters crooked; // an IMU mounted 4° askew
     crooked.imu.bias_rad = 0.07;
     QVERIFY(!verifyFingertip(crooked, 1, s).value().holds());
-    // The converter alone: the finger keeps still, whose movement would hide it. At 7 bits (0.03 N a count) the sensors' own figure
-    // is twice as bad; at 5 (0.13 N) a finger cannot be told from its readings, and nothing is displayed on it.
+    // The converter alone: the finger keeps still, whose movement would hide it. At 7 bits (0.03 N a count)
+    // the sensors' own figure is twice as bad; at 5 (0.13 N) a finger cannot be told from its readings, and
+    // nothing is displayed on it.
     s.fingerMoves_m = 0.0;
     s.poses = 1;
     for (const std::uint64_t seed : {1u, 2u}) {
         FingertipPlatformParameters coarse;
         coarse.force.adcBits = 7;
-        const double fine_N = verifyFingertip({}, seed, s).value().meanRmse_N, coarse_N = verifyFingertip(coarse, seed, s).value().meanRmse_N;
-        QVERIFY2(coarse_N > 2.0 * fine_N, qPrintable(QString("seed %1: %2, %3 N").arg(seed).arg(fine_N).arg(coarse_N)));
+        const double fine_N = verifyFingertip({}, seed, s).value().meanRmse_N,
+                     coarse_N = verifyFingertip(coarse, seed, s).value().meanRmse_N;
+        QVERIFY2(coarse_N > 2.0 * fine_N,
+                 qPrintable(QString("seed %1: %2, %3 N").arg(seed).arg(fine_N).arg(coarse_N)));
         coarse.force.adcBits = 5;
         const auto refused = verifyFingertip(coarse, seed, s);
         QVERIFY(!refused && refused.error().code == core::ErrorCode::badInput);
@@ -186,8 +209,10 @@ void TestFingertipVerification::frictionIsFound() {
         FingertipPlatformParameters p;
         p.drive.friction.coulomb *= factor;
         const auto found = mechanisms::identifyFingertipFriction(p);
-        QVERIFY2(std::abs(found.coulomb_N / p.drive.friction.coulomb - 1.0) < 0.05, qPrintable(QString::number(found.coulomb_N)));
-        QVERIFY2(std::abs(found.viscous_Ns_per_m / p.drive.friction.viscous - 1.0) < 0.1, qPrintable(QString::number(found.viscous_Ns_per_m)));
+        QVERIFY2(std::abs(found.coulomb_N / p.drive.friction.coulomb - 1.0) < 0.05,
+                 qPrintable(QString::number(found.coulomb_N)));
+        QVERIFY2(std::abs(found.viscous_Ns_per_m / p.drive.friction.viscous - 1.0) < 0.1,
+                 qPrintable(QString::number(found.viscous_Ns_per_m)));
     }
 }
 

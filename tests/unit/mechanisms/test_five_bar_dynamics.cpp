@@ -20,7 +20,8 @@ FiveBarVector at(const Vec3& p_D, double pitch = 0.2, double yaw = 0.0, double r
 }
 
 /// Kinetic energy by moving every body a little, by finite differences.
-double kineticByDifferences(const FiveBarPlantParameters& p, const FiveBarVector& q, const FiveBarVector& rates) {
+double kineticByDifferences(const FiveBarPlantParameters& p, const FiveBarVector& q,
+                            const FiveBarVector& rates) {
     const double h = 1e-5;
     FiveBarDynamics before(p), after(p), here(p);
     before.place(q - h * rates);
@@ -31,24 +32,27 @@ double kineticByDifferences(const FiveBarPlantParameters& p, const FiveBarVector
     };
     double kinetic = 0.0;
     for (std::size_t leg = 0; leg < 2; ++leg) {
-        const core::Vec2 base(p.geometry.baseForward_m + (leg == 0 ? -1.0 : 1.0) * p.geometry.halfBase_m, p.geometry.baseUp_m);
+        const core::Vec2 base(p.geometry.baseForward_m + (leg == 0 ? -1.0 : 1.0) * p.geometry.halfBase_m,
+                              p.geometry.baseUp_m);
         for (int slice = 0; slice < 1000; ++slice) { // tubes, cut into slices
             const double s = (slice + 0.5) / 1000.0;
             kinetic += 0.5 * p.proximalMass_kg / 1000.0 * speed2([&](const FiveBarDynamics& d) {
-                return core::Vec2(base + s * (d.loop().elbow[leg] - base));
-            });
+                           return core::Vec2(base + s * (d.loop().elbow[leg] - base));
+                       });
             kinetic += 0.5 * p.distalMass_kg / 1000.0 * speed2([&](const FiveBarDynamics& d) {
-                return core::Vec2(d.loop().elbow[leg] + s * (d.loop().tip - d.loop().elbow[leg]));
-            });
+                           return core::Vec2(d.loop().elbow[leg] + s * (d.loop().tip - d.loop().elbow[leg]));
+                       });
         }
     }
     kinetic += 0.5 * p.jointMass_kg * speed2([](const FiveBarDynamics& d) { return d.loop().tip; });
     kinetic += 0.5 * p.endoscopeMass_kg * speed2([&](const FiveBarDynamics& d) {
-        return Vec3(FiveBarKinematics::toD(d.loop().tip) - p.centreOfMassBehindTip_m * d.joint().view_D());
-    });
+                   return Vec3(FiveBarKinematics::toD(d.loop().tip) -
+                               p.centreOfMassBehindTip_m * d.joint().view_D());
+               });
     const Vec3 w = here.joint().angularVelocity_D(rates.tail<3>());
     const double about = w.dot(here.joint().view_D());
-    kinetic += 0.5 * (p.acrossInertia_kgm2 * (w.squaredNorm() - about * about) + p.axialInertia_kgm2 * about * about);
+    kinetic += 0.5 * (p.acrossInertia_kgm2 * (w.squaredNorm() - about * about) +
+                      p.axialInertia_kgm2 * about * about);
     return kinetic;
 }
 
@@ -62,8 +66,9 @@ private slots:
         FiveBarDynamics dynamics(p);
         core::Random random(1);
         for (int n = 0; n < 20; ++n) {
-            const FiveBarVector q = at(Vec3(0.0, random.uniform(-0.07, 0.06), random.uniform(0.0, 0.13)),
-                                       random.uniform(-0.5, 1.6), random.uniform(-0.5, 0.5), random.uniform(-3.0, 3.0));
+            const FiveBarVector q =
+                at(Vec3(0.0, random.uniform(-0.07, 0.06), random.uniform(0.0, 0.13)),
+                   random.uniform(-0.5, 1.6), random.uniform(-0.5, 0.5), random.uniform(-3.0, 3.0));
             FiveBarVector rates;
             rates << random.normal(), random.normal(), random.normal(), random.normal(), random.normal();
             dynamics.place(q);
@@ -105,7 +110,8 @@ private slots:
                         m(axis, axis) += p.rotorInertia[static_cast<std::size_t>(axis)];
                     for (int n = 0; n < 12; ++n) {
                         const double a = core::radFromDeg(15.0 * n);
-                        const FiveBarVector tau = dynamics.efforts({Vec3(0.0, std::cos(a), std::sin(a)), Vec3::Zero()});
+                        const FiveBarVector tau =
+                            dynamics.efforts({Vec3(0.0, std::cos(a), std::sin(a)), Vec3::Zero()});
                         const double mass = 1.0 / tau.dot(FiveBarDynamics::solve(m, tau));
                         lightest = std::min(lightest, mass);
                         heaviest = std::max(heaviest, mass);

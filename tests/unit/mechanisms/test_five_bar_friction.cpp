@@ -17,8 +17,8 @@ struct Slide {
     double strongest_N = 0.0;
 };
 
-/// P1's F1 with the house's regularisation, F = −μN V/√(V² + V₀²), on the endoscope that a hand pushes along its axis at
-/// `speed`, with the house's velocity estimate, one tick late. The last 8 s of 10.
+/// P1's F1 with the house's regularisation, F = −μN V/√(V² + V₀²), on the endoscope that a hand pushes along
+/// its axis at `speed`, with the house's velocity estimate, one tick late. The last 8 s of 10.
 Slide slide(const char* arm, double muN_N, double v0_m_per_s, double speed_m_per_s) {
     tests::FiveBarLoop loop({}, tests::armNamed(arm));
     const mechanisms::EndoscopeAngles angles{0.3, 0.0, 0.0};
@@ -30,7 +30,8 @@ Slide slide(const char* arm, double muN_N, double v0_m_per_s, double speed_m_per
         const auto& rates = estimator.update(seen.sample);
         const double size = 1.5339807878856412e-4; // rad a count
         const core::Vec2 bars(rates[0] * size, rates[1] * size);
-        const double v = mechanisms::FiveBarKinematics::toD(loop.host().loop().jacobian * bars).dot(seen.joint.view_D());
+        const double v =
+            mechanisms::FiveBarKinematics::toD(loop.host().loop().jacobian * bars).dot(seen.joint.view_D());
         force = -muN_N * v / std::sqrt(v * v + v0_m_per_s * v0_m_per_s);
         return core::Wrench{force * seen.joint.view_D(), Vec3::Zero()};
     };
@@ -58,7 +59,8 @@ Slide slide(const char* arm, double muN_N, double v0_m_per_s, double speed_m_per
 
 } // namespace
 
-/// models.md §0: Coulomb friction regularised over V₀ = max(1 mm/s, one count per 15 ms, μN/b_max) does not chatter.
+/// models.md §0: Coulomb friction regularised over V₀ = max(1 mm/s, one count per 15 ms, μN/b_max) does not
+/// chatter.
 class TestFiveBarFriction : public QObject {
     Q_OBJECT
 private slots:
@@ -76,12 +78,14 @@ private slots:
         const Slide leaning = slide(qPrintable(arm), muN_N, v0, 0.0);
         QCOMPARE(leaning.chatter, 0);
         // At rest no more than what one count of each base axis looks like: 25 µm in 15 ms, at b_max.
-        QVERIFY2(leaning.strongest_N < 1.4142 * 50.0 * 25e-6 / 0.015, qPrintable(QString::number(leaning.strongest_N)));
+        QVERIFY2(leaning.strongest_N < 1.4142 * 50.0 * 25e-6 / 0.015,
+                 qPrintable(QString::number(leaning.strongest_N)));
         const Slide slow = slide(qPrintable(arm), muN_N, v0, 0.003);
         QCOMPARE(slow.chatter, 0);
         const Slide faster = slide(qPrintable(arm), muN_N, v0, 0.010);
         QCOMPARE(faster.chatter, 0);
-        qInfo("leaning at most %.3f N, steps %.3f and %.3f N", leaning.strongest_N, slow.largestStep_N, faster.largestStep_N);
+        qInfo("leaning at most %.3f N, steps %.3f and %.3f N", leaning.strongest_N, slow.largestStep_N,
+              faster.largestStep_N);
         QVERIFY(slow.largestStep_N < 0.12 && faster.largestStep_N < 0.25);
     }
 

@@ -19,7 +19,8 @@ using mechanisms::FiveBarLoop;
 
 namespace {
 
-/// What urethra insertion needs: from 30 mm before the entrance to 20 mm beyond the bladder neck, with room around.
+/// What urethra insertion needs: from 30 mm before the entrance to 20 mm beyond the bladder neck, with room
+/// around.
 constexpr double kMinY = -0.075, kMaxY = 0.065, kMinZ = -0.020, kMaxZ = 0.135;
 
 template <class Visit> void overTheWorkspace(Visit visit) {
@@ -40,7 +41,8 @@ private slots:
             const FiveBarLoop loop = linkage.loop(random.uniform(1.5, 3.4), random.uniform(-0.3, 1.6));
             QVERIFY(loop.closed);
             for (std::size_t i = 0; i < 2; ++i) {
-                const Vec2 base(linkage.geometry().baseForward_m + (i == 0 ? -1.0 : 1.0) * linkage.geometry().halfBase_m,
+                const Vec2 base(linkage.geometry().baseForward_m +
+                                    (i == 0 ? -1.0 : 1.0) * linkage.geometry().halfBase_m,
                                 linkage.geometry().baseUp_m);
                 QVERIFY(std::abs((loop.elbow[i] - base).norm() - linkage.geometry().proximal_m) < 1e-14);
                 QVERIFY(std::abs((loop.tip - loop.elbow[i]).norm() - linkage.geometry().distal_m) < 1e-14);
@@ -48,11 +50,13 @@ private slots:
         }
     }
 
-    /// P1's axes: X_V into the patient is +y_D, Y_V up is +z_D, Z_V is x_D; right-handed, and the tip stays in the plane.
+    /// P1's axes: X_V into the patient is +y_D, Y_V up is +z_D, Z_V is x_D; right-handed, and the tip stays
+    /// in the plane.
     void vendorAxesBecomeD() {
         QVERIFY(FiveBarKinematics::toD(Vec2(1.0, 2.0)) == Vec3(0.0, 1.0, 2.0));
         QVERIFY(FiveBarKinematics::toPlane(Vec3(7.0, 1.0, 2.0)) == Vec2(1.0, 2.0));
-        QVERIFY(FiveBarKinematics::toD(Vec2::UnitX()).cross(FiveBarKinematics::toD(Vec2::UnitY())) == Vec3::UnitX());
+        QVERIFY(FiveBarKinematics::toD(Vec2::UnitX()).cross(FiveBarKinematics::toD(Vec2::UnitY())) ==
+                Vec3::UnitX());
         const FiveBarKinematics linkage;
         const auto theta = linkage.inverse(Vec3(0.0, -0.069, 0.0));
         QVERIFY(theta.has_value());
@@ -86,9 +90,12 @@ private slots:
             const auto t = *linkage.inverse(p);
             const FiveBarLoop loop = linkage.loop(t[0], t[1]);
             const double h = 1e-6;
-            const Vec2 first = (linkage.loop(t[0] + h, t[1]).tip - linkage.loop(t[0] - h, t[1]).tip) / (2.0 * h);
-            const Vec2 second = (linkage.loop(t[0], t[1] + h).tip - linkage.loop(t[0], t[1] - h).tip) / (2.0 * h);
-            worst = std::max({worst, (first - loop.jacobian.col(0)).norm(), (second - loop.jacobian.col(1)).norm()});
+            const Vec2 first =
+                (linkage.loop(t[0] + h, t[1]).tip - linkage.loop(t[0] - h, t[1]).tip) / (2.0 * h);
+            const Vec2 second =
+                (linkage.loop(t[0], t[1] + h).tip - linkage.loop(t[0], t[1] - h).tip) / (2.0 * h);
+            worst = std::max(
+                {worst, (first - loop.jacobian.col(0)).norm(), (second - loop.jacobian.col(1)).norm()});
         });
         QVERIFY2(worst < 1e-9, qPrintable(QString::number(worst)));
     }
@@ -100,11 +107,14 @@ private slots:
         for (int n = 0; n < 200; ++n) {
             const Vec2 at(random.uniform(1.7, 3.2), random.uniform(-0.1, 1.4));
             const Vec2 rates(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0));
-            const auto tip = [&](double t) { return linkage.loop(at[0] + rates[0] * t, at[1] + rates[1] * t).tip; };
+            const auto tip = [&](double t) {
+                return linkage.loop(at[0] + rates[0] * t, at[1] + rates[1] * t).tip;
+            };
             const double h = 1e-4;
             const Vec2 second = (tip(h) - 2.0 * tip(0.0) + tip(-h)) / (h * h);
             const Vec2 made = linkage.loop(at[0], at[1]).biasAcceleration(rates);
-            QVERIFY2((second - made).norm() < 1e-5 * (1.0 + made.norm()), qPrintable(QString::number((second - made).norm())));
+            QVERIFY2((second - made).norm() < 1e-5 * (1.0 + made.norm()),
+                     qPrintable(QString::number((second - made).norm())));
         }
     }
 
@@ -116,13 +126,15 @@ private slots:
             const Vec3 force(random.normal(), random.normal(), random.normal());
             const Vec2 rates(random.normal(), random.normal());
             const Vec2 tau = FiveBarKinematics::efforts(loop, force);
-            QVERIFY(std::abs(tau.dot(rates) - force.dot(FiveBarKinematics::toD(loop.jacobian * rates))) < 1e-13);
+            QVERIFY(std::abs(tau.dot(rates) - force.dot(FiveBarKinematics::toD(loop.jacobian * rates))) <
+                    1e-13);
             // No motor pushes out of the plane: that part of the force is lost.
             QVERIFY((FiveBarKinematics::force_D(loop, tau) - Vec3(0.0, force.y(), force.z())).norm() < 1e-12);
         }
     }
 
-    /// Away from every singularity: det A = 0 (distal links in line) and B_ii = 0 (a leg stretched or folded).
+    /// Away from every singularity: det A = 0 (distal links in line) and B_ii = 0 (a leg stretched or
+    /// folded).
     void workspaceIsFarFromSingular() {
         const FiveBarKinematics linkage;
         const double l1 = linkage.geometry().proximal_m, l2 = linkage.geometry().distal_m;
@@ -134,16 +146,18 @@ private slots:
             inLine = std::min(inLine, loop.determinant / (l2 * l2));
             for (std::size_t i = 0; i < 2; ++i) {
                 const auto leg = static_cast<int>(i);
-                stretched = std::min(stretched, std::abs((loop.tip - loop.elbow[i]).dot(loop.tangent[i])) / (l1 * l2));
+                stretched = std::min(stretched,
+                                     std::abs((loop.tip - loop.elbow[i]).dot(loop.tangent[i])) / (l1 * l2));
                 longest = std::max(longest, loop.jacobian.col(leg).norm());
                 shortest = std::min(shortest, loop.jacobian.col(leg).norm());
             }
         });
-        qInfo("condition %.3f, det A/l2^2 %.3f, |sin elbow| %.3f, |j| %.4f..%.4f m/rad", condition, inLine, stretched,
-              shortest, longest);
+        qInfo("condition %.3f, det A/l2^2 %.3f, |sin elbow| %.3f, |j| %.4f..%.4f m/rad", condition, inLine,
+              stretched, shortest, longest);
         QVERIFY(condition < 1.85);
         QVERIFY(inLine > 0.8 && stretched > 0.65);
-        // The motors' share for rendering is 4.5 N in the weakest direction of the weakest pose, not more than 1 % above.
+        // The motors' share for rendering is 4.5 N in the weakest direction of the weakest pose, not more
+        // than 1 % above.
         const mechanisms::FiveBarPlantParameters plant;
         QVERIFY(plant.renderLimit[0] >= 4.5 * longest && plant.renderLimit[0] <= 4.5 * longest * 1.015);
         QVERIFY(plant.renderLimit[1] == plant.renderLimit[0]);
@@ -171,23 +185,27 @@ private slots:
         QVERIFY(pose[0] == loop.tip.x() && pose[1] == loop.tip.y() && pose[3] == loop.jacobian(0, 1));
         QVERIFY(pose[4] == loop.jacobian(1, 0) && pose[6] == loop.determinant);
         QVERIFY(pose[7] == FiveBarKinematics::conditionNumber(loop));
-        const auto efforts = evaluate("five_bar_efforts", {2.5, 0.6, 0.0, 0.0, 9.0, 1.0, 2.0, 0.1, 0.01, 0.05});
+        const auto efforts =
+            evaluate("five_bar_efforts", {2.5, 0.6, 0.0, 0.0, 9.0, 1.0, 2.0, 0.1, 0.01, 0.05});
         QCOMPARE(efforts.size(), std::size_t{5});
         const Vec2 tau = loop.jacobian.transpose() * Vec2(1.0, 2.0);
         QVERIFY(efforts[0] == tau[0] && efforts[1] == tau[1]);
         // Level and straight: pitch about x, yaw about z, roll about y of D.
-        QVERIFY(efforts[2] == 0.1 && std::abs(efforts[3] - 0.05) < 1e-15 && std::abs(efforts[4] - 0.01) < 1e-15);
+        QVERIFY(efforts[2] == 0.1 && std::abs(efforts[3] - 0.05) < 1e-15 &&
+                std::abs(efforts[4] - 0.01) < 1e-15);
     }
 
-    /// Wherever the stops let the base angles go the linkage is one and the same assembly, so that counts mean one pose.
+    /// Wherever the stops let the base angles go the linkage is one and the same assembly, so that counts
+    /// mean one pose.
     void oneAssemblyModeWithinTheStops() {
         const FiveBarKinematics linkage;
         const mechanisms::FiveBarPlantParameters plant;
         const double l1 = linkage.geometry().proximal_m, l2 = linkage.geometry().distal_m;
         for (int i = 0; i <= 120; ++i) {
             for (int k = 0; k <= 120; ++k) {
-                const FiveBarLoop loop = linkage.loop(plant.minimum[0] + (plant.maximum[0] - plant.minimum[0]) * i / 120.0,
-                                                      plant.minimum[1] + (plant.maximum[1] - plant.minimum[1]) * k / 120.0);
+                const FiveBarLoop loop =
+                    linkage.loop(plant.minimum[0] + (plant.maximum[0] - plant.minimum[0]) * i / 120.0,
+                                 plant.minimum[1] + (plant.maximum[1] - plant.minimum[1]) * k / 120.0);
                 QVERIFY(loop.closed);
                 QVERIFY(loop.determinant / (l2 * l2) > 0.25);
                 QVERIFY(loop.elbow[1].x() - loop.elbow[0].x() > 0.05);

@@ -52,8 +52,8 @@ AxisEfforts effortsOf(const FiveBarVector& q, const Wrench& wrench) {
 class TestFiveBarPlant : public QObject {
     Q_OBJECT
 private slots:
-    /// Free, without friction, under its full weight: a wrong or missing Coriolis term shows as a drift. Semi-implicit Euler
-    /// errs in proportion to the step, so the drift must fall as the step does.
+    /// Free, without friction, under its full weight: a wrong or missing Coriolis term shows as a drift.
+    /// Semi-implicit Euler errs in proportion to the step, so the drift must fall as the step does.
     void energyIsKeptWithoutLosses() {
         const auto drift = [](int substeps) {
             FiveBarPlantParameters p = lossless();
@@ -87,14 +87,17 @@ private slots:
         const double dt = core::kTickSeconds / plant.substeps();
         for (int n = 0; n < 8000; ++n) {
             const double t = n * 1e-3;
-            const Wrench push{Vec3(0.0, 1.5 * std::sin(9.0 * t), 1.5 * std::sin(7.0 * t)),
-                              Vec3(0.04 * std::sin(11.0 * t), 0.03 * std::cos(5.0 * t), 0.003 * std::sin(13.0 * t))};
+            const Wrench push{
+                Vec3(0.0, 1.5 * std::sin(9.0 * t), 1.5 * std::sin(7.0 * t)),
+                Vec3(0.04 * std::sin(11.0 * t), 0.03 * std::cos(5.0 * t), 0.003 * std::sin(13.0 * t))};
             plant.beginTick({}, false);
             for (int i = 0; i < plant.substeps(); ++i) {
                 const auto before = plant.motion();
                 plant.step(dt, push);
                 const auto after = plant.motion();
-                work += dt * 0.5 * (push.force.dot(before.v_DT + after.v_DT) + push.torque.dot(before.w_DT + after.w_DT));
+                work +=
+                    dt * 0.5 *
+                    (push.force.dot(before.v_DT + after.v_DT) + push.torque.dot(before.w_DT + after.w_DT));
             }
             plant.endTick();
             highest = std::max(highest, plant.energy_J() - start - work);
@@ -114,8 +117,10 @@ private slots:
                 dynamics.place(q);
                 for (int n = 0; n < 360; ++n) {
                     const double a = core::radFromDeg(n);
-                    const FiveBarVector tau = dynamics.efforts({Vec3(0.0, std::cos(a), std::sin(a)), Vec3::Zero()});
-                    weakest = std::min(weakest, p.renderLimit[0] / std::max(std::abs(tau[0]), std::abs(tau[1])));
+                    const FiveBarVector tau =
+                        dynamics.efforts({Vec3(0.0, std::cos(a), std::sin(a)), Vec3::Zero()});
+                    weakest =
+                        std::min(weakest, p.renderLimit[0] / std::max(std::abs(tau[0]), std::abs(tau[1])));
                 }
             }
         }
@@ -128,7 +133,8 @@ private slots:
         for (int n = 0; n < 20; ++n)
             tick(plant, effortsOf(q, small), true, {-small.force, -small.torque});
         QVERIFY(!plant.saturated());
-        QVERIFY2((plant.measured_D().force - small.force).norm() < 0.05, qPrintable(QString::number((plant.measured_D().force - small.force).norm())));
+        QVERIFY2((plant.measured_D().force - small.force).norm() < 0.05,
+                 qPrintable(QString::number((plant.measured_D().force - small.force).norm())));
         QVERIFY((plant.measured_D().torque - small.torque).norm() < 0.002);
         plant.reset(q);
         for (int n = 0; n < 20; ++n)
@@ -167,7 +173,8 @@ private slots:
                         dynamics.place(at(Vec3(0.0, y, z), pitch, yaw));
                         const FiveBarVector rest = (1.0 - p.counterbalance) * dynamics.gravity();
                         for (int axis = 0; axis < 5; ++axis)
-                            QVERIFY2(std::abs(rest[axis]) <= p.gravityReserve[static_cast<std::size_t>(axis)] + 1e-12,
+                            QVERIFY2(std::abs(rest[axis]) <=
+                                         p.gravityReserve[static_cast<std::size_t>(axis)] + 1e-12,
                                      qPrintable(QString("axis %1: %2").arg(axis).arg(rest[axis])));
                     }
     }
@@ -179,7 +186,8 @@ private slots:
         const auto before = plant.motion();
         for (int n = 0; n < 1000; ++n)
             tick(plant, {}, true, {Vec3(0.0, 0.03, 0.0), Vec3(0.0015, 0.0, 0.0)});
-        QVERIFY2((plant.motion().p_DT - before.p_DT).norm() < 100e-6, qPrintable(QString::number((plant.motion().p_DT - before.p_DT).norm())));
+        QVERIFY2((plant.motion().p_DT - before.p_DT).norm() < 100e-6,
+                 qPrintable(QString::number((plant.motion().p_DT - before.p_DT).norm())));
         for (int n = 0; n < 500; ++n)
             tick(plant, {}, true, {Vec3(0.0, 0.4, 0.0), Vec3::Zero()});
         QVERIFY((plant.motion().p_DT - before.p_DT).norm() > 5e-3);
@@ -198,7 +206,8 @@ private slots:
             AxisEfforts hold{};
             for (int axis = 0; axis < 5; ++axis) {
                 const double k = std::array{15.0, 15.0, 2.0, 2.0, 0.01}[static_cast<std::size_t>(axis)];
-                hold[static_cast<std::size_t>(axis)] = k * (q[axis] - plant.motorAngles()[axis]) - 0.01 * k * plant.rates()[axis];
+                hold[static_cast<std::size_t>(axis)] =
+                    k * (q[axis] - plant.motorAngles()[axis]) - 0.01 * k * plant.rates()[axis];
             }
             tick(plant, hold, true, pull);
         }
@@ -207,7 +216,8 @@ private slots:
             const double stretch = plant.q()[axis] - plant.motorAngles()[axis];
             const double weight = (1.0 - p.counterbalance) * plant.dynamics().gravity()[axis];
             const double expected = (load[axis] - weight) / p.tendonStiffness[static_cast<std::size_t>(axis)];
-            QVERIFY2(std::abs(stretch - expected) < 0.02 * std::abs(expected), qPrintable(QString("%1 %2").arg(stretch).arg(expected)));
+            QVERIFY2(std::abs(stretch - expected) < 0.02 * std::abs(expected),
+                     qPrintable(QString("%1 %2").arg(stretch).arg(expected)));
         }
     }
 
@@ -227,7 +237,8 @@ private slots:
             tick(b, {}, true, push);
             fresh.emplace_back(a.encoderCounts().begin(), a.encoderCounts().end());
             for (std::size_t axis = 0; axis < 5; ++axis) {
-                QVERIFY(std::abs(a.motorAngles()[static_cast<int>(axis)] - a.encoderCounts()[axis] * p.resolution[axis]) <=
+                QVERIFY(std::abs(a.motorAngles()[static_cast<int>(axis)] -
+                                 a.encoderCounts()[axis] * p.resolution[axis]) <=
                         0.5 * p.resolution[axis] * (1 + 1e-9));
                 if (n >= 3)
                     QCOMPARE(b.encoderCounts()[axis], fresh[static_cast<std::size_t>(n - 3)][axis]);
@@ -242,11 +253,15 @@ private slots:
         plant.reset(at(Vec3(0.0, 0.0, 0.06), 0.6));
         for (int n = 0; n < 4000; ++n) {
             const double side = (n / 1000) % 2 == 0 ? 1.0 : -1.0;
-            tick(plant, {}, true, {side * Vec3(0.0, 4.0, 6.0), plant.dynamics().joint().torque_D(side * Vec3(0.15, 0.15, 0.001))});
+            tick(plant, {}, true,
+                 {side * Vec3(0.0, 4.0, 6.0),
+                  plant.dynamics().joint().torque_D(side * Vec3(0.15, 0.15, 0.001))});
             for (int axis = 0; axis < 5; ++axis) {
                 const auto i = static_cast<std::size_t>(axis);
-                const double beyond = plant.q()[axis] - std::clamp(plant.q()[axis], p.minimum[i], p.maximum[i]);
-                QVERIFY2(std::abs(beyond) < (axis == 4 ? 0.1 : 0.05), qPrintable(QString("axis %1: %2").arg(axis).arg(beyond)));
+                const double beyond =
+                    plant.q()[axis] - std::clamp(plant.q()[axis], p.minimum[i], p.maximum[i]);
+                QVERIFY2(std::abs(beyond) < (axis == 4 ? 0.1 : 0.05),
+                         qPrintable(QString("axis %1: %2").arg(axis).arg(beyond)));
             }
             QVERIFY(plant.motion().p_DT.allFinite() && plant.motion().v_DT.norm() < 5.0);
         }
@@ -257,7 +272,8 @@ private slots:
         for (FiveBarPlant* plant : {&a, &b}) {
             plant->reset(at(Vec3(0.0, 0.0, 0.06), 0.6));
             for (int n = 0; n < 300; ++n)
-                tick(*plant, {0.1, -0.1, 0.02, 0.01, 0.001}, true, {Vec3(0.0, 0.5, 0.2), Vec3(0.01, 0.0, 0.0)});
+                tick(*plant, {0.1, -0.1, 0.02, 0.01, 0.001}, true,
+                     {Vec3(0.0, 0.5, 0.2), Vec3(0.01, 0.0, 0.0)});
         }
         QVERIFY(a.q() == b.q() && a.rates() == b.rates() && a.motorAngles() == b.motorAngles());
     }

@@ -19,7 +19,8 @@ private slots:
         QTest::newRow("as it is") << 1.0 << 0.0 << 0.18 << true;
         QTest::newRow("leaning and far out") << 1.0 << 0.3 << 0.24 << true;
         QTest::newRow("twice the friction") << 2.0 << -0.2 << 0.16 << true;
-        QTest::newRow("weight not carried") << 1.0 << 0.2 << 0.20 << false; // it cancels between there and back
+        QTest::newRow("weight not carried")
+            << 1.0 << 0.2 << 0.20 << false; // it cancels between there and back
     }
     void recoversThePlantsFriction() {
         QFETCH(double, more);
@@ -40,7 +41,8 @@ private slots:
             const LugreParameters& truth = parameters.friction[axis];
             QVERIFY((*found)[axis].has_value());
             const AxisFriction& friction = *(*found)[axis];
-            qInfo("axis %zu: Coulomb %.5f (made with %.5f), viscous %.5f (%.5f)", axis, friction.coulomb, truth.coulomb, friction.viscous, truth.viscous);
+            qInfo("axis %zu: Coulomb %.5f (made with %.5f), viscous %.5f (%.5f)", axis, friction.coulomb,
+                  truth.coulomb, friction.viscous, truth.viscous);
             QVERIFY(std::abs(friction.coulomb / truth.coulomb - 1.0) < 0.10);
             QVERIFY(std::abs(friction.viscous / truth.viscous - 1.0) < 0.20);
         }
@@ -56,7 +58,8 @@ private slots:
         const auto found = identifyFriction(plant, {0.0, 0.0, 0.0, 0.18});
         QVERIFY(found);
         for (const std::size_t axis : {std::size_t{0}, std::size_t{1}, std::size_t{3}})
-            QVERIFY(std::abs((*found)[axis]->coulomb) < 0.02 * GimbalPlantParameters{}.friction[axis].coulomb);
+            QVERIFY(std::abs((*found)[axis]->coulomb) <
+                    0.02 * GimbalPlantParameters{}.friction[axis].coulomb);
     }
 
     void theSameSweepGivesTheSameBits() {

@@ -15,12 +15,12 @@ using core::Vec3;
 namespace {
 
 struct Rub {
-    double moved_m = 0.0;     ///< how far the true tip went in the time that counts, largest extent of an axis
-    double roughest_N = 0.0;  ///< largest change of friction from one tick to the next in that time
-    double over = 0.0;        ///< largest of ‖friction‖ − μ f_n, all the time
-    double friction_N = 0.0;  ///< at the end, along x
-    double normal_N = 0.0;    ///< at the end
-    int reversals = 0;        ///< times that friction along x went from over half of μ f_n on one side to the other
+    double moved_m = 0.0;    ///< how far the true tip went in the time that counts, largest extent of an axis
+    double roughest_N = 0.0; ///< largest change of friction from one tick to the next in that time
+    double over = 0.0;       ///< largest of ‖friction‖ − μ f_n, all the time
+    double friction_N = 0.0; ///< at the end, along x
+    double normal_N = 0.0;   ///< at the end
+    int reversals = 0; ///< times that friction along x went from over half of μ f_n on one side to the other
 };
 
 mechanisms::HandParameters armNamed(const QString& name) {
@@ -31,8 +31,9 @@ mechanisms::HandParameters armNamed(const QString& name) {
     return arm;
 }
 
-/// The gimbal in a hand that presses a plane (friction μ) and leans sideways: encoder counts to position and velocity, the object's
-/// law, its force through Jᵀ to the motors one tick later. W is D here. The first `settle` of `ticks` do not count.
+/// The gimbal in a hand that presses a plane (friction μ) and leans sideways: encoder counts to position and
+/// velocity, the object's law, its force through Jᵀ to the motors one tick later. W is D here. The first
+/// `settle` of `ticks` do not count.
 class Station {
 public:
     Station(const simulation::ObjectAttributes& attributes, const mechanisms::HandParameters& arm)
@@ -91,8 +92,9 @@ private:
         place.foot = Vec3(p.x(), p.y(), 0.0);
         place.position = p;
         Vec3& old = m_past[m_tick % m_past.size()];
-        place.velocity = m_tick >= m_past.size() ? Vec3((p - old) / (core::kTickSeconds * static_cast<double>(m_past.size())))
-                                                 : Vec3(Vec3::Zero()); // over 15 ms, as the estimator's window is at rest
+        place.velocity = m_tick >= m_past.size()
+                             ? Vec3((p - old) / (core::kTickSeconds * static_cast<double>(m_past.size())))
+                             : Vec3(Vec3::Zero()); // over 15 ms, as the estimator's window is at rest
         old = p;
         ++m_tick;
         const auto answer = m_contact.respond(place, core::kTickSeconds, m_state);
@@ -134,8 +136,8 @@ simulation::ObjectAttributes surface(double mu) {
 
 } // namespace
 
-/// models.md §2.2: friction sticks, holds a still tool for ten seconds without chatter, and never exceeds μ f_n; here with the
-/// simulated gimbal (encoder grid, a tick of delay) and a hand in the loop.
+/// models.md §2.2: friction sticks, holds a still tool for ten seconds without chatter, and never exceeds μ
+/// f_n; here with the simulated gimbal (encoder grid, a tick of delay) and a hand in the loop.
 class TestGimbalFriction : public QObject {
     Q_OBJECT
 private slots:
@@ -160,8 +162,10 @@ void TestGimbalFriction::holdsAStillTool() {
     const double down = 2.0 / hand.stiffness_N_per_m;
     Station station(surface(mu), hand);
     const Rub rub = station.run(Vec3(sideways, 0.0, -down), 3000, 13000);
-    const QByteArray told = QByteArray::number(rub.moved_m * 1e6) + " um, steps of " + QByteArray::number(rub.roughest_N) +
-                            " N, friction " + QByteArray::number(rub.friction_N) + " N at " + QByteArray::number(rub.normal_N) + " N";
+    const QByteArray told = QByteArray::number(rub.moved_m * 1e6) + " um, steps of " +
+                            QByteArray::number(rub.roughest_N) + " N, friction " +
+                            QByteArray::number(rub.friction_N) + " N at " + QByteArray::number(rub.normal_N) +
+                            " N";
     QVERIFY2(rub.over <= 1e-12, told.constData());
     QVERIFY2(rub.normal_N > 0.5, told.constData());
     QVERIFY2(rub.friction_N < -0.05, told.constData()); // it is friction that holds it

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every simulated mechanism does under a fixed programme of efforts and hands, and what is found of it by its own sensors, against
-// what was looked at and kept: laws and limits have tests of their own; here a term, a default or a step that nobody thought of cannot
-// change unsaid. A change that is meant is kept anew, and its difference is read in review:
-// CHIRON_STORE_OUTLINES=1 ctest --test-dir build/release -R "^test_kept_mechanisms$"
+// What every simulated mechanism does under a fixed programme of efforts and hands, and what is found of it
+// by its own sensors, against what was looked at and kept: laws and limits have tests of their own; here a
+// term, a default or a step that nobody thought of cannot change unsaid. A change that is meant is kept anew,
+// and its difference is read in review: CHIRON_STORE_OUTLINES=1 ctest --test-dir build/release -R
+// "^test_kept_mechanisms$"
 #include "core/fp_environment.h"
 #include "core/units.h"
 #include "mechanisms/fingertip_arm_plant.h"
@@ -32,19 +33,25 @@ namespace {
 constexpr int kTicks = 1600, kBlock = 200;
 constexpr double kTick = core::kTickSeconds;
 
-/// Efforts of a motor programme that takes every axis both ways, for a while beyond what its motor gives, and off in between.
+/// Efforts of a motor programme that takes every axis both ways, for a while beyond what its motor gives, and
+/// off in between.
 AxisEfforts effortsAt(int tick, const AxisEfforts& scale) {
     AxisEfforts efforts{};
     const double more = tick >= 700 && tick < 900 ? 4.0 : 1.0;
     for (std::size_t axis = 0; axis < efforts.size(); ++axis)
-        efforts[axis] = more * scale[axis] * std::sin((5.0 + 1.3 * static_cast<double>(axis)) * kTick * tick + 0.4 * static_cast<double>(axis));
+        efforts[axis] = more * scale[axis] *
+                        std::sin((5.0 + 1.3 * static_cast<double>(axis)) * kTick * tick +
+                                 0.4 * static_cast<double>(axis));
     return efforts;
 }
-bool enabledAt(int tick) { return tick < 1000 || tick >= 1150; }
+bool enabledAt(int tick) {
+    return tick < 1000 || tick >= 1150;
+}
 
 core::Wrench handAt(int tick, double force_N, double torque_Nm) {
     const double t = kTick * tick;
-    return {force_N * Vec3(std::sin(3.0 * t), std::cos(2.0 * t), -0.6 + 0.5 * std::sin(4.0 * t)), torque_Nm * Vec3(std::cos(3.0 * t), std::sin(2.5 * t), 0.7 * std::sin(4.0 * t))};
+    return {force_N * Vec3(std::sin(3.0 * t), std::cos(2.0 * t), -0.6 + 0.5 * std::sin(4.0 * t)),
+            torque_Nm * Vec3(std::cos(3.0 * t), std::sin(2.5 * t), 0.7 * std::sin(4.0 * t))};
 }
 
 /// What a plant's host and its hand notice, block after block.
@@ -68,10 +75,14 @@ QStringList trace(Mechanism& plant, const AxisEfforts& scale, double force_N, do
             continue;
         const ToolMotion m = plant.motion();
         lines.add(QStringLiteral("after %1 ticks").arg(tick + 1));
-        lines.add(QStringLiteral("  place"), {m.p_DT.x(), m.p_DT.y(), m.p_DT.z(), m.v_DT.x(), m.v_DT.y(), m.v_DT.z()});
-        lines.add(QStringLiteral("  attitude"), {m.q_DT.w(), m.q_DT.x(), m.q_DT.y(), m.q_DT.z(), m.w_DT.x(), m.w_DT.y(), m.w_DT.z()});
+        lines.add(QStringLiteral("  place"),
+                  {m.p_DT.x(), m.p_DT.y(), m.p_DT.z(), m.v_DT.x(), m.v_DT.y(), m.v_DT.z()});
+        lines.add(QStringLiteral("  attitude"),
+                  {m.q_DT.w(), m.q_DT.x(), m.q_DT.y(), m.q_DT.z(), m.w_DT.x(), m.w_DT.y(), m.w_DT.z()});
         lines.add(QStringLiteral("  counts"), counts);
-        lines.add(QStringLiteral("  measured"), {measured.force.x(), measured.force.y(), measured.force.z(), measured.torque.x(), measured.torque.y(), measured.torque.z()});
+        lines.add(QStringLiteral("  measured"),
+                  {measured.force.x(), measured.force.y(), measured.force.z(), measured.torque.x(),
+                   measured.torque.y(), measured.torque.z()});
         lines.add(QStringLiteral("  saturated, energy"), {static_cast<double>(saturated), plant.energy_J()});
         say(lines);
         std::fill(counts.begin(), counts.end(), 0.0);
@@ -81,10 +92,12 @@ QStringList trace(Mechanism& plant, const AxisEfforts& scale, double force_N, do
     return lines.lines();
 }
 
-/// What rubs and is read in counts, for seconds: another library's last digit shows as another count, and that in the second digit of a
-/// figure. Processors of one class have the same (core/fp_environment.h), so there nothing may differ.
+/// What rubs and is read in counts, for seconds: another library's last digit shows as another count, and
+/// that in the second digit of a figure. Processors of one class have the same (core/fp_environment.h), so
+/// there nothing may differ.
 bool sameFigures(const QString& was, const QString& is) {
-    static const bool sameClass = QString::fromStdString(core::cpuClass()).startsWith(QLatin1String("x86-64+fma+avx2"));
+    static const bool sameClass =
+        QString::fromStdString(core::cpuClass()).startsWith(QLatin1String("x86-64+fma+avx2"));
     if (sameClass || tests::sameNumbers(was, is))
         return tests::sameNumbers(was, is);
     const QStringList a = was.split(QLatin1Char(' ')), b = is.split(QLatin1Char(' '));
@@ -92,15 +105,19 @@ bool sameFigures(const QString& was, const QString& is) {
     for (qsizetype i = 0; same && i < a.size(); ++i) {
         bool first = false, second = false;
         const double x = a[i].toDouble(&first), y = b[i].toDouble(&second);
-        same = first && second ? std::abs(x - y) <= 0.05 * std::max(std::abs(x), std::abs(y)) + 0.02 : a[i] == b[i];
+        same = first && second ? std::abs(x - y) <= 0.05 * std::max(std::abs(x), std::abs(y)) + 0.02
+                               : a[i] == b[i];
     }
     return same;
 }
 
-QString words(const core::Error& error) { return QString::fromStdString(error.message); }
+QString words(const core::Error& error) {
+    return QString::fromStdString(error.message);
+}
 
 void addPad(NumberLines& lines, const QString& name, const FingerPadParameters& p) {
-    lines.add(name, {p.radius_m, p.stiffness_N_per_m, p.hardening_per_m, p.damping_Ns_per_m, p.surface_m, p.relaxation, p.relaxationTimes_s[0], p.relaxationTimes_s[1]});
+    lines.add(name, {p.radius_m, p.stiffness_N_per_m, p.hardening_per_m, p.damping_Ns_per_m, p.surface_m,
+                     p.relaxation, p.relaxationTimes_s[0], p.relaxationTimes_s[1]});
 }
 
 QStringList figures(const FingertipVerification& v) {
@@ -110,14 +127,17 @@ QStringList figures(const FingertipVerification& v) {
     lines.add(QStringLiteral("rmse"), v.rmse_N);
     lines.add(QStringLiteral("true rmse"), v.rmseTrue_N);
     lines.add(QStringLiteral("means, gain, phase"), {v.meanRmse_N, v.meanRmseTrue_N, v.gain, v.phase_deg});
-    lines.add(QStringLiteral("angles"), {v.meanError_deg, v.sdError_deg, v.meanErrorTrue_deg, v.sdErrorTrue_deg});
+    lines.add(QStringLiteral("angles"),
+              {v.meanError_deg, v.sdError_deg, v.meanErrorTrue_deg, v.sdErrorTrue_deg});
     lines.add(QStringLiteral("steps"), {v.overshoot, v.overshootOfForce, v.staticError, v.oneNewton_N});
     lines.add(QStringLiteral("most, latency"), {v.largest_N, v.latency_s});
     lines.add(QStringLiteral("holds"), {v.holds() ? 1.0 : 0.0});
     for (std::size_t i = 0; i < v.series.time_s.size(); i += 397)
-        lines.add(QStringLiteral("at"), {v.series.time_s[i], v.series.reference_N[i], v.series.measured_N[i], v.series.true_N[i], v.series.height_m[i]});
+        lines.add(QStringLiteral("at"), {v.series.time_s[i], v.series.reference_N[i], v.series.measured_N[i],
+                                         v.series.true_N[i], v.series.height_m[i]});
     for (const FingertipPosed& p : v.poses)
-        lines.add(QStringLiteral("pose"), {p.referencePitch_rad, p.referenceRoll_rad, p.measuredPitch_rad, p.measuredRoll_rad, p.truePitch_rad, p.trueRoll_rad});
+        lines.add(QStringLiteral("pose"), {p.referencePitch_rad, p.referenceRoll_rad, p.measuredPitch_rad,
+                                           p.measuredRoll_rad, p.truePitch_rad, p.trueRoll_rad});
     return lines.lines();
 }
 
@@ -148,8 +168,10 @@ private:
         const QString differs = kept.differs(name, lines);
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
-    tests::KeptText m_figures{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/mechanisms/kept_figures.txt"), &sameFigures};
-    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/mechanisms/kept_mechanisms.txt"), &tests::sameNumbers};
+    tests::KeptText m_figures{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/mechanisms/kept_figures.txt"),
+                              &sameFigures};
+    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/mechanisms/kept_mechanisms.txt"),
+                           &tests::sameNumbers};
 };
 
 void TestKeptMechanisms::gimbal_data() {
@@ -167,7 +189,8 @@ void TestKeptMechanisms::gimbal() {
     p.gravityFeedForward = feedForward;
     GimbalPlant plant(p);
     plant.reset({0.15, -0.1, 0.3, 0.2});
-    hold(QString::fromLatin1(QTest::currentDataTag()), trace(plant, {0.25, -0.3, 0.0, 1.2}, 0.5, 0.0, [&](NumberLines& lines) {
+    hold(QString::fromLatin1(QTest::currentDataTag()),
+         trace(plant, {0.25, -0.3, 0.0, 1.2}, 0.5, 0.0, [&](NumberLines& lines) {
              lines.add(QStringLiteral("  joints"), {plant.q().h, plant.q().p, plant.q().r, plant.q().d});
              lines.addMatrix(QStringLiteral("  rates"), plant.rates());
              lines.addMatrix(QStringLiteral("  inertia"), plant.inertia(plant.q()));
@@ -176,7 +199,9 @@ void TestKeptMechanisms::gimbal() {
          }));
 }
 
-void TestKeptMechanisms::fiveBar_data() { gimbal_data(); }
+void TestKeptMechanisms::fiveBar_data() {
+    gimbal_data();
+}
 
 void TestKeptMechanisms::fiveBar() {
     QFETCH(int, delay_ticks);
@@ -190,7 +215,9 @@ void TestKeptMechanisms::fiveBar() {
     QVERIFY(theta);
     q << (*theta)[0], (*theta)[1], 0.2, -0.1, 0.4;
     plant.reset(q);
-    hold(m_figures, QString::fromLatin1(QTest::currentDataTag()).replace(QStringLiteral("gimbal"), QStringLiteral("five-bar linkage")),
+    hold(m_figures,
+         QString::fromLatin1(QTest::currentDataTag())
+             .replace(QStringLiteral("gimbal"), QStringLiteral("five-bar linkage")),
          trace(plant, {0.3, -0.25, 0.06, 0.05, 0.004}, 1.0, 0.012, [&](NumberLines& lines) {
              lines.addMatrix(QStringLiteral("  joints"), plant.q());
              lines.addMatrix(QStringLiteral("  rates"), plant.rates());
@@ -198,7 +225,9 @@ void TestKeptMechanisms::fiveBar() {
              lines.addMatrix(QStringLiteral("  inertia"), plant.dynamics().inertia());
              lines.addMatrix(QStringLiteral("  bias"), plant.dynamics().bias(plant.rates()));
              lines.addMatrix(QStringLiteral("  gravity"), plant.dynamics().gravity());
-             lines.add(QStringLiteral("  potential, condition"), {plant.dynamics().potential_J(), FiveBarKinematics::conditionNumber(plant.dynamics().loop())});
+             lines.add(QStringLiteral("  potential, condition"),
+                       {plant.dynamics().potential_J(),
+                        FiveBarKinematics::conditionNumber(plant.dynamics().loop())});
          }));
 }
 
@@ -209,7 +238,9 @@ void TestKeptMechanisms::arm() {
     hold(QStringLiteral("arm"), trace(plant, {}, 0.25, 0.004, [&](NumberLines& lines) {
              lines.addMatrix(QStringLiteral("  joints"), plant.q());
              lines.addMatrix(QStringLiteral("  rates"), plant.rates());
-             lines.add(QStringLiteral("  grasp, mass, inertia"), {static_cast<double>(plant.jawCounts()), plant.apparentMass_kg(), plant.apparentInertia_kgm2()});
+             lines.add(QStringLiteral("  grasp, mass, inertia"),
+                       {static_cast<double>(plant.jawCounts()), plant.apparentMass_kg(),
+                        plant.apparentInertia_kgm2()});
              lines.addMatrix(QStringLiteral("  attitude sensor"), plant.imu().attitude().coeffs());
              lines.addMatrix(QStringLiteral("  rate"), plant.imu().rate_T());
              lines.addMatrix(QStringLiteral("  acceleration"), plant.imu().acceleration_T());
@@ -234,7 +265,8 @@ void TestKeptMechanisms::platform() {
     NumberLines lines;
     for (int tick = 0; tick < 2400; ++tick) {
         const double t = kTick * tick;
-        const core::DisplayPose wanted{tick < 1500 ? 1.5 - 1.5 * std::cos(4.0 * t) : 6.0, 0.4 * std::sin(3.0 * t), 0.5 * std::sin(2.0 * t)};
+        const core::DisplayPose wanted{tick < 1500 ? 1.5 - 1.5 * std::cos(4.0 * t) : 6.0,
+                                       0.4 * std::sin(3.0 * t), 0.5 * std::sin(2.0 * t)};
         platform.shiftFinger(1e-4 * std::sin(5.0 * t));
         platform.tick(wanted, tick < 1800 || tick >= 1950);
         if ((tick + 1) % 150 != 0)
@@ -242,12 +274,15 @@ void TestKeptMechanisms::platform() {
         const core::DisplayPose& is = platform.truth();
         lines.add(QStringLiteral("after %1 ticks").arg(tick + 1));
         lines.add(QStringLiteral("  on the pad"), {is.normalForce_N, is.pitch_rad, is.roll_rad});
-        lines.add(QStringLiteral("  sensed"), {platform.sensedForce_N(), platform.sensedPitch_rad(), platform.sensedRoll_rad(), platform.saturated() ? 1.0 : 0.0});
-        lines.add(QStringLiteral("  plant"), {platform.plant().pose().z_m, platform.plant().pose().pitch_rad, platform.plant().pose().roll_rad, platform.plant().energy_J()});
+        lines.add(QStringLiteral("  sensed"), {platform.sensedForce_N(), platform.sensedPitch_rad(),
+                                               platform.sensedRoll_rad(), platform.saturated() ? 1.0 : 0.0});
+        lines.add(QStringLiteral("  plant"), {platform.plant().pose().z_m, platform.plant().pose().pitch_rad,
+                                              platform.plant().pose().roll_rad, platform.plant().energy_J()});
         lines.addMatrix(QStringLiteral("  motors"), platform.plant().motors());
         lines.addMatrix(QStringLiteral("  place on the plate"), platform.plant().padPlace());
         const auto& counts = platform.forceSensors().counts();
-        lines.add(QStringLiteral("  counts"), {static_cast<double>(counts[0]), static_cast<double>(counts[1]), static_cast<double>(counts[2])});
+        lines.add(QStringLiteral("  counts"), {static_cast<double>(counts[0]), static_cast<double>(counts[1]),
+                                               static_cast<double>(counts[2])});
     }
     for (const double load_N : {0.0, 0.5, 1.0, 3.0})
         lines.add(QStringLiteral("newtons a count"), {load_N, platform.forceSensors().resolution_N(load_N)});
@@ -255,7 +290,8 @@ void TestKeptMechanisms::platform() {
 }
 
 void TestKeptMechanisms::handsAndJaws() {
-    const std::pair<const char*, HandParameters> hands[] = {{"usual", {}}, {"light", HandParameters::light()}, {"firm", HandParameters::firm()}};
+    const std::pair<const char*, HandParameters> hands[] = {
+        {"usual", {}}, {"light", HandParameters::light()}, {"firm", HandParameters::firm()}};
     for (const auto& [name, parameters] : hands) {
         Hand hand(parameters, 3, 0.12);
         Wrist wrist(parameters, 4, 0.001);
@@ -270,7 +306,8 @@ void TestKeptMechanisms::handsAndJaws() {
             HandIntention wanted;
             wanted.p_DDesired = {0.01 + 0.02 * std::sin(4.0 * t), -0.02, 0.05 - 0.01 * t};
             wanted.v_DDesired = {0.08 * std::cos(4.0 * t), 0.0, -0.01};
-            wanted.q_DDesired = turned(core::Quat::Identity(), {0.1 + 0.3 * std::sin(3.0 * t), 0.2 * t, -0.1});
+            wanted.q_DDesired =
+                turned(core::Quat::Identity(), {0.1 + 0.3 * std::sin(3.0 * t), 0.2 * t, -0.1});
             wanted.w_DDesired = {0.9 * std::cos(3.0 * t), 0.2, 0.0};
             wanted.buttons = tick > 300 ? 1u : 0u;
             wanted.jaw_rad = 1.0 + std::sin(5.0 * t);
@@ -278,7 +315,8 @@ void TestKeptMechanisms::handsAndJaws() {
             wrist.beginTick(hand.acting());
             jaw.advance(hand.acting().jaw_rad);
             const Vec3 grip = hand.gripForceOnTool(tool, {0.01, 0.0, 0.0});
-            const Vec3 turn = wrist.gripTorqueOnTool(turned(core::Quat::Identity(), {0.05, 0.05, 0.0}), {0.0, 0.1, 0.0});
+            const Vec3 turn =
+                wrist.gripTorqueOnTool(turned(core::Quat::Identity(), {0.05, 0.05, 0.0}), {0.0, 0.1, 0.0});
             for (int step = 0; step < 4; ++step) {
                 hand.integrate(0.25 * kTick, 0.2 * grip);
                 wrist.integrate(0.25 * kTick, 0.1 * turn);
@@ -286,7 +324,9 @@ void TestKeptMechanisms::handsAndJaws() {
             tool += 0.5 * (hand.p_D() - tool);
             if ((tick + 1) % 100 != 0)
                 continue;
-            lines.add(QStringLiteral("after %1 ticks").arg(tick + 1), {static_cast<double>(hand.acting().buttons), hand.acting().jaw_rad, jaw.angle_rad(), static_cast<double>(jaw.counts())});
+            lines.add(QStringLiteral("after %1 ticks").arg(tick + 1),
+                      {static_cast<double>(hand.acting().buttons), hand.acting().jaw_rad, jaw.angle_rad(),
+                       static_cast<double>(jaw.counts())});
             lines.addMatrix(QStringLiteral("  hand"), hand.p_D());
             lines.addMatrix(QStringLiteral("  speed"), hand.v_D());
             lines.addMatrix(QStringLiteral("  grip"), grip);
@@ -300,7 +340,9 @@ void TestKeptMechanisms::handsAndJaws() {
 
 void TestKeptMechanisms::whatIsFoundOfTheGimbal() {
     NumberLines lines;
-    const std::pair<GimbalCoordinates, FrictionSweep> sweeps[] = {{{0.0, 0.0, 0.0, 0.18}, {}}, {{0.2, -0.1, 0.0, 0.22}, {.slow = 0.04, .fast = 0.2, .halfTravel = 0.06, .settled = 0.5}}};
+    const std::pair<GimbalCoordinates, FrictionSweep> sweeps[] = {
+        {{0.0, 0.0, 0.0, 0.18}, {}},
+        {{0.2, -0.1, 0.0, 0.22}, {.slow = 0.04, .fast = 0.2, .halfTravel = 0.06, .settled = 0.5}}};
     for (const auto& [middle, sweep] : sweeps) {
         GimbalPlant plant{GimbalPlantParameters{}};
         const auto found = identifyFriction(plant, middle, sweep);
@@ -352,8 +394,8 @@ void TestKeptMechanisms::whatIsFoundOfFingers() {
     const auto falling = fitPad(readings(40, -1.0), 2.0, nominal);
     lines.add(QStringLiteral("falling: ") + (falling ? QString() : words(falling.error())));
     auto disturbed = readings(60, 1.0);
-    disturbed.push_back({1e-3, 0.0499999});                 // noise
-    disturbed.push_back({5e-3, 0.9000001});                 // beyond what is looked at
+    disturbed.push_back({1e-3, 0.0499999}); // noise
+    disturbed.push_back({5e-3, 0.9000001}); // beyond what is looked at
     disturbed.push_back({std::nan(""), 0.5});
     const auto fitted = fitPad(disturbed, 0.9, nominal);
     QVERIFY(fitted);
@@ -383,12 +425,14 @@ void TestKeptMechanisms::whatIsFoundOfThePlatform() {
     QVERIFY2(worse, worse ? "" : worse.error().message.c_str());
     NumberLines lines;
     for (const FingertipDegradation& d : *worse)
-        lines.add(QString::fromStdString(d.what), {d.factor, d.rmse_N, d.rmseTrue_N, d.meanError_deg, d.meanErrorTrue_deg, d.largest_N, d.holds ? 1.0 : 0.0});
+        lines.add(QString::fromStdString(d.what), {d.factor, d.rmse_N, d.rmseTrue_N, d.meanError_deg,
+                                                   d.meanErrorTrue_deg, d.largest_N, d.holds ? 1.0 : 0.0});
     for (const double factor : {1.0, 3.0}) {
         FingertipPlatformParameters p;
         p.drive.friction.coulomb *= factor;
         const FingertipFriction friction = identifyFingertipFriction(p);
-        lines.add(QStringLiteral("friction"), {friction.coulomb_N, friction.viscous_Ns_per_m, fingertipDamping_Ns_per_m(friction, p)});
+        lines.add(QStringLiteral("friction"),
+                  {friction.coulomb_N, friction.viscous_Ns_per_m, fingertipDamping_Ns_per_m(friction, p)});
     }
     hold(m_figures, QStringLiteral("platform, degraded"), lines.lines());
 }
@@ -399,22 +443,35 @@ void TestKeptMechanisms::whatIsFoundOfTheArm() {
     s.speeds_m_per_s = {0.1};
     const auto v = verifyFingertipArm({}, 21, s);
     NumberLines lines;
-    lines.add(QStringLiteral("poses"), {static_cast<double>(v.poses), static_cast<double>(v.reached), v.holds() ? 1.0 : 0.0});
+    lines.add(QStringLiteral("poses"),
+              {static_cast<double>(v.poses), static_cast<double>(v.reached), v.holds() ? 1.0 : 0.0});
     lines.add(QStringLiteral("condition, weight, sinks"), {v.condition, v.weight_N, v.sinks_m});
     lines.add(QStringLiteral("mass"), {v.massLeast_kg, v.massMost_kg});
-    lines.add(QStringLiteral("encoders"), {static_cast<double>(v.encoderBits), v.countLeast_m, v.countMost_m, v.place_m});
+    lines.add(QStringLiteral("encoders"),
+              {static_cast<double>(v.encoderBits), v.countLeast_m, v.countMost_m, v.place_m});
     for (const FingertipArmDrag& drag : v.drags)
-        lines.add(QStringLiteral("drag"), {static_cast<double>(drag.axis), drag.speed_m_per_s, drag.felt_N, drag.given_N});
+        lines.add(QStringLiteral("drag"),
+                  {static_cast<double>(drag.axis), drag.speed_m_per_s, drag.felt_N, drag.given_N});
     lines.add(QStringLiteral("friction error"), {v.frictionError()});
-    QVERIFY(v.inverse_m < 1e-14 && v.inverse_rad < 1e-14 && v.jacobian < 1e-8 && v.gravity_Nm < 1e-8); // rounding alone
+    QVERIFY(v.inverse_m < 1e-14 && v.inverse_rad < 1e-14 && v.jacobian < 1e-8 &&
+            v.gravity_Nm < 1e-8); // rounding alone
 
     // Where a pad cannot be, and what its joints would have to be.
-    const std::pair<const char*, Vec3> places[] = {{"middle", {0.0, 0.0, 0.05}}, {"far", {0.5, -0.5, 0.3}}, {"near", {0.0, 0.30, 0.20}}, {"over the shoulder", {0.0, 0.34, 0.4}},
-                                                   {"not a number", {std::nan(""), 0.0, 0.0}}, {"beside", {0.4, 0.2, 0.1}}, {"behind", {0.0, 0.6, 0.1}}};
+    const std::pair<const char*, Vec3> places[] = {{"middle", {0.0, 0.0, 0.05}},
+                                                   {"far", {0.5, -0.5, 0.3}},
+                                                   {"near", {0.0, 0.30, 0.20}},
+                                                   {"over the shoulder", {0.0, 0.34, 0.4}},
+                                                   {"not a number", {std::nan(""), 0.0, 0.0}},
+                                                   {"beside", {0.4, 0.2, 0.1}},
+                                                   {"behind", {0.0, 0.6, 0.1}}};
     for (const auto& [name, place] : places)
-        for (const Vec3& turn : {Vec3(0.0, 0.0, 0.0), Vec3(0.3, 1.0, -0.4), Vec3(0.0, 0.5 * core::kPi, 0.0)}) {
-            const ArmPosture posture = fingertipArmPosture({}, place, turned(core::Quat::Identity(), turn), 0.3);
-            lines.add(QStringLiteral("%1: %2, joint %3").arg(QLatin1String(name), QLatin1String(wordsFor(posture.reach))).arg(posture.joint));
+        for (const Vec3& turn :
+             {Vec3(0.0, 0.0, 0.0), Vec3(0.3, 1.0, -0.4), Vec3(0.0, 0.5 * core::kPi, 0.0)}) {
+            const ArmPosture posture =
+                fingertipArmPosture({}, place, turned(core::Quat::Identity(), turn), 0.3);
+            lines.add(QStringLiteral("%1: %2, joint %3")
+                          .arg(QLatin1String(name), QLatin1String(wordsFor(posture.reach)))
+                          .arg(posture.joint));
             if (posture.reach == ArmReach::reached || posture.reach == ArmReach::beyondTravel)
                 lines.addMatrix(QStringLiteral("  joints"), posture.q);
         }
@@ -424,7 +481,8 @@ void TestKeptMechanisms::whatIsFoundOfTheArm() {
 /// The last value that is taken, and the first that is not; in the words in which it is refused.
 void TestKeptMechanisms::settingsThatAreRefused() {
     NumberLines lines;
-    const auto friction = [&](const QString& name, const FrictionSweep& sweep, const GimbalCoordinates& middle = {0.0, 0.0, 0.0, 0.18}) {
+    const auto friction = [&](const QString& name, const FrictionSweep& sweep,
+                              const GimbalCoordinates& middle = {0.0, 0.0, 0.0, 0.18}) {
         GimbalPlant plant{GimbalPlantParameters{}};
         const auto found = identifyFriction(plant, middle, sweep);
         lines.add(name + QStringLiteral(": ") + (found ? QStringLiteral("taken") : words(found.error())));
@@ -441,10 +499,14 @@ void TestKeptMechanisms::settingsThatAreRefused() {
     const FrictionSweep quick{.slow = 0.5, .fast = 0.9, .halfTravel = 0.05};
     const GimbalPlantParameters p;
     for (const double beyond : {-0.001, 0.001}) {
-        friction(QStringLiteral("heading to %1 beyond its end").arg(beyond), quick, {p.maximum[0] - 0.05 + beyond, 0.0, 0.0, 0.18});
-        friction(QStringLiteral("pitch to %1 beyond its end").arg(beyond), quick, {0.0, p.minimum[1] + 0.05 - beyond, 0.0, 0.18});
-        friction(QStringLiteral("depth to %1 beyond its end").arg(beyond), quick, {0.0, 0.0, 0.0, p.maximum[3] - 0.01 + beyond});
-        friction(QStringLiteral("depth to %1 before its start").arg(beyond), quick, {0.0, 0.0, 0.0, p.minimum[3] + 0.01 - beyond});
+        friction(QStringLiteral("heading to %1 beyond its end").arg(beyond), quick,
+                 {p.maximum[0] - 0.05 + beyond, 0.0, 0.0, 0.18});
+        friction(QStringLiteral("pitch to %1 beyond its end").arg(beyond), quick,
+                 {0.0, p.minimum[1] + 0.05 - beyond, 0.0, 0.18});
+        friction(QStringLiteral("depth to %1 beyond its end").arg(beyond), quick,
+                 {0.0, 0.0, 0.0, p.maximum[3] - 0.01 + beyond});
+        friction(QStringLiteral("depth to %1 before its start").arg(beyond), quick,
+                 {0.0, 0.0, 0.0, p.minimum[3] + 0.01 - beyond});
     }
     const auto platform = [&](const QString& name, auto change) {
         FingertipVerificationSettings s;

@@ -19,7 +19,9 @@ namespace {
 constexpr int kJoints = FingertipArmParameters::kJoints;
 constexpr int kHandle = FingertipArmParameters::kHandle;
 
-FingertipArmDynamics arm() { return FingertipArmDynamics(mechanisms::fingertipArmLinks({})); }
+FingertipArmDynamics arm() {
+    return FingertipArmDynamics(mechanisms::fingertipArmLinks({}));
+}
 
 FingertipArmJoints drawn(core::Random& random, double most) {
     FingertipArmJoints v;
@@ -35,16 +37,19 @@ struct DoublePendulum {
     static Chain chain() {
         const auto rod = [](const Vec3& origin, double mass, double length) {
             const double across = mass * length * length / 12.0;
-            return mechanisms::ChainLink{origin, Vec3::UnitX(), mass, Vec3(0.0, 0.0, -0.5 * length), Vec3(across, across, 0.0).asDiagonal()};
+            return mechanisms::ChainLink{origin, Vec3::UnitX(), mass, Vec3(0.0, 0.0, -0.5 * length),
+                                         Vec3(across, across, 0.0).asDiagonal()};
         };
         return Chain({rod(Vec3::Zero(), m1, l1), rod(Vec3(0.0, 0.0, -l1), m2, l2)});
     }
-    // Textbook equations of a two-link arm in its plane, angles from hanging down, the second relative to the first.
+    // Textbook equations of a two-link arm in its plane, angles from hanging down, the second relative to the
+    // first.
     static Eigen::Matrix2d inertia(const Eigen::Vector2d& q) {
         const double i1 = m1 * l1 * l1 / 12.0, i2 = m2 * l2 * l2 / 12.0, a = 0.5 * l2, c = std::cos(q[1]);
         const double both = i2 + m2 * (a * a + l1 * a * c);
         Eigen::Matrix2d m;
-        m << i1 + m1 * 0.25 * l1 * l1 + i2 + m2 * (l1 * l1 + a * a + 2.0 * l1 * a * c), both, both, i2 + m2 * a * a;
+        m << i1 + m1 * 0.25 * l1 * l1 + i2 + m2 * (l1 * l1 + a * a + 2.0 * l1 * a * c), both, both,
+            i2 + m2 * a * a;
         return m;
     }
     static Eigen::Vector2d bias(const Eigen::Vector2d& q, const Eigen::Vector2d& v) {
@@ -86,7 +91,8 @@ void TestSerialChain::doublePendulumHasItsClosedForm() {
     core::Random random(m_seed);
     auto chain = DoublePendulum::chain();
     for (int n = 0; n < 200; ++n) {
-        const Eigen::Vector2d q(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)), v(random.uniform(-5.0, 5.0), random.uniform(-5.0, 5.0));
+        const Eigen::Vector2d q(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)),
+            v(random.uniform(-5.0, 5.0), random.uniform(-5.0, 5.0));
         chain.place(q);
         QVERIFY((chain.inertia() - DoublePendulum::inertia(q)).norm() < 1e-14);
         QVERIFY((chain.bias(v) - DoublePendulum::bias(q, v)).norm() < 1e-13);
@@ -98,7 +104,9 @@ void TestSerialChain::doublePendulumHasItsClosedForm() {
 void TestSerialChain::aPendulumSwingsWithItsPeriod() {
     constexpr double length = 0.5, mass = 0.7, amplitude = 0.3;
     const double across = mass * length * length / 12.0;
-    mechanisms::SerialChain<1> rod({mechanisms::ChainLink{Vec3::Zero(), Vec3::UnitX(), mass, Vec3(0.0, 0.0, -0.5 * length), Vec3(across, across, 0.0).asDiagonal()}});
+    mechanisms::SerialChain<1> rod(
+        {mechanisms::ChainLink{Vec3::Zero(), Vec3::UnitX(), mass, Vec3(0.0, 0.0, -0.5 * length),
+                               Vec3(across, across, 0.0).asDiagonal()}});
     using Vector = mechanisms::SerialChain<1>::Vector;
     Vector q(amplitude), v(0.0);
     const double dt = 1e-5;
@@ -114,8 +122,10 @@ void TestSerialChain::aPendulumSwingsWithItsPeriod() {
             crossed = t + dt * before / (before - q[0]); // a quarter of the period
     }
     const double a2 = amplitude * amplitude;
-    const double period = 2.0 * core::kPi * std::sqrt(2.0 * length / (3.0 * core::kStandardGravity)) * (1.0 + a2 / 16.0 + 11.0 * a2 * a2 / 3072.0);
-    QVERIFY2(std::abs(4.0 * crossed / period - 1.0) < 5e-6, qPrintable(QString("%1 %2").arg(4.0 * crossed).arg(period, 0, 'g', 9)));
+    const double period = 2.0 * core::kPi * std::sqrt(2.0 * length / (3.0 * core::kStandardGravity)) *
+                          (1.0 + a2 / 16.0 + 11.0 * a2 * a2 / 3072.0);
+    QVERIFY2(std::abs(4.0 * crossed / period - 1.0) < 5e-6,
+             qPrintable(QString("%1 %2").arg(4.0 * crossed).arg(period, 0, 'g', 9)));
 }
 
 void TestSerialChain::jacobianIsTheDerivativeOfThePose() {
@@ -133,14 +143,17 @@ void TestSerialChain::jacobianIsTheDerivativeOfThePose() {
         const FingertipArmDynamics::Jacobian j = chain.jacobian(kHandle, chain.point(kHandle, offset));
         Vec3 v, w;
         chain.velocity(kHandle, chain.point(kHandle, offset), rates, v, w);
-        QVERIFY((j.topRows<3>() * rates - v).norm() < 1e-13 && (j.bottomRows<3>() * rates - w).norm() < 1e-13);
+        QVERIFY((j.topRows<3>() * rates - v).norm() < 1e-13 &&
+                (j.bottomRows<3>() * rates - w).norm() < 1e-13);
         for (int i = 0; i < kJoints; ++i) {
             FingertipArmJoints step = FingertipArmJoints::Zero();
             step[i] = h;
             const auto [before, turnBefore] = poseAt(q - step);
             const auto [after, turnAfter] = poseAt(q + step);
             QVERIFY((j.block<3, 1>(0, i) - (after - before) / (2.0 * h)).norm() < 1e-9);
-            QVERIFY((j.block<3, 1>(3, i) - mechanisms::rotationVectorOf(turnAfter * turnBefore.conjugate()) / (2.0 * h)).norm() < 1e-8);
+            QVERIFY((j.block<3, 1>(3, i) -
+                     mechanisms::rotationVectorOf(turnAfter * turnBefore.conjugate()) / (2.0 * h))
+                        .norm() < 1e-8);
         }
         QVERIFY(j.col(FingertipArmParameters::kJaw).norm() == 0.0); // the lever does not move the handle
     }
@@ -157,7 +170,8 @@ void TestSerialChain::effortsAreTheTransposedJacobian() {
         const Vec3 at = chain.joint(FingertipArmParameters::kWrist);
         Eigen::Matrix<double, 6, 1> wrench;
         wrench << f.force, f.torque;
-        QVERIFY((chain.efforts(kHandle, at, f) - chain.jacobian(kHandle, at).transpose() * wrench).norm() < 1e-14);
+        QVERIFY((chain.efforts(kHandle, at, f) - chain.jacobian(kHandle, at).transpose() * wrench).norm() <
+                1e-14);
     }
 }
 
@@ -169,7 +183,8 @@ void TestSerialChain::inertiaIsSymmetricPositiveDefinite() {
         chain.place(drawn(random, 3.0));
         const FingertipArmDynamics::Matrix m = chain.inertia();
         QVERIFY((m - m.transpose()).norm() == 0.0);
-        least = std::min(least, Eigen::SelfAdjointEigenSolver<FingertipArmDynamics::Matrix>(m).eigenvalues()[0]);
+        least =
+            std::min(least, Eigen::SelfAdjointEigenSolver<FingertipArmDynamics::Matrix>(m).eigenvalues()[0]);
     }
     QVERIFY2(least > 1e-6, qPrintable(QString::number(least))); // the lever's own, 12 mg·m²
 }
@@ -191,7 +206,8 @@ void TestSerialChain::inertiaIsTheKineticEnergy() {
             kinetic += 0.5 * (link.mass_kg * v.squaredNorm() + own.dot(link.inertia_kgm2 * own));
         }
         const double byInertia = 0.5 * rates.dot(chain.inertia() * rates);
-        QVERIFY2(std::abs(byInertia - kinetic) < 1e-12 * (1.0 + kinetic), qPrintable(QString("%1 %2").arg(byInertia).arg(kinetic)));
+        QVERIFY2(std::abs(byInertia - kinetic) < 1e-12 * (1.0 + kinetic),
+                 qPrintable(QString("%1 %2").arg(byInertia).arg(kinetic)));
     }
 }
 
@@ -209,7 +225,8 @@ void TestSerialChain::gravityIsTheGradientOfThePotential() {
             chain.place(q + step);
             const double up = chain.potential_J();
             chain.place(q - step);
-            QVERIFY2(std::abs(g[i] - (up - chain.potential_J()) / (2.0 * h)) < 1e-8, qPrintable(QString::number(i)));
+            QVERIFY2(std::abs(g[i] - (up - chain.potential_J()) / (2.0 * h)) < 1e-8,
+                     qPrintable(QString::number(i)));
         }
     }
 }
@@ -221,8 +238,10 @@ void TestSerialChain::newtonEulerAgreesWithInertiaAndBias() {
         const FingertipArmJoints rates = drawn(random, 4.0), accelerations = drawn(random, 50.0);
         chain.place(drawn(random, 2.0));
         const FingertipArmJoints whole = chain.inverseDynamics(rates, accelerations, core::kStandardGravity);
-        const FingertipArmJoints parts = chain.inertia() * accelerations + chain.bias(rates) + chain.gravity();
-        QVERIFY2((whole - parts).norm() < 1e-12 * (1.0 + whole.norm()), qPrintable(QString::number((whole - parts).norm())));
+        const FingertipArmJoints parts =
+            chain.inertia() * accelerations + chain.bias(rates) + chain.gravity();
+        QVERIFY2((whole - parts).norm() < 1e-12 * (1.0 + whole.norm()),
+                 qPrintable(QString::number((whole - parts).norm())));
     }
 }
 
@@ -238,12 +257,14 @@ void TestSerialChain::theBiasDoesNoWork() {
         chain.place(q - h * rates);
         const FingertipArmDynamics::Matrix before = chain.inertia();
         chain.place(q);
-        const double rest = 0.5 * rates.dot((after - before) * rates) / (2.0 * h) - rates.dot(chain.bias(rates));
+        const double rest =
+            0.5 * rates.dot((after - before) * rates) / (2.0 * h) - rates.dot(chain.bias(rates));
         QVERIFY2(std::abs(rest) < 1e-7, qPrintable(QString::number(rest)));
     }
 }
 
-// The whole arm falls freely for half a second (Runge–Kutta, 0.1 ms): what is lost of 1 J is the integrator's.
+// The whole arm falls freely for half a second (Runge–Kutta, 0.1 ms): what is lost of 1 J is the
+// integrator's.
 void TestSerialChain::withoutFrictionEnergyIsKept() {
     auto chain = arm();
     FingertipArmJoints q, v;
@@ -251,7 +272,9 @@ void TestSerialChain::withoutFrictionEnergyIsKept() {
     v << 1.0, -0.5, 0.8, 2.0, -1.5, 1.0, -0.5;
     const auto acceleration = [&](const FingertipArmJoints& at, const FingertipArmJoints& rates) {
         chain.place(at);
-        return FingertipArmJoints(FingertipArmDynamics::solve(chain.inertia(), -chain.inverseDynamics(rates, FingertipArmJoints::Zero(), core::kStandardGravity)));
+        return FingertipArmJoints(FingertipArmDynamics::solve(
+            chain.inertia(),
+            -chain.inverseDynamics(rates, FingertipArmJoints::Zero(), core::kStandardGravity)));
     };
     const auto energy = [&] {
         chain.place(q);

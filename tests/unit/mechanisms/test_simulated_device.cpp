@@ -180,7 +180,8 @@ private:
 
 } // namespace
 
-/// Reaction delay, then no faster than fingers are, then the lag's exponential; the counts are the truth on a grid of 10 bits.
+/// Reaction delay, then no faster than fingers are, then the lag's exponential; the counts are the truth on a
+/// grid of 10 bits.
 void TestSimulatedDevice::theJawFollowsTheFingers() {
     double wanted_rad = 1.2;
     SimulatedDevice::Configuration configuration;
@@ -219,7 +220,8 @@ void TestSimulatedDevice::theJawFollowsTheFingers() {
     QVERIFY(!SimulatedDevice::create(configuration, circling()));
 }
 
-/// The same hand on a probe and on a grasper moves alike to the last bit: P2's jaw has no motor and no mass of its own.
+/// The same hand on a probe and on a grasper moves alike to the last bit: P2's jaw has no motor and no mass
+/// of its own.
 void TestSimulatedDevice::aJawChangesNothingElse() {
     SimulatedDevice::Configuration withJaw;
     withJaw.jaw = mechanisms::JawParameters{};

@@ -31,8 +31,9 @@ private:
     mechanisms::HandPerception* m_felt;
 };
 
-std::unique_ptr<SimulatedEndoscopeDevice> make(mechanisms::HandPerception* felt = nullptr,
-                                               const SimulatedEndoscopeDevice::Configuration& configuration = {}) {
+std::unique_ptr<SimulatedEndoscopeDevice>
+make(mechanisms::HandPerception* felt = nullptr,
+     const SimulatedEndoscopeDevice::Configuration& configuration = {}) {
     auto device = SimulatedEndoscopeDevice::create(configuration, std::make_unique<Goer>(felt));
     return device ? std::move(*device) : nullptr;
 }
@@ -86,7 +87,8 @@ private slots:
             QVERIFY(sampleA.counts == sampleB.counts && sampleA.measured == sampleB.measured);
             devices::ForceCommand command;
             command.enabled = true;
-            command.wrench_D = {Vec3(0.0, 0.5 * std::sin(0.01 * n), 0.3), Vec3(0.02, 0.01 * std::sin(0.02 * n), 0.001)};
+            command.wrench_D = {Vec3(0.0, 0.5 * std::sin(0.01 * n), 0.3),
+                                Vec3(0.02, 0.01 * std::sin(0.02 * n), 0.001)};
             a->command(nowA, command);
             b->command(nowB, command);
         }
@@ -110,17 +112,24 @@ private slots:
                 device->read(now);
                 const Vec3 along = device->plant().dynamics().joint().view_D();
                 const Vec3 yawAxis = device->plant().dynamics().joint().yawAxis_D();
-                command.wrench_D = {Vec3(0.0, 1.0, -0.8), 0.08 * Vec3::UnitX() + 0.05 * yawAxis + 0.004 * along};
+                command.wrench_D = {Vec3(0.0, 1.0, -0.8),
+                                    0.08 * Vec3::UnitX() + 0.05 * yawAxis + 0.004 * along};
                 device->command(now, command);
             }
             const auto sample = device->read(source.next(0));
             const core::Wrench measured = core::toWrench(sample.measured);
-            const core::Wrench expected = devices::WorkspaceMap(configuration.mapping).wrenchToW(command.wrench_D);
-            QVERIFY2((measured.force - expected.force).norm() < 0.02, qPrintable(QString::number((measured.force - expected.force).norm())));
-            QVERIFY2((measured.torque - expected.torque).norm() < 2e-3, qPrintable(QString::number((measured.torque - expected.torque).norm())));
-            // The hand feels it, less what friction holds (0.1 N; 3, 3 and 0.3 mN·m) and weight that is not carried.
-            QVERIFY2((felt.f_T_D - command.wrench_D.force).norm() < 0.25, qPrintable(QString::number((felt.f_T_D - command.wrench_D.force).norm())));
-            QVERIFY2((felt.t_T_D - command.wrench_D.torque).norm() < 0.012, qPrintable(QString::number((felt.t_T_D - command.wrench_D.torque).norm())));
+            const core::Wrench expected =
+                devices::WorkspaceMap(configuration.mapping).wrenchToW(command.wrench_D);
+            QVERIFY2((measured.force - expected.force).norm() < 0.02,
+                     qPrintable(QString::number((measured.force - expected.force).norm())));
+            QVERIFY2((measured.torque - expected.torque).norm() < 2e-3,
+                     qPrintable(QString::number((measured.torque - expected.torque).norm())));
+            // The hand feels it, less what friction holds (0.1 N; 3, 3 and 0.3 mN·m) and weight that is not
+            // carried.
+            QVERIFY2((felt.f_T_D - command.wrench_D.force).norm() < 0.25,
+                     qPrintable(QString::number((felt.f_T_D - command.wrench_D.force).norm())));
+            QVERIFY2((felt.t_T_D - command.wrench_D.torque).norm() < 0.012,
+                     qPrintable(QString::number((felt.t_T_D - command.wrench_D.torque).norm())));
             // And is turned by it: 80 mN·m at 2 N·m/rad.
             const auto turned = SphericalJoint::anglesOf(device->wrist().q_D());
             QVERIFY2(std::abs(turned.pitch - 0.6 - 0.04) < 0.01, qPrintable(QString::number(turned.pitch)));
@@ -137,7 +146,8 @@ private slots:
         QVERIFY(d.axes[4].continuousRating == 0.010); // what the supervisor's cap of the roll axis holds
         QVERIFY(std::abs(d.axes[4].maximum - 3.141592653589793) < 1e-12);
         QVERIFY(std::abs(d.axes[3].maximum - 0.5235987755982988) < 1e-12);
-        // 30° to either side of the centre-line, wherever on it: from 0° at the entrance to 66.2° at the bladder neck.
+        // 30° to either side of the centre-line, wherever on it: from 0° at the entrance to 66.2° at the
+        // bladder neck.
         const double mounting = d.kinematicsParameters[5];
         QVERIFY(mounting + d.axes[2].minimum <= -0.5235 + 2e-3);
         QVERIFY(mounting + d.axes[2].maximum >= std::atan(2.0 * 13.0 * 0.0877) + 0.5235 - 2e-3);
@@ -190,7 +200,8 @@ private slots:
         const auto straight = SphericalJoint::anglesOf(device->kinematics().pose(sample).q_WT);
         const auto mirrored = SphericalJoint::anglesOf(map.pose(device->kinematics(), sample).q_WT);
         QVERIFY(std::abs(mirrored.pitch - straight.pitch) < 1e-12);
-        QVERIFY(std::abs(mirrored.yaw + straight.yaw) < 1e-12 && std::abs(mirrored.roll + straight.roll) < 1e-12);
+        QVERIFY(std::abs(mirrored.yaw + straight.yaw) < 1e-12 &&
+                std::abs(mirrored.roll + straight.roll) < 1e-12);
     }
 
     void reopeningStartsAfresh() {

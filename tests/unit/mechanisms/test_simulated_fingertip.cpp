@@ -24,7 +24,8 @@ public:
         mechanisms::HandIntention wanted;
         const double t = seen.time_s;
         wanted.p_DDesired = Vec3(0.02 * std::sin(3.0 * t), 0.01 * std::sin(2.0 * t), 0.05);
-        wanted.q_DDesired = mechanisms::turned(core::Quat::Identity(), Vec3(0.3 * std::sin(t), 0.0, 0.2 * std::sin(2.0 * t)));
+        wanted.q_DDesired =
+            mechanisms::turned(core::Quat::Identity(), Vec3(0.3 * std::sin(t), 0.0, 0.2 * std::sin(2.0 * t)));
         wanted.jaw_rad = 0.5;
         wanted.buttons = t > 0.5 ? core::kButtonMark : 0u;
         return wanted;
@@ -43,7 +44,9 @@ struct Rig {
 
     explicit Rig(SimulatedFingertipDevice::Configuration c = {}) {
         first = std::move(SimulatedFingertipDevice::create(c, std::make_unique<Wanderer>(seen)).value());
-        second = std::move(SimulatedSecondFinger::create(*first, {0.018, 0.0, 0.0}, 9, std::make_unique<Wanderer>(seenBySecond)).value());
+        second = std::move(SimulatedSecondFinger::create(*first, {0.018, 0.0, 0.0}, 9,
+                                                         std::make_unique<Wanderer>(seenBySecond))
+                               .value());
         if (!first->open() || !second->open())
             qFatal("open");
     }
@@ -83,7 +86,8 @@ private slots:
 void TestSimulatedFingertip::whatItSaysOfItself() {
     const Rig rig;
     const devices::DeviceDescriptor& d = rig.first->descriptor();
-    const QStringList ids{"yaw", "shoulder", "elbow", "wrist_x", "wrist_y", "wrist_z", "platform_pitch", "platform_roll"};
+    const QStringList ids{"yaw",     "shoulder", "elbow",          "wrist_x",
+                          "wrist_y", "wrist_z",  "platform_pitch", "platform_roll"};
     QCOMPARE(d.axes.size(), std::size_t(8));
     for (std::size_t i = 0; i < 8; ++i) {
         QCOMPARE(QString::fromStdString(d.axes[i].id), ids[static_cast<int>(i)]);
@@ -101,12 +105,14 @@ void TestSimulatedFingertip::kinematicsAreMadeAgainFromTheDescriptor() {
     for (int n = 0; n < 700; ++n)
         rig.tick(shown(1.0), shown(1.0));
     for (const bool second : {false, true}) {
-        const devices::IDevice& device = second ? static_cast<const devices::IDevice&>(*rig.second) : *rig.first;
+        const devices::IDevice& device =
+            second ? static_cast<const devices::IDevice&>(*rig.second) : *rig.first;
         const core::DeviceSample& sample = second ? rig.sampleOfSecond : rig.sample;
         const auto again = devices::makeKinematics(device.descriptor());
         QVERIFY(again.has_value());
         const core::ToolState a = device.kinematics().pose(sample), b = (*again)->pose(sample);
-        QVERIFY((a.p_WT - b.p_WT).norm() == 0.0 && a.q_WT.coeffs() == b.q_WT.coeffs() && a.jaw_rad == b.jaw_rad);
+        QVERIFY((a.p_WT - b.p_WT).norm() == 0.0 && a.q_WT.coeffs() == b.q_WT.coeffs() &&
+                a.jaw_rad == b.jaw_rad);
         QVERIFY(a.jaw_rad > 0.4 && std::abs(a.q_WT.norm() - 1.0) < 1e-12);
     }
 }
@@ -141,7 +147,9 @@ void TestSimulatedFingertip::sessionsOfTheSlidingArmKeepTheirPose() {
     at.counts = {1000, -2000, 3000, 0, 0, 500, 40, -30};
     const core::ToolState tool = (*made)->pose(at);
     const double angle = 500 * 1.0908307824964559e-3;
-    QVERIFY((tool.p_WT - Vec3(7.6699e-3 + 0.018 * std::cos(angle), -15.3398e-3 + 0.018 * std::sin(angle), 23.0097e-3)).norm() < 1e-12);
+    QVERIFY((tool.p_WT -
+             Vec3(7.6699e-3 + 0.018 * std::cos(angle), -15.3398e-3 + 0.018 * std::sin(angle), 23.0097e-3))
+                .norm() < 1e-12);
     devices::AxisValues rate{};
     rate[0] = 1000.0;
     rate[5] = 100.0;
@@ -149,7 +157,9 @@ void TestSimulatedFingertip::sessionsOfTheSlidingArmKeepTheirPose() {
     (*made)->velocity(at, rate, v, w);
     const double spin = 0.10908307824964559;
     QVERIFY((w - Vec3(0.0, 0.0, spin)).norm() < 1e-12);
-    QVERIFY((v - Vec3(7.6699e-3 - 0.018 * spin * std::sin(angle), 0.018 * spin * std::cos(angle), 0.0)).norm() < 1e-12);
+    QVERIFY(
+        (v - Vec3(7.6699e-3 - 0.018 * spin * std::sin(angle), 0.018 * spin * std::cos(angle), 0.0)).norm() <
+        1e-12);
     d.kinematicsParameters.push_back(0.0);
     QVERIFY(!devices::makeKinematics(d));
 }

@@ -53,7 +53,9 @@ private slots:
             for (int axis = 0; axis < 3; ++axis) {
                 const Quat turn = SphericalJoint(moved(a, axis, h)).orientation_DT() *
                                   SphericalJoint(moved(a, axis, -h)).orientation_DT().conjugate();
-                QVERIFY((mechanisms::rotationVectorOf(turn) / (2.0 * h) - SphericalJoint(a).column(axis)).norm() < 1e-9);
+                QVERIFY(
+                    (mechanisms::rotationVectorOf(turn) / (2.0 * h) - SphericalJoint(a).column(axis)).norm() <
+                    1e-9);
             }
         }
     }
@@ -68,7 +70,9 @@ private slots:
                     .angularVelocity_D(rates);
             };
             const double h = 1e-5;
-            QVERIFY(((omega(h) - omega(-h)) / (2.0 * h) - SphericalJoint(a).biasAcceleration_D(rates)).norm() < 1e-8);
+            QVERIFY(
+                ((omega(h) - omega(-h)) / (2.0 * h) - SphericalJoint(a).biasAcceleration_D(rates)).norm() <
+                1e-8);
         }
     }
 
@@ -78,7 +82,8 @@ private slots:
             const SphericalJoint joint(draw(random));
             const Vec3 torque(random.normal(), random.normal(), random.normal());
             const Vec3 rates(random.normal(), random.normal(), random.normal());
-            QVERIFY(std::abs(joint.efforts(torque).dot(rates) - torque.dot(joint.angularVelocity_D(rates))) < 1e-13);
+            QVERIFY(std::abs(joint.efforts(torque).dot(rates) - torque.dot(joint.angularVelocity_D(rates))) <
+                    1e-13);
             QVERIFY((joint.torque_D(joint.efforts(torque)) - torque).norm() < 1e-12);
             QVERIFY((joint.rates(joint.angularVelocity_D(rates)) - rates).norm() < 1e-12);
         }

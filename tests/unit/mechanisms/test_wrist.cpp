@@ -16,7 +16,9 @@ using mechanisms::Wrist;
 
 namespace {
 
-Quat turn(const Vec3& r) { return mechanisms::turned(Quat::Identity(), r); }
+Quat turn(const Vec3& r) {
+    return mechanisms::turned(Quat::Identity(), r);
+}
 
 HandIntention wanting(const Quat& q) {
     HandIntention wanted;
@@ -64,7 +66,8 @@ private slots:
                 wrist.integrate(0.000025, Vec3::Zero());
             const double t = n * 1e-3;
             const double expected =
-                0.3 * (1.0 - std::exp(-decay * t) * (std::cos(omega * t) + decay / omega * std::sin(omega * t)));
+                0.3 *
+                (1.0 - std::exp(-decay * t) * (std::cos(omega * t) + decay / omega * std::sin(omega * t)));
             worst = std::max(worst, (mechanisms::rotationVectorOf(wrist.q_D()) - expected * axis).norm());
         }
         QVERIFY2(worst < 2e-4, qPrintable(QString::number(worst)));
@@ -89,7 +92,9 @@ private slots:
         Wrist wrist(arm, 1, 0.0);
         wrist.reset(turn(Vec3(0.0, 0.02, 0.0)));
         const Vec3 torque = wrist.gripTorqueOnTool(Quat::Identity(), Vec3(0.0, 0.0, 1.0));
-        QVERIFY((torque - Vec3(0.0, 0.02 * arm.gripAngularStiffness_Nm_per_rad, -arm.gripAngularDamping_Nms_per_rad)).norm() < 1e-12);
+        QVERIFY((torque -
+                 Vec3(0.0, 0.02 * arm.gripAngularStiffness_Nm_per_rad, -arm.gripAngularDamping_Nms_per_rad))
+                    .norm() < 1e-12);
     }
 
     void tremorHasItsSize() {
@@ -105,7 +110,8 @@ private slots:
             sum += n >= 2000 ? x * x : 0.0;
         }
         const double rms = std::sqrt(sum / 38000.0);
-        QVERIFY2(std::abs(rms - arm.wristTremorRms_rad) < 0.1 * arm.wristTremorRms_rad, qPrintable(QString::number(rms)));
+        QVERIFY2(std::abs(rms - arm.wristTremorRms_rad) < 0.1 * arm.wristTremorRms_rad,
+                 qPrintable(QString::number(rms)));
     }
 
     void tissueIsStable_data() {
@@ -116,8 +122,9 @@ private slots:
                 QTest::addRow("%s%s", arm, sticks ? "" : ", no Coulomb friction") << arm << sticks;
     }
 
-    /// P1's mechanism in a stiff place: 1120 N/m across the canal and 0.2 N·m/rad about it, one tick late, for 20 s, pressed
-    /// 6 mm aside and turned 0.4 rad. What is left is the encoders' grid (22 µm, 0.15 mrad a count).
+    /// P1's mechanism in a stiff place: 1120 N/m across the canal and 0.2 N·m/rad about it, one tick late,
+    /// for 20 s, pressed 6 mm aside and turned 0.4 rad. What is left is the encoders' grid (22 µm, 0.15 mrad
+    /// a count).
     void tissueIsStable() {
         QFETCH(QString, arm);
         QFETCH(bool, sticks);
@@ -155,7 +162,8 @@ private slots:
         QVERIFY(angles.pitch > 1.0 && angles.pitch < 1.3 - 0.01);
     }
 
-    /// The mechanism, the tissue and the hand that wants to stay come to rest from any push: nothing feeds them.
+    /// The mechanism, the tissue and the hand that wants to stay come to rest from any push: nothing feeds
+    /// them.
     void whatIsPushedComesToRest() {
         tests::FiveBarLoop loop({}, tests::armNamed("default"));
         const Vec3 centre(0.0, 0.02, 0.053);
@@ -178,7 +186,8 @@ private slots:
             loop.tick(kick, wanted);
             fastest = std::max(fastest, loop.plant().motion().w_DT.norm());
             if (n >= 2500)
-                late = std::max({late, loop.plant().motion().w_DT.norm(), 100.0 * loop.plant().motion().v_DT.norm()});
+                late = std::max(
+                    {late, loop.plant().motion().w_DT.norm(), 100.0 * loop.plant().motion().v_DT.norm()});
         }
         QVERIFY(fastest > 0.3);
         QVERIFY2(late < 0.01, qPrintable(QString::number(late)));

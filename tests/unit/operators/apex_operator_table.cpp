@@ -30,7 +30,8 @@ simulation::SphereApexParameters level(int number) {
 int main(int argc, char** argv) {
     const int seeds = argc > 1 ? std::atoi(argv[1]) : 20;
     const int number = argc > 2 ? std::atoi(argv[2]) : 2;
-    std::printf("| operator | mean abs. error, %% of R | SD over seeds | time, s | max. force, N: mean (largest) | marked | "
+    std::printf("| operator | mean abs. error, %% of R | SD over seeds | time, s | max. force, N: mean "
+                "(largest) | marked | "
                 "in contact |\n"
                 "|---|---|---|---|---|---|---|\n");
     std::uint64_t ticks = 0;
@@ -56,8 +57,8 @@ int main(int argc, char** argv) {
             ticks += outcome.ticks;
         }
         const double mean = sum / seeds;
-        std::printf("| %s | %.1f | %.1f | %.1f | %.1f (%.1f) | %d of %d | %d |\n", std::string(name).c_str(), mean,
-                    std::sqrt(std::max(0.0, (squares - seeds * mean * mean) / std::max(1, seeds - 1))),
+        std::printf("| %s | %.1f | %.1f | %.1f | %.1f (%.1f) | %d of %d | %d |\n", std::string(name).c_str(),
+                    mean, std::sqrt(std::max(0.0, (squares - seeds * mean * mean) / std::max(1, seeds - 1))),
                     time / trials, forces / trials, force, marked, trials, touching);
     }
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

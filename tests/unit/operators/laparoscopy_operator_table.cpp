@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints how each scripted laparoscopist does, as Markdown: laparoscopy_operator_table EXERCISE LEVEL [SEEDS] [FIRST]
-// [TRIALS] [OPERATOR]; TRIALS 0: as many as the level has; with SEEDS 0, what happens in the session of seed FIRST every quarter of a second. Not a test: it asserts nothing.
+// Prints how each scripted laparoscopist does, as Markdown: laparoscopy_operator_table EXERCISE LEVEL [SEEDS]
+// [FIRST] [TRIALS] [OPERATOR]; TRIALS 0: as many as the level has; with SEEDS 0, what happens in the session
+// of seed FIRST every quarter of a second. Not a test: it asserts nothing.
 #include "support/laparoscopy_session.h"
 
 #include <cstdio>
@@ -34,13 +35,15 @@ public:
         m_events |= frame.header.events;
         if (frame.header.index % 250 != 0)
             return true;
-        std::printf("%7.2f trial %d phase %d force %d ev %05x jaw %4d |", 1e-3 * static_cast<double>(frame.header.index),
-                    frame.header.trial, static_cast<int>(frame.header.phase), static_cast<int>(frame.header.force), m_events,
+        std::printf("%7.2f trial %d phase %d force %d ev %05x jaw %4d |",
+                    1e-3 * static_cast<double>(frame.header.index), frame.header.trial,
+                    static_cast<int>(frame.header.phase), static_cast<int>(frame.header.force), m_events,
                     frame.tool[0].jawCounts);
         for (std::size_t i = 0; i < m_quantities; ++i)
             std::printf(" %7.4f", frame.header.quantities[i]);
         for (std::uint32_t tool = 0; tool < frame.tools; ++tool)
-            std::printf(" | f %6.2f %6.2f %6.2f", frame.tool[tool].tissue[0], frame.tool[tool].tissue[1], frame.tool[tool].tissue[2]);
+            std::printf(" | f %6.2f %6.2f %6.2f", frame.tool[tool].tissue[0], frame.tool[tool].tissue[1],
+                        frame.tool[tool].tissue[2]);
         std::printf("\n");
         m_events = 0;
         return true;
@@ -62,11 +65,13 @@ void tell(const catalogue::ExerciseLevel& level, const std::string& name, std::u
         std::printf("%s %g\n", value.id.c_str(), value.value.value_or(std::nan("")));
 }
 
-void printRow(const catalogue::ExerciseLevel& level, const std::string& name, std::uint64_t first, int seeds) {
+void printRow(const catalogue::ExerciseLevel& level, const std::string& name, std::uint64_t first,
+              int seeds) {
     std::map<std::string, Spread> values;
     int trials = 0, completed = 0, failed = 0;
     for (int i = 0; i < seeds; ++i) {
-        const LaparoscopyOutcome outcome = support::runLaparoscopy({level, name, first + static_cast<std::uint64_t>(i), {}});
+        const LaparoscopyOutcome outcome =
+            support::runLaparoscopy({level, name, first + static_cast<std::uint64_t>(i), {}});
         trials += outcome.trials();
         completed += outcome.completed();
         failed += outcome.failed();
@@ -84,10 +89,12 @@ void printRow(const catalogue::ExerciseLevel& level, const std::string& name, st
 
 int main(int argc, char** argv) {
     if (argc < 3) {
-        std::fprintf(stderr, "laparoscopy_operator_table EXERCISE LEVEL [SEEDS] [FIRST] [TRIALS] [OPERATOR]\n");
+        std::fprintf(stderr,
+                     "laparoscopy_operator_table EXERCISE LEVEL [SEEDS] [FIRST] [TRIALS] [OPERATOR]\n");
         return 2;
     }
-    const catalogue::ExerciseLevel level = support::contentLevel(argv[1], std::atoi(argv[2]), argc > 5 ? std::atoi(argv[5]) : 0);
+    const catalogue::ExerciseLevel level =
+        support::contentLevel(argv[1], std::atoi(argv[2]), argc > 5 ? std::atoi(argv[5]) : 0);
     const int seeds = argc > 3 ? std::atoi(argv[3]) : 20;
     const auto first = static_cast<std::uint64_t>(argc > 4 ? std::atoi(argv[4]) : 1);
     const std::string only = argc > 6 ? argv[6] : "";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a simulated participant of a study explores objects of each attribute and what it makes of what it feels, trial after trial, against
-// what was kept: stored answers of simulated participants mean the same only while none of this changes.
+// How a simulated participant of a study explores objects of each attribute and what it makes of what it
+// feels, trial after trial, against what was kept: stored answers of simulated participants mean the same
+// only while none of this changes.
 #include "support/kept_figures.h"
 
 #include "core/random.h"
@@ -36,7 +37,8 @@ ComparisonBriefing briefingOf(ComparedAttribute attribute) {
 /// Three objects and an instrument with friction and mass of its own; what lies at a place is `value`.
 class Bench {
 public:
-    Bench(const ComparisonBriefing& briefing, std::array<double, 3> values) : m_briefing(briefing), m_values(values) {}
+    Bench(const ComparisonBriefing& briefing, std::array<double, 3> values)
+        : m_briefing(briefing), m_values(values) {}
 
     void choose(std::array<double, 3> values) {
         m_values = values;
@@ -61,7 +63,8 @@ private:
         if (!m_hooked[i])
             return Vec3::Zero();
         if (m_briefing.attribute == ComparedAttribute::mass)
-            return p.z() > ring.z() ? Vec3(0.0, 0.0, -m_values[i] * (core::kStandardGravity + a.z())) : Vec3::Zero().eval();
+            return p.z() > ring.z() ? Vec3(0.0, 0.0, -m_values[i] * (core::kStandardGravity + a.z()))
+                                    : Vec3::Zero().eval();
         const Vec3 along = p - Vec3(ring.x(), 0.0, 0.0);
         const double stretch_m = along.norm() - m_briefing.height_m;
         return stretch_m > 0.0 ? Vec3(-m_values[i] * stretch_m * along.normalized()) : Vec3::Zero().eval();
@@ -111,7 +114,8 @@ private:
         const QString differs = m_kept.differs(name, figures.lines);
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
-    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/operators/kept_explorer.txt"), tests::sameFigures};
+    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/operators/kept_explorer.txt"),
+                           tests::sameFigures};
 };
 
 void TestKeptExplorer::explores_data() {
@@ -149,15 +153,20 @@ void TestKeptExplorer::explores() {
         seen.cues.trial = static_cast<std::uint16_t>(trial);
         seen.cues.force = core::ForceState::on;
         const mechanisms::HandIntention wanted = explorer.decide(seen);
-        const Vec3 before = v, to = wanted.p_DDesired + 2e-5 * Vec3(random.normal(), random.normal(), random.normal());
+        const Vec3 before = v,
+                   to = wanted.p_DDesired + 2e-5 * Vec3(random.normal(), random.normal(), random.normal());
         v += 0.06 * ((to - seen.p_DT) * 60.0 + wanted.v_DDesired - v); // comes after
         seen.p_DT += v * kTick_s;
         seen.v_DT = v;
         seen.f_T_D = bench.force(seen.p_DT, v, (v - before) / kTick_s);
         if (tick % 100 == 0)
-            out.add(QStringLiteral("%1").arg(tick), 1e3 * wanted.p_DDesired.x(), 1e3 * wanted.p_DDesired.y(), 1e3 * wanted.p_DDesired.z(), 1e3 * wanted.v_DDesired.y(), 1e3 * wanted.v_DDesired.z(), explorer.explored());
+            out.add(QStringLiteral("%1").arg(tick), 1e3 * wanted.p_DDesired.x(), 1e3 * wanted.p_DDesired.y(),
+                    1e3 * wanted.p_DDesired.z(), 1e3 * wanted.v_DDesired.y(), 1e3 * wanted.v_DDesired.z(),
+                    explorer.explored());
         if (running && explorer.explored()) {
-            out.add(QStringLiteral("trial %1 says").arg(trial), explorer.estimate(-1), 1e3 * explorer.estimate(0), 1e3 * explorer.estimate(1), 1e3 * explorer.estimate(2), explorer.estimate(3));
+            out.add(QStringLiteral("trial %1 says").arg(trial), explorer.estimate(-1),
+                    1e3 * explorer.estimate(0), 1e3 * explorer.estimate(1), 1e3 * explorer.estimate(2),
+                    explorer.estimate(3));
             if (trial == 1 && over_ticks == 0 && tick % 2 == 0)
                 explorer.again(); // an adjustment
             over_ticks = 1;
@@ -179,17 +188,21 @@ void TestKeptExplorer::isMadeOrRefused() {
             briefing.places = places;
             briefing.usualStiffness_N_per_m = stiffness;
             const auto made = operators::makeComparisonExplorer(briefing);
-            out.say(QStringLiteral("%1 places, %2 N/m").arg(places).arg(stiffness), made ? std::string("made") : made.error().message);
+            out.say(QStringLiteral("%1 places, %2 N/m").arg(places).arg(stiffness),
+                    made ? std::string("made") : made.error().message);
         }
     simulation::ComparisonParameters parameters;
     for (const ComparedAttribute attribute : {ComparedAttribute::stiffness, ComparedAttribute::viscosity}) {
         parameters.attribute = attribute;
         const ComparisonBriefing told = operators::comparisonBriefing(parameters);
-        out.add(QStringLiteral("told"), static_cast<int>(told.attribute), told.places, 1e3 * told.x_m[0], 1e3 * told.x_m[1], 1e3 * told.x_m[2], 1e3 * told.height_m, told.usualStiffness_N_per_m, 1e3 * told.padRadius_m, told.share);
+        out.add(QStringLiteral("told"), static_cast<int>(told.attribute), told.places, 1e3 * told.x_m[0],
+                1e3 * told.x_m[1], 1e3 * told.x_m[2], 1e3 * told.height_m, told.usualStiffness_N_per_m,
+                1e3 * told.padRadius_m, told.share);
         parameters.values = {{321.0, 330.0, 340.0}};
     }
     const mechanisms::HandParameters hand = operators::comparisonHand();
-    out.add(QStringLiteral("hand"), hand.stiffness_N_per_m, hand.gripStiffness_N_per_m, hand.reactionDelay_s, 1e6 * hand.tremorRms_m);
+    out.add(QStringLiteral("hand"), hand.stiffness_N_per_m, hand.gripStiffness_N_per_m, hand.reactionDelay_s,
+            1e6 * hand.tremorRms_m);
     hold(QStringLiteral("made or refused"), out);
 }
 

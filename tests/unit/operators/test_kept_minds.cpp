@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every scripted operator does in small worlds that are made up here (a ball on a table, a canal, a tube, objects, tissue), with slips,
-// blows, blind moments and pauses in between, against what was kept. Sessions of whole levels (replay/test_operators_are_kept) show that
-// levels and operators go together as they did; these, that no habit changes that those seldom come by.
+// What every scripted operator does in small worlds that are made up here (a ball on a table, a canal, a
+// tube, objects, tissue), with slips, blows, blind moments and pauses in between, against what was kept.
+// Sessions of whole levels (replay/test_operators_are_kept) show that levels and operators go together as
+// they did; these, that no habit changes that those seldom come by.
 #include "support/kept_figures.h"
 
+#include "core/laparoscopy_cues.h"
+#include "core/procedure_stage.h"
 #include "core/random.h"
 #include "core/tool_state.h"
 #include "core/units.h"
 #include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
 #include "modules/exercises/object_handling/operators/object_handling_operator.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "modules/exercises/palpation/operators/palpation_operator.h"
 #include "modules/exercises/sphere_apex/operators/sphere_apex_operator.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
 #include "simulation/palpation/tissue_surface.h"
-#include "core/procedure_stage.h"
-#include "modules/exercises/palpation/cues/palpation_cues.h"
-#include "core/laparoscopy_cues.h"
-#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <QtTest>
 
@@ -68,8 +69,10 @@ void note(Figures& out, const char* name, int tick, const std::vector<Hand>& han
     if (tick % 1000 != 0)
         return;
     for (const Hand& hand : hands)
-        out.add(QStringLiteral("%1 %2").arg(QLatin1String(name)).arg(tick), 1e3 * hand.wanted.p_DDesired.x(), 1e3 * hand.wanted.p_DDesired.y(), 1e3 * hand.wanted.p_DDesired.z(), 1e3 * hand.wanted.v_DDesired.norm(), hand.wanted.q_DDesired.x(),
-                hand.wanted.q_DDesired.z(), hand.wanted.jaw_rad, hand.pressed);
+        out.add(QStringLiteral("%1 %2").arg(QLatin1String(name)).arg(tick), 1e3 * hand.wanted.p_DDesired.x(),
+                1e3 * hand.wanted.p_DDesired.y(), 1e3 * hand.wanted.p_DDesired.z(),
+                1e3 * hand.wanted.v_DDesired.norm(), hand.wanted.q_DDesired.x(), hand.wanted.q_DDesired.z(),
+                hand.wanted.jaw_rad, hand.pressed);
 }
 
 /// Trials of some seconds with pauses between, and force that goes off once in the second trial.
@@ -83,7 +86,8 @@ struct Programme {
         const double into_s = time_s - trial * (trial_s + pause_s) - pause_s;
         cues.trial = static_cast<std::uint16_t>(trial);
         cues.phase = into_s < 0.0 ? core::TrialPhase::between : core::TrialPhase::running;
-        cues.force = trial == 1 && into_s > 6.0 && into_s < 6.8 ? core::ForceState::paused : core::ForceState::on;
+        cues.force =
+            trial == 1 && into_s > 6.0 && into_s < 6.8 ? core::ForceState::paused : core::ForceState::on;
         cues.timeLeft_s = into_s < 0.0 ? 0.0 : trial_s - into_s;
     }
 };
@@ -114,10 +118,13 @@ private:
         }
     }
     void hold(const char* world, const Figures& figures) {
-        const QString differs = m_kept.differs(QStringLiteral("%1, %2").arg(QLatin1String(world), QLatin1String(QTest::currentDataTag())), figures.lines);
+        const QString differs = m_kept.differs(
+            QStringLiteral("%1, %2").arg(QLatin1String(world), QLatin1String(QTest::currentDataTag())),
+            figures.lines);
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
-    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/operators/kept_minds.txt"), tests::sameFigures};
+    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/operators/kept_minds.txt"),
+                           tests::sameFigures};
 };
 
 /// A half ball of 20 mm on a table: felt; then seen; then nothing there but the table; at last not even that.
@@ -181,7 +188,8 @@ void TestKeptMinds::canal() {
             scope.stage = core::ProcedureStage::insertion;
         } else if (scope.stage == core::ProcedureStage::insertion && (depth_m > 0.06 || into_s > 24.0)) {
             scope.stage = core::ProcedureStage::inspection;
-        } else if (scope.stage == core::ProcedureStage::inspection && (scope.landmarksSeen == 3 || into_s > 42.0)) {
+        } else if (scope.stage == core::ProcedureStage::inspection &&
+                   (scope.landmarksSeen == 3 || into_s > 42.0)) {
             scope.stage = core::ProcedureStage::withdrawal;
         } else if (scope.stage == core::ProcedureStage::withdrawal && depth_m < 0.0) {
             scope.stage = core::ProcedureStage::completed;
@@ -191,10 +199,12 @@ void TestKeptMinds::canal() {
         scope.depth_m = depth_m;
         const Vec3 view = hand.q * -Vec3::UnitZ();
         const double bend = depth_m > 0.03 ? 9.0 * (depth_m - 0.03) : 0.0;
-        const Vec3 ahead_D = Vec3(0.1 * std::sin(40.0 * depth_m), std::cos(bend), std::sin(bend)).normalized();
+        const Vec3 ahead_D =
+            Vec3(0.1 * std::sin(40.0 * depth_m), std::cos(bend), std::sin(bend)).normalized();
         const Vec3 lumen_T = hand.q.conjugate() * ahead_D;
         const bool blind = std::fmod(into_s, 11.0) > 10.2;
-        scope.toLumen_T = blind ? std::array<double, 3>{} : std::array<double, 3>{lumen_T.x(), lumen_T.y(), lumen_T.z()};
+        scope.toLumen_T =
+            blind ? std::array<double, 3>{} : std::array<double, 3>{lumen_T.x(), lumen_T.y(), lumen_T.z()};
         scope.lumenDistance_m = 0.02 + 0.01 * std::sin(time_s);
         scope.landmarkShown = false;
         scope.toLandmark_T = {};
@@ -216,16 +226,20 @@ void TestKeptMinds::canal() {
         seen.t_T_D = Vec3(0.012 * std::sin(2.0 * time_s), 0.0, 0.01 * std::cos(1.3 * time_s));
         const Vec3 before = hand.p;
         hand.follow((*mind)->decide(seen));
-        held_s = std::fmod(into_s, 17.0) > 11.0 && scope.stage == core::ProcedureStage::insertion ? held_s + kTick_s : 0.0;
+        held_s = std::fmod(into_s, 17.0) > 11.0 && scope.stage == core::ProcedureStage::insertion
+                     ? held_s + kTick_s
+                     : 0.0;
         if (held_s > 0.0) // stuck
             hand.p.y() = std::min(hand.p.y(), before.y());
-        hand.force = Vec3(0.1 * random.normal(), held_s > 0.0 ? -2.2 : -0.4, 0.6 * std::sin(0.7 * time_s) + (std::fmod(into_s, 13.0) > 12.0 ? 1.6 : 0.0));
+        hand.force = Vec3(0.1 * random.normal(), held_s > 0.0 ? -2.2 : -0.4,
+                          0.6 * std::sin(0.7 * time_s) + (std::fmod(into_s, 13.0) > 12.0 ? 1.6 : 0.0));
         note(out, "canal", tick, hands);
     }
     hold("canal", out);
 }
 
-/// A tube of 60 mm: to be kept at a tension with one hand or two, with its bar shown or not, stretched to a mark, handed over, and under a fold.
+/// A tube of 60 mm: to be kept at a tension with one hand or two, with its bar shown or not, stretched to a
+/// mark, handed over, and under a fold.
 void TestKeptMinds::tube() {
     QFETCH(QString, who);
     Figures out;
@@ -235,8 +249,13 @@ void TestKeptMinds::tube() {
         int hands; ///< at the tube
         bool retracts, barShown, targetShown;
     };
-    for (const Task& task : {Task{"one hand", TubeGoal::tension, 1, false, true, false}, Task{"by feel", TubeGoal::tension, 1, false, false, false}, Task{"two hands", TubeGoal::tension, 2, false, true, false},
-                             Task{"to a mark", TubeGoal::mark, 1, false, true, true}, Task{"to a mark unseen", TubeGoal::mark, 1, false, false, false}, Task{"handed over", TubeGoal::bring, 2, false, true, true}, Task{"under a fold", TubeGoal::tension, 1, true, true, false}}) {
+    for (const Task& task : {Task{"one hand", TubeGoal::tension, 1, false, true, false},
+                             Task{"by feel", TubeGoal::tension, 1, false, false, false},
+                             Task{"two hands", TubeGoal::tension, 2, false, true, false},
+                             Task{"to a mark", TubeGoal::mark, 1, false, true, true},
+                             Task{"to a mark unseen", TubeGoal::mark, 1, false, false, false},
+                             Task{"handed over", TubeGoal::bring, 2, false, true, true},
+                             Task{"under a fold", TubeGoal::tension, 1, true, true, false}}) {
         ElasticTubeBriefing briefing;
         briefing.goal = task.goal;
         briefing.markRatio = 1.25;
@@ -249,7 +268,9 @@ void TestKeptMinds::tube() {
         std::vector<Hand> hands(minds->size());
         for (std::size_t i = 0; i < hands.size(); ++i)
             hands[i].p = Vec3(0.01, 0.015 * static_cast<double>(i) - 0.01, 0.06);
-        const auto inW = [&](std::size_t i) { return Vec3(hands[i].p + Vec3(briefing.places[i].origin_m[0], 0.0, 0.0)); };
+        const auto inW = [&](std::size_t i) {
+            return Vec3(hands[i].p + Vec3(briefing.places[i].origin_m[0], 0.0, 0.0));
+        };
         const Programme programme{.trial_s = 14.0, .trials = 2};
         core::VisibleCues cues;
         core::LaparoscopyCues& screen = cues.exercise.own<core::LaparoscopyCues>();
@@ -266,20 +287,24 @@ void TestKeptMinds::tube() {
             const bool slips = tick % 6100 > 6040;
             std::array<int, 3> order{0, 2, 1}; // grips shown: base, free end, between
             for (int g = 0; g < screen.grips; ++g) {
-                const auto at = static_cast<std::size_t>(order[static_cast<std::size_t>(g)]), place = static_cast<std::size_t>(g);
+                const auto at = static_cast<std::size_t>(order[static_cast<std::size_t>(g)]),
+                           place = static_cast<std::size_t>(g);
                 screen.gripAt[place] = 0.5 * static_cast<double>(at);
                 screen.gripAnchored[place] = at == 0 && anchored;
                 std::uint8_t held = 0;
                 for (std::size_t i = 0; i < static_cast<std::size_t>(task.hands); ++i) {
-                    const bool near = (inW(i) - grips[at]).norm() < ((screen.gripHeldBy[place] >> i & 1U) != 0 ? 0.03 : 0.006);
-                    if (near && hands[i].jaw_rad < 0.3 && !slips && !screen.gripAnchored[place] && cues.phase == core::TrialPhase::running) {
+                    const bool near = (inW(i) - grips[at]).norm() <
+                                      ((screen.gripHeldBy[place] >> i & 1U) != 0 ? 0.03 : 0.006);
+                    if (near && hands[i].jaw_rad < 0.3 && !slips && !screen.gripAnchored[place] &&
+                        cues.phase == core::TrialPhase::running) {
                         held = static_cast<std::uint8_t>(held | (1U << i));
                         grips[at] = inW(i);
                     }
                 }
                 screen.gripHeldBy[place] = held;
                 if (held == 0 && cues.phase != core::TrialPhase::running)
-                    grips[at] += 0.01 * (Vec3(-0.03 + 0.03 * static_cast<double>(at), 0.0, 0.008) - grips[at]);
+                    grips[at] +=
+                        0.01 * (Vec3(-0.03 + 0.03 * static_cast<double>(at), 0.0, 0.008) - grips[at]);
                 screen.p_WGrip[place] = {grips[at].x(), grips[at].y(), grips[at].z()};
             }
             const Vec3 span = grips[2] - grips[0];
@@ -289,16 +314,22 @@ void TestKeptMinds::tube() {
             screen.tension_N = task.barShown ? tension_N : 0.0;
             screen.bandLow_N = task.goal == TubeGoal::tension && task.barShown ? 0.8 : 0.0;
             screen.bandHigh_N = task.goal == TubeGoal::tension && task.barShown ? 1.1 : 0.0;
-            const bool right = task.goal == TubeGoal::mark ? std::abs(screen.stretch_m - 0.015) < 0.0024 : tension_N > 0.8 && tension_N < 1.1;
+            const bool right = task.goal == TubeGoal::mark ? std::abs(screen.stretch_m - 0.015) < 0.0024
+                                                           : tension_N > 0.8 && tension_N < 1.1;
             dwell_s = right ? std::min(3.0, dwell_s + kTick_s) : 0.0;
             screen.dwell = dwell_s / 3.0;
             screen.targetShown = task.targetShown;
-            screen.p_WTarget = task.goal == TubeGoal::mark ? std::array<double, 3>{-0.03, 0.0, 0.08} : std::array<double, 3>{-0.01, 0.03, 0.03};
+            screen.p_WTarget = task.goal == TubeGoal::mark ? std::array<double, 3>{-0.03, 0.0, 0.08}
+                                                           : std::array<double, 3>{-0.01, 0.03, 0.03};
             screen.targetRadius_m = 0.0024;
-            screen.step = task.goal == TubeGoal::bring && std::fmod(time_s, 16.0) > 8.0 && screen.gripHeldBy[2] == 0 ? core::LaparoscopyStep::handOver : core::LaparoscopyStep::carry;
+            screen.step =
+                task.goal == TubeGoal::bring && std::fmod(time_s, 16.0) > 8.0 && screen.gripHeldBy[2] == 0
+                    ? core::LaparoscopyStep::handOver
+                    : core::LaparoscopyStep::carry;
             if (task.retracts) {
                 const auto last = hands.size() - 1;
-                const bool held = hands[last].jaw_rad < 0.3 && (inW(last) - edge).norm() < (screen.foldHeldBy != 0 ? 0.05 : 0.006);
+                const bool held = hands[last].jaw_rad < 0.3 &&
+                                  (inW(last) - edge).norm() < (screen.foldHeldBy != 0 ? 0.05 : 0.006);
                 screen.fold = true;
                 screen.foldHeldBy = held ? static_cast<std::uint8_t>(1U << last) : std::uint8_t{0};
                 edge = held ? inW(last) : Vec3(0.0, 0.02, 0.012);
@@ -310,13 +341,15 @@ void TestKeptMinds::tube() {
                 screen.retractionLow_N = 0.3;
                 screen.retractionHigh_N = 0.7;
                 screen.foldOpen = screen.retraction_N > 0.3;
-                hands[last].force = held ? Vec3(-screen.retraction_N * (edge - base).normalized()) : Vec3::Zero().eval();
+                hands[last].force =
+                    held ? Vec3(-screen.retraction_N * (edge - base).normalized()) : Vec3::Zero().eval();
             }
             for (std::size_t i = 0; i < static_cast<std::size_t>(task.hands); ++i) {
                 hands[i].force = Vec3(0.0, 0.0, -0.05);
                 for (int g = 0; g < screen.grips; ++g)
                     if ((screen.gripHeldBy[static_cast<std::size_t>(g)] >> i & 1U) != 0)
-                        hands[i].force -= tension_N * span.normalized() * (screen.gripAt[static_cast<std::size_t>(g)] < 0.3 ? -1.0 : 1.0);
+                        hands[i].force -= tension_N * span.normalized() *
+                                          (screen.gripAt[static_cast<std::size_t>(g)] < 0.3 ? -1.0 : 1.0);
             }
             for (std::size_t i = 0; i < hands.size(); ++i)
                 hands[i].follow((*minds)[i]->decide(hands[i].seen(time_s, cues)));
@@ -336,11 +369,14 @@ void TestKeptMinds::objects() {
         int bodies;
         double trial_s;
     };
-    for (const Task& task : {Task{"place", false, true, 1, 24.0}, Task{"place, no bar", false, false, 1, 24.0}, Task{"weigh", true, true, 3, 90.0}}) {
+    for (const Task& task :
+         {Task{"place", false, true, 1, 24.0}, Task{"place, no bar", false, false, 1, 24.0},
+          Task{"weigh", true, true, 3, 90.0}}) {
         ObjectHandlingBriefing briefing;
         briefing.weigh = task.weigh;
         briefing.place.origin_m = {0.0, 0.01, 0.0};
-        auto minds = makeObjectHandlingOperator(*objectHandlingOperatorSettings(who.toStdString()), briefing, 10);
+        auto minds =
+            makeObjectHandlingOperator(*objectHandlingOperatorSettings(who.toStdString()), briefing, 10);
         QVERIFY2(minds, minds ? "" : minds.error().message.c_str());
         std::vector<Hand> hands(1);
         Hand& hand = hands[0];
@@ -355,7 +391,8 @@ void TestKeptMinds::objects() {
         screen.squeezeShown = task.barShown;
         screen.squeezeLimit_N = task.barShown ? 2.0 : 0.0;
         const std::array<double, 3> mass_kg{0.02, 0.026, 0.024};
-        std::array<Vec3, 3> lies{Vec3(0.02, 0.0, 0.006), Vec3(-0.02, 0.01, 0.006), Vec3(0.0, -0.02, 0.006)}, place = lies;
+        std::array<Vec3, 3> lies{Vec3(0.02, 0.0, 0.006), Vec3(-0.02, 0.01, 0.006), Vec3(0.0, -0.02, 0.006)},
+            place = lies;
         for (int tick = 0; !programme.over(tick * kTick_s); ++tick) {
             const double time_s = tick * kTick_s;
             programme.tell(time_s, cues);
@@ -368,8 +405,10 @@ void TestKeptMinds::objects() {
             for (std::size_t i = 0; i < static_cast<std::size_t>(task.bodies); ++i) {
                 core::BodyCue& body = screen.body[i];
                 body.radius_m = 0.006;
-                const double gap_m = 2.0 * 0.020 * std::sin(0.5 * hand.jaw_rad), flat_m = std::max(0.0, 0.012 - gap_m);
-                const bool held = (tip - place[i]).norm() < (body.heldBy != 0 ? 0.02 : 0.008) && flat_m > 0.0 && !slips;
+                const double gap_m = 2.0 * 0.020 * std::sin(0.5 * hand.jaw_rad),
+                             flat_m = std::max(0.0, 0.012 - gap_m);
+                const bool held =
+                    (tip - place[i]).norm() < (body.heldBy != 0 ? 0.02 : 0.008) && flat_m > 0.0 && !slips;
                 body.heldBy = held ? 1 : 0;
                 body.squeeze_m = held ? flat_m : 0.0;
                 if (held) {
@@ -393,7 +432,8 @@ void TestKeptMinds::objects() {
     hold("objects", out);
 }
 
-/// A square of 60 mm with two lumps, flat or bent, felt through an instrument or on the pad, by one finger, two, or two hands.
+/// A square of 60 mm with two lumps, flat or bent, felt through an instrument or on the pad, by one finger,
+/// two, or two hands.
 void TestKeptMinds::tissue() {
     QFETCH(QString, who);
     Figures out;
@@ -402,7 +442,10 @@ void TestKeptMinds::tissue() {
         int hands, fingers;
         bool bent, pad, shown;
     };
-    for (const Task& task : {Task{"one finger", 1, 1, false, false, false}, Task{"on the pad", 1, 1, false, true, false}, Task{"two fingers", 1, 2, true, false, false}, Task{"two hands", 2, 1, true, true, false}, Task{"shown", 1, 1, true, false, true}}) {
+    for (const Task& task :
+         {Task{"one finger", 1, 1, false, false, false}, Task{"on the pad", 1, 1, false, true, false},
+          Task{"two fingers", 1, 2, true, false, false}, Task{"two hands", 2, 1, true, true, false},
+          Task{"shown", 1, 1, true, false, true}}) {
         PalpationBriefing briefing;
         briefing.areaHalf_m = {0.03, 0.03};
         briefing.hands = task.hands;
@@ -410,7 +453,8 @@ void TestKeptMinds::tissue() {
         briefing.asksSize = briefing.asksHardness = true;
         briefing.asksConfidence = !task.shown;
         if (task.bent)
-            briefing.surface.bumps.push_back({.centre_m = {0.0, 0.0}, .radii_m = {0.05, 0.06}, .turn_rad = 0.0, .height_m = 0.01});
+            briefing.surface.bumps.push_back(
+                {.centre_m = {0.0, 0.0}, .radii_m = {0.05, 0.06}, .turn_rad = 0.0, .height_m = 0.01});
         simulation::StiffRegion normal;
         normal.centre_m = {-0.02, 0.0};
         normal.radii_m = {0.008, 0.006};
@@ -430,7 +474,8 @@ void TestKeptMinds::tissue() {
         screen.bandShown = true;
         screen.bandLow_N = 0.8;
         screen.bandHigh_N = 2.5;
-        const std::array<core::Vec2, 3> lumps{core::Vec2(0.012, 0.01), core::Vec2(-0.01, -0.014), core::Vec2(-0.02, 0.0)};
+        const std::array<core::Vec2, 3> lumps{core::Vec2(0.012, 0.01), core::Vec2(-0.01, -0.014),
+                                              core::Vec2(-0.02, 0.0)};
         screen.lumps = task.shown ? 2 : 0;
         for (std::size_t i = 0; i < 2; ++i)
             screen.lump[i] = {{lumps[i].x(), lumps[i].y(), -0.01}, 0.007};
@@ -449,7 +494,8 @@ void TestKeptMinds::tissue() {
                 core::Vec2 lean = core::Vec2::Zero();
                 for (std::size_t lump = 0; lump < lumps.size(); ++lump) {
                     const core::Vec2 away = at - lumps[lump];
-                    const double g = 1.0 / (1.0 + away.squaredNorm() / (0.013 * 0.013)), gain = (lump == 1 ? 0.5 : 0.9) * g * g * g;
+                    const double g = 1.0 / (1.0 + away.squaredNorm() / (0.013 * 0.013)),
+                                 gain = (lump == 1 ? 0.5 : 0.9) * g * g * g;
                     k += 320.0 * gain;
                     lean += 3.0 * 0.004 / (0.013 * 0.013) * gain * g * away;
                 }
@@ -461,7 +507,8 @@ void TestKeptMinds::tissue() {
                     seen.pad = {force_N, in_m > 0.0 ? -lean.y() : 0.0, in_m > 0.0 ? lean.x() : 0.0};
                     hand.force = Vec3::Zero();
                 } else {
-                    hand.force = force_N * normalThere + force_N * Vec3(lean.x(), lean.y(), 0.0) - 0.1 * hand.v;
+                    hand.force =
+                        force_N * normalThere + force_N * Vec3(lean.x(), lean.y(), 0.0) - 0.1 * hand.v;
                     seen.f_T_D = hand.force;
                 }
                 hand.follow((*minds)[i]->decide(seen));

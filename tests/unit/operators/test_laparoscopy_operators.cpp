@@ -9,8 +9,8 @@ using support::contentLevel;
 using support::LaparoscopyOutcome;
 using support::runLaparoscopy;
 
-/// The scripted laparoscopists at every level of both exercises, one trial each: they finish, they differ, and they know nothing
-/// that they do not feel or see. test_laparoscopy_operators_long has twenty seeds.
+/// The scripted laparoscopists at every level of both exercises, one trial each: they finish, they differ,
+/// and they know nothing that they do not feel or see. test_laparoscopy_operators_long has twenty seeds.
 class TestLaparoscopyOperators : public QObject {
     Q_OBJECT
 private slots:
@@ -24,7 +24,9 @@ private slots:
 
 namespace {
 
-std::vector<const char*> exercises() { return {"elastic_tube", "object_handling"}; }
+std::vector<const char*> exercises() {
+    return {"elastic_tube", "object_handling"};
+}
 
 int levelsOf(const char* exercise) {
     const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
@@ -39,18 +41,22 @@ void levelRows(int most) {
     QTest::addColumn<int>("level");
     for (const char* exercise : exercises())
         for (int level = 1; level <= std::min(most, levelsOf(exercise)); ++level)
-            QTest::newRow(qPrintable(QString("%1 %2").arg(exercise).arg(level))) << QString(exercise) << level;
+            QTest::newRow(qPrintable(QString("%1 %2").arg(exercise).arg(level)))
+                << QString(exercise) << level;
 }
 
 } // namespace
 
-void TestLaparoscopyOperators::everyLevelIsDone_data() { levelRows(99); }
+void TestLaparoscopyOperators::everyLevelIsDone_data() {
+    levelRows(99);
+}
 
 void TestLaparoscopyOperators::everyLevelIsDone() {
     QFETCH(QString, exercise);
     QFETCH(int, level);
     for (const char* name : {"expert", "intermediate"}) {
-        const LaparoscopyOutcome outcome = runLaparoscopy({contentLevel(exercise.toStdString(), level, 1), name, 1, {}});
+        const LaparoscopyOutcome outcome =
+            runLaparoscopy({contentLevel(exercise.toStdString(), level, 1), name, 1, {}});
         QVERIFY2(outcome.ran && outcome.trials() == 1, name);
         QVERIFY2(outcome.completed() == 1, name);
     }
@@ -66,20 +72,24 @@ void TestLaparoscopyOperators::sameSeedSameSession() {
 
 void TestLaparoscopyOperators::unsafeHurts() {
     const auto tube = contentLevel("elastic_tube", 1, 2);
-    QVERIFY(runLaparoscopy({tube, "unsafe", 1, {}}).metric("force_max") > runLaparoscopy({tube, "expert", 1, {}}).metric("force_max"));
+    QVERIFY(runLaparoscopy({tube, "unsafe", 1, {}}).metric("force_max") >
+            runLaparoscopy({tube, "expert", 1, {}}).metric("force_max"));
     const auto ovary = contentLevel("object_handling", 2, 1);
     const double unsafe = runLaparoscopy({ovary, "unsafe", 1, {}}).metric("squeeze_max");
     const double expert = runLaparoscopy({ovary, "expert", 1, {}}).metric("squeeze_max");
     QVERIFY2(unsafe > expert, qPrintable(QString("%1, %2").arg(unsafe).arg(expert)));
 }
 
-void TestLaparoscopyOperators::hiddenObjectsAreNotFound_data() { levelRows(1); } // it is the same mind at every level
+void TestLaparoscopyOperators::hiddenObjectsAreNotFound_data() {
+    levelRows(1);
+} // it is the same mind at every level
 
 // What the screen does not show they do not know of: nobody moves towards it, and nothing is done.
 void TestLaparoscopyOperators::hiddenObjectsAreNotFound() {
     QFETCH(QString, exercise);
     QFETCH(int, level);
-    const auto outcome = runLaparoscopy({contentLevel(exercise.toStdString(), level, 1), "expert", 1, {.hidden = true}});
+    const auto outcome =
+        runLaparoscopy({contentLevel(exercise.toStdString(), level, 1), "expert", 1, {.hidden = true}});
     QCOMPARE(outcome.completed(), 0);
 }
 

@@ -10,8 +10,8 @@ using support::LaparoscopyDeception;
 using support::LaparoscopyOutcome;
 using support::runLaparoscopy;
 
-/// Novice to expert over twenty seeds that nothing was tuned on (101 to 120; README.md of both operators), one trial a session:
-/// scores separate at every level, and what is not felt or seen is missed.
+/// Novice to expert over twenty seeds that nothing was tuned on (101 to 120; README.md of both operators),
+/// one trial a session: scores separate at every level, and what is not felt or seen is missed.
 class TestLaparoscopyOperatorsLong : public QObject {
     Q_OBJECT
 private slots:
@@ -62,11 +62,13 @@ void TestLaparoscopyOperatorsLong::skillsSeparate_data() {
     QTest::addColumn<int>("level");
     QTest::addColumn<QString>("metric");
     for (const int level : {1, 3, 4})
-        QTest::newRow(qPrintable(QString("tube %1").arg(level))) << "elastic_tube" << level << "tension_error_rms";
+        QTest::newRow(qPrintable(QString("tube %1").arg(level)))
+            << "elastic_tube" << level << "tension_error_rms";
     for (const int level : {2, 5})
         QTest::newRow(qPrintable(QString("tube %1").arg(level))) << "elastic_tube" << level << "path_length";
     for (const int level : {1, 2, 3})
-        QTest::newRow(qPrintable(QString("handling %1").arg(level))) << "object_handling" << level << "squeeze_max";
+        QTest::newRow(qPrintable(QString("handling %1").arg(level)))
+            << "object_handling" << level << "squeeze_max";
 }
 
 void TestLaparoscopyOperatorsLong::skillsSeparate() {
@@ -74,7 +76,8 @@ void TestLaparoscopyOperatorsLong::skillsSeparate() {
     QFETCH(int, level);
     QFETCH(QString, metric);
     const auto asked = contentLevel(exercise.toStdString(), level, 1);
-    const Statistic expert = metricOver(asked, "expert", metric), novice = metricOver(asked, "novice", metric);
+    const Statistic expert = metricOver(asked, "expert", metric),
+                    novice = metricOver(asked, "novice", metric);
     QVERIFY2(clearlyLess(expert, novice), qPrintable(QString("%1, %2").arg(expert.mean).arg(novice.mean)));
 }
 
@@ -85,10 +88,13 @@ void TestLaparoscopyOperatorsLong::withoutForceWeighingIsChance() {
     constexpr int kSessions = 8;
     for (std::uint64_t seed = kFirst; seed < kFirst + kSessions; ++seed) {
         felt += runLaparoscopy({level, "expert", seed, {}}).metric("weighing_correct") / kSessions;
-        mute += runLaparoscopy({level, "expert", seed, {.mute = true}}).metric("weighing_correct") / kSessions;
+        mute +=
+            runLaparoscopy({level, "expert", seed, {.mute = true}}).metric("weighing_correct") / kSessions;
     }
     QVERIFY2(felt > 80.0, qPrintable(QString::number(felt)));
-    QVERIFY2(std::abs(mute - 33.3) < 3.0 * 100.0 * std::sqrt(1.0 / 3.0 * 2.0 / 3.0 / (4.0 * kSessions)), // three standard errors of chance
+    QVERIFY2(std::abs(mute - 33.3) <
+                 3.0 * 100.0 *
+                     std::sqrt(1.0 / 3.0 * 2.0 / 3.0 / (4.0 * kSessions)), // three standard errors of chance
              qPrintable(QString::number(mute)));
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
 #include "modules/exercises/elastic_tube/operators/tension_control.h"
-#include "operators/laparoscopy/scripted_hand.h"
 #include "modules/exercises/object_handling/operators/object_handling_operator.h"
 #include "modules/exercises/object_handling/operators/weight_memory.h"
+#include "operators/laparoscopy/scripted_hand.h"
 
 #include <QtTest>
 #include <array>
@@ -36,7 +36,8 @@ namespace {
 GraspPerceptionSettings quiet() {
     GraspPerceptionSettings s;
     s.hand.positionBiasSd_m = s.hand.positionNoiseSd_m = s.hand.visionNoiseSd_m = 0.0;
-    s.hand.forceWeberFraction = s.hand.forceFloorSd_N = s.hand.directionNoiseSd_rad = s.hand.directionBiasSd_rad = 0.0;
+    s.hand.forceWeberFraction = s.hand.forceFloorSd_N = s.hand.directionNoiseSd_rad =
+        s.hand.directionBiasSd_rad = 0.0;
     s.gaugeWeberFraction = s.gaugeFloorSd_N = s.lengthWeberFraction = 0.0;
     return s;
 }
@@ -66,7 +67,8 @@ const GraspPercept& nextLook(GraspSenses& senses, const mechanisms::HandPercepti
 }
 
 /// A hand that pulls at a spring, 180 ms late, and what its mind makes of it; the tension of the last second.
-std::vector<double> pullAtASpring(const ElasticTubeOperatorSettings& settings, double k, bool shown, double target, double band) {
+std::vector<double> pullAtASpring(const ElasticTubeOperatorSettings& settings, double k, bool shown,
+                                  double target, double band) {
     TensionControl control(settings);
     control.begin();
     std::deque<double> line(18, 0.0); // looks
@@ -75,7 +77,9 @@ std::vector<double> pullAtASpring(const ElasticTubeOperatorSettings& settings, d
     for (int look = 0; look < 3000; ++look) {
         const double tension = k * std::max(0.0, length - 0.045);
         dwell = std::abs(tension - target) <= band ? std::min(0.99, dwell + 0.0005) : 0.0;
-        const TensionView view{tension, length, 0.045, shown ? target - band : 0.0, shown ? target + band : 0.0, dwell, 0.01 * look};
+        const TensionView view{
+            tension, length,     0.045, shown ? target - band : 0.0, shown ? target + band : 0.0,
+            dwell,   0.01 * look};
         control.look(view);
         speed = control.speed_m_per_s(view);
         line.push_back(speed);
@@ -111,7 +115,8 @@ void TestLaparoscopyPerception::noisesHaveTheirSize() {
         length2 += std::pow(felt.stretch_m - 0.015, 2);
     }
     QVERIFY(std::abs(std::sqrt(place2 / seeds) / s.hand.visionNoiseSd_m - 1.0) < 0.05);
-    QVERIFY(std::abs(std::sqrt(tension2 / seeds) / std::hypot(1.2 * s.gaugeWeberFraction, s.gaugeFloorSd_N) - 1.0) < 0.05);
+    QVERIFY(std::abs(std::sqrt(tension2 / seeds) / std::hypot(1.2 * s.gaugeWeberFraction, s.gaugeFloorSd_N) -
+                     1.0) < 0.05);
     QVERIFY(std::abs(std::sqrt(length2 / seeds) / (0.060 * s.lengthWeberFraction) - 1.0) < 0.05);
 }
 
@@ -120,7 +125,8 @@ void TestLaparoscopyPerception::hiddenIsNotSeen() {
     const GraspPerceptionSettings s;
     auto real = pulling();
     real.cues.exercise.own<core::LaparoscopyCues>().objectShown = false;
-    real.cues.exercise.own<core::LaparoscopyCues>().tensionShown = real.cues.exercise.own<core::LaparoscopyCues>().squeezeShown = false;
+    real.cues.exercise.own<core::LaparoscopyCues>().tensionShown =
+        real.cues.exercise.own<core::LaparoscopyCues>().squeezeShown = false;
     double place2 = 0.0;
     for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
         GraspSenses senses(s, 0, {}, seed);
@@ -139,12 +145,13 @@ void TestLaparoscopyPerception::handStaysWithinItsReach() {
     mechanisms::HandIntention before = reach.advance();
     for (int tick = 0; tick < 3000; ++tick) {
         const mechanisms::HandIntention now = reach.advance();
-        QVERIFY((now.v_DDesired - before.v_DDesired).norm() <= 0.5e-3 + 1e-12 || now.p_DDesired.x() == GraspReach::kAcross_m ||
-                now.p_DDesired.z() == GraspReach::kHighest_m);
+        QVERIFY((now.v_DDesired - before.v_DDesired).norm() <= 0.5e-3 + 1e-12 ||
+                now.p_DDesired.x() == GraspReach::kAcross_m || now.p_DDesired.z() == GraspReach::kHighest_m);
         QVERIFY(std::abs(now.jaw_rad - before.jaw_rad) <= 2.0e-3 + 1e-12);
         before = now;
     }
-    QVERIFY(reach.place().x() == GraspReach::kAcross_m && reach.place().z() == GraspReach::kHighest_m && reach.jaw_rad() == 1.0);
+    QVERIFY(reach.place().x() == GraspReach::kAcross_m && reach.place().z() == GraspReach::kHighest_m &&
+            reach.jaw_rad() == 1.0);
     reach.wish({Vec3::Zero(), 5.0, 100.0});
     QVERIFY(reach.advance().jaw_rad <= GraspReach::kWidest_rad);
 }
@@ -160,8 +167,9 @@ void TestLaparoscopyPerception::oneMindHearsAllItsHands() {
         }
     };
     int thoughts = 0;
-    const auto hands = makeHands(std::make_unique<Listener>(&thoughts), quiet(), {100.0, 0.0},
-                                 {devices::WorkspaceMapping{{0.06, 0.0, 0.0}, 1.0, false}, devices::WorkspaceMapping{}}, 1);
+    const auto hands =
+        makeHands(std::make_unique<Listener>(&thoughts), quiet(), {100.0, 0.0},
+                  {devices::WorkspaceMapping{{0.06, 0.0, 0.0}, 1.0, false}, devices::WorkspaceMapping{}}, 1);
     QCOMPARE(hands.size(), std::size_t(2));
     mechanisms::HandPerception right, left;
     right.f_T_D = {0.02, 0.0, 0.0};
@@ -193,7 +201,8 @@ void TestLaparoscopyPerception::tensionSettlesInTheBand() {
     for (const char* name : {"expert", "intermediate"})
         for (const double k : {40.0, 80.0})
             for (const double tension : pullAtASpring(*elasticTubeOperatorSettings(name), k, true, 1.2, 0.15))
-                QVERIFY2(std::abs(tension - 1.2) <= 0.15, qPrintable(QString("%1 k %2: %3").arg(name).arg(k).arg(tension)));
+                QVERIFY2(std::abs(tension - 1.2) <= 0.15,
+                         qPrintable(QString("%1 k %2: %3").arg(name).arg(k).arg(tension)));
 }
 
 // Nobody says how much: it is found by what the screen counts, and then kept by feel.
@@ -236,25 +245,32 @@ void TestLaparoscopyPerception::namesAndSettings() {
     QVERIFY(objectHandlingOperatorSettings("wizard").error().code == core::ErrorCode::notFound);
     auto bad = *elasticTubeOperatorSettings("expert");
     bad.pullSpeed_m_per_s = std::nan("");
-    QVERIFY(makeElasticTubeOperator(bad, {}, 1).error().message.find("pullSpeed_m_per_s") != std::string::npos);
+    QVERIFY(makeElasticTubeOperator(bad, {}, 1).error().message.find("pullSpeed_m_per_s") !=
+            std::string::npos);
     two.places.resize(3);
     QVERIFY(!makeElasticTubeOperator(*elasticTubeOperatorSettings("expert"), two, 1));
     auto crude = *objectHandlingOperatorSettings("expert");
     crude.squeezeShare = -1.0;
-    QVERIFY(makeObjectHandlingOperator(crude, {}, 1).error().message.find("squeezeShare") != std::string::npos);
+    QVERIFY(makeObjectHandlingOperator(crude, {}, 1).error().message.find("squeezeShare") !=
+            std::string::npos);
 }
 
-// They differ in what they do, not in how well they feel and see; and all feel as the sphere-apex trainees do.
+// They differ in what they do, not in how well they feel and see; and all feel as the sphere-apex trainees
+// do.
 void TestLaparoscopyPerception::allFeelAlike() {
     const auto same = [](const GraspPerceptionSettings& a) {
         const GraspPerceptionSettings b;
-        return a.hand.positionBiasSd_m == b.hand.positionBiasSd_m && a.hand.visionNoiseSd_m == b.hand.visionNoiseSd_m &&
-               a.hand.forceWeberFraction == b.hand.forceWeberFraction && a.hand.forceFloorSd_N == b.hand.forceFloorSd_N &&
-               a.hand.directionNoiseSd_rad == b.hand.directionNoiseSd_rad && a.gaugeWeberFraction == b.gaugeWeberFraction &&
-               a.gaugeFloorSd_N == b.gaugeFloorSd_N && a.lengthWeberFraction == b.lengthWeberFraction;
+        return a.hand.positionBiasSd_m == b.hand.positionBiasSd_m &&
+               a.hand.visionNoiseSd_m == b.hand.visionNoiseSd_m &&
+               a.hand.forceWeberFraction == b.hand.forceWeberFraction &&
+               a.hand.forceFloorSd_N == b.hand.forceFloorSd_N &&
+               a.hand.directionNoiseSd_rad == b.hand.directionNoiseSd_rad &&
+               a.gaugeWeberFraction == b.gaugeWeberFraction && a.gaugeFloorSd_N == b.gaugeFloorSd_N &&
+               a.lengthWeberFraction == b.lengthWeberFraction;
     };
     for (const auto name : elasticTubeOperatorNames())
-        QVERIFY(same(elasticTubeOperatorSettings(name)->perception) && same(objectHandlingOperatorSettings(name)->perception));
+        QVERIFY(same(elasticTubeOperatorSettings(name)->perception) &&
+                same(objectHandlingOperatorSettings(name)->perception));
 }
 
 QTEST_APPLESS_MAIN(TestLaparoscopyPerception)

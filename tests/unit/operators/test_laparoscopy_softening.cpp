@@ -41,9 +41,11 @@ void TestLaparoscopySoftening::anExpertIsLeftAlone() {
     QFETCH(QString, exercise);
     QFETCH(int, level);
     Softened seen;
-    const auto outcome = support::runLaparoscopy({support::contentLevel(exercise.toStdString(), level, 2), "expert", 3, {}}, &seen);
-    qInfo("%llu of %llu ticks softened; at most %.3f mJ held beyond the work put in", static_cast<unsigned long long>(seen.acted),
-          static_cast<unsigned long long>(seen.ticks), 1e3 * seen.most_J);
+    const auto outcome = support::runLaparoscopy(
+        {support::contentLevel(exercise.toStdString(), level, 2), "expert", 3, {}}, &seen);
+    qInfo("%llu of %llu ticks softened; at most %.3f mJ held beyond the work put in",
+          static_cast<unsigned long long>(seen.acted), static_cast<unsigned long long>(seen.ticks),
+          1e3 * seen.most_J);
     QVERIFY(outcome.ran);
     QVERIFY(seen.acted * 1000 <= seen.ticks); // one tick in a thousand
 }

@@ -7,6 +7,7 @@
 #include <functional>
 
 using namespace chiron;
+using operators::PalpationOperatorSettings;
 using support::BenchOutcome;
 using support::BenchTrial;
 using support::countTrial;
@@ -16,10 +17,10 @@ using support::Mean;
 using support::meanOf;
 using support::PalpationBench;
 using support::repeated;
-using operators::PalpationOperatorSettings;
 
-/// Scripted palpators on a tissue (support/palpation_bench.h): they find what can be felt, nothing else, and differ as they should.
-/// Every bound follows from the number of trials of the test itself; seeds are not those that the settings were tuned on (1–20).
+/// Scripted palpators on a tissue (support/palpation_bench.h): they find what can be felt, nothing else, and
+/// differ as they should. Every bound follows from the number of trials of the test itself; seeds are not
+/// those that the settings were tuned on (1–20).
 class TestPalpationBench : public QObject {
     Q_OBJECT
 private slots:
@@ -47,22 +48,26 @@ namespace {
 
 constexpr std::uint64_t kFirst = 201;
 
-PalpationOperatorSettings settingsOf(const char* name) { return *operators::palpationOperatorSettings(name); }
+PalpationOperatorSettings settingsOf(const char* name) {
+    return *operators::palpationOperatorSettings(name);
+}
 
 struct Measured {
-    Detection found;  ///< against the lumps
-    Detection sham;   ///< against as many lumps that were nowhere
+    Detection found; ///< against the lumps
+    Detection sham;  ///< against as many lumps that were nowhere
     std::vector<double> coverage, over_s, maximum_N, distance_m;
     int done = 0, trials = 0;
 };
 
 /// Trials with a lump and without, by turns (`always`: every trial with one).
-Measured measure(const simulation::PalpationParameters& p, const PalpationOperatorSettings& settings, const simulation::LumpKind& kind,
-                 const simulation::PalpationControl& control, int seeds, int trials, bool always = false) {
+Measured measure(const simulation::PalpationParameters& p, const PalpationOperatorSettings& settings,
+                 const simulation::LumpKind& kind, const simulation::PalpationControl& control, int seeds,
+                 int trials, bool always = false) {
     Measured out;
     for (int s = 0; s < seeds; ++s) {
         const std::uint64_t seed = kFirst + static_cast<std::uint64_t>(s);
-        core::Random random = core::Random::stream(seed, "bench/lumps"), elsewhere = core::Random::stream(seed, "bench/sham");
+        core::Random random = core::Random::stream(seed, "bench/lumps"),
+                     elsewhere = core::Random::stream(seed, "bench/sham");
         PalpationBench bench(p, settings, seed);
         for (int trial = 0; trial < trials; ++trial) {
             const int count = always || trial % 2 == 0 ? 1 : 0;
@@ -90,25 +95,32 @@ void TestPalpationBench::detectionFollowsTheLump_data() {
     QTest::addColumn<QVector<double>>("depth");
     QTest::addColumn<QVector<double>>("ratio");
     using Values = QVector<double>;
-    QTest::newRow("hardness") << Values{0.0075, 0.0075, 0.0075} << Values{0.012, 0.012, 0.012} << Values{1.2, 2.5, 10.0};
-    QTest::newRow("size") << Values{0.003, 0.006, 0.009} << Values{0.012, 0.012, 0.012} << Values{10.0, 10.0, 10.0};
-    QTest::newRow("nearness") << Values{0.0075, 0.0075, 0.0075} << Values{0.025, 0.015, 0.010} << Values{10.0, 10.0, 10.0};
+    QTest::newRow("hardness") << Values{0.0075, 0.0075, 0.0075} << Values{0.012, 0.012, 0.012}
+                              << Values{1.2, 2.5, 10.0};
+    QTest::newRow("size") << Values{0.003, 0.006, 0.009} << Values{0.012, 0.012, 0.012}
+                          << Values{10.0, 10.0, 10.0};
+    QTest::newRow("nearness") << Values{0.0075, 0.0075, 0.0075} << Values{0.025, 0.015, 0.010}
+                              << Values{10.0, 10.0, 10.0};
 }
 
-// Weak, middling, strong: hits rise from first to last by more than 2 standard errors, and nowhere fall by as much.
+// Weak, middling, strong: hits rise from first to last by more than 2 standard errors, and nowhere fall by as
+// much.
 void TestPalpationBench::detectionFollowsTheLump() {
     QFETCH(QVector<double>, radius);
     QFETCH(QVector<double>, depth);
     QFETCH(QVector<double>, ratio);
     std::vector<Detection> found;
     for (int i = 0; i < 3; ++i)
-        found.push_back(measure({}, settingsOf("expert"), {radius[i], depth[i], ratio[i], 3}, {}, repeated(5), repeated(4), true).found);
+        found.push_back(measure({}, settingsOf("expert"), {radius[i], depth[i], ratio[i], 3}, {}, repeated(5),
+                                repeated(4), true)
+                            .found);
     CHIRON_SKIP_STATISTICS();
     const auto rise = [&](int from, int to) {
         const Detection &a = found[static_cast<std::size_t>(from)], &b = found[static_cast<std::size_t>(to)];
         return (b.hitShare() - a.hitShare()) / errorOf(a.hitShareError(), b.hitShareError());
     };
-    const QString told = QString("hits %1, %2, %3 of 20").arg(found[0].hits).arg(found[1].hits).arg(found[2].hits);
+    const QString told =
+        QString("hits %1, %2, %3 of 20").arg(found[0].hits).arg(found[1].hits).arg(found[2].hits);
     QVERIFY2(rise(0, 2) > 2.0, qPrintable(told));
     QVERIFY2(rise(0, 1) > -2.0 && rise(1, 2) > -2.0, qPrintable(told));
 }
@@ -120,22 +132,30 @@ void TestPalpationBench::nothingToFeelIsChance_data() {
     QTest::newRow("no force") << 10.0 << true;
 }
 
-// Told to guess freely (a low criterion, so that there are marks to judge), it guesses: d′ is not above 0 beyond its interval, and
-// its marks hit the lumps no more often than lumps that were drawn elsewhere. The trials without a lump are among them.
+// Told to guess freely (a low criterion, so that there are marks to judge), it guesses: d′ is not above 0
+// beyond its interval, and its marks hit the lumps no more often than lumps that were drawn elsewhere. The
+// trials without a lump are among them.
 void TestPalpationBench::nothingToFeelIsChance() {
     QFETCH(double, ratio);
     QFETCH(bool, forceOff);
     PalpationOperatorSettings guesser = settingsOf("expert");
     guesser.criterion = 1.5;
     simulation::PalpationParameters p;
-    p.hitRadius_m = 0.015; // as large as a region: else a guess falls into one more easily than near a lump, and d' is below 0
-    const Measured m = measure(p, guesser, {0.0075, 0.012, ratio, 5}, {forceOff, 0.0, core::Vec2::Zero()}, repeated(10), repeated(4, 2));
+    p.hitRadius_m = 0.015; // as large as a region: else a guess falls into one more easily than near a lump,
+                           // and d' is below 0
+    const Measured m = measure(p, guesser, {0.0075, 0.012, ratio, 5}, {forceOff, 0.0, core::Vec2::Zero()},
+                               repeated(10), repeated(4, 2));
     CHIRON_SKIP_STATISTICS();
     QVERIFY(m.found.hits + m.found.falseAlarms >= 20); // it did guess
     const double interval = 1.96 * m.found.dPrimeError();
-    const QString told = QString("d' %1 ± %2, hits %3, on shams %4").arg(m.found.dPrime()).arg(interval).arg(m.found.hits).arg(m.sham.hits);
+    const QString told = QString("d' %1 ± %2, hits %3, on shams %4")
+                             .arg(m.found.dPrime())
+                             .arg(interval)
+                             .arg(m.found.hits)
+                             .arg(m.sham.hits);
     QVERIFY2(std::abs(m.found.dPrime()) < interval, qPrintable(told));
-    QVERIFY2(std::abs(m.found.hitShare() - m.sham.hitShare()) < 1.96 * errorOf(m.found.hitShareError(), m.sham.hitShareError()),
+    QVERIFY2(std::abs(m.found.hitShare() - m.sham.hitShare()) <
+                 1.96 * errorOf(m.found.hitShareError(), m.sham.hitShareError()),
              qPrintable(told));
 }
 
@@ -149,7 +169,8 @@ void TestPalpationBench::movedLumpTakesTheMarkAlong() {
         auto lumps = support::drawLumps(p, kUsual, 1, random);
         simulation::PalpationControl control;
         control.moveAfter_s = 2.0;
-        control.move_m = {lumps[0].place_m.x() > 0.0 ? -0.028 : 0.028, lumps[0].place_m.y() > 0.0 ? -0.020 : 0.020};
+        control.move_m = {lumps[0].place_m.x() > 0.0 ? -0.028 : 0.028,
+                          lumps[0].place_m.y() > 0.0 ? -0.020 : 0.020};
         const BenchOutcome o = bench.run({lumps, control});
         countTrial(before, p, lumps, o.findings);
         lumps[0].place_m += control.move_m;
@@ -169,9 +190,11 @@ void TestPalpationBench::expertBeatsNovice() {
     CHIRON_SKIP_STATISTICS();
     const Mean wide = meanOf(expert.coverage), narrow = meanOf(novice.coverage);
     QVERIFY(wide.value - narrow.value > 2.0 * errorOf(wide.error, narrow.error));
-    QVERIFY(expert.found.dPrime() - novice.found.dPrime() > 2.0 * errorOf(expert.found.dPrimeError(), novice.found.dPrimeError()));
+    QVERIFY(expert.found.dPrime() - novice.found.dPrime() >
+            2.0 * errorOf(expert.found.dPrimeError(), novice.found.dPrimeError()));
     const Mean near = meanOf(expert.distance_m), far = meanOf(novice.distance_m);
-    QVERIFY2(far.value - near.value > 2.0 * errorOf(near.error, far.error), qPrintable(QString("%1, %2 mm").arg(1e3 * near.value).arg(1e3 * far.value)));
+    QVERIFY2(far.value - near.value > 2.0 * errorOf(near.error, far.error),
+             qPrintable(QString("%1, %2 mm").arg(1e3 * near.value).arg(1e3 * far.value)));
 }
 
 void TestPalpationBench::unsafePressesTooHard() {
@@ -200,7 +223,8 @@ void TestPalpationBench::sizeIsHeardInTheReport() {
                 if (!finding.present)
                     continue;
                 QVERIFY(finding.radius_m >= 0.001 && finding.radius_m <= 0.03);
-                QVERIFY(finding.hardness >= 1 && finding.hardness <= 5 && finding.confidence >= 1 && finding.confidence <= 5);
+                QVERIFY(finding.hardness >= 1 && finding.hardness <= 5 && finding.confidence >= 1 &&
+                        finding.confidence <= 5);
                 if ((core::Vec2(finding.p_W[0], finding.p_W[1]) - lumps[0].place_m).norm() < p.hitRadius_m)
                     (radius > 0.007 ? big : small).push_back(finding.radius_m);
             }
@@ -219,24 +243,34 @@ void TestPalpationBench::shownLumpsAreMarkedBySight() {
     trial.shown = true;
     const BenchOutcome o = bench.run(trial);
     QCOMPARE(o.marks(), 1);
-    const double off = (core::Vec2(o.findings[0].p_W[0], o.findings[0].p_W[1]) - trial.lumps[0].place_m).norm();
+    const double off =
+        (core::Vec2(o.findings[0].p_W[0], o.findings[0].p_W[1]) - trial.lumps[0].place_m).norm();
     QVERIFY2(off < 5.0 * std::hypot(0.0015, 0.003), qPrintable(QString::number(off)));
 }
 
 void TestPalpationBench::twoHandsTwoFingersAndThreePressures() {
-    for (const auto& [hands, fingers, pressures] : {std::array{2, 1, 1}, std::array{1, 2, 1}, std::array{2, 2, 1}, std::array{1, 2, 3}}) {
+    for (const auto& [hands, fingers, pressures] :
+         {std::array{2, 1, 1}, std::array{1, 2, 1}, std::array{2, 2, 1}, std::array{1, 2, 3}}) {
         simulation::PalpationParameters p;
         p.hands = hands;
         p.fingers = fingers;
         PalpationOperatorSettings settings = settingsOf("expert");
         settings.pressures = pressures;
         PalpationBench bench(p, settings, kFirst);
-        const std::vector<simulation::Lump> lumps{{{-0.020, 0.015}, 0.012, 0.0075, 10.0}, {{0.018, -0.020}, 0.012, 0.0075, 10.0}};
+        const std::vector<simulation::Lump> lumps{{{-0.020, 0.015}, 0.012, 0.0075, 10.0},
+                                                  {{0.018, -0.020}, 0.012, 0.0075, 10.0}};
         const BenchOutcome o = bench.run({lumps, {}});
         Detection d;
         countTrial(d, p, lumps, o.findings);
-        const QString told = QString("%1 hands, %2 fingers, %3 pressures: %4 hits, %5 false, covered %6, %7 s")
-                                 .arg(hands).arg(fingers).arg(pressures).arg(d.hits).arg(d.falseAlarms).arg(o.coverage).arg(o.time_s);
+        const QString told =
+            QString("%1 hands, %2 fingers, %3 pressures: %4 hits, %5 false, covered %6, %7 s")
+                .arg(hands)
+                .arg(fingers)
+                .arg(pressures)
+                .arg(d.hits)
+                .arg(d.falseAlarms)
+                .arg(o.coverage)
+                .arg(o.time_s);
         QVERIFY2(o.done && d.hits == 2 && d.falseAlarms <= 1 && o.coverage > 0.7, qPrintable(told));
     }
 }
@@ -257,8 +291,9 @@ void TestPalpationBench::onAnOrgan() {
     QVERIFY2(m.found.dPrime() > 3.0 * m.found.dPrimeError(), qPrintable(told));
 }
 
-// Two lobes that bend by a radius of 11 mm, nothing in them: where it is steep, the bend is not taken for a lump. Measured from the plane at the
-// spot that was meant, a trial had one or two false alarms. With lumps in the same organ it marks, so that silence is no proof of itself.
+// Two lobes that bend by a radius of 11 mm, nothing in them: where it is steep, the bend is not taken for a
+// lump. Measured from the plane at the spot that was meant, a trial had one or two false alarms. With lumps
+// in the same organ it marks, so that silence is no proof of itself.
 void TestPalpationBench::bentOrganIsNoLump() {
     simulation::PalpationParameters p;
     p.tissue.shape.planeHeight_m = -0.004;
@@ -277,9 +312,14 @@ void TestPalpationBench::bentOrganIsNoLump() {
     }
     const Measured m = measure(p, settingsOf("expert"), kUsual, {}, repeated(3), repeated(4), true);
     CHIRON_SKIP_STATISTICS();
-    const QString told = QString("%1 marks in %2 trials; %3 hits and %4 false alarms with lumps").arg(marks).arg(trials).arg(m.found.hits).arg(m.found.falseAlarms);
+    const QString told = QString("%1 marks in %2 trials; %3 hits and %4 false alarms with lumps")
+                             .arg(marks)
+                             .arg(trials)
+                             .arg(m.found.hits)
+                             .arg(m.found.falseAlarms);
     QVERIFY2(marks <= trials / 4, qPrintable(told)); // before: 35 in 24
-    QVERIFY2(m.found.dPrime() > 2.0 * m.found.dPrimeError() && m.found.falseAlarms <= m.trials / 4, qPrintable(told));
+    QVERIFY2(m.found.dPrime() > 2.0 * m.found.dPrimeError() && m.found.falseAlarms <= m.trials / 4,
+             qPrintable(told));
 }
 
 void TestPalpationBench::sameSeedSameIntentions() {

@@ -35,7 +35,8 @@ namespace {
 
 PalpationPerceptionSettings noiseless() {
     PalpationPerceptionSettings s;
-    s.hand.visionNoiseSd_m = s.hand.forceWeberFraction = s.hand.forceFloorSd_N = s.hand.directionNoiseSd_rad = 0.0;
+    s.hand.visionNoiseSd_m = s.hand.forceWeberFraction = s.hand.forceFloorSd_N = s.hand.directionNoiseSd_rad =
+        0.0;
     s.depthWeberFraction = s.memoryFraction = s.leanNoiseSd_rad = 0.0;
     return s;
 }
@@ -61,9 +62,10 @@ Press pressOnce(FingerSenses& senses, const mechanisms::HandPerception& deep, do
     return {};
 }
 
-/// Presses on a grid over a square of ±40 mm, 8 mm apart, over lumps of models.md §3's shape, with normal noise.
-void pressGrid(EvidenceMap& map, const std::vector<Suspicion>& lumps, double stiffnessNoise, double leanNoise, std::uint64_t seed,
-               bool flatStiffness = false) {
+/// Presses on a grid over a square of ±40 mm, 8 mm apart, over lumps of models.md §3's shape, with normal
+/// noise.
+void pressGrid(EvidenceMap& map, const std::vector<Suspicion>& lumps, double stiffnessNoise, double leanNoise,
+               std::uint64_t seed, bool flatStiffness = false) {
     core::Random random(seed);
     for (double x = -0.036; x < 0.037; x += 0.008)
         for (double y = -0.036; y < 0.037; y += 0.008) {
@@ -97,7 +99,8 @@ void TestPalpationPerception::platformAndForceTellTheSame_data() {
     QTest::newRow("askew") << -0.15 << 0.1;
 }
 
-// P3's platform shows the lean as pitch and roll; a device that pushes shows it as lateral force: the same is felt.
+// P3's platform shows the lean as pitch and roll; a device that pushes shows it as lateral force: the same is
+// felt.
 void TestPalpationPerception::platformAndForceTellTheSame() {
     QFETCH(double, x);
     QFETCH(double, y);
@@ -124,9 +127,11 @@ void TestPalpationPerception::platformAndForceTellTheSame() {
     QVERIFY(shown.depth_m < 0.005 && shown.depth_m > 0.005 * (1.0 - 0.05 / 1.5) - 0.00011);
 }
 
-// A held instrument answers the hand before it touches (friction), and the grip gives way: how far its tip went into the tissue is told all the same.
+// A held instrument answers the hand before it touches (friction), and the grip gives way: how far its tip
+// went into the tissue is told all the same.
 void TestPalpationPerception::frictionInTheAirIsNoTouch() {
-    constexpr double kTissue_N_per_m = 600.0, kOwn_N = 0.1, kGrip_N_per_m = mechanisms::HandParameters{}.gripStiffness_N_per_m;
+    constexpr double kTissue_N_per_m = 600.0, kOwn_N = 0.1,
+                     kGrip_N_per_m = mechanisms::HandParameters{}.gripStiffness_N_per_m;
     FingerSenses senses(noiseless(), {}, {}, 1);
     FingerOrder order;
     order.press = 1;
@@ -145,7 +150,8 @@ void TestPalpationPerception::frictionInTheAirIsNoTouch() {
     }
     QVERIFY(told && !touchedInTheAir);
     QVERIFY(std::abs(senses.press().force_N - kTissue_N_per_m * 0.003 - kOwn_N) < 1e-9);
-    QVERIFY2(std::abs(senses.press().depth_m - 0.003) < 1e-5, qPrintable(QString::number(senses.press().depth_m)));
+    QVERIFY2(std::abs(senses.press().depth_m - 0.003) < 1e-5,
+             qPrintable(QString::number(senses.press().depth_m)));
 }
 
 // SD of felt stiffness over its mean: force, depth and memory together, and nothing else.
@@ -166,7 +172,8 @@ void TestPalpationPerception::noiseIsWhatItSays() {
     const double mean = sum / n, sd = std::sqrt(squares / n - mean * mean) / mean;
     const double looks = 0.300 / settings.hand.forceNoiseTime_s;
     const double expected = std::sqrt(0.07 * 0.07 / looks + 0.08 * 0.08 + 0.12 * 0.12);
-    QVERIFY2(std::abs(sd - expected) < 4.0 * expected / std::sqrt(2.0 * n), qPrintable(QString("%1, %2").arg(sd).arg(expected)));
+    QVERIFY2(std::abs(sd - expected) < 4.0 * expected / std::sqrt(2.0 * n),
+             qPrintable(QString("%1, %2").arg(sd).arg(expected)));
 }
 
 void TestPalpationPerception::mapFindsWhereItIs() {
@@ -174,13 +181,14 @@ void TestPalpationPerception::mapFindsWhereItIs() {
     const Suspicion lump{{0.012, -0.019}, 0.5, 0.0, 0.013};
     pressGrid(map, {lump}, 0.0, 0.0, 1);
     const Suspicion found = weighed(map);
-    QVERIFY2((found.place_m - lump.place_m).norm() < 0.0005, qPrintable(QString("%1").arg((found.place_m - lump.place_m).norm())));
+    QVERIFY2((found.place_m - lump.place_m).norm() < 0.0005,
+             qPrintable(QString("%1").arg((found.place_m - lump.place_m).norm())));
     QVERIFY(std::abs(found.amplitude - 0.5) < 0.05);
     QCOMPARE(found.width_m, 0.013);
 }
 
-// The strongest of a map without a lump exceeds the expert's criterion seldom: at most so often as 40 places of 1 in 2000 allow,
-// within 3 standard errors of that many maps.
+// The strongest of a map without a lump exceeds the expert's criterion seldom: at most so often as 40 places
+// of 1 in 2000 allow, within 3 standard errors of that many maps.
 void TestPalpationPerception::mapOfNoiseStaysBelow() {
     const int n = 60;
     int over = 0;
@@ -248,7 +256,8 @@ void TestPalpationPerception::twoFingersShareTheColumns() {
     Vec2 spot;
     while (path.next(spot))
         for (const double x : {spot.x(), spot.x() + 0.018})
-            if (std::none_of(columns.begin(), columns.end(), [&](double c) { return std::abs(c - x) < 1e-6; }))
+            if (std::none_of(columns.begin(), columns.end(),
+                             [&](double c) { return std::abs(c - x) < 1e-6; }))
                 columns.push_back(x);
     std::sort(columns.begin(), columns.end());
     QCOMPARE(columns.size(), std::size_t(8));

@@ -78,7 +78,8 @@ void TestUrethraOperators::allFeelAlike() {
         QVERIFY(a.distanceWeberFraction == b.distanceWeberFraction && a.depthNoiseSd_m == b.depthNoiseSd_m);
         QVERIFY(a.forceWeberFraction == b.forceWeberFraction && a.forceFloorSd_N == b.forceFloorSd_N);
         QVERIFY(a.torqueWeberFraction == b.torqueWeberFraction && a.torqueFloorSd_Nm == b.torqueFloorSd_Nm);
-        QVERIFY(a.directionNoiseSd_rad == b.directionNoiseSd_rad && a.directionBiasSd_rad == b.directionBiasSd_rad);
+        QVERIFY(a.directionNoiseSd_rad == b.directionNoiseSd_rad &&
+                a.directionBiasSd_rad == b.directionBiasSd_rad);
     }
 }
 
@@ -128,7 +129,8 @@ void TestUrethraOperators::strictureIsPassed() {
         QVERIFY2(runUrethraSession({name, 1, level, {}}).completed, name);
 }
 
-// They go by what they see: whoever stops when there is nothing to see stays out, who does not gets stuck or leaves the canal.
+// They go by what they see: whoever stops when there is nothing to see stays out, who does not gets stuck or
+// leaves the canal.
 void TestUrethraOperators::withoutPictureNoneGetsFar() {
     auto level = standardInsertion();
     level.trialLimit_s = 40.0;
@@ -153,8 +155,8 @@ void TestUrethraOperators::upsideDownPictureMisleads() {
 void TestUrethraOperators::expertBeatsNovice() {
     CHIRON_SKIP_STATISTICS(); // sessions of both run in allDoTheWholeProcedure()
     const auto expert = sessions("expert", 3), novice = sessions("novice", 3);
-    for (const auto value : {&UrethraOutcome::offsetRms_mm, &UrethraOutcome::bendAlignment_deg, &UrethraOutcome::forceP95_N,
-                             &UrethraOutcome::torqueP95_mNm})
+    for (const auto value : {&UrethraOutcome::offsetRms_mm, &UrethraOutcome::bendAlignment_deg,
+                             &UrethraOutcome::forceP95_N, &UrethraOutcome::torqueP95_mNm})
         QVERIFY2(mean(expert, value) < mean(novice, value),
                  qPrintable(QString("%1, %2").arg(mean(expert, value)).arg(mean(novice, value))));
 }
@@ -171,7 +173,8 @@ void TestUrethraOperators::unsafeHurts() {
     QVERIFY(unsafe.trauma > 0 && unsafe.forceMax_N > 4.0 && unsafe.overTorque_percent > 5.0);
 }
 
-// Friction's slope, the mechanism's tendons and an old velocity may ring; with a budget far above the mechanism's they do.
+// Friction's slope, the mechanism's tendons and an old velocity may ring; with a budget far above the
+// mechanism's they do.
 void TestUrethraOperators::frictionDoesNotRing() {
     const auto good = runUrethraSession({"expert", 1, standardInsertion(), {}});
     QVERIFY2(good.chatter_N < 0.05, qPrintable(QString::number(good.chatter_N)));

@@ -9,8 +9,8 @@ using support::runUrethraSession;
 using support::standardInsertion;
 using support::UrethraOutcome;
 
-/// All endoscopists over 20 seeds on the standard level: they separate on the scores, and the expert stays far below what the
-/// mechanism can give.
+/// All endoscopists over 20 seeds on the standard level: they separate on the scores, and the expert stays
+/// far below what the mechanism can give.
 class TestUrethraOperatorsLong : public QObject {
     Q_OBJECT
 private slots:
@@ -53,7 +53,8 @@ bool clearlyLess(const Statistic& a, const Statistic& b) {
 void TestUrethraOperatorsLong::initTestCase() {
     for (const auto name : operators::urethraInsertionOperatorNames())
         for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
-            m_sessions[std::string(name)].push_back(runUrethraSession({std::string(name), seed, standardInsertion(), {}}));
+            m_sessions[std::string(name)].push_back(
+                runUrethraSession({std::string(name), seed, standardInsertion(), {}}));
 }
 
 void TestUrethraOperatorsLong::allFinish() {
@@ -64,20 +65,24 @@ void TestUrethraOperatorsLong::allFinish() {
 
 void TestUrethraOperatorsLong::trainedHandsSeparate() {
     const std::map<QString, double UrethraOutcome::*> scores{{"offset", &UrethraOutcome::offsetRms_mm},
-                                                            {"torque", &UrethraOutcome::torqueP95_mNm},
-                                                            {"force", &UrethraOutcome::forceP95_N}};
+                                                             {"torque", &UrethraOutcome::torqueP95_mNm},
+                                                             {"force", &UrethraOutcome::forceP95_N}};
     for (const auto& [score, value] : scores) {
-        const Statistic novice = over(m_sessions["novice"], value), middle = over(m_sessions["intermediate"], value),
+        const Statistic novice = over(m_sessions["novice"], value),
+                        middle = over(m_sessions["intermediate"], value),
                         expert = over(m_sessions["expert"], value);
-        const QString found = QString("%1: %2, %3, %4").arg(score).arg(expert.mean).arg(middle.mean).arg(novice.mean);
+        const QString found =
+            QString("%1: %2, %3, %4").arg(score).arg(expert.mean).arg(middle.mean).arg(novice.mean);
         QVERIFY2(clearlyLess(expert, middle), qPrintable(found));
         QVERIFY2(clearlyLess(middle, novice), qPrintable(found));
     }
-    // Who turns in place, as P1's surgeon does, is less aligned between two turns than one who steers all the time: the expert is told from the
-    // intermediate by what the tissue bears, and both from the novice by their angles too.
+    // Who turns in place, as P1's surgeon does, is less aligned between two turns than one who steers all the
+    // time: the expert is told from the intermediate by what the tissue bears, and both from the novice by
+    // their angles too.
     for (const auto value : {&UrethraOutcome::bendAlignment_deg, &UrethraOutcome::alignmentRms_deg})
         for (const char* trained : {"expert", "intermediate"})
-            QVERIFY2(clearlyLess(over(m_sessions[trained], value), over(m_sessions["novice"], value)), trained);
+            QVERIFY2(clearlyLess(over(m_sessions[trained], value), over(m_sessions["novice"], value)),
+                     trained);
 }
 
 // On normal tissue neither expert nor intermediate does any; unsafe does most.
@@ -109,7 +114,8 @@ void TestUrethraOperatorsLong::withoutForceTheExpertIsRougher() {
         felt.push_back(runUrethraSession({"expert", seed, level, {}}));
         mute.push_back(runUrethraSession({"expert", seed, level, {.mute = true}}));
     }
-    const Statistic with = over(felt, &UrethraOutcome::offsetRms_mm), without = over(mute, &UrethraOutcome::offsetRms_mm);
+    const Statistic with = over(felt, &UrethraOutcome::offsetRms_mm),
+                    without = over(mute, &UrethraOutcome::offsetRms_mm);
     QVERIFY2(clearlyLess(with, without), qPrintable(QString("%1, %2").arg(with.mean).arg(without.mean)));
 }
 

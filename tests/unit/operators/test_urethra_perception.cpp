@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mechanisms/spherical_joint.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "modules/exercises/urethra_insertion/operators/endoscope_reach.h"
 #include "modules/exercises/urethra_insertion/operators/endoscope_senses.h"
 #include "modules/exercises/urethra_insertion/operators/way_memory.h"
-#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <QtTest>
 #include <cmath>
@@ -31,14 +31,16 @@ mechanisms::HandPerception still(double pitch, double yaw) {
     real.cues.exercise.own<simulation::EndoscopeCues>().pictureShown = true;
     real.cues.exercise.own<simulation::EndoscopeCues>().guided = true;
     real.cues.exercise.own<simulation::EndoscopeCues>().depth_m = 0.05;
-    real.cues.exercise.own<simulation::EndoscopeCues>().toLumen_T = {-0.1, 0.2, -std::sqrt(1.0 - 0.05)}; // left and up
+    real.cues.exercise.own<simulation::EndoscopeCues>().toLumen_T = {-0.1, 0.2,
+                                                                     -std::sqrt(1.0 - 0.05)}; // left and up
     real.cues.exercise.own<simulation::EndoscopeCues>().lumenDistance_m = 0.03;
     return real;
 }
 
 EndoscopePerceptionSettings quiet() {
     EndoscopePerceptionSettings s;
-    s.angleBiasSd_rad = s.angleNoiseSd_rad = s.pictureNoiseSd_rad = s.distanceWeberFraction = s.depthNoiseSd_m = 0.0;
+    s.angleBiasSd_rad = s.angleNoiseSd_rad = s.pictureNoiseSd_rad = s.distanceWeberFraction =
+        s.depthNoiseSd_m = 0.0;
     s.forceWeberFraction = s.forceFloorSd_N = s.torqueWeberFraction = s.torqueFloorSd_Nm = 0.0;
     s.directionNoiseSd_rad = s.directionBiasSd_rad = 0.0;
     return s;
@@ -63,7 +65,8 @@ void TestUrethraPerception::withoutNoiseItIsWhatIs() {
     QVERIFY(std::abs(felt.along_N + 1.5) < 1e-12 && std::abs(felt.across_N - 0.7) < 1e-12);
     QVERIFY(std::abs(felt.pitchTorque_Nm - 0.02) < 1e-12);
     QVERIFY(felt.lumen.seen && std::abs(felt.lumen.distance_m - 0.03) < 1e-12 && felt.depth_m == 0.05);
-    QVERIFY(felt.lumen.up_rad > 0.19 && felt.lumen.up_rad < 0.21 && felt.lumen.left_rad > 0.09 && felt.lumen.left_rad < 0.11);
+    QVERIFY(felt.lumen.up_rad > 0.19 && felt.lumen.up_rad < 0.21 && felt.lumen.left_rad > 0.09 &&
+            felt.lumen.left_rad < 0.11);
 }
 
 void TestUrethraPerception::noisesHaveTheirSize() {
@@ -83,7 +86,8 @@ void TestUrethraPerception::noisesHaveTheirSize() {
         unmarked2 += std::pow(nextLook(unguided, real).lumen.up_rad - truth, 2);
         along += felt.along_N / seeds;
     }
-    QVERIFY(std::abs(std::sqrt(pitch2 / seeds) / std::hypot(s.angleBiasSd_rad, s.angleNoiseSd_rad) - 1.0) < 0.05);
+    QVERIFY(std::abs(std::sqrt(pitch2 / seeds) / std::hypot(s.angleBiasSd_rad, s.angleNoiseSd_rad) - 1.0) <
+            0.05);
     QVERIFY(std::abs(std::sqrt(marked2 / seeds) / s.pictureNoiseSd_rad - 1.0) < 0.05);
     QVERIFY(std::abs(std::sqrt(unmarked2 / marked2) - s.unmarkedFactor) < 1e-9);
     QVERIFY(along < -1.8 && along > -2.0); // what points elsewhere is missing along
@@ -117,7 +121,8 @@ void TestUrethraPerception::handGoesWhereTheEyeLooks() {
     reach.wish({0.0, 0.0, 5.0, -5.0}, 0.6);
     for (int tick = 0; tick < 2000; ++tick)
         wanted = reach.advance();
-    QVERIFY(reach.pitch_rad() == EndoscopeReach::kHighestPitch_rad && reach.yaw_rad() == -EndoscopeReach::kWidestYaw_rad);
+    QVERIFY(reach.pitch_rad() == EndoscopeReach::kHighestPitch_rad &&
+            reach.yaw_rad() == -EndoscopeReach::kWidestYaw_rad);
     QVERIFY(wanted.p_DDesired.allFinite() && std::abs(wanted.q_DDesired.norm() - 1.0) < 1e-12);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints how each scripted endoscopist does, as Markdown: urethra_operator_table [seeds] [standard|unguided|stricture|tight]
-// [operator] [seed]; with a seed, what happens in that session every half second. Not a test: it asserts nothing.
+// Prints how each scripted endoscopist does, as Markdown: urethra_operator_table [seeds]
+// [standard|unguided|stricture|tight] [operator] [seed]; with a seed, what happens in that session every half
+// second. Not a test: it asserts nothing.
 #include "support/urethra_session.h"
 
 #include <cstdio>
@@ -47,17 +48,19 @@ void tell(const std::string& name, const std::string& levelName, std::uint64_t s
     support::runUrethraSession({name, seed, level(levelName), {}}, &story);
     std::printf("   t s   s mm   e mm  phiX deg phiY deg  lateral N torque mNm axial N stage\n");
     for (std::size_t i = 0; i < story.size(); i += 500)
-        std::printf("%6.1f %6.1f %6.2f %8.1f %8.1f %9.2f %9.1f %8.2f %5.0f\n", 1e-3 * static_cast<double>(i), 1e3 * story[i][0],
-                    1e3 * story[i][1], core::degFromRad(story[i][2]), core::degFromRad(story[i][3]), story[i][4],
-                    1e3 * story[i][5], story[i][7], story[i][6]);
+        std::printf("%6.1f %6.1f %6.2f %8.1f %8.1f %9.2f %9.1f %8.2f %5.0f\n", 1e-3 * static_cast<double>(i),
+                    1e3 * story[i][0], 1e3 * story[i][1], core::degFromRad(story[i][2]),
+                    core::degFromRad(story[i][3]), story[i][4], 1e3 * story[i][5], story[i][7], story[i][6]);
 }
 
 /// One line of the table.
 void printRow(const std::string& name, const std::string& levelName, int seeds) {
     int completed = 0, landmarks = 0;
-    Spread time, offset, largest, alignment, bend, trauma, reversals, force, torque, overForce, overTorque, mostForce, mostTorque;
+    Spread time, offset, largest, alignment, bend, trauma, reversals, force, torque, overForce, overTorque,
+        mostForce, mostTorque;
     for (int seed = 1; seed <= seeds; ++seed) {
-        const UrethraOutcome o = support::runUrethraSession({name, static_cast<std::uint64_t>(seed), level(levelName), {}});
+        const UrethraOutcome o =
+            support::runUrethraSession({name, static_cast<std::uint64_t>(seed), level(levelName), {}});
         completed += o.completed;
         landmarks += o.landmarks;
         time.add(o.time_s);
@@ -74,11 +77,13 @@ void printRow(const std::string& name, const std::string& levelName, int seeds) 
         overForce.add(o.overForce_percent);
         overTorque.add(o.overTorque_percent);
     }
-    std::printf("| %s | %d of %d | %d of %d | %.0f | %.2f ± %.2f | %.1f | %.1f° | %.1f° ± %.1f | %.1f ± %.1f | %.1f | %.2f (%.1f) | "
+    std::printf("| %s | %d of %d | %d of %d | %.0f | %.2f ± %.2f | %.1f | %.1f° | %.1f° ± %.1f | %.1f ± %.1f "
+                "| %.1f | %.2f (%.1f) | "
                 "%.0f (%.0f) | %.1f %% | %.1f %% |\n",
-                name.c_str(), completed, seeds, landmarks, 5 * seeds, time.mean(), offset.mean(), offset.sd(), largest.mean(),
-                alignment.mean(), bend.mean(), bend.sd(), trauma.mean(), trauma.sd(), reversals.mean(), force.mean(), mostForce.most,
-                torque.mean(), mostTorque.most, overForce.mean(), overTorque.mean());
+                name.c_str(), completed, seeds, landmarks, 5 * seeds, time.mean(), offset.mean(), offset.sd(),
+                largest.mean(), alignment.mean(), bend.mean(), bend.sd(), trauma.mean(), trauma.sd(),
+                reversals.mean(), force.mean(), mostForce.most, torque.mean(), mostTorque.most,
+                overForce.mean(), overTorque.mean());
     std::fflush(stdout);
 }
 
@@ -92,8 +97,10 @@ int main(int argc, char** argv) {
         tell(only, levelName, static_cast<std::uint64_t>(std::atoi(argv[4])));
         return 0;
     }
-    std::printf("| operator | completed | landmarks | time, s | offset RMS, mm | offset max, mm | alignment RMS | at the bend | trauma | "
-                "reversals | force p95 (largest), N | torque p95 (largest), mN·m | over 60 %% of 4.5 N | of 150 mN·m |\n"
+    std::printf("| operator | completed | landmarks | time, s | offset RMS, mm | offset max, mm | alignment "
+                "RMS | at the bend | trauma | "
+                "reversals | force p95 (largest), N | torque p95 (largest), mN·m | over 60 %% of 4.5 N | of "
+                "150 mN·m |\n"
                 "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const auto name : operators::urethraInsertionOperatorNames())
         if (only.empty() || only == name)

@@ -42,13 +42,19 @@ void Tally::startCase(const QString& id) {
 void Tally::compare(const char* what, double got, double expected, double allowed) {
     const double ratio = std::abs(got - expected) / allowed;
     note(what, std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio,
-         QStringLiteral("got %1, expected %2 ± %3").arg(got, 0, 'g', 9).arg(expected, 0, 'g', 9).arg(allowed, 0, 'g', 3));
+         QStringLiteral("got %1, expected %2 ± %3")
+             .arg(got, 0, 'g', 9)
+             .arg(expected, 0, 'g', 9)
+             .arg(allowed, 0, 'g', 3));
 }
 
 void Tally::notBelow(const char* what, double got, double expected, double allowed) {
     const double ratio = std::max(0.0, expected - got) / allowed;
     note(what, std::isnan(got) ? std::numeric_limits<double>::infinity() : ratio,
-         QStringLiteral("got %1, at least %2 − %3").arg(got, 0, 'g', 12).arg(expected, 0, 'g', 12).arg(allowed, 0, 'g', 3));
+         QStringLiteral("got %1, at least %2 − %3")
+             .arg(got, 0, 'g', 12)
+             .arg(expected, 0, 'g', 12)
+             .arg(allowed, 0, 'g', 3));
 }
 
 void Tally::require(const char* what, bool holds) {
@@ -75,7 +81,8 @@ bool Tally::endCase() {
 }
 
 bool Tally::report() {
-    std::printf("| %s | %d | %d | %.3g of the tolerance (%s) |\n", qPrintable(m_title), m_cases, m_passed, m_worstRatio, qPrintable(m_worst));
+    std::printf("| %s | %d | %d | %.3g of the tolerance (%s) |\n", qPrintable(m_title), m_cases, m_passed,
+                m_worstRatio, qPrintable(m_worst));
     std::fflush(stdout);
     return m_cases > 0 && m_passed == m_cases;
 }

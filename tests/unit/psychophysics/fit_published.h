@@ -29,7 +29,8 @@ public:
     void notBelow(const char* what, double got, double expected, double allowed);
     void require(const char* what, bool holds);
     bool endCase(); ///< whether all of it held
-    /// "file: N cases, M passed, worst difference ... of the tolerance (case, number)". True where all passed.
+    /// "file: N cases, M passed, worst difference ... of the tolerance (case, number)". True where all
+    /// passed.
     bool report();
 
 private:

@@ -21,15 +21,18 @@ inline std::vector<double> even(double from, double to, int count) {
 inline QuestPlusSpec weibull(int stimuli = 21) {
     QuestPlusSpec spec;
     spec.stimuli = {{"intensity", even(-2.0, 0.0, stimuli)}};
-    spec.parameters = {{"threshold", even(-1.8, -0.2, 17), {}, false}, {"slope", {2.0, 3.5, 5.0}, {}, false},
-                       {"lower_asymptote", {0.5}, {}, false}, {"lapse_rate", {0.0, 0.02, 0.05}, {}, false}};
+    spec.parameters = {{"threshold", even(-1.8, -0.2, 17), {}, false},
+                       {"slope", {2.0, 3.5, 5.0}, {}, false},
+                       {"lower_asymptote", {0.5}, {}, false},
+                       {"lapse_rate", {0.0, 0.02, 0.05}, {}, false}};
     spec.stop = {.trials = 30};
     return spec;
 }
 
 /// An answer drawn: mostly right.
 inline int outcome(const Procedure& procedure, core::Random& random) {
-    return procedure.outcomes() == 2 ? (random.uniform() < 0.75 ? 1 : 0) : static_cast<int>(random.below(6)) * (random.uniform() < 0.4 ? 1 : 0);
+    return procedure.outcomes() == 2 ? (random.uniform() < 0.75 ? 1 : 0)
+                                     : static_cast<int>(random.below(6)) * (random.uniform() < 0.4 ? 1 : 0);
 }
 
 } // namespace chiron::tests

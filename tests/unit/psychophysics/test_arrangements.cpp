@@ -11,7 +11,9 @@ using namespace chiron::psychophysics;
 
 namespace {
 
-Task taskOf(int i) { return static_cast<Task>(i); }
+Task taskOf(int i) {
+    return static_cast<Task>(i);
+}
 
 /// All arrangements that a task's definition allows, found by trying every combination.
 std::set<Places> everyWay(Task task) {
@@ -84,9 +86,11 @@ void TestArrangements::everyWayIsThereOnce() {
         const auto& all = arrangements(taskOf(i));
         QVERIFY(all.size() <= 16);
         QCOMPARE(std::set<Places>(all.begin(), all.end()).size(), all.size());
-        QVERIFY2(std::set<Places>(all.begin(), all.end()) == everyWay(taskOf(i)), std::string(token(taskOf(i))).c_str());
+        QVERIFY2(std::set<Places>(all.begin(), all.end()) == everyWay(taskOf(i)),
+                 std::string(token(taskOf(i))).c_str());
     }
-    QVERIFY(std::is_sorted(arrangements(Task::rank3).begin(), arrangements(Task::rank3).end())); // lexicographic, as stored trials count them
+    QVERIFY(std::is_sorted(arrangements(Task::rank3).begin(),
+                           arrangements(Task::rank3).end())); // lexicographic, as stored trials count them
     QCOMPARE(arrangements(Task::rank3Ties), arrangements(Task::rank3));
     QCOMPARE(arrangements(Task::oddity)[3], (Places{0, 1, 1}));
 }
@@ -100,7 +104,8 @@ void TestArrangements::theRightAnswer() {
             if (task == Task::twoAfc || task == Task::threeAfc)
                 QCOMPARE(at[static_cast<std::size_t>(right)], 1);
             if (task == Task::oddity)
-                QCOMPARE(std::count(at.begin(), at.end(), at[static_cast<std::size_t>(right)]), std::ptrdiff_t{1});
+                QCOMPARE(std::count(at.begin(), at.end(), at[static_cast<std::size_t>(right)]),
+                         std::ptrdiff_t{1});
             if (task == Task::sameDifferent)
                 QCOMPARE(right == 0, at[0] == at[1]);
             if (task == Task::yesNo)
@@ -146,7 +151,8 @@ void TestArrangements::ranksAreOfTheObjects() {
             for (int answer = 0; answer < answers(task); ++answer) {
                 const Ranking& said = rankings()[static_cast<std::size_t>(answer)];
                 const Ranking& given = rankings()[static_cast<std::size_t>(outcomeOf(task, a, answer))];
-                for (std::size_t place = 0; place < 3; ++place) // the object that lay there got the rank said there
+                for (std::size_t place = 0; place < 3;
+                     ++place) // the object that lay there got the rank said there
                     QCOMPARE(int(given[static_cast<std::size_t>(at[place])]), int(said[place]));
             }
         }

@@ -32,7 +32,8 @@ double gammaDraw(core::Random& random, double shape) { // Marsaglia & Tsang 2000
     }
 }
 
-/// An observer of the middle of the range, or one drawn from the priors of the Bayesian fit (range 1, spacing 1/(levels − 1)).
+/// An observer of the middle of the range, or one drawn from the priors of the Bayesian fit (range 1, spacing
+/// 1/(levels − 1)).
 FitResult observerOf(core::Random& random, bool fromPriors) {
     FitResult observer;
     observer.function = Sigmoid::gauss;
@@ -47,8 +48,10 @@ FitResult observerOf(core::Random& random, bool fromPriors) {
             return at;
         };
         const auto share = [&](double at) { return priors.logShare(at); };
-        observer.best.threshold = drawn(priors.lowestThreshold(), priors.highestThreshold(), [&](double at) { return priors.logThreshold(at); });
-        observer.best.width = drawn(priors.spacing, priors.largestWidth(), [&](double at) { return priors.logWidth(at); });
+        observer.best.threshold = drawn(priors.lowestThreshold(), priors.highestThreshold(),
+                                        [&](double at) { return priors.logThreshold(at); });
+        observer.best.width =
+            drawn(priors.spacing, priors.largestWidth(), [&](double at) { return priors.logWidth(at); });
         observer.best.lapse = drawn(0.0, 0.499, share);
         observer.best.eta = drawn(0.0, 0.999, share);
     }
@@ -80,14 +83,16 @@ PsychometricData answersOf(core::Random& random, const FitResult& observer, doub
 double binomialBelow(int count, double p) {
     double sum = 0.0;
     for (int k = 0; k <= count; ++k) {
-        sum += std::exp(logFactorial(kSeeds) - logFactorial(k) - logFactorial(kSeeds - k) + k * std::log(p) + (kSeeds - k) * std::log1p(-p));
+        sum += std::exp(logFactorial(kSeeds) - logFactorial(k) - logFactorial(kSeeds - k) + k * std::log(p) +
+                        (kSeeds - k) * std::log1p(-p));
     }
     return sum;
 }
 
 /// 95 % lies in the exact (Clopper–Pearson) 99.9 % interval of the count, and at least 92 % were observed.
 bool accepted(int covered) {
-    const bool notTooFew = binomialBelow(covered, 0.95) > 0.0005, notTooMany = 1.0 - binomialBelow(covered - 1, 0.95) > 0.0005;
+    const bool notTooFew = binomialBelow(covered, 0.95) > 0.0005,
+               notTooMany = 1.0 - binomialBelow(covered - 1, 0.95) > 0.0005;
     return notTooFew && notTooMany && covered >= 0.92 * kSeeds;
 }
 
@@ -95,14 +100,15 @@ struct Covered {
     int threshold = 0, width = 0, unfitted = 0;
 };
 
-template <class Fit>
-Covered simulate(bool fromPriors, double eta, Fit&& fit) {
+template <class Fit> Covered simulate(bool fromPriors, double eta, Fit&& fit) {
     Covered covered;
     for (int seed = 1; seed <= kSeeds; ++seed) {
         core::Random random = core::Random::stream(static_cast<std::uint64_t>(seed), "coverage of intervals");
         const FitResult observer = observerOf(random, fromPriors);
         const FitResult found = fit(answersOf(random, observer, fromPriors ? observer.best.eta : eta));
-        const auto inside = [](const FitInterval& interval, double truth) { return interval.low <= truth && truth <= interval.high; };
+        const auto inside = [](const FitInterval& interval, double truth) {
+            return interval.low <= truth && truth <= interval.high;
+        };
         covered.threshold += inside(found.ci.threshold, observer.best.threshold) ? 1 : 0;
         covered.width += inside(found.ci.width, observer.best.width) ? 1 : 0;
         covered.unfitted += found.fitted ? 0 : 1;
@@ -111,8 +117,8 @@ Covered simulate(bool fromPriors, double eta, Fit&& fit) {
 }
 
 void print(const char* what, const Covered& covered) {
-    std::printf("| %s | threshold %.1f %% | width %.1f %% | not fitted %d |\n", what, 100.0 * covered.threshold / kSeeds,
-                100.0 * covered.width / kSeeds, covered.unfitted);
+    std::printf("| %s | threshold %.1f %% | width %.1f %% | not fitted %d |\n", what,
+                100.0 * covered.threshold / kSeeds, 100.0 * covered.width / kSeeds, covered.unfitted);
     std::fflush(stdout);
 }
 
@@ -132,30 +138,37 @@ private slots:
 void TestFitCoverage::observersFromThePriors() {
     FitOptions theirs; // the priors that they come from: neither too few nor too many
     theirs.widthPrior = WidthPrior::psignifit;
-    const Covered covered = simulate(true, 0.0, [&](const PsychometricData& data) { return fitBayesian(data, theirs); });
+    const Covered covered =
+        simulate(true, 0.0, [&](const PsychometricData& data) { return fitBayesian(data, theirs); });
     print("Bayesian, observers and overdispersion from the priors", covered);
     QCOMPARE(covered.unfitted, 0);
     QVERIFY(accepted(covered.threshold));
     QVERIFY(accepted(covered.width));
     // What is opened where the prior would decide holds what it held before, and more.
-    const Covered opened = simulate(true, 0.0, [](const PsychometricData& data) { return fitBayesian(data, FitOptions{}); });
+    const Covered opened =
+        simulate(true, 0.0, [](const PsychometricData& data) { return fitBayesian(data, FitOptions{}); });
     print("Bayesian, the same observers, a prior that opens", opened);
     QCOMPARE(opened.unfitted, 0);
     QVERIFY(opened.threshold >= covered.threshold && opened.width >= covered.width);
 }
 
 void TestFitCoverage::overdispersedAnswers() {
-    const Covered covered = simulate(false, 0.2, [](const PsychometricData& data) { return fitBayesian(data, FitOptions{}); });
+    const Covered covered =
+        simulate(false, 0.2, [](const PsychometricData& data) { return fitBayesian(data, FitOptions{}); });
     print("Bayesian, overdispersion 0.2", covered);
     QVERIFY(covered.threshold >= 0.92 * kSeeds && covered.width >= 0.92 * kSeeds);
-    QEXPECT_FAIL("", "observed 92.5 %: psignifit's prior expects less overdispersion (mean 0.09) than these observers have", Continue);
+    QEXPECT_FAIL("",
+                 "observed 92.5 %: psignifit's prior expects less overdispersion (mean 0.09) than these "
+                 "observers have",
+                 Continue);
     QVERIFY(accepted(covered.threshold));
 }
 
 void TestFitCoverage::binomialAnswers() {
     FitOptions options;
     options.overdispersion = false;
-    const Covered covered = simulate(false, 0.0, [&](const PsychometricData& data) { return fitBayesian(data, options); });
+    const Covered covered =
+        simulate(false, 0.0, [&](const PsychometricData& data) { return fitBayesian(data, options); });
     print("Bayesian, binomial answers and model", covered);
     QVERIFY(accepted(covered.threshold));
     QVERIFY(covered.width >= 0.92 * kSeeds);
@@ -164,7 +177,8 @@ void TestFitCoverage::binomialAnswers() {
 void TestFitCoverage::profileIntervals() {
     FitOptions options;
     options.lapse = Asymptote::fixedAt(kLapse);
-    const Covered covered = simulate(false, 0.0, [&](const PsychometricData& data) { return fitMaximumLikelihood(data, options); });
+    const Covered covered = simulate(
+        false, 0.0, [&](const PsychometricData& data) { return fitMaximumLikelihood(data, options); });
     print("maximum likelihood, profile, lapse known", covered);
     QVERIFY(accepted(covered.threshold));
     QVERIFY(covered.width >= 0.92 * kSeeds);

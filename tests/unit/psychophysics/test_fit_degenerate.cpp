@@ -18,7 +18,8 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
 bool warned(const FitResult& fit, const char* token) {
-    return std::any_of(fit.warnings.begin(), fit.warnings.end(), [&](const std::string& w) { return w.rfind(std::string(token) + ": ", 0) == 0; });
+    return std::any_of(fit.warnings.begin(), fit.warnings.end(),
+                       [&](const std::string& w) { return w.rfind(std::string(token) + ": ", 0) == 0; });
 }
 
 const PsychometricData kUsual{{1, 2, 3, 4, 5, 6}, {10, 12, 13, 17, 19, 20}, {20, 20, 20, 20, 20, 20}};
@@ -48,14 +49,15 @@ void TestFitDegenerate::unusualData_data() {
     }
 }
 
-/// Fits every function by maximum likelihood. A posterior can take seconds, so each experiment gets that of one function, in turn; the long test
-/// test_fit_unusual_posteriors computes all of them.
+/// Fits every function by maximum likelihood. A posterior can take seconds, so each experiment gets that of
+/// one function, in turn; the long test test_fit_unusual_posteriors computes all of them.
 void TestFitDegenerate::unusualData() {
     QFETCH(int, number);
     const UnusualData& experiment = unusualExperiments()[static_cast<std::size_t>(number)];
     const PsychometricData data = counts(experiment.right, experiment.of);
     for (int function = 0; function < kSigmoids; ++function) {
-        for (FitOptions options : {twoChoices(static_cast<Sigmoid>(function)), yesNo(static_cast<Sigmoid>(function))}) {
+        for (FitOptions options :
+             {twoChoices(static_cast<Sigmoid>(function)), yesNo(static_cast<Sigmoid>(function))}) {
             mustBeSane(fitMaximumLikelihood(data, options));
             if (function == number % kSigmoids) {
                 mustBeSane(fitBayesian(data, options));
@@ -66,7 +68,8 @@ void TestFitDegenerate::unusualData() {
             mustBeSane(fitMaximumLikelihood(data, options));
         }
     }
-    const FitResult likely = fitMaximumLikelihood(data, twoChoices()), posterior = fitBayesian(data, twoChoices());
+    const FitResult likely = fitMaximumLikelihood(data, twoChoices()),
+                    posterior = fitBayesian(data, twoChoices());
     const auto words = [](const FitResult& fit) {
         std::string all;
         for (const std::string& w : fit.warnings) {
@@ -75,8 +78,10 @@ void TestFitDegenerate::unusualData() {
         return all;
     };
     const auto asked = [](const char* token) { return *token != '\0'; };
-    QVERIFY2(!asked(experiment.likelihoodWarning) || warned(likely, experiment.likelihoodWarning), words(likely).c_str());
-    QVERIFY2(!asked(experiment.posteriorWarning) || warned(posterior, experiment.posteriorWarning), words(posterior).c_str());
+    QVERIFY2(!asked(experiment.likelihoodWarning) || warned(likely, experiment.likelihoodWarning),
+             words(likely).c_str());
+    QVERIFY2(!asked(experiment.posteriorWarning) || warned(posterior, experiment.posteriorWarning),
+             words(posterior).c_str());
 }
 
 void TestFitDegenerate::unusableRowsAreLeftOut() {
@@ -159,7 +164,8 @@ void TestFitDegenerate::splitBlocksAreOneLevel() {
             trials.n.push_back(1.0);
         }
     }
-    const FitResult a = fitMaximumLikelihood(kUsual, twoChoices()), b = fitMaximumLikelihood(trials, twoChoices());
+    const FitResult a = fitMaximumLikelihood(kUsual, twoChoices()),
+                    b = fitMaximumLikelihood(trials, twoChoices());
     QCOMPARE(b.threshold, a.threshold);
     QCOMPARE(b.deviance, a.deviance);
     const FitResult c = fitBayesian(kUsual, twoChoices()), d = fitBayesian(trials, twoChoices());
@@ -173,26 +179,32 @@ void TestFitDegenerate::manyTrials() {
         million.k[i] *= 1e6 / 20.0;
         million.n[i] *= 1e6 / 20.0;
     }
-    const FitResult likely = fitMaximumLikelihood(million, twoChoices()), few = fitMaximumLikelihood(kUsual, twoChoices());
+    const FitResult likely = fitMaximumLikelihood(million, twoChoices()),
+                    few = fitMaximumLikelihood(kUsual, twoChoices());
     QVERIFY(std::abs(likely.threshold - few.threshold) < 1e-4);
-    QVERIFY(std::abs(likely.error.threshold - few.error.threshold / std::sqrt(5e4)) < 0.02 * likely.error.threshold);
+    QVERIFY(std::abs(likely.error.threshold - few.error.threshold / std::sqrt(5e4)) <
+            0.02 * likely.error.threshold);
     mustBeSane(fitBayesian(million, twoChoices()));
-    PsychometricData exact = million; // on a curve: the posterior is as narrow as the errors of maximum likelihood
+    PsychometricData exact =
+        million; // on a curve: the posterior is as narrow as the errors of maximum likelihood
     FitResult curve;
     curve.function = Sigmoid::gauss;
     curve.best = {3.2, 4.0, 0.02, 0.5, 0.0};
     for (std::size_t i = 0; i < exact.x.size(); ++i) {
         exact.k[i] = std::round(1e6 * proportionAt(curve, exact.x[i]));
     }
-    const FitResult posterior = fitBayesian(exact, twoChoices()), sharp = fitMaximumLikelihood(exact, twoChoices());
+    const FitResult posterior = fitBayesian(exact, twoChoices()),
+                    sharp = fitMaximumLikelihood(exact, twoChoices());
     QVERIFY(std::abs(sharp.threshold - 3.2) < 1e-4);
     QVERIFY(std::abs(posterior.mean.threshold - 3.2) < 4.0 * posterior.error.threshold + 1e-3);
-    QVERIFY(posterior.error.threshold < 0.05); // wider than 0.002 of maximum likelihood: six levels hardly bound the overdispersion
+    QVERIFY(posterior.error.threshold <
+            0.05); // wider than 0.002 of maximum likelihood: six levels hardly bound the overdispersion
 }
 
 void TestFitDegenerate::zeroOnALogarithmicAxis() {
     PsychometricData data{{0, 1, 2, 4, 8, 16}, {9, 11, 13, 16, 19, 20}, {20, 20, 20, 20, 20, 20}};
-    for (const FitResult& fit : {fitMaximumLikelihood(data, twoChoices(Sigmoid::weibull)), fitBayesian(data, twoChoices(Sigmoid::weibull))}) {
+    for (const FitResult& fit : {fitMaximumLikelihood(data, twoChoices(Sigmoid::weibull)),
+                                 fitBayesian(data, twoChoices(Sigmoid::weibull))}) {
         mustBeSane(fit);
         QVERIFY(fit.threshold > 1.0 && fit.threshold < 16.0);
         QCOMPARE(fit.levels.front().fitted, 0.5); // no stimulus: guessing
@@ -211,7 +223,8 @@ void TestFitDegenerate::everyTrialAtAPlaceOfItsOwn() {
         trials.k.push_back(random.uniform() < proportionAt(curve, trials.x.back()) ? 1.0 : 0.0);
         trials.n.push_back(1.0);
     }
-    const FitResult likely = fitMaximumLikelihood(trials, twoChoices()), credible = fitBayesian(trials, twoChoices());
+    const FitResult likely = fitMaximumLikelihood(trials, twoChoices()),
+                    credible = fitBayesian(trials, twoChoices());
     for (const FitResult& fit : {likely, credible}) {
         mustBeSane(fit);
         QVERIFY(warned(fit, "binned"));
@@ -227,7 +240,8 @@ void TestFitDegenerate::everyTrialAtAPlaceOfItsOwn() {
 }
 
 void TestFitDegenerate::bootstrapOfDegenerateData() {
-    for (const std::vector<double>& k : {std::vector<double>{0, 0, 3, 3}, {3, 3, 3, 3}, {1, 2, 1, 2}, {0, 1, 3, 3}}) {
+    for (const std::vector<double>& k :
+         {std::vector<double>{0, 0, 3, 3}, {3, 3, 3, 3}, {1, 2, 1, 2}, {0, 1, 3, 3}}) {
         for (const Bootstrap kind : {Bootstrap::parametric, Bootstrap::nonparametric}) {
             FitOptions options = twoChoices();
             options.bootstrap = kind;

@@ -14,9 +14,12 @@ using namespace chiron::psychophysics;
 
 namespace {
 
-const PsychometricData kData{{1, 2, 3, 4, 5, 6, 7, 8}, {51, 53, 55, 69, 72, 86, 95, 99}, {100, 100, 100, 100, 100, 100, 100, 100}};
+const PsychometricData kData{
+    {1, 2, 3, 4, 5, 6, 7, 8}, {51, 53, 55, 69, 72, 86, 95, 99}, {100, 100, 100, 100, 100, 100, 100, 100}};
 
-bool close(double a, double b, double allowed) { return std::abs(a - b) <= allowed; }
+bool close(double a, double b, double allowed) {
+    return std::abs(a - b) <= allowed;
+}
 
 } // namespace
 
@@ -66,12 +69,14 @@ void TestFitFunctions::thresholdAndWidthMeanTheSame() {
         fit.scale = ownScale(fit.function);
         fit.best = {0.7, 1.3, 0.03, 0.5, 0.0};
         QVERIFY(close(toScale(thresholdAt(fit, 0.5, true), fit.scale), 0.7, 1e-12));
-        const double width = toScale(thresholdAt(fit, 0.95, true), fit.scale) - toScale(thresholdAt(fit, 0.05, true), fit.scale);
+        const double width = toScale(thresholdAt(fit, 0.95, true), fit.scale) -
+                             toScale(thresholdAt(fit, 0.05, true), fit.scale);
         QVERIFY(close(width, 1.3, 1e-9));
         QVERIFY(close(proportionAt(fit, thresholdAt(fit, 0.75)), 0.75, 1e-9));
         QVERIFY(std::isnan(thresholdAt(fit, 0.4))); // below guessing
         const double x = thresholdAt(fit, 0.8), h = 1e-6;
-        const double up = fromScale(toScale(x, fit.scale) + h, fit.scale), down = fromScale(toScale(x, fit.scale) - h, fit.scale);
+        const double up = fromScale(toScale(x, fit.scale) + h, fit.scale),
+                     down = fromScale(toScale(x, fit.scale) - h, fit.scale);
         QVERIFY(close(slopeAt(fit, x), (proportionAt(fit, up) - proportionAt(fit, down)) / (2.0 * h), 1e-6));
     }
 }
@@ -90,9 +95,11 @@ void TestFitFunctions::betaBinomialSumsToOne() {
         for (const double n : {1.0, 7.0, 60.0, 3000.0}) {
             double sum = 0.0;
             for (double k = 0.0; k <= n; k += 1.0) {
-                sum += std::exp(betaBinomialLog(k, n, 0.7, 0.3, eta) + logFactorial(n) - logFactorial(k) - logFactorial(n - k));
+                sum += std::exp(betaBinomialLog(k, n, 0.7, 0.3, eta) + logFactorial(n) - logFactorial(k) -
+                                logFactorial(n - k));
             }
-            QVERIFY2(close(sum, 1.0, 1e-9), qPrintable(QString::number(eta) + ' ' + QString::number(n) + ' ' + QString::number(sum - 1.0)));
+            QVERIFY2(close(sum, 1.0, 1e-9), qPrintable(QString::number(eta) + ' ' + QString::number(n) + ' ' +
+                                                       QString::number(sum - 1.0)));
         }
     }
     const BetaBinomialTable table(13, 40, {0.0, 0.1}, 0.0, 1.0);
@@ -116,12 +123,14 @@ void TestFitFunctions::chiSquare() {
     QVERIFY(close(chiBarSquareQuantile(0.95, 2), 5.434530130517375, 1e-9));
     const double q = chiBarSquareQuantile(0.6, 1);
     QVERIFY(close(0.25 + 0.5 * std::erf(std::sqrt(0.5 * q)) + 0.25 * -std::expm1(-0.5 * q), 0.6, 1e-12));
-    QVERIFY(std::isnan(chiBarSquareQuantile(0.95, 3)) && std::isnan(chiBarSquareQuantile(0.95, -1)) && std::isnan(chiBarSquareQuantile(1.0, 1)) && std::isnan(chiBarSquareQuantile(0.0, 1)));
+    QVERIFY(std::isnan(chiBarSquareQuantile(0.95, 3)) && std::isnan(chiBarSquareQuantile(0.95, -1)) &&
+            std::isnan(chiBarSquareQuantile(1.0, 1)) && std::isnan(chiBarSquareQuantile(0.0, 1)));
 }
 
 /// A list of single trials has the log-likelihood of its Bernoulli answers; blocks add their coefficients.
 void TestFitFunctions::equalRowsOfOneTrial() {
-    const PsychometricData trials{{1, 1, 2, 2, 3, 3, 4, 4}, {0, 1, 1, 0, 1, 1, 1, 1}, {1, 1, 1, 1, 1, 1, 1, 1}};
+    const PsychometricData trials{
+        {1, 1, 2, 2, 3, 3, 4, 4}, {0, 1, 1, 0, 1, 1, 1, 1}, {1, 1, 1, 1, 1, 1, 1, 1}};
     FitOptions options;
     options.lapse = Asymptote::fixedAt(0.02);
     const FitResult fit = fitMaximumLikelihood(trials, options);
@@ -153,8 +162,9 @@ void TestFitFunctions::intervalsSurroundTheFit() {
     QVERIFY(jndInterval.low < jnd(bootstrap) && jnd(bootstrap) < jndInterval.high);
 }
 
-/// Observers three times as flat as the range is made for, in yes-no with lapses and guesses free: a steeper curve with many of them looks alike, and
-/// there are no fewer than none. 95 % intervals by chi-square of one degree held 89.5 % of 3,000.
+/// Observers three times as flat as the range is made for, in yes-no with lapses and guesses free: a steeper
+/// curve with many of them looks alike, and there are no fewer than none. 95 % intervals by chi-square of one
+/// degree held 89.5 % of 3,000.
 void TestFitFunctions::lapsesStandInForAFlatCurve() {
     FitResult observer;
     observer.function = Sigmoid::gauss;
@@ -164,7 +174,8 @@ void TestFitFunctions::lapsesStandInForAFlatCurve() {
     constexpr int kRuns = 600;
     int held = 0;
     for (int run = 0; run < kRuns; ++run) {
-        chiron::core::Random random = chiron::core::Random::stream(static_cast<std::uint64_t>(run), "flat curves with lapses");
+        chiron::core::Random random =
+            chiron::core::Random::stream(static_cast<std::uint64_t>(run), "flat curves with lapses");
         PsychometricData data;
         for (int i = 0; i < 8; ++i) {
             double right = 0.0;
@@ -193,7 +204,8 @@ void TestFitFunctions::bootstrapRepeats() {
     QVERIFY(close(once.pValue, once.chiSquareP, 0.2));
 }
 
-/// The prior of the lapse counts once where the guess equals it: half the data's shape either way round gives the same posterior.
+/// The prior of the lapse counts once where the guess equals it: half the data's shape either way round gives
+/// the same posterior.
 void TestFitFunctions::equalAsymptotes() {
     FitOptions options;
     options.guess = Asymptote::equalToLapse();
@@ -207,7 +219,8 @@ void TestFitFunctions::equalAsymptotes() {
     QCOMPARE(a.guess, a.lapse);
     QVERIFY(close(a.mean.threshold, 7.0 - b.mean.threshold, 1e-6));
     QVERIFY(close(a.mean.lapse, b.mean.lapse, 1e-6));
-    QVERIFY(close(fitMaximumLikelihood(data, options).threshold, 7.0 - fitMaximumLikelihood(mirrored, options).threshold, 1e-5));
+    QVERIFY(close(fitMaximumLikelihood(data, options).threshold,
+                  7.0 - fitMaximumLikelihood(mirrored, options).threshold, 1e-5));
 }
 
 void TestFitFunctions::conditionsCompared() {
@@ -216,15 +229,18 @@ void TestFitFunctions::conditionsCompared() {
     FitOptions options;
     options.lapse = Asymptote::fixedAt(0.01);
     options.profileIntervals = false;
-    const ModelComparison differ = compareConditions({kData, harder}, options, {.width = true}, {.threshold = true});
+    const ModelComparison differ =
+        compareConditions({kData, harder}, options, {.width = true}, {.threshold = true});
     QVERIFY(differ.smaller.fitted && differ.larger.fitted);
     QCOMPARE(differ.freedom, 1);
     QVERIFY(differ.pValue < 1e-4 && differ.aicDifference > 10.0);
-    const ModelComparison same = compareConditions({kData, kData}, options, {}, {.threshold = true, .width = true});
+    const ModelComparison same =
+        compareConditions({kData, kData}, options, {}, {.threshold = true, .width = true});
     QCOMPARE(same.freedom, 2);
     QVERIFY(same.likelihoodRatio < 1e-6 && same.pValue > 0.999);
     options.monteCarlo = 99;
-    const ModelComparison drawn = compareConditions({kData, harder}, options, {.width = true}, {.threshold = true});
+    const ModelComparison drawn =
+        compareConditions({kData, harder}, options, {.width = true}, {.threshold = true});
     QCOMPARE(drawn.pValue, 0.01); // none of 99 as large
     QCOMPARE(drawn.simulated, 99);
     QCOMPARE(drawn.chiSquareP, differ.pValue);
@@ -232,7 +248,8 @@ void TestFitFunctions::conditionsCompared() {
     options.monteCarlo = 0;
     // Nothing in common: as if fitted alone.
     const ConditionsFit apart = fitConditions({kData, harder}, options, {});
-    const FitResult first = fitMaximumLikelihood(kData, options), second = fitMaximumLikelihood(harder, options);
+    const FitResult first = fitMaximumLikelihood(kData, options),
+                    second = fitMaximumLikelihood(harder, options);
     QVERIFY(close(apart.logLikelihood, first.logLikelihood + second.logLikelihood, 1e-6));
     QVERIFY(close(apart.conditions[1].threshold, second.threshold, 1e-3));
     options.lapse = Asymptote::fitted();
@@ -249,7 +266,8 @@ void TestFitFunctions::curveHasABand() {
     QCOMPARE(fit.curve.size(), std::size_t{41});
     QCOMPARE(fit.draws.size(), std::size_t{1000});
     for (const CurveSample& sample : fit.curve) {
-        QVERIFY(sample.low <= sample.high && sample.low <= sample.fitted + 0.03 && sample.fitted <= sample.high + 0.03);
+        QVERIFY(sample.low <= sample.high && sample.low <= sample.fitted + 0.03 &&
+                sample.fitted <= sample.high + 0.03);
     }
     const FitInterval drawn = intervalOf(fit, [](const CurveParameters& at) { return at.threshold; });
     QVERIFY(close(drawn.low, fit.ci.threshold.low, 0.15 * fit.error.threshold * 2.0));
@@ -274,7 +292,8 @@ void TestFitFunctions::guessReachesAHalf() {
     fixed.guess = Asymptote::fixedAt(0.5);
     free.guess = Asymptote::fitted();
     fixed.lapse = free.lapse = Asymptote::fitted();
-    QVERIFY(fitMaximumLikelihood(data, free).logLikelihood > fitMaximumLikelihood(data, fixed).logLikelihood - 1e-6);
+    QVERIFY(fitMaximumLikelihood(data, free).logLikelihood >
+            fitMaximumLikelihood(data, fixed).logLikelihood - 1e-6);
 }
 
 QTEST_GUILESS_MAIN(TestFitFunctions)

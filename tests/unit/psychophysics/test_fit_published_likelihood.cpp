@@ -24,14 +24,17 @@ FitOptions optionsOf(const QString& fit, double guess) {
     FitOptions options;
     options.function = functionOf(fit);
     options.guess = Asymptote::fixedAt(guess);
-    options.lapse = fit.endsWith(QLatin1String("free")) ? Asymptote::fitted()
-                                                         : Asymptote::fixedAt(fit.endsWith(QLatin1String("0.02")) ? 0.02 : 0.0);
+    options.lapse = fit.endsWith(QLatin1String("free"))
+                        ? Asymptote::fitted()
+                        : Asymptote::fixedAt(fit.endsWith(QLatin1String("0.02")) ? 0.02 : 0.0);
     options.largestAsymptote = 0.99;
     options.profileIntervals = false;
     return options;
 }
 
-double rangeOf(const std::vector<double>& x) { return *std::max_element(x.begin(), x.end()) - *std::min_element(x.begin(), x.end()); }
+double rangeOf(const std::vector<double>& x) {
+    return *std::max_element(x.begin(), x.end()) - *std::min_element(x.begin(), x.end());
+}
 
 /// Intercept and slope of glm are those of z = a + b x; errors from expected information.
 void compareGlm(Tally& tally, const FitResult& fit, const QJsonObject& peer) {
@@ -39,19 +42,25 @@ void compareGlm(Tally& tally, const FitResult& fit, const QJsonObject& peer) {
     const double slope = units.spread / fit.best.width;
     const double wantedSlope = peer["slope"].toDouble(), wantedIntercept = peer["intercept"].toDouble();
     tally.compare("slope", slope, wantedSlope, 1e-3 * std::abs(wantedSlope));
-    tally.compare("intercept", units.middle - slope * fit.best.threshold, wantedIntercept, 1e-3 * std::abs(wantedIntercept));
-    const double slopeError = peer["se_slope"].toDouble(), thresholdError = peer["se_of_that_delta_method"].toDouble();
-    tally.compare("error of slope", slope * fit.expectedError.width / fit.best.width, slopeError, 1e-3 * slopeError);
+    tally.compare("intercept", units.middle - slope * fit.best.threshold, wantedIntercept,
+                  1e-3 * std::abs(wantedIntercept));
+    const double slopeError = peer["se_slope"].toDouble(),
+                 thresholdError = peer["se_of_that_delta_method"].toDouble();
+    tally.compare("error of slope", slope * fit.expectedError.width / fit.best.width, slopeError,
+                  1e-3 * slopeError);
     if (units.middle == 0.0) { // x at the predictor's zero is the threshold
-        tally.compare("error of threshold", fit.expectedError.threshold, thresholdError, 1e-3 * thresholdError);
+        tally.compare("error of threshold", fit.expectedError.threshold, thresholdError,
+                      1e-3 * thresholdError);
     }
     tally.compare("AIC", fit.aic, peer["AIC"].toDouble(), 2e-4);
 }
 
-void compareQuickpsy(Tally& tally, const FitResult& fit, const QJsonObject& peer, double range, bool fixedLapse) {
+void compareQuickpsy(Tally& tally, const FitResult& fit, const QJsonObject& peer, double range,
+                     bool fixedLapse) {
     if (peer["degenerate_step_function"].toBool()) {
-        tally.require("step flagged", std::any_of(fit.warnings.begin(), fit.warnings.end(),
-                                                  [](const std::string& w) { return w.rfind("step_function:", 0) == 0; }));
+        tally.require("step flagged",
+                      std::any_of(fit.warnings.begin(), fit.warnings.end(),
+                                  [](const std::string& w) { return w.rfind("step_function:", 0) == 0; }));
     } else if (fixedLapse) {
         const double at = thresholdAt(fit, peer["threshold_prob"].toDouble());
         tally.compare("threshold", at, peer["threshold"].toDouble(), 1e-3 * range);
@@ -88,7 +97,8 @@ void TestFitPublishedLikelihood::rPeers() {
         const PsychometricData data{numbers(value["x"]), numbers(value["k"]), numbers(value["n"])};
         const QJsonObject peers = value["fits"].toObject();
         for (auto peer = peers.begin(); peer != peers.end(); ++peer, ++fits) {
-            const FitResult fit = fitMaximumLikelihood(data, optionsOf(peer.key(), value["guess_rate"].toDouble()));
+            const FitResult fit =
+                fitMaximumLikelihood(data, optionsOf(peer.key(), value["guess_rate"].toDouble()));
             const QJsonObject numbersOfPeer = peer.value().toObject();
             const double likelihood = numbersOfPeer["loglik_with_binomial_coefficient"].toDouble();
             tally.notBelow(qPrintable(peer.key() + QStringLiteral(" log-likelihood")), fit.logLikelihood,
@@ -98,7 +108,8 @@ void TestFitPublishedLikelihood::rPeers() {
                 if (peer.key().startsWith(QLatin1String("glm"))) {
                     compareGlm(tally, fit, numbersOfPeer);
                 } else {
-                    compareQuickpsy(tally, fit, numbersOfPeer, rangeOf(data.x), !peer.key().endsWith(QLatin1String("free")));
+                    compareQuickpsy(tally, fit, numbersOfPeer, rangeOf(data.x),
+                                    !peer.key().endsWith(QLatin1String("free")));
                 }
             }
         }
@@ -116,8 +127,10 @@ void TestFitPublishedLikelihood::missedOptima() {
         for (const QJsonValue value : file["cases"].toArray()) {
             if (value["id"].toString() == missed["case"].toString()) {
                 const PsychometricData data{numbers(value["x"]), numbers(value["k"]), numbers(value["n"])};
-                const FitResult fit = fitMaximumLikelihood(data, optionsOf(missed["fit"].toString(), value["guess_rate"].toDouble()));
-                tally.notBelow("log-likelihood", fit.logLikelihood, missed["better_loglik_found"].toDouble(), 1e-4);
+                const FitResult fit = fitMaximumLikelihood(
+                    data, optionsOf(missed["fit"].toString(), value["guess_rate"].toDouble()));
+                tally.notBelow("log-likelihood", fit.logLikelihood, missed["better_loglik_found"].toDouble(),
+                               1e-4);
             }
         }
         tally.endCase();
@@ -143,7 +156,8 @@ PsychometricData groupTrials(const QString& participant, const QString& conditio
     return data;
 }
 
-double numberOf(const QJsonValue& rows, const QString& participant, const QString& condition, const char* key, const char* parameter = nullptr) {
+double numberOf(const QJsonValue& rows, const QString& participant, const QString& condition, const char* key,
+                const char* parameter = nullptr) {
     for (const QJsonValue row : rows.toArray()) {
         if (row["participant"].toString() == participant && row["cond"].toString() == condition &&
             (parameter == nullptr || row["parn"].toString() == QLatin1String(parameter))) {
@@ -182,7 +196,8 @@ void TestFitPublishedLikelihood::groupedTrials() {
             tally.compare("threshold", fit.threshold, wanted("thresholds", "thre"), 1e-3);
             tally.compare("sd", fit.width / unitsOf(Sigmoid::gauss).spread, wanted("par", "par", "p2"), 1e-3);
             tally.compare("error of threshold", fit.error.threshold, wanted("par", "se", "p1"), 1e-3 * 10.0);
-            tally.compare("error of sd", fit.error.width / unitsOf(Sigmoid::gauss).spread, wanted("par", "se", "p2"), 1e-3 * 10.0);
+            tally.compare("error of sd", fit.error.width / unitsOf(Sigmoid::gauss).spread,
+                          wanted("par", "se", "p2"), 1e-3 * 10.0);
             tally.compare("deviance", fit.deviance, wanted("deviance", "deviance"), 1e-3);
             tally.compare("p", fit.chiSquareP, wanted("deviance", "p_value"), 1e-5);
             tally.compare("log-likelihood", fit.logLikelihood, wanted("logliks", "loglik"), 1e-4);
@@ -193,7 +208,8 @@ void TestFitPublishedLikelihood::groupedTrials() {
     QVERIFY(tally.report());
 }
 
-/// The log-likelihood that Watson's notebook prints, at its parameters: psi by the product's own sigmoid on the dB axis.
+/// The log-likelihood that Watson's notebook prints, at its parameters: psi by the product's own sigmoid on
+/// the dB axis.
 void TestFitPublishedLikelihood::questPlusNotebook() {
     const QJsonObject notebook = dataFile("fit_small_checks.json")["mathematica_questplus_loglik"].toObject();
     Tally tally(QStringLiteral("published_small_checks.json, QUEST+ notebook log-likelihood"));
@@ -203,7 +219,8 @@ void TestFitPublishedLikelihood::questPlusNotebook() {
     at.function = Sigmoid::gumbel; // a Weibull whose x is already in dB
     const SigmoidUnits units = unitsOf(at.function);
     const double slope = p["slope"].toDouble() * std::log(10.0) / 20.0;
-    at.best = {p["threshold"].toDouble() + units.middle / slope, units.spread / slope, p["lapse"].toDouble(), p["guess"].toDouble(), 0.0};
+    at.best = {p["threshold"].toDouble() + units.middle / slope, units.spread / slope, p["lapse"].toDouble(),
+               p["guess"].toDouble(), 0.0};
     const auto x = numbers(notebook["x"]), correct = numbers(notebook["correct"]);
     double sum = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {

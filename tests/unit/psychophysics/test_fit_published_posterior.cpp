@@ -28,7 +28,8 @@ void setExperiment(FitOptions& options, const QString& experiment) {
     if (experiment.endsWith(QLatin1String("AFC"))) {
         options.guess = Asymptote::fixedAt(1.0 / experiment.chopped(3).toDouble());
     } else {
-        options.guess = experiment == QLatin1String("yes/no") ? Asymptote::fitted() : Asymptote::equalToLapse();
+        options.guess =
+            experiment == QLatin1String("yes/no") ? Asymptote::fitted() : Asymptote::equalToLapse();
     }
 }
 
@@ -37,20 +38,30 @@ double fittedRange(const PsychometricData& data, StimulusScale scale) {
     return toScale(*high, scale) - toScale(*low, scale);
 }
 
-FitInterval onAxis(const FitResult& fit) { return {toScale(fit.ci.threshold.low, fit.scale), toScale(fit.ci.threshold.high, fit.scale)}; }
-
-/// By default only the interval of the width is another's, and only where psignifit's prior alone decides how steep the curve may be; then it says so.
-void compareWithDefault(Tally& tally, const FitResult& own, const FitResult& byDefault) {
-    const bool widened = std::any_of(byDefault.warnings.begin(), byDefault.warnings.end(), [](const std::string& w) { return w.starts_with("prior_widened: "); });
-    const FitInterval &now = byDefault.ci.width, &psignifit = own.ci.width;
-    tally.require("open at the steep end alone, and said", byDefault.intervalPrior == (widened ? WidthPrior::openBelow : WidthPrior::psignifit));
-    tally.require("the same where nothing is said", widened || (now.low == psignifit.low && now.high == psignifit.high));
-    tally.require("mode and mean", byDefault.best.width == own.best.width && byDefault.mean.width == own.mean.width && byDefault.mean.threshold == own.mean.threshold);
-    tally.require("low end of the width", now.low <= psignifit.low);
-    tally.require("high end of the width", now.high <= psignifit.high + 0.02 * (psignifit.high - psignifit.low));
+FitInterval onAxis(const FitResult& fit) {
+    return {toScale(fit.ci.threshold.low, fit.scale), toScale(fit.ci.threshold.high, fit.scale)};
 }
 
-/// Tolerances as the file's source suggests: the largest differences between psignifit's own two implementations.
+/// By default only the interval of the width is another's, and only where psignifit's prior alone decides how
+/// steep the curve may be; then it says so.
+void compareWithDefault(Tally& tally, const FitResult& own, const FitResult& byDefault) {
+    const bool widened = std::any_of(byDefault.warnings.begin(), byDefault.warnings.end(),
+                                     [](const std::string& w) { return w.starts_with("prior_widened: "); });
+    const FitInterval &now = byDefault.ci.width, &psignifit = own.ci.width;
+    tally.require("open at the steep end alone, and said",
+                  byDefault.intervalPrior == (widened ? WidthPrior::openBelow : WidthPrior::psignifit));
+    tally.require("the same where nothing is said",
+                  widened || (now.low == psignifit.low && now.high == psignifit.high));
+    tally.require("mode and mean", byDefault.best.width == own.best.width &&
+                                       byDefault.mean.width == own.mean.width &&
+                                       byDefault.mean.threshold == own.mean.threshold);
+    tally.require("low end of the width", now.low <= psignifit.low);
+    tally.require("high end of the width",
+                  now.high <= psignifit.high + 0.02 * (psignifit.high - psignifit.low));
+}
+
+/// Tolerances as the file's source suggests: the largest differences between psignifit's own two
+/// implementations.
 void compareMatlab(Tally& tally, const QJsonObject& expected) {
     const PsychometricData data = rows(expected["data_x_k_n"]);
     FitOptions options;
@@ -61,7 +72,8 @@ void compareMatlab(Tally& tally, const QJsonObject& expected) {
     const FitResult fit = fitBayesian(data, options);
     compareWithDefault(tally, fit, byDefault);
     const double range = fittedRange(data, fit.scale);
-    const QJsonObject map = expected["expected_MAP"].toObject(), mean = expected["expected_posterior_mean"].toObject();
+    const QJsonObject map = expected["expected_MAP"].toObject(),
+                      mean = expected["expected_posterior_mean"].toObject();
     tally.compare("MAP threshold", fit.best.threshold, map["threshold"].toDouble(), 0.003 * range);
     tally.compare("MAP width", fit.best.width, map["width"].toDouble(), 0.025 * map["width"].toDouble());
     tally.compare("MAP lapse", fit.best.lapse, map["lambda"].toDouble(), 0.005);
@@ -70,7 +82,8 @@ void compareMatlab(Tally& tally, const QJsonObject& expected) {
     tally.compare("mean threshold", fit.mean.threshold, mean["threshold"].toDouble(), 0.005 * width);
     tally.compare("mean width", fit.mean.width, width, 0.015 * width);
     tally.compare("deviance", fit.deviance, expected["expected_deviance"].toDouble(), 0.05);
-    for (const auto& [key, confidence] : {std::pair("0.95", 0.95), std::pair("0.90", 0.90), std::pair("0.68", 0.68)}) {
+    for (const auto& [key, confidence] :
+         {std::pair("0.95", 0.95), std::pair("0.90", 0.90), std::pair("0.68", 0.68)}) {
         options.confidence = confidence;
         const FitResult at = confidence == fit.confidence ? fit : fitBayesian(data, options);
         const auto threshold = numbers(expected["expected_CI"]["threshold"][QLatin1String(key)]);
@@ -79,7 +92,8 @@ void compareMatlab(Tally& tally, const QJsonObject& expected) {
         tally.compare("CI threshold high", onAxis(at).high, threshold.at(1), 0.025 * range);
         if (confidence == fit.confidence) {
             tally.compare("CI threshold low, default", onAxis(byDefault).low, threshold.at(0), 0.025 * range);
-            tally.compare("CI threshold high, default", onAxis(byDefault).high, threshold.at(1), 0.025 * range);
+            tally.compare("CI threshold high, default", onAxis(byDefault).high, threshold.at(1),
+                          0.025 * range);
         }
         tally.compare("CI width low", at.ci.width.low, widths.at(0), 0.07 * range);
         tally.compare("CI width high", at.ci.width.high, widths.at(1), 0.07 * range);
@@ -92,8 +106,10 @@ void comparePython(Tally& tally, const QJsonObject& expected) {
     FitOptions options;
     options.function = sigmoidNamed(asked["sigmoid"].toString(), true);
     setExperiment(options, asked["experiment_type"].toString());
-    options.credible = asked["CI_method"].toString() == QLatin1String("project") ? CredibleMethod::projection : CredibleMethod::percentile;
-    const QJsonObject map = expected["expected_MAP"].toObject(), mean = expected["expected_posterior_mean"].toObject();
+    options.credible = asked["CI_method"].toString() == QLatin1String("project") ? CredibleMethod::projection
+                                                                                 : CredibleMethod::percentile;
+    const QJsonObject map = expected["expected_MAP"].toObject(),
+                      mean = expected["expected_posterior_mean"].toObject();
     const FitResult byDefault = fitBayesian(data, options);
     options.widthPrior = WidthPrior::psignifit;
     const FitResult fit = fitBayesian(data, options);
@@ -105,7 +121,8 @@ void comparePython(Tally& tally, const QJsonObject& expected) {
     tally.compare("mean width", fit.mean.width, mean["width"].toDouble(), 0.03 * width);
     const double slope = expected["slope_at_threshold_MAP"].toDouble();
     tally.compare("slope", slopeAt(fit, fit.threshold), slope, 0.025 * slope);
-    for (const auto& [key, confidence] : {std::pair("0.95", 0.95), std::pair("0.9", 0.90), std::pair("0.68", 0.68)}) {
+    for (const auto& [key, confidence] :
+         {std::pair("0.95", 0.95), std::pair("0.9", 0.90), std::pair("0.68", 0.68)}) {
         options.confidence = confidence;
         const FitResult at = confidence == fit.confidence ? fit : fitBayesian(data, options);
         const auto threshold = numbers(expected["expected_CI"]["threshold"][QLatin1String(key)]);
@@ -113,8 +130,10 @@ void comparePython(Tally& tally, const QJsonObject& expected) {
         tally.compare("CI threshold low", at.ci.threshold.low, threshold.at(0), 0.06 * width);
         tally.compare("CI threshold high", at.ci.threshold.high, threshold.at(1), 0.06 * width);
         if (confidence == fit.confidence) {
-            tally.compare("CI threshold low, default", byDefault.ci.threshold.low, threshold.at(0), 0.06 * width);
-            tally.compare("CI threshold high, default", byDefault.ci.threshold.high, threshold.at(1), 0.06 * width);
+            tally.compare("CI threshold low, default", byDefault.ci.threshold.low, threshold.at(0),
+                          0.06 * width);
+            tally.compare("CI threshold high, default", byDefault.ci.threshold.high, threshold.at(1),
+                          0.06 * width);
         }
         tally.compare("CI width low", at.ci.width.low, widths.at(0), 0.06 * width);
         tally.compare("CI width high", at.ci.width.high, widths.at(1), 0.06 * width);
@@ -143,9 +162,11 @@ void TestFitPublishedPosterior::psignifitMatlab() {
 }
 
 void TestFitPublishedPosterior::psignifitPython() {
-    // The port takes its intervals from cumulated cells of a coarse grid; these ends differ by about half a step of its widths (0.031; allowed
-    // are 0.028). intervalsHaveConverged() shows that they do not move when the product's grid is twice as fine.
-    const QStringList shifted{QStringLiteral("psyfit/ecc2_4afc_weibull_size12.4"), QStringLiteral("psyfit/ecc2_4afc_weibull_size20.6"),
+    // The port takes its intervals from cumulated cells of a coarse grid; these ends differ by about half a
+    // step of its widths (0.031; allowed are 0.028). intervalsHaveConverged() shows that they do not move
+    // when the product's grid is twice as fine.
+    const QStringList shifted{QStringLiteral("psyfit/ecc2_4afc_weibull_size12.4"),
+                              QStringLiteral("psyfit/ecc2_4afc_weibull_size20.6"),
                               QStringLiteral("psyfit/ecc2_4afc_weibull_size41.3")};
     Tally tally(QStringLiteral("fit_psignifit_python.json"));
     for (const QJsonValue value : dataFile("fit_psignifit_python.json")["cases"].toArray()) {
@@ -175,19 +196,26 @@ void TestFitPublishedPosterior::intervalsHaveConverged() {
         const FitResult fit = fitBayesian(rows(object["data_x_k_n"]), options);
         const PreparedLevels levels = prepareLevels(rows(object["data_x_k_n"]), fit.scale);
         const FreeParameters free = freeParameters(options);
-        const PosteriorModel model{levels, options.function, priorsFor(levels, options, fit.scale), free, 0.0, options.guess.value, true};
+        const PosteriorModel model{
+            levels, options.function, priorsFor(levels, options, fit.scale), free, 0.0, options.guess.value,
+            true};
         FitResult finer = fit;
         const std::vector<DensityGrid> parts = posteriorParts(model, {{12, 6}, {12, 6}, {6, 4}, {2, 5}});
         addMeans(finer, parts, levels, options);
         addIntervals(finer, parts, model.priors, levels, options);
         const auto close = [&](double a, double b, double allowed) { return std::abs(a - b) <= allowed; };
         const double range = levels.range, width = fit.mean.width;
-        QVERIFY2(close(fit.mean.threshold, finer.mean.threshold, 0.002 * width), qPrintable(object["id"].toString()));
+        QVERIFY2(close(fit.mean.threshold, finer.mean.threshold, 0.002 * width),
+                 qPrintable(object["id"].toString()));
         QVERIFY2(close(fit.mean.width, finer.mean.width, 0.004 * width), qPrintable(object["id"].toString()));
-        QVERIFY2(close(onAxis(fit).low, onAxis(finer).low, 0.005 * range), qPrintable(object["id"].toString()));
-        QVERIFY2(close(onAxis(fit).high, onAxis(finer).high, 0.005 * range), qPrintable(object["id"].toString()));
-        QVERIFY2(close(fit.ci.width.low, finer.ci.width.low, 0.01 * width), qPrintable(object["id"].toString()));
-        QVERIFY2(close(fit.ci.width.high, finer.ci.width.high, 0.01 * width), qPrintable(object["id"].toString()));
+        QVERIFY2(close(onAxis(fit).low, onAxis(finer).low, 0.005 * range),
+                 qPrintable(object["id"].toString()));
+        QVERIFY2(close(onAxis(fit).high, onAxis(finer).high, 0.005 * range),
+                 qPrintable(object["id"].toString()));
+        QVERIFY2(close(fit.ci.width.low, finer.ci.width.low, 0.01 * width),
+                 qPrintable(object["id"].toString()));
+        QVERIFY2(close(fit.ci.width.high, finer.ci.width.high, 0.01 * width),
+                 qPrintable(object["id"].toString()));
     }
 }
 
@@ -205,7 +233,8 @@ void TestFitPublishedPosterior::palamedesGrid() {
             for (int l = 0; l <= 6; ++l) {
                 const std::array<double, 3> at{-1.0 + 0.01 * a, -0.5 + 0.01 * b, 0.01 * l};
                 const double beta = std::pow(10.0, at[1]);
-                const double p = std::exp(300.0 + logLikelihood(Sigmoid::logistic, levels, {-beta * at[0], beta, at[2], 0.5}));
+                const double p = std::exp(
+                    300.0 + logLikelihood(Sigmoid::logistic, levels, {-beta * at[0], beta, at[2], 0.5}));
                 mass += p;
                 for (std::size_t i = 0; i < 3; ++i) {
                     first[i] += p * at[i];
@@ -218,7 +247,8 @@ void TestFitPublishedPosterior::palamedesGrid() {
     for (std::size_t i = 0; i < 3; ++i) {
         const double mean = first[i] / mass;
         tally.compare(names[i], mean, expected["posterior_mean"][QLatin1String(names[i])].toDouble(), 5.1e-5);
-        tally.compare(names[i], std::sqrt(second[i] / mass - mean * mean), expected["posterior_sd"][QLatin1String(names[i])].toDouble(), 5.1e-5);
+        tally.compare(names[i], std::sqrt(second[i] / mass - mean * mean),
+                      expected["posterior_sd"][QLatin1String(names[i])].toDouble(), 5.1e-5);
     }
     tally.endCase();
     QVERIFY(tally.report());

@@ -17,7 +17,8 @@ private slots:
 
 /// Each warning just below and just above its bound, of results and levels written by hand.
 void TestFitWarnings::warningsBeginWhereTheySay() {
-    const PreparedLevels levels = prepareLevels({{0, 1, 2, 3, 4}, {101, 115, 150, 182, 196}, {200, 200, 200, 200, 200}}, StimulusScale::linear);
+    const PreparedLevels levels = prepareLevels(
+        {{0, 1, 2, 3, 4}, {101, 115, 150, 182, 196}, {200, 200, 200, 200, 200}}, StimulusScale::linear);
     const auto said = [&](const PreparedLevels& of, FitOptions options, const auto& change) {
         FitResult fit;
         fit.fitted = true;
@@ -63,30 +64,41 @@ void TestFitWarnings::warningsBeginWhereTheySay() {
     QCOMPARE(rising(0.099, 15.0), QStringLiteral("few_trials_near_threshold"));
     QCOMPARE(rising(0.899, 15.0), QString());
     QCOMPARE(rising(0.901, 15.0), QStringLiteral("few_trials_near_threshold"));
-    // Asymptotes at their bounds: half by default; no lapse only in maximum likelihood, whose estimate may be 0.
+    // Asymptotes at their bounds: half by default; no lapse only in maximum likelihood, whose estimate may be
+    // 0.
     QCOMPARE(says([](FitResult& f) { f.lapse = 0.0; }), QStringLiteral("lapse_at_bound"));
     QCOMPARE(says([](FitResult& f) { f.lapse = 2e-6; }), QString());
     QCOMPARE(says([](FitResult& f) { f.lapse = 0.0, f.method = FitMethod::bayesian; }), QString());
     const double most = freeParameters(FitOptions{}).largestLapse;
     QVERIFY(most > 0.49 && most <= 0.5);
     QVERIFY(says([&](FitResult& f) { f.lapse = most; }).contains(QLatin1String("lapse_at_bound")));
-    QVERIFY(says([&](FitResult& f) { f.lapse = most, f.method = FitMethod::bayesian; }).contains(QLatin1String("lapse_at_bound")));
+    QVERIFY(says([&](FitResult& f) {
+                f.lapse = most, f.method = FitMethod::bayesian;
+            }).contains(QLatin1String("lapse_at_bound")));
     FitOptions known;
     known.lapse = Asymptote::fixedAt(0.0);
     QCOMPARE(said(levels, known, [](FitResult& f) { f.lapse = 0.0; }), QString());
     FitOptions yesNo;
     yesNo.guess = Asymptote::fitted();
     const double mostGuess = freeParameters(yesNo).largestGuess;
-    QVERIFY(said(levels, yesNo, [&](FitResult& f) { f.guess = mostGuess; }).contains(QLatin1String("guess_at_bound")));
-    QVERIFY(!said(levels, yesNo, [&](FitResult& f) { f.guess = mostGuess - 2e-6; }).contains(QLatin1String("guess_at_bound")));
-    QVERIFY(!says([](FitResult& f) { f.guess = 0.5; }).contains(QLatin1String("guess_at_bound"))); // told to the fit
+    QVERIFY(said(levels, yesNo, [&](FitResult& f) {
+                f.guess = mostGuess;
+            }).contains(QLatin1String("guess_at_bound")));
+    QVERIFY(!said(levels, yesNo, [&](FitResult& f) {
+                 f.guess = mostGuess - 2e-6;
+             }).contains(QLatin1String("guess_at_bound")));
+    QVERIFY(!says([](FitResult& f) {
+                 f.guess = 0.5;
+             }).contains(QLatin1String("guess_at_bound"))); // told to the fit
     // Scatter: p below 0.01; a Bayesian fit also by its overdispersion.
     QCOMPARE(says([](FitResult& f) { f.pValue = 0.01; }), QString());
     QCOMPARE(says([](FitResult& f) { f.pValue = 0.0099; }), QStringLiteral("overdispersion"));
     QCOMPARE(says([](FitResult& f) { f.method = FitMethod::bayesian, f.mean.eta = 0.25; }), QString());
-    QCOMPARE(says([](FitResult& f) { f.method = FitMethod::bayesian, f.mean.eta = 0.2501; }), QStringLiteral("overdispersion"));
+    QCOMPARE(says([](FitResult& f) { f.method = FitMethod::bayesian, f.mean.eta = 0.2501; }),
+             QStringLiteral("overdispersion"));
     QCOMPARE(says([](FitResult& f) { f.mean.eta = 0.9; }), QString());
-    // A fit whose intervals are that of the posterior already is not sent there; without overdispersion it does not allow for scatter either.
+    // A fit whose intervals are that of the posterior already is not sent there; without overdispersion it
+    // does not allow for scatter either.
     const auto advises = [&](FitMethod method, bool overdispersion) {
         FitResult fit;
         fit.fitted = true;
@@ -99,7 +111,8 @@ void TestFitWarnings::warningsBeginWhereTheySay() {
         addWarnings(fit, levels, options);
         return fit.warnings.size() == 1 && fit.warnings.front().ends_with("use the Bayesian interval");
     };
-    QVERIFY(advises(FitMethod::maximumLikelihood, true) && advises(FitMethod::bayesian, false) && !advises(FitMethod::bayesian, true));
+    QVERIFY(advises(FitMethod::maximumLikelihood, true) && advises(FitMethod::bayesian, false) &&
+            !advises(FitMethod::bayesian, true));
     // A range of a thousand spacings, which only a posterior minds.
     PreparedLevels uneven = levels;
     uneven.spacing = 0.004;
@@ -110,13 +123,16 @@ void TestFitWarnings::warningsBeginWhereTheySay() {
     QCOMPARE(said(uneven, FitOptions{}, [](FitResult&) {}), QString());
 }
 
-/// Answers that fall by more than 2.58 standard errors (p = 0.01) between a lower and a higher part of the levels: by hand, 60 of 100 and r of 100,
-/// z = (0.60 - r/100) / sqrt(p (1 - p) / 50) with p their common share: 2.546 for r = 42, 2.687 for r = 41.
+/// Answers that fall by more than 2.58 standard errors (p = 0.01) between a lower and a higher part of the
+/// levels: by hand, 60 of 100 and r of 100, z = (0.60 - r/100) / sqrt(p (1 - p) / 50) with p their common
+/// share: 2.546 for r = 42, 2.687 for r = 41.
 void TestFitWarnings::fallsThatChanceExplainsBadly() {
     const auto falls = [](const std::vector<double>& k) {
         FitResult fit; // not fitted: only the answers are looked at
-        addWarnings(fit, prepareLevels({{0, 1, 2, 3}, k, {50, 50, 50, 50}}, StimulusScale::linear), FitOptions{});
-        return std::any_of(fit.warnings.begin(), fit.warnings.end(), [](const std::string& warning) { return warning.starts_with("not_monotone: "); });
+        addWarnings(fit, prepareLevels({{0, 1, 2, 3}, k, {50, 50, 50, 50}}, StimulusScale::linear),
+                    FitOptions{});
+        return std::any_of(fit.warnings.begin(), fit.warnings.end(),
+                           [](const std::string& warning) { return warning.starts_with("not_monotone: "); });
     };
     QVERIFY(!falls({30, 30, 21, 21}));
     QVERIFY(falls({30, 30, 21, 20}));

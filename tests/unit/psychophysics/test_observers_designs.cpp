@@ -40,7 +40,8 @@ void TestObserversDesigns::observerText() {
     QCOMPARE(parseObserver(chiron::psychophysics::observerText(*trainee))->trainee, trainee->trainee);
     for (const char* wrong : {"operator:", "operator:two words", "operator:expert,operator:novice"})
         QVERIFY2(!parseObserver(wrong), wrong);
-    for (const char* wrong : {"", "weber", "weber:", "weber:x", "weber:0", "weber:-1", "lapse:1.5", "weber:0.1,", "weber:0.1,weber:0.2", "speed:1", "weber:nan", "weber:0.1 "})
+    for (const char* wrong : {"", "weber", "weber:", "weber:x", "weber:0", "weber:-1", "lapse:1.5",
+                              "weber:0.1,", "weber:0.1,weber:0.2", "speed:1", "weber:nan", "weber:0.1 "})
         QVERIFY2(!parseObserver(wrong), wrong);
 }
 
@@ -75,13 +76,15 @@ void TestObserversDesigns::answersFollowTheModel() {
     const auto p = rankProbabilities(1.0, 0.1);
     for (int r = 0; r < 6; ++r) {
         const double expected = p[static_cast<std::size_t>(r)];
-        QVERIFY(std::abs(outcomes[r] / double(kAnswers) - expected) < 5.0 * std::sqrt(expected * (1.0 - expected) / kAnswers));
+        QVERIFY(std::abs(outcomes[r] / double(kAnswers) - expected) <
+                5.0 * std::sqrt(expected * (1.0 - expected) / kAnswers));
     }
     SimulatedObserver two({.weber = 0.2}, 2);
     int right = 0;
     for (int i = 0; i < kAnswers; ++i)
         right += two.answer(Task::twoAfc, {0.0, std::log10(1.2)});
-    QVERIFY(std::abs(right / double(kAnswers) - 0.75) < 5.0 * std::sqrt(0.75 * 0.25 / kAnswers)); // what a Weber fraction means
+    QVERIFY(std::abs(right / double(kAnswers) - 0.75) <
+            5.0 * std::sqrt(0.75 * 0.25 / kAnswers)); // what a Weber fraction means
 }
 
 void TestObserversDesigns::williams() {
@@ -116,7 +119,8 @@ void TestObserversDesigns::latin() {
         QCOMPARE(names.size(), std::size_t(6));
     }
     QVERIFY(latinSquare(6, 3) == square && latinSquare(6, 4) != square);
-    for (const OrderDesign design : {OrderDesign::fixed, OrderDesign::random, OrderDesign::latinSquare, OrderDesign::williams})
+    for (const OrderDesign design :
+         {OrderDesign::fixed, OrderDesign::random, OrderDesign::latinSquare, OrderDesign::williams})
         for (int row = 0; row < 20; ++row) {
             const auto order = orderFor(design, 5, row, 1);
             QCOMPARE(std::set<int>(order.begin(), order.end()).size(), std::size_t(5));
@@ -139,14 +143,16 @@ void TestObserversDesigns::planningTable() {
                 {"rank 3, six outcomes", Task::rank3, false, 2.1, 1.17, 86}};
     for (const auto& row : rows) {
         const BestSpacing best = bestSpacing(row.task, 0.02, row.allCorrect);
-        qInfo("planning: %s: D/sigma %.2f, information %.3f, %.0f trials", row.name, best.spacing, best.information, best.trialsFor10Percent);
+        qInfo("planning: %s: D/sigma %.2f, information %.3f, %.0f trials", row.name, best.spacing,
+              best.information, best.trialsFor10Percent);
         QVERIFY(std::abs(best.spacing - row.spacing) < 0.08);
         QVERIFY(std::abs(best.information - row.information) < 0.011);
         QVERIFY(std::abs(best.trialsFor10Percent - row.trials) < 2.0);
     }
 }
 
-/// Two-sided paired t-tests at 5 %, effect sizes 0.5 and 0.8: n = 34 and 15 have 80 % (Cohen's tables, G*Power).
+/// Two-sided paired t-tests at 5 %, effect sizes 0.5 and 0.8: n = 34 and 15 have 80 % (Cohen's tables,
+/// G*Power).
 void TestObserversDesigns::powerOfATTest() {
     PowerQuestion question;
     question.runSdLog10 = 0.0;

@@ -28,7 +28,8 @@ void TestPlanCoverage::everyTask_data() {
     QTest::newRow("yes_no") << static_cast<int>(Task::yesNo) << 30;
 }
 
-/// 40 runs: bias within three standard errors and 0.03 log10 units, at least 34 intervals hold the true Weber fraction (fewer by chance: 1 in 600).
+/// 40 runs: bias within three standard errors and 0.03 log10 units, at least 34 intervals hold the true Weber
+/// fraction (fewer by chance: 1 in 600).
 void TestPlanCoverage::everyTask() {
     QFETCH(int, task);
     QFETCH(int, repeats);
@@ -44,16 +45,19 @@ void TestPlanCoverage::everyTask() {
     condition.scale = ProcedureScale::difference;
     condition.procedures = {constant};
     const ConditionPlan plan = planCondition(condition, {}, {.weber = 0.12, .lapse = 0.02}, 40, 7);
-    qInfo("%s: bias %+.3f, sd %.3f log10, covered %.3f", QTest::currentDataTag(), plan.biasLog10, plan.sdLog10, plan.coverage);
+    qInfo("%s: bias %+.3f, sd %.3f log10, covered %.3f", QTest::currentDataTag(), plan.biasLog10,
+          plan.sdLog10, plan.coverage);
     QCOMPARE(plan.withoutEstimate, 0);
     QVERIFY(std::abs(plan.biasLog10) < 0.03 + 3.0 * plan.sdLog10 / std::sqrt(40.0));
     QVERIFY(plan.coverage * 40.0 > 33.5);
 }
 
-/// The rule of yes-no on the half of its trials that show the difference is that of 2AFC: both percepts are noisy.
+/// The rule of yes-no on the half of its trials that show the difference is that of 2AFC: both percepts are
+/// noisy.
 void TestPlanCoverage::informationOfYesNo() {
     for (const double d : {0.5, 1.0, 2.0, 4.0})
-        QVERIFY(std::abs(fisherInformation(Task::yesNo, d, 0.02) - 0.5 * fisherInformation(Task::twoAfc, d, 0.02)) < 1e-9);
+        QVERIFY(std::abs(fisherInformation(Task::yesNo, d, 0.02) -
+                         0.5 * fisherInformation(Task::twoAfc, d, 0.02)) < 1e-9);
 }
 
 QTEST_APPLESS_MAIN(TestPlanCoverage)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every row of every kind of procedure: its words, default and range, and that the reader and the schema keep to it.
+// Every row of every kind of procedure: its words, default and range, and that the reader and the schema keep
+// to it.
 #include "catalogue/procedure_reader.h"
 #include "catalogue/procedure_schema.h"
 #include "catalogue/schema.h"
@@ -23,7 +24,9 @@ namespace {
 
 const QString kSchemaFolder = QStringLiteral(CHIRON_SOURCE_DIR "/curriculum/content/schema");
 
-QString text(std::string_view of) { return QString::fromUtf8(of.data(), static_cast<qsizetype>(of.size())); }
+QString text(std::string_view of) {
+    return QString::fromUtf8(of.data(), static_cast<qsizetype>(of.size()));
+}
 
 /// "pest.stop.trials", for messages.
 QString nameOf(const ProcedureKind& kind, const Parameter& row) {
@@ -45,14 +48,17 @@ Condition conditionFor(const ProcedureKind& kind, ProcedureScale scale) {
 }
 
 std::vector<ProcedureSpec> begunWith(const ProcedureKind& kind) {
-    return {kind.usual(conditionFor(kind, ProcedureScale::difference)), kind.usual(conditionFor(kind, ProcedureScale::logDifference))};
+    return {kind.usual(conditionFor(kind, ProcedureScale::difference)),
+            kind.usual(conditionFor(kind, ProcedureScale::logDifference))};
 }
 
-/// Whether the default is an empty list that must not stay empty: there is no default, and a file must have the key.
+/// Whether the default is an empty list that must not stay empty: there is no default, and a file must have
+/// the key.
 bool mustBeGiven(const ProcedureKind& kind, const Parameter& row) {
     return std::visit(
         [&row](const auto& value) {
-            if constexpr (requires { value.front(); } && !std::is_same_v<std::decay_t<decltype(value)>, std::string>)
+            if constexpr (requires { value.front(); } &&
+                          !std::is_same_v<std::decay_t<decltype(value)>, std::string>)
                 return value.empty() && row.fewest > 0;
             else
                 return false;
@@ -60,7 +66,8 @@ bool mustBeGiven(const ProcedureKind& kind, const Parameter& row) {
         row.get(kind.defaults()));
 }
 
-/// The shortest file of a kind that reads: what has a default is left out, so that a fault can lie only in what a test adds.
+/// The shortest file of a kind that reads: what has a default is left out, so that a fault can lie only in
+/// what a test adds.
 QJsonObject shortestJson(const ProcedureKind& kind) {
     const QJsonObject whole = writeProcedure(begunWith(kind).back());
     QJsonObject json{{"kind", text(kind.id())}};
@@ -82,8 +89,12 @@ QJsonObject with(QJsonObject json, const Parameter& row, const QJsonValue& value
     return json;
 }
 
-double below(const Parameter& row) { return row.minimum - std::max(1.0, std::floor(std::abs(row.minimum) / 2.0)); }
-double above(const Parameter& row) { return row.maximum + std::max(1.0, std::floor(std::abs(row.maximum) / 2.0)); }
+double below(const Parameter& row) {
+    return row.minimum - std::max(1.0, std::floor(std::abs(row.minimum) / 2.0));
+}
+double above(const Parameter& row) {
+    return row.maximum + std::max(1.0, std::floor(std::abs(row.maximum) / 2.0));
+}
 
 /// Values of one row that lie outside of its range, by the type of the row.
 struct OutsideOf {
@@ -150,10 +161,14 @@ struct SchemaOfValue {
     SchemaOf operator()(const std::vector<double>&) const { return {"array", {"items"}, "number", true}; }
     SchemaOf operator()(const StimulusGrids&) const { return ofGrids(); }
     SchemaOf operator()(const std::vector<ParameterGrid>&) const { return ofGrids(); }
-    SchemaOf operator()(const OutcomeProbabilities&) const { return {"array", {"items", "items", "items"}, "number", true}; }
+    SchemaOf operator()(const OutcomeProbabilities&) const {
+        return {"array", {"items", "items", "items"}, "number", true};
+    }
 
 private:
-    static SchemaOf ofGrids() { return {"array", {"items", "properties", "values", "items"}, "number", true}; }
+    static SchemaOf ofGrids() {
+        return {"array", {"items", "properties", "values", "items"}, "number", true};
+    }
 };
 
 QJsonObject committedSchema() {
@@ -163,16 +178,20 @@ QJsonObject committedSchema() {
 
 QJsonObject propertiesFor(const QJsonObject& schema, const Parameter& row) {
     const QJsonObject properties = schema.value("properties").toObject();
-    return row.object.empty() ? properties : properties.value(text(row.object)).toObject().value("properties").toObject();
+    return row.object.empty() ? properties
+                              : properties.value(text(row.object)).toObject().value("properties").toObject();
 }
 
-QStringList textsOf(const QJsonValue& list) { return list.toVariant().toStringList(); }
+QStringList textsOf(const QJsonValue& list) {
+    return list.toVariant().toStringList();
+}
 
 /// Where a node of the schema and a row differ; empty: nowhere.
 QString differenceOf(const QJsonObject& node, const Parameter& row, const SchemaOf& expected) {
     if (node.value("type").toString() != QLatin1String(expected.type))
         return QStringLiteral("type: expected ") + expected.type;
-    if (expected.isList && (node.value("minItems").toDouble(-1.0) != row.fewest || node.value("maxItems").toDouble(-1.0) != row.most))
+    if (expected.isList && (node.value("minItems").toDouble(-1.0) != row.fewest ||
+                            node.value("maxItems").toDouble(-1.0) != row.most))
         return QStringLiteral("items: expected %1 to %2").arg(row.fewest).arg(row.most);
     QStringList words;
     for (const ParameterWord& word : row.words)
@@ -189,7 +208,8 @@ QString differenceOf(const QJsonObject& node, const Parameter& row, const Schema
     if (number.value("unit").toString() != text(row.unit))
         return QStringLiteral("unit: expected ") + text(row.unit);
     for (const auto& [key, limit] : {std::pair("minimum", row.minimum), std::pair("maximum", row.maximum)})
-        if (!number.value(QLatin1String(key)).isDouble() || number.value(QLatin1String(key)).toDouble() != limit)
+        if (!number.value(QLatin1String(key)).isDouble() ||
+            number.value(QLatin1String(key)).toDouble() != limit)
             return QStringLiteral("%1: expected %2").arg(QLatin1String(key)).arg(limit);
     return {};
 }
@@ -222,7 +242,8 @@ void TestProcedureRows::keysAreUnique() {
         for (const Parameter& row : kind->rows()) {
             const QString key = text(row.object) + '.' + text(row.key);
             QVERIFY2(!row.key.empty() && !keys.contains(key), qPrintable(nameOf(*kind, row)));
-            QVERIFY2(row.object.empty() || row.object == "stop", qPrintable(nameOf(*kind, row))); // the reader knows no other object
+            QVERIFY2(row.object.empty() || row.object == "stop",
+                     qPrintable(nameOf(*kind, row))); // the reader knows no other object
             keys.insert(key);
         }
     }
@@ -230,12 +251,14 @@ void TestProcedureRows::keysAreUnique() {
 
 void TestProcedureRows::wordsAreThere() {
     for (const ProcedureKind* kind : procedureKinds()) {
-        QVERIFY2(!kind->words().title.empty() && !kind->words().meaning.empty(), qPrintable(text(kind->id())));
+        QVERIFY2(!kind->words().title.empty() && !kind->words().meaning.empty(),
+                 qPrintable(text(kind->id())));
         for (const Parameter& row : kind->rows()) {
             const QString name = nameOf(*kind, row);
             const ParameterValue value = row.get(kind->defaults());
             QVERIFY2(!row.description.empty() && !row.unit.empty(), qPrintable(name));
-            const bool ofGrids = std::holds_alternative<std::vector<ParameterGrid>>(value); // a field for each parameter, by its own name
+            const bool ofGrids = std::holds_alternative<std::vector<ParameterGrid>>(
+                value); // a field for each parameter, by its own name
             QVERIFY2(ofGrids || row.title.empty() == row.meaning.empty(), qPrintable(name));
             QVERIFY2(row.words.empty() != std::holds_alternative<std::string>(value), qPrintable(name));
             QSet<QString> words;
@@ -293,7 +316,8 @@ void TestProcedureRows::storedRunsLeadBackToTheKind() {
 }
 
 void TestProcedureRows::rangesAreKept() {
-    Parameter row{.key = "size", .minimum = 0.5, .maximum = 2.0, .fewest = 1, .most = 2, .words = {{"one"}, {"two"}}};
+    Parameter row{
+        .key = "size", .minimum = 0.5, .maximum = 2.0, .fewest = 1, .most = 2, .words = {{"one"}, {"two"}}};
     QCOMPARE(rangeFault(row, 0.5), std::string());
     QCOMPARE(rangeFault(row, 2), std::string());
     QCOMPARE(rangeFault(row, std::optional<double>()), std::string());
@@ -306,7 +330,8 @@ void TestProcedureRows::rangesAreKept() {
     QCOMPARE(rangeFault(row, std::optional<double>(3.0)), std::string("size: 3: expected 0.5 to 2"));
     QCOMPARE(rangeFault(row, std::vector<double>{1.0, 3.0}), std::string("size[1]: 3: expected 0.5 to 2"));
     QCOMPARE(rangeFault(row, std::vector<double>()), std::string("size: 0 numbers: expected 1 to 2"));
-    QCOMPARE(rangeFault(row, std::vector<double>{1.0, 1.0, 1.0}), std::string("size: 3 numbers: expected 1 to 2"));
+    QCOMPARE(rangeFault(row, std::vector<double>{1.0, 1.0, 1.0}),
+             std::string("size: 3 numbers: expected 1 to 2"));
     QCOMPARE(rangeFault(row, std::string("three")), std::string("size: \"three\": expected another word"));
 }
 
@@ -320,7 +345,8 @@ void TestProcedureRows::unknownKeysAreRefused() {
         json.insert("no_such_key", 1);
         wrong.emplace_back("$.no_such_key: unknown key", json);
         const auto& rows = kind->rows();
-        if (std::any_of(rows.begin(), rows.end(), [](const Parameter& row) { return row.object == "stop"; })) {
+        if (std::any_of(rows.begin(), rows.end(),
+                        [](const Parameter& row) { return row.object == "stop"; })) {
             json = shortest;
             json.insert("stop", QJsonObject{{"trials", 10}, {"no_such_rule", 1}});
             wrong.emplace_back("$.stop.no_such_rule: unknown key", json);
@@ -328,7 +354,8 @@ void TestProcedureRows::unknownKeysAreRefused() {
         for (const auto& [said, faulty] : wrong) {
             const auto spec = read(faulty);
             QVERIFY2(!spec, qPrintable(text(kind->id()) + ": " + said));
-            QVERIFY2(QString::fromStdString(spec.error().message).contains(said), spec.error().message.c_str());
+            QVERIFY2(QString::fromStdString(spec.error().message).contains(said),
+                     spec.error().message.c_str());
         }
     }
 }
@@ -337,14 +364,16 @@ void TestProcedureRows::valuesOutsideAreRefused() {
     for (const ProcedureKind* kind : procedureKinds()) {
         const QJsonObject shortest = shortestJson(*kind);
         for (const Parameter& row : kind->rows()) {
-            const QJsonArray outside = std::visit(OutsideOf{row, shortest.value(text(row.key))}, row.get(kind->defaults()));
+            const QJsonArray outside =
+                std::visit(OutsideOf{row, shortest.value(text(row.key))}, row.get(kind->defaults()));
             for (const QJsonValue& value : outside) {
                 const QByteArray json = QJsonDocument(QJsonArray{value}).toJson(QJsonDocument::Compact);
                 const QString what = nameOf(*kind, row) + ' ' + QString::fromUtf8(json.left(100));
                 const auto spec = read(with(shortest, row, value));
                 QVERIFY2(!spec, qPrintable(what + ": was taken"));
                 QCOMPARE(spec.error().code, core::ErrorCode::badInput);
-                const QRegularExpression key("\\b" + text(row.key) + "\\b"); // "step" is not named by "smallest_step"
+                const QRegularExpression key("\\b" + text(row.key) +
+                                             "\\b"); // "step" is not named by "smallest_step"
                 const QString said = QString::fromStdString(spec.error().message);
                 QVERIFY2(said.contains(key), qPrintable(what + ": " + said));
             }
@@ -360,14 +389,16 @@ void TestProcedureRows::theSchemaAgreesWithTheRows() {
         for (const Parameter& row : kind->rows()) {
             const QJsonValue node = propertiesFor(schema, row).value(text(row.key));
             QVERIFY2(node.isObject(), qPrintable(nameOf(*kind, row) + ": the schema lacks it"));
-            const QString difference = differenceOf(node.toObject(), row, std::visit(SchemaOfValue(), row.get(kind->defaults())));
+            const QString difference =
+                differenceOf(node.toObject(), row, std::visit(SchemaOfValue(), row.get(kind->defaults())));
             QVERIFY2(difference.isEmpty(), qPrintable(nameOf(*kind, row) + ": " + difference));
         }
     }
     QCOMPARE(textsOf(schema.value("properties").toObject().value("kind").toObject().value("enum")), ids);
 }
 
-/// content/schema/procedure.json is written from the rows: CHIRON_STORE_SCHEMA=1 with this test, after a row was changed.
+/// content/schema/procedure.json is written from the rows: CHIRON_STORE_SCHEMA=1 with this test, after a row
+/// was changed.
 void TestProcedureRows::theSchemaIsMadeOfTheRows() {
     QFile file(kSchemaFolder + QStringLiteral("/procedure.json"));
     const bool stores = qEnvironmentVariableIsSet("CHIRON_STORE_SCHEMA");
@@ -390,7 +421,8 @@ void TestProcedureRows::theSchemaHasNoOtherKeys() {
     for (const QString& key : properties.keys()) {
         QVERIFY2(known.contains(key), qPrintable(key));
         if (properties.value(key).toObject().value("type").toString() == QLatin1String("object"))
-            for (const QString& inner : properties.value(key).toObject().value("properties").toObject().keys())
+            for (const QString& inner :
+                 properties.value(key).toObject().value("properties").toObject().keys())
                 QVERIFY2(known.contains(key + '.' + inner), qPrintable(key + '.' + inner));
     }
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far procedures are off, by simulated participants: psychophysics.md §1, §5.6, §5.7. CHIRON_SIMULATED_RUNS: runs of each (100; 400 in the
-// long test). Bounds: the published sd and bias, and four standard errors of what so many runs can tell. No procedure is told the observer's lapses: the
-// peers estimated them (QUEST+) or took 1 % (QUEST).
+// How far procedures are off, by simulated participants: psychophysics.md §1, §5.6, §5.7.
+// CHIRON_SIMULATED_RUNS: runs of each (100; 400 in the long test). Bounds: the published sd and bias, and
+// four standard errors of what so many runs can tell. No procedure is told the observer's lapses: the peers
+// estimated them (QUEST+) or took 1 % (QUEST).
 #include "core/random.h"
 #include "psychophysics/observers/thurstone.h"
 #include "psychophysics/procedures/quest_plus.h"
@@ -15,7 +16,11 @@ using namespace chiron::psychophysics;
 
 namespace {
 
-int runs() { return std::max(20, qEnvironmentVariableIntValue("CHIRON_SIMULATED_RUNS") == 0 ? 100 : qEnvironmentVariableIntValue("CHIRON_SIMULATED_RUNS")); }
+int runs() {
+    return std::max(20, qEnvironmentVariableIntValue("CHIRON_SIMULATED_RUNS") == 0
+                            ? 100
+                            : qEnvironmentVariableIntValue("CHIRON_SIMULATED_RUNS"));
+}
 
 std::vector<double> even(double from, double to, double step) {
     std::vector<double> values;
@@ -37,13 +42,17 @@ struct Errors {
 };
 
 /// 2AFC Weibull in log10 units, slope 3.5, 2 % lapses.
-double weibull(double x, double threshold) { return 0.5 + 0.48 * (1.0 - std::exp(-std::pow(10.0, 3.5 * (x - threshold)))); }
+double weibull(double x, double threshold) {
+    return 0.5 + 0.48 * (1.0 - std::exp(-std::pow(10.0, 3.5 * (x - threshold))));
+}
 
 QuestPlusSpec fitted(double low, double high) {
     QuestPlusSpec spec;
     spec.stimuli = {{"intensity", even(-2.0, 0.0, 0.05)}};
-    spec.parameters = {{"threshold", even(low, high, 0.02), {}, false}, {"slope", {2.0, 2.75, 3.5, 4.25, 5.0}, {}, false},
-                       {"lower_asymptote", {0.5}, {}, false}, {"lapse_rate", {0.0, 0.01, 0.02, 0.04}, {}, false}};
+    spec.parameters = {{"threshold", even(low, high, 0.02), {}, false},
+                       {"slope", {2.0, 2.75, 3.5, 4.25, 5.0}, {}, false},
+                       {"lower_asymptote", {0.5}, {}, false},
+                       {"lapse_rate", {0.0, 0.01, 0.02, 0.04}, {}, false}};
     spec.stop = {.trials = 1000};
     return spec;
 }
@@ -69,12 +78,17 @@ void runOnce(Procedure& procedure, int run, std::array<Errors, 4>& errors, Estim
 
 void report(const char* name, const std::array<Errors, 4>& errors) {
     for (std::size_t i = 0; i < 4; ++i)
-        qInfo("%s, %d trials: sd %.3f, bias %+.3f (%d runs)", name, kCounts[i], errors[i].sd(), errors[i].bias(), errors[i].count);
+        qInfo("%s, %d trials: sd %.3f, bias %+.3f (%d runs)", name, kCounts[i], errors[i].sd(),
+              errors[i].bias(), errors[i].count);
 }
 
 /// A factor on an sd, and an amount on a bias, that chance alone exceeds once in ten thousand or less.
-double slack(const Errors& errors) { return 1.0 + 4.0 / std::sqrt(2.0 * errors.count); }
-double biasSlack(const Errors& errors) { return 4.0 * errors.sd() / std::sqrt(static_cast<double>(errors.count)); }
+double slack(const Errors& errors) {
+    return 1.0 + 4.0 / std::sqrt(2.0 * errors.count);
+}
+double biasSlack(const Errors& errors) {
+    return 4.0 * errors.sd() / std::sqrt(static_cast<double>(errors.count));
+}
 
 } // namespace
 
@@ -125,8 +139,9 @@ void TestProcedureSimulations::quest() {
         QVERIFY(errors[i].sd() < kPublished[i] * slack(errors[i]));
 }
 
-/// Garcia-Perez's steps, 1-up/3-down, then a fit to all trials over the range that QUEST+ is given too: from 40 trials on, half the published
-/// sd of the fixed-step 1-up/2-down. At 20 trials a staircase from 0 has hardly come down, and is only better.
+/// Garcia-Perez's steps, 1-up/3-down, then a fit to all trials over the range that QUEST+ is given too: from
+/// 40 trials on, half the published sd of the fixed-step 1-up/2-down. At 20 trials a staircase from 0 has
+/// hardly come down, and is only better.
 void TestProcedureSimulations::weightedStaircase() {
     constexpr double kPublished[] = {0.256, 0.207, 0.158, 0.098};
     StaircaseSpec spec;
@@ -148,7 +163,9 @@ void TestProcedureSimulations::weightedStaircase() {
             return fit.estimate().parameters[0].mean;
         });
         auto again = *makeProcedure(spec, 1);
-        runOnce(*again, run, reversals, [&] { return again->estimate().known ? again->estimate().parameters[0].mean : std::nan(""); });
+        runOnce(*again, run, reversals, [&] {
+            return again->estimate().known ? again->estimate().parameters[0].mean : std::nan("");
+        });
     }
     report("weighted 1-up/3-down, fitted", errors);
     report("weighted 1-up/3-down, reversals", reversals);
@@ -184,7 +201,8 @@ void TestProcedureSimulations::rank3() {
         }
     }
     for (std::size_t i = 0; i < 4; ++i) {
-        qInfo("rank-3 QUEST+, %d trials: sd %.3f, bias %+.3f (%d runs)", kTrials[i], errors[i].sd(), errors[i].bias(), errors[i].count);
+        qInfo("rank-3 QUEST+, %d trials: sd %.3f, bias %+.3f (%d runs)", kTrials[i], errors[i].sd(),
+              errors[i].bias(), errors[i].count);
         QVERIFY(errors[i].sd() < kPublished[i] * slack(errors[i]));
         QVERIFY(std::abs(errors[i].bias()) < 0.02 + biasSlack(errors[i]));
     }
@@ -198,7 +216,8 @@ void TestProcedureSimulations::descendingRule() {
     for (const auto& rule : rules) {
         Errors errors;
         for (int run = 0; run < 5 * runs(); ++run) {
-            core::Random random = core::Random::stream(static_cast<std::uint64_t>(run) + 1, "simulated descent");
+            core::Random random =
+                core::Random::stream(static_cast<std::uint64_t>(run) + 1, "simulated descent");
             DescendingSpec spec;
             spec.repeats = rule.repeats;
             spec.passes = rule.passes;
@@ -214,7 +233,8 @@ void TestProcedureSimulations::descendingRule() {
             if (procedure->estimate().known)
                 errors.add(std::log10(procedure->estimate().parameters[0].mean) - log10Jnd);
         }
-        qInfo("descending rule, %d of %d: bias %+.3f, sd %.3f log10 units (%d runs)", rule.passes, rule.repeats, errors.bias(), errors.sd(), errors.count);
+        qInfo("descending rule, %d of %d: bias %+.3f, sd %.3f log10 units (%d runs)", rule.passes,
+              rule.repeats, errors.bias(), errors.sd(), errors.count);
         QVERIFY(errors.bias() > 0.17 - biasSlack(errors) && errors.bias() < 0.51 + biasSlack(errors));
     }
 }

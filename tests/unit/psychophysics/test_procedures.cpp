@@ -82,12 +82,14 @@ private slots:
     void pseInTheMiddleOfAPlateau();
 };
 
-/// Without an answer there is no estimate and no warning about the prior. A procedure with a posterior has an estimate from the first answer on,
-/// and none again once that answer is undone.
+/// Without an answer there is no estimate and no warning about the prior. A procedure with a posterior has an
+/// estimate from the first answer on, and none again once that answer is undone.
 void TestProcedures::nothingIsKnownBeforeAnAnswer() {
     for (const ProcedureSpec& spec : kinds()) {
         auto procedure = *makeProcedure(spec, 7);
-        const bool hasPosterior = std::holds_alternative<QuestSpec>(spec) || std::holds_alternative<QuestPlusSpec>(spec) || std::holds_alternative<Rank3Spec>(spec);
+        const bool hasPosterior = std::holds_alternative<QuestSpec>(spec) ||
+                                  std::holds_alternative<QuestPlusSpec>(spec) ||
+                                  std::holds_alternative<Rank3Spec>(spec);
         QVERIFY2(!procedure->estimate().known && procedure->estimate().warnings.empty(), kindOf(spec).data());
         QVERIFY(procedure->record(1, procedure->next().stimulus));
         QCOMPARE(procedure->estimate().known, hasPosterior);
@@ -130,7 +132,8 @@ void TestProcedures::undoAfterTheEnd() {
         QVERIFY(procedure->record(given, last.stimulus));
         QVERIFY(procedure->done() && procedure->trials() == trials);
         const auto again = procedure->estimate();
-        QVERIFY(again.known == estimate.known && (!again.known || again.parameters[0].mean == estimate.parameters[0].mean));
+        QVERIFY(again.known == estimate.known &&
+                (!again.known || again.parameters[0].mean == estimate.parameters[0].mean));
     }
 }
 
@@ -179,7 +182,10 @@ void TestProcedures::refusals() {
     QuestPlusSpec falling;
     falling.function = "norm_cdf";
     falling.stimuli = {{"intensity", {0.0, 1.0}}};
-    falling.parameters = {{"mean", {0.5}, {}, false}, {"sd", {-1.0, 1.0}, {}, false}, {"lower_asymptote", {0.5}, {}, false}, {"lapse_rate", {0.0}, {}, false}};
+    falling.parameters = {{"mean", {0.5}, {}, false},
+                          {"sd", {-1.0, 1.0}, {}, false},
+                          {"lower_asymptote", {0.5}, {}, false},
+                          {"lapse_rate", {0.0}, {}, false}};
     falling.stop = {.trials = 5};
     const auto negative = makeProcedure(falling, 1);
     QVERIFY(!negative && negative.error().message.find("sd: expected values above 0") != std::string::npos);
@@ -206,7 +212,8 @@ void TestProcedures::spoiledConstantComesLater() {
     QCOMPARE(last->next().stimulus[0], 1.0);
 }
 
-/// Taylor & Creelman's rules, by hand: target 0.75, W 1: four right in a row (excess 0.25 each) leave the bound at the fifth; two wrong do.
+/// Taylor & Creelman's rules, by hand: target 0.75, W 1: four right in a row (excess 0.25 each) leave the
+/// bound at the fifth; two wrong do.
 void TestProcedures::pestBySteps() {
     PestSpec spec;
     spec.start = 0.0;
@@ -220,12 +227,12 @@ void TestProcedures::pestBySteps() {
     };
     QCOMPARE(feed(1, 4), 0.0);
     QCOMPARE(feed(1, 1), -0.4);
-    QCOMPARE(feed(1, 5), -0.8);        // the second step is like the first
-    QCOMPARE(feed(1, 5), -0.8 - 0.8);  // the third doubles: no doubling before the last reversal
-    QCOMPARE(feed(0, 2), -1.6 + 0.4);  // a reversal halves
+    QCOMPARE(feed(1, 5), -0.8);       // the second step is like the first
+    QCOMPARE(feed(1, 5), -0.8 - 0.8); // the third doubles: no doubling before the last reversal
+    QCOMPARE(feed(0, 2), -1.6 + 0.4); // a reversal halves
     QVERIFY(!procedure->done());
     QVERIFY(std::abs(feed(1, 5) - (-1.4)) < 1e-12); // another
-    feed(0, 2);                        // 0.1: the smallest
+    feed(0, 2);                                     // 0.1: the smallest
     QVERIFY(procedure->done());
     QCOMPARE(procedure->reversals(), 3);
     QVERIFY(std::abs(procedure->estimate().parameters[0].mean + 1.3) < 1e-12);
@@ -246,20 +253,23 @@ void TestProcedures::pestStepsThatAreTheSmallest() {
     QCOMPARE(procedure->estimate().parameters[0].mean, -0.05);
 }
 
-/// 6 right and 2 wrong where 0.9 are wanted: 6 - 8 * 0.9 is -1.2, and in binary fractions a little less. What is just reached is not exceeded.
+/// 6 right and 2 wrong where 0.9 are wanted: 6 - 8 * 0.9 is -1.2, and in binary fractions a little less. What
+/// is just reached is not exceeded.
 void TestProcedures::pestDeviationsJustReached() {
     struct Case {
         double target, wald;
         int right, wrong; ///< in this order; after them |k - n target| is the deviation
     };
-    for (const Case& one : {Case{0.9, 1.2, 6, 2}, Case{0.7, 1.2, 4, 0}, Case{0.6, 1.2, 3, 0}, Case{0.9, 0.7, 7, 0}, Case{0.9, 1.4, 14, 0}, Case{0.55, 1.2, 1, 3}}) {
+    for (const Case& one : {Case{0.9, 1.2, 6, 2}, Case{0.7, 1.2, 4, 0}, Case{0.6, 1.2, 3, 0},
+                            Case{0.9, 0.7, 7, 0}, Case{0.9, 1.4, 14, 0}, Case{0.55, 1.2, 1, 3}}) {
         PestSpec spec;
         spec.target = one.target;
         spec.waldDeviation = one.wald;
         auto procedure = *makeProcedure(spec, 1);
         for (int trial = 0; trial < one.right + one.wrong; ++trial)
             QVERIFY(procedure->record(trial < one.right ? 1 : 0, {0.0}));
-        QVERIFY2(procedure->next().stimulus[0] == 0.0, qPrintable(QStringLiteral("%1 %2").arg(one.target).arg(one.wald)));
+        QVERIFY2(procedure->next().stimulus[0] == 0.0,
+                 qPrintable(QStringLiteral("%1 %2").arg(one.target).arg(one.wald)));
         QVERIFY(procedure->record(one.wrong == 0 ? 1 : 0, {0.0}));
         QVERIFY(procedure->next().stimulus[0] != 0.0); // and now it is exceeded
     }
@@ -278,7 +288,8 @@ void TestProcedures::descendingSaysItsBias() {
     QVERIFY(!procedure->record(1, {0.2}));
 }
 
-/// Half of the answers at two levels: the point of equality lies between them, whichever way round the axis goes.
+/// Half of the answers at two levels: the point of equality lies between them, whichever way round the axis
+/// goes.
 void TestProcedures::pseInTheMiddleOfAPlateau() {
     auto run = *makeProcedure(ConstantSpec{{1.0, 2.0, 3.0, 4.0}, 4, false}, 1);
     const int right[] = {0, 2, 2, 4};
@@ -305,7 +316,8 @@ void TestProcedures::untruncatedStaircaseMayStartOutside() {
         presented.push_back((*run)->next().stimulus[0]);
         QVERIFY((*run)->record(1, {presented.back()}));
     }
-    QVERIFY(presented[0] == 1.0 && presented[1] == 1.0 && presented[2] == 1.0 && std::abs(presented[3] - 0.95) < 1e-12);
+    QVERIFY(presented[0] == 1.0 && presented[1] == 1.0 && presented[2] == 1.0 &&
+            std::abs(presented[3] - 0.95) < 1e-12);
 }
 
 /// Down for thousands of trials and up again: never 0, never infinite.
@@ -330,7 +342,8 @@ void TestProcedures::logStepsComeBackFromTheEnd() {
     }
 }
 
-/// Five reversals at 1, 0, 1, 0, 1 by a 1-up/1-down of step 1: the last four count, as many peaks as valleys (Levitt 1971).
+/// Five reversals at 1, 0, 1, 0, 1 by a 1-up/1-down of step 1: the last four count, as many peaks as valleys
+/// (Levitt 1971).
 void TestProcedures::evenNumberOfReversals() {
     StaircaseSpec spec;
     spec.start = 1.0;

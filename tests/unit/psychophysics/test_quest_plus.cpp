@@ -87,7 +87,8 @@ void TestQuestPlus::theLeastIsFoundAmongThoseThatAreLeft() {
     const BestStimulus other = bestOf(gains, both);
     QCOMPARE(other.index, 3);
     QVERIFY(std::abs(other.margin - 0.2) < 1e-15);
-    QVERIFY(bestOf(gains, allButOne).index == 3 && std::isnan(bestOf(gains, allButOne).margin)); // there is no second one
+    QVERIFY(bestOf(gains, allButOne).index == 3 &&
+            std::isnan(bestOf(gains, allButOne).margin)); // there is no second one
     QCOMPARE(bestOf(gains, all).index, -1);
 }
 
@@ -111,7 +112,8 @@ void TestQuestPlus::entropyByBruteForce() {
 
 void TestQuestPlus::duplicatedStimulusIsATie() {
     QuestPlusSpec spec = weibull();
-    spec.stimuli[0].second.insert(spec.stimuli[0].second.end(), spec.stimuli[0].second.begin(), spec.stimuli[0].second.end());
+    spec.stimuli[0].second.insert(spec.stimuli[0].second.end(), spec.stimuli[0].second.begin(),
+                                  spec.stimuli[0].second.end());
     auto twice = *makeProcedure(spec, 1);
     auto once = *makeProcedure(weibull(), 1);
     core::Random random(5);
@@ -224,10 +226,12 @@ void TestQuestPlus::offsetChangesNothing() {
         const int given = outcome(*here, random);
         QVERIFY(here->record(given, a.stimulus) && there->record(given, {a.stimulus[0] + 1024.0}));
     }
-    QVERIFY(std::abs(here->estimate().parameters[0].mean + 1024.0 - there->estimate().parameters[0].mean) < 1e-6);
+    QVERIFY(std::abs(here->estimate().parameters[0].mean + 1024.0 - there->estimate().parameters[0].mean) <
+            1e-6);
 }
 
-/// Presented as a table of candidates with four digits has it, always right: nothing more than repeat_limit times in a row.
+/// Presented as a table of candidates with four digits has it, always right: nothing more than repeat_limit
+/// times in a row.
 void TestQuestPlus::capHoldsForRoundedStimuli() {
     QuestPlusSpec spec;
     spec.function = "weibull_log10";
@@ -258,7 +262,8 @@ void TestQuestPlus::capHoldsForRoundedStimuli() {
     }
 }
 
-/// Two rows of the same value with different probabilities: a trial taken back leaves what the chosen row said of the others.
+/// Two rows of the same value with different probabilities: a trial taken back leaves what the chosen row
+/// said of the others.
 void TestQuestPlus::undoTakesTheRowThatWasChosen() {
     QuestPlusSpec spec;
     spec.function = "table";
@@ -285,12 +290,17 @@ void TestQuestPlus::undoTakesTheRowThatWasChosen() {
 
 /// The dimensions of csf in any order choose the same stimuli; one that it does not have is refused.
 void TestQuestPlus::dimensionsGoByName() {
-    const std::pair<std::string, std::vector<double>> contrast{"contrast", {-50, -40, -30, -20, -10, 0}}, spatial{"spatial_freq", {0, 8, 16, 24, 32, 40}},
-        temporal{"temporal_freq", {0}};
+    const std::pair<std::string, std::vector<double>> contrast{"contrast", {-50, -40, -30, -20, -10, 0}},
+        spatial{"spatial_freq", {0, 8, 16, 24, 32, 40}}, temporal{"temporal_freq", {0}};
     QuestPlusSpec spec;
     spec.function = "csf";
-    spec.parameters = {{"min_thresh", {-50, -40, -30}, {}, false}, {"c0", {-60, -50, -40}, {}, false}, {"cf", {0.8, 1.2, 1.6}, {}, false},
-                       {"cw", {0}, {}, false}, {"slope", {3}, {}, false}, {"lower_asymptote", {0.5}, {}, false}, {"lapse_rate", {0.01}, {}, false}};
+    spec.parameters = {{"min_thresh", {-50, -40, -30}, {}, false},
+                       {"c0", {-60, -50, -40}, {}, false},
+                       {"cf", {0.8, 1.2, 1.6}, {}, false},
+                       {"cw", {0}, {}, false},
+                       {"slope", {3}, {}, false},
+                       {"lower_asymptote", {0.5}, {}, false},
+                       {"lapse_rate", {0.01}, {}, false}};
     spec.stop = {.trials = 20};
     spec.stimuli = {contrast, spatial, temporal};
     auto named = makeProcedure(spec, 1);
@@ -307,7 +317,8 @@ void TestQuestPlus::dimensionsGoByName() {
     QVERIFY(!refused && refused.error().message.find("spatial_freq is missing") != std::string::npos);
 }
 
-/// The check of a ranking makes no tables: at the ends of all ranges, and just outside of them, it says what the making of the model says.
+/// The check of a ranking makes no tables: at the ends of all ranges, and just outside of them, it says what
+/// the making of the model says.
 void TestQuestPlus::rankingThatIsCheckedCanBeMade() {
     int made = 0;
     int refused = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// QUEST+ against the published sequences of Watson (2017), as its peer in Python runs them (tests/unit/psychophysics/data).
+// QUEST+ against the published sequences of Watson (2017), as its peer in Python runs them
+// (tests/unit/psychophysics/data).
 #include "psychophysics/procedures/quest_plus.h"
 
 #include "reference_json.h"
@@ -44,7 +45,8 @@ void compareTrial(const QuestPlus& run, const QJsonObject& given, int trial, Dif
     const Stimulus peer = numbers(given["next"][trial]);
     const double margin = given["margin"][trial].toDouble();
     worst.choices += margin > 1e-9 && choice.stimulus != peer ? 1 : 0;
-    worst.entropy = std::max(worst.entropy, std::abs(run.expectedEntropy() - given["entropy"][trial].toDouble()));
+    worst.entropy =
+        std::max(worst.entropy, std::abs(run.expectedEntropy() - given["entropy"][trial].toDouble()));
     worst.margin = std::max(worst.margin, std::abs(choice.entropyMargin - margin));
     const QJsonArray published = given["published_stimuli"].toArray();
     const Stimulus said = numbers(published[trial]);
@@ -88,10 +90,13 @@ void TestQuestPlusPublished::sequences() {
             QVERIFY(run.record(responses[trial].toInt(), numbers(given["next"][trial])));
             comparePosterior(run, given, trial, worst);
         }
-        qInfo("%s: %d trials, choices off %d, entropy %.1e, margin %.1e, mean %.1e, sd %.1e, joint modes off %d", qPrintable(given["id"].toString()),
-              static_cast<int>(responses.size()), worst.choices, worst.entropy, worst.margin, worst.mean, worst.sd, worst.modes);
+        qInfo("%s: %d trials, choices off %d, entropy %.1e, margin %.1e, mean %.1e, sd %.1e, joint modes off "
+              "%d",
+              qPrintable(given["id"].toString()), static_cast<int>(responses.size()), worst.choices,
+              worst.entropy, worst.margin, worst.mean, worst.sd, worst.modes);
         ++tally.cases;
-        tally.passed += worst.choices == 0 && worst.entropy < 1e-9 && worst.mean < 1e-9 && worst.sd < 1e-8 ? 1 : 0;
+        tally.passed +=
+            worst.choices == 0 && worst.entropy < 1e-9 && worst.mean < 1e-9 && worst.sd < 1e-8 ? 1 : 0;
         tally.worst = std::max({tally.worst, worst.entropy, worst.mean});
         QCOMPARE(worst.published, 0);
         const QJsonObject mode = given["published_final_mode"].toObject();
@@ -99,14 +104,16 @@ void TestQuestPlusPublished::sequences() {
             if (mode.contains(QString::fromStdString(estimate.name)))
                 QCOMPARE(estimate.mode, mode[QString::fromStdString(estimate.name)].toDouble());
     }
-    qInfo("questplus_sequences.json: %d cases, %d passed, worst difference %.1e", tally.cases, tally.passed, tally.worst);
+    qInfo("questplus_sequences.json: %d cases, %d passed, worst difference %.1e", tally.cases, tally.passed,
+          tally.worst);
     QCOMPARE(tally.cases, 5);
     QCOMPARE(tally.passed, tally.cases);
 }
 
 /// Watson's notebook: the log-likelihood of its 32 example trials at the parameters they were simulated with.
 void TestQuestPlusPublished::likelihoodOfTheNotebook() {
-    const QJsonObject given = referenceJson("procedure_checks.json")["mathematica_questplus_loglik"].toObject();
+    const QJsonObject given =
+        referenceJson("procedure_checks.json")["mathematica_questplus_loglik"].toObject();
     const QJsonObject at = given["parameters"].toObject();
     QuestPlusSpec spec;
     spec.function = "weibull_db";
@@ -126,7 +133,9 @@ void TestQuestPlusPublished::likelihoodOfTheNotebook() {
         sum += std::log(likelihood[0]);
     }
     const double off = std::abs(sum - given["log_likelihood"].toDouble());
-    qInfo("published_small_checks.json, mathematica_questplus_loglik: 1 case, %d passed, worst difference %.1e", off < 5.1e-6 ? 1 : 0, off);
+    qInfo(
+        "published_small_checks.json, mathematica_questplus_loglik: 1 case, %d passed, worst difference %.1e",
+        off < 5.1e-6 ? 1 : 0, off);
     QVERIFY(off < 5.1e-6); // its last printed digit
 }
 
@@ -143,7 +152,10 @@ void TestQuestPlusPublished::gridPosterior() {
     QuestPlusSpec spec;
     spec.function = "logistic";
     spec.stimuli = {{"x", numbers(given["x"])}};
-    spec.parameters = {{"threshold", alpha, {}, false}, {"slope", beta, {}, false}, {"lower_asymptote", {0.5}, {}, false}, {"lapse_rate", lapse, {}, false}};
+    spec.parameters = {{"threshold", alpha, {}, false},
+                       {"slope", beta, {}, false},
+                       {"lower_asymptote", {0.5}, {}, false},
+                       {"lapse_rate", lapse, {}, false}};
     const auto model = questPlusModel(spec);
     QVERIFY(model);
     PosteriorGrid posterior = (*model)->prior;
@@ -164,10 +176,14 @@ void TestQuestPlusPublished::gridPosterior() {
         logMean += slopes[i] * std::log10(beta[i]);
     for (std::size_t i = 0; i < slopes.size(); ++i)
         logSquare += slopes[i] * std::pow(std::log10(beta[i]) - logMean, 2);
-    const double off = std::max({std::abs(posterior.estimate(0).mean - mean["alpha"].toDouble()), std::abs(logMean - mean["log10_beta"].toDouble()),
-                                 std::abs(posterior.estimate(3).mean - mean["lambda_"].toDouble()), std::abs(posterior.sd(0) - sd["alpha"].toDouble()),
-                                 std::abs(std::sqrt(logSquare) - sd["log10_beta"].toDouble()), std::abs(posterior.sd(3) - sd["lambda_"].toDouble())});
-    qInfo("published_small_checks.json, palamedes_PFBA: 1 case, %d passed, worst difference %.1e", off < 5.1e-5 ? 1 : 0, off);
+    const double off = std::max({std::abs(posterior.estimate(0).mean - mean["alpha"].toDouble()),
+                                 std::abs(logMean - mean["log10_beta"].toDouble()),
+                                 std::abs(posterior.estimate(3).mean - mean["lambda_"].toDouble()),
+                                 std::abs(posterior.sd(0) - sd["alpha"].toDouble()),
+                                 std::abs(std::sqrt(logSquare) - sd["log10_beta"].toDouble()),
+                                 std::abs(posterior.sd(3) - sd["lambda_"].toDouble())});
+    qInfo("published_small_checks.json, palamedes_PFBA: 1 case, %d passed, worst difference %.1e",
+          off < 5.1e-5 ? 1 : 0, off);
     QVERIFY(off < 5.1e-5); // its last printed digit
 }
 

@@ -19,17 +19,22 @@ StaircaseSpec specOf(const QJsonObject& settings) {
     spec.down = settings["nDown"].toInt(3);
     spec.stepsUp = numbers(settings["stepSizes"]);
     const QString type = settings["stepType"].toString();
-    spec.stepType = type == "log" ? StaircaseSpec::StepType::log : type == "db" ? StaircaseSpec::StepType::db : StaircaseSpec::StepType::linear;
+    spec.stepType = type == "log"  ? StaircaseSpec::StepType::log
+                    : type == "db" ? StaircaseSpec::StepType::db
+                                   : StaircaseSpec::StepType::linear;
     spec.initialOneUpOneDown = settings["applyInitialRule"].toBool(true);
     if (settings.contains("minVal"))
         spec.minimum = settings["minVal"].toDouble();
     if (settings.contains("maxVal"))
         spec.maximum = settings["maxVal"].toDouble();
-    spec.stop = {.trials = settings["nTrials"].toInt(0), .reversals = settings["nReversals"].toInt(), .reversalsAndTrials = true};
+    spec.stop = {.trials = settings["nTrials"].toInt(0),
+                 .reversals = settings["nReversals"].toInt(),
+                 .reversalsAndTrials = true};
     return spec;
 }
 
-/// Runs a staircase over all responses; the largest relative difference, infinite where reversals or the end differ.
+/// Runs a staircase over all responses; the largest relative difference, infinite where reversals or the end
+/// differ.
 double stairDifference(const QJsonObject& given) {
     Staircase run(specOf(given["settings"].toObject()));
     const std::vector<double> responses = numbers(given["responses"]);
@@ -43,13 +48,15 @@ double stairDifference(const QJsonObject& given) {
     }
     const std::vector<double> trials = numbers(given["reversal_trial_index0"]);
     const std::vector<double> values = numbers(given["reversal_intensities"]);
-    if (!run.done() || !std::equal(trials.begin(), trials.end(), run.reversalTrials().begin(), run.reversalTrials().end()) ||
+    if (!run.done() ||
+        !std::equal(trials.begin(), trials.end(), run.reversalTrials().begin(), run.reversalTrials().end()) ||
         values.size() != run.reversalValues().size())
         return HUGE_VAL;
     for (std::size_t i = 0; i < values.size(); ++i)
         worst = std::max(worst, std::abs(values[i] - run.reversalValues()[i]));
     if (given["mean_last_6_reversals"].isDouble())
-        worst = std::max(worst, std::abs(run.estimate().parameters[0].mean - given["mean_last_6_reversals"].toDouble()));
+        worst = std::max(
+            worst, std::abs(run.estimate().parameters[0].mean - given["mean_last_6_reversals"].toDouble()));
     return worst;
 }
 
@@ -82,8 +89,11 @@ double questDifference(const QJsonObject& given) {
         if (!run.record(static_cast<int>(responses[i]), asked))
             return HUGE_VAL;
         const QJsonObject after = given["after_each_trial"][static_cast<int>(i)].toObject();
-        const double off[] = {run.mean() - after["mean"].toDouble(), run.mode() - after["mode"].toDouble(), run.sd() - after["sd"].toDouble(),
-                              run.quantile(run.quantileOrder()) - after["quantile_optimal"].toDouble(), run.quantile(0.5) - after["median"].toDouble(),
+        const double off[] = {run.mean() - after["mean"].toDouble(),
+                              run.mode() - after["mode"].toDouble(),
+                              run.sd() - after["sd"].toDouble(),
+                              run.quantile(run.quantileOrder()) - after["quantile_optimal"].toDouble(),
+                              run.quantile(0.5) - after["median"].toDouble(),
                               run.quantile(0.05) - after["conf_interval_5_95"][0].toDouble(),
                               run.quantile(0.95) - after["conf_interval_5_95"][1].toDouble()};
         for (const double difference : off)
@@ -117,8 +127,10 @@ void TestStaircasePublished::psychopy() {
         tally.passed += off <= (quest ? 1e-6 : 1e-9) ? 1 : 0;
         tally.worst = std::max(tally.worst, off);
     }
-    qInfo("staircase_psychopy.json, StairHandler: %d cases, %d passed, worst difference %.1e", stairs.cases, stairs.passed, stairs.worst);
-    qInfo("staircase_psychopy.json, QuestHandler: %d cases, %d passed, worst difference %.1e of the range", quests.cases, quests.passed, quests.worst);
+    qInfo("staircase_psychopy.json, StairHandler: %d cases, %d passed, worst difference %.1e", stairs.cases,
+          stairs.passed, stairs.worst);
+    qInfo("staircase_psychopy.json, QuestHandler: %d cases, %d passed, worst difference %.1e of the range",
+          quests.cases, quests.passed, quests.worst);
     QCOMPARE(stairs.cases, 5);
     QCOMPARE(stairs.passed, stairs.cases);
     QCOMPARE(quests.cases, 1);
@@ -147,7 +159,8 @@ void TestStaircasePublished::levitt() {
         for (const int trial : run.reversalTrials())
             trials.push_back(trial + 1.0);
         ++tally.cases;
-        tally.passed += levels == numbers(given["levels"]) && trials == numbers(given["reversal_trials_1based"]) &&
+        tally.passed += levels == numbers(given["levels"]) &&
+                                trials == numbers(given["reversal_trials_1based"]) &&
                                 run.reversalValues() == numbers(given["reversal_values"])
                             ? 1
                             : 0;
@@ -158,7 +171,8 @@ void TestStaircasePublished::levitt() {
         else
             QCOMPARE(run.estimate().parameters[0].mean, 0.75);
     }
-    qInfo("published_small_checks.json, levitt1971: %d cases, %d passed, worst difference %.1e", tally.cases, tally.passed, tally.worst);
+    qInfo("published_small_checks.json, levitt1971: %d cases, %d passed, worst difference %.1e", tally.cases,
+          tally.passed, tally.worst);
     QCOMPARE(tally.cases, 2);
     QCOMPARE(tally.passed, tally.cases);
 }
@@ -167,7 +181,8 @@ void TestStaircasePublished::targets() {
     ReferenceTally levitt, weighted;
     for (const QJsonValue& value : referenceJson("procedure_checks.json")["levitt_targets"].toArray()) {
         const QString rule = value["rule"].toString(); // "1up2down"
-        const double off = std::abs(staircaseTarget(rule[0].digitValue(), rule[3].digitValue()) - value["p"].toDouble());
+        const double off =
+            std::abs(staircaseTarget(rule[0].digitValue(), rule[3].digitValue()) - value["p"].toDouble());
         ++levitt.cases;
         levitt.passed += off < 5.1e-5 ? 1 : 0;
         levitt.worst = std::max(levitt.worst, off);
@@ -175,13 +190,17 @@ void TestStaircasePublished::targets() {
     const QJsonObject given = referenceJson("procedure_checks.json")["garcia_perez_1998"].toObject();
     for (int down = 1; down <= 4; ++down) {
         const QString key = QString::number(down) + "down";
-        const double off = std::abs(staircaseTarget(1, down, given["ratio_step_down_over_step_up"][key].toDouble()) - given["converges_at"][key].toDouble());
+        const double off =
+            std::abs(staircaseTarget(1, down, given["ratio_step_down_over_step_up"][key].toDouble()) -
+                     given["converges_at"][key].toDouble());
         ++weighted.cases;
         weighted.passed += off < 5.1e-5 ? 1 : 0;
         weighted.worst = std::max(weighted.worst, off);
     }
-    qInfo("published_small_checks.json, levitt_targets: %d cases, %d passed, worst difference %.1e", levitt.cases, levitt.passed, levitt.worst);
-    qInfo("published_small_checks.json, garcia_perez_1998: %d cases, %d passed, worst difference %.1e", weighted.cases, weighted.passed, weighted.worst);
+    qInfo("published_small_checks.json, levitt_targets: %d cases, %d passed, worst difference %.1e",
+          levitt.cases, levitt.passed, levitt.worst);
+    qInfo("published_small_checks.json, garcia_perez_1998: %d cases, %d passed, worst difference %.1e",
+          weighted.cases, weighted.passed, weighted.worst);
     QCOMPARE(levitt.passed, 5);
     QCOMPARE(weighted.passed, 4);
     QVERIFY(std::abs(staircaseTarget(1, 1, 1.0 / 3.0) - 0.75) < 1e-12); // Kaernbach 1991
@@ -194,12 +213,14 @@ void TestStaircasePublished::questOffset() {
     const double beta = given["beta"].toDouble();
     const double target = 1.0 - std::exp(-std::pow(10.0, beta * epsilon));
     const double off = std::abs(questEpsilon(target, beta, 0.0, 0.0) - epsilon);
-    qInfo("published_small_checks.json, harvey1986_quest_epsilon: 1 case, %d passed, worst difference %.1e", off < 1e-4 ? 1 : 0, off);
+    qInfo("published_small_checks.json, harvey1986_quest_epsilon: 1 case, %d passed, worst difference %.1e",
+          off < 1e-4 ? 1 : 0, off);
     QVERIFY(off < 1e-12);
     QVERIFY(std::isnan(questEpsilon(0.4, 3.5, 0.5, 0.01)) && std::isnan(questEpsilon(0.999, 3.5, 0.5, 0.01)));
 }
 
-/// Settings far from the usual ones; levels and estimate as a port of the common implementation's formulas in numpy gives them.
+/// Settings far from the usual ones; levels and estimate as a port of the common implementation's formulas in
+/// numpy gives them.
 void TestStaircasePublished::questOnACoarseGrid() {
     QuestSpec spec;
     spec.priorMean = 0.2;
@@ -211,7 +232,14 @@ void TestStaircasePublished::questOnACoarseGrid() {
     spec.grain = 0.05;
     spec.range = 4.0;
     Quest run(spec);
-    const double levels[] = {0.2, -0.13196408098673368, -0.4227521317052277, 0.010228581140059562, -0.12477115927727661, 0.11782548046672622, 0.019892901520051992, -0.040088127478241864};
+    const double levels[] = {0.2,
+                             -0.13196408098673368,
+                             -0.4227521317052277,
+                             0.010228581140059562,
+                             -0.12477115927727661,
+                             0.11782548046672622,
+                             0.019892901520051992,
+                             -0.040088127478241864};
     const int answers[] = {1, 1, 0, 1, 0, 1, 1, 1};
     for (std::size_t i = 0; i < std::size(levels); ++i) {
         const Stimulus asked = run.next().stimulus;
@@ -222,8 +250,9 @@ void TestStaircasePublished::questOnACoarseGrid() {
     QVERIFY(std::abs(run.sd() - 0.20961395496140645) < 1e-12);
 }
 
-/// Always wrong: what lies at the grid's last point counts. Stimuli, mean and interval as the formulas of the common implementation give them
-/// in numpy (its quantile between all points at which the distribution has risen).
+/// Always wrong: what lies at the grid's last point counts. Stimuli, mean and interval as the formulas of the
+/// common implementation give them in numpy (its quantile between all points at which the distribution has
+/// risen).
 void TestStaircasePublished::questAtTheEndOfItsGrid() {
     QuestSpec spec;
     spec.priorSd = 1.0;
@@ -231,8 +260,11 @@ void TestStaircasePublished::questAtTheEndOfItsGrid() {
     spec.range = 2.0;
     Quest run(spec);
     QCOMPARE(run.id(), std::string_view("quest@3")); // what chooses otherwise has another id
-    for (const double level : {0.0, 0.5294078367082239, 0.7702681271177795, 0.8976680025273759, 0.9360781828566891, 0.947402209364289, 0.9526321404156224, 0.9571352256299355}) {
-        QVERIFY2(std::abs(run.next().stimulus[0] - level) < 1e-12, qPrintable(QString::number(run.next().stimulus[0], 'g', 16)));
+    for (const double level :
+         {0.0, 0.5294078367082239, 0.7702681271177795, 0.8976680025273759, 0.9360781828566891,
+          0.947402209364289, 0.9526321404156224, 0.9571352256299355}) {
+        QVERIFY2(std::abs(run.next().stimulus[0] - level) < 1e-12,
+                 qPrintable(QString::number(run.next().stimulus[0], 'g', 16)));
         QVERIFY(run.record(0, run.next().stimulus));
     }
     QVERIFY(std::abs(run.next().stimulus[0] - 0.9584376655515111) < 1e-12);
@@ -245,7 +277,8 @@ void TestStaircasePublished::questAtTheEndOfItsGrid() {
     QCOMPARE(sure.quantile(0.975), 0.0);
 }
 
-/// A yes where nearly none is to be expected says how much less likely it is at every threshold above: as the formula has it.
+/// A yes where nearly none is to be expected says how much less likely it is at every threshold above: as the
+/// formula has it.
 void TestStaircasePublished::questKeepsTinyProbabilities() {
     QuestSpec spec;
     spec.priorSd = 2.0;
@@ -259,7 +292,8 @@ void TestStaircasePublished::questKeepsTinyProbabilities() {
         (void)run.record(0, {1.5});
         return run.mean();
     };
-    QVERIFY2(std::abs(after() + 2.3563268) < 5e-7, qPrintable(QString::number(after(), 'g', 16))); // a lapse explains it
+    QVERIFY2(std::abs(after() + 2.3563268) < 5e-7,
+             qPrintable(QString::number(after(), 'g', 16))); // a lapse explains it
     spec.lapse = 0.0;
     QVERIFY2(std::abs(after() - 1.6359684) < 5e-7, qPrintable(QString::number(after(), 'g', 16)));
 }

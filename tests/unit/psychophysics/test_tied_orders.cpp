@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rankings with ties: their probabilities against the model without ties, brute force and simulated observers; QUEST+ over them.
+// Rankings with ties: their probabilities against the model without ties, brute force and simulated
+// observers; QUEST+ over them.
 #include "procedure_runs.h"
 #include "psychophysics/observers/simulated_observer.h"
 #include "psychophysics/observers/thurstone.h"
@@ -22,7 +23,8 @@ int said(const std::array<double, 3>& felt, double tie) {
     Ranking ranks{};
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t k = 1; k < 3; ++k)
-            ranks[i] = static_cast<std::int8_t>(ranks[i] + (felt[i] >= sorted[k] && sorted[k] - sorted[k - 1] >= tie ? 1 : 0));
+            ranks[i] = static_cast<std::int8_t>(
+                ranks[i] + (felt[i] >= sorted[k] && sorted[k] - sorted[k - 1] >= tie ? 1 : 0));
     return rankingOf(ranks);
 }
 
@@ -35,7 +37,8 @@ RankingProbabilities bruteForce(double d, double tie) {
         for (int b = -kReach; b < kReach; ++b)
             for (int c = -kReach; c < kReach; ++c) {
                 const double x = (a + 0.5) * kStep, y = (b + 0.5) * kStep, z = (c + 0.5) * kStep;
-                p[static_cast<std::size_t>(said({x, y + d, z + 2.0 * d}, tie))] += std::exp(-0.5 * (x * x + y * y + z * z));
+                p[static_cast<std::size_t>(said({x, y + d, z + 2.0 * d}, tie))] +=
+                    std::exp(-0.5 * (x * x + y * y + z * z));
             }
     const double total = std::accumulate(p.begin(), p.end(), 0.0);
     for (double& value : p)
@@ -93,10 +96,12 @@ void TestTiedOrders::limits() {
 }
 
 void TestTiedOrders::againstBruteForce() {
-    const auto p = tiedRankProbabilities(0.8, 0.6); // a threshold at a multiple of the grid's step: no percept lies on an edge
+    const auto p = tiedRankProbabilities(
+        0.8, 0.6); // a threshold at a multiple of the grid's step: no percept lies on an edge
     const auto rough = bruteForce(0.8, 0.6);
     for (std::size_t i = 0; i < p.size(); ++i)
-        QVERIFY2(std::abs(p[i] - rough[i]) < 0.01, qPrintable(QStringLiteral("%1: %2, %3").arg(i).arg(p[i]).arg(rough[i])));
+        QVERIFY2(std::abs(p[i] - rough[i]) < 0.01,
+                 qPrintable(QStringLiteral("%1: %2, %3").arg(i).arg(p[i]).arg(rough[i])));
 }
 
 void TestTiedOrders::tableHolds() {
@@ -125,12 +130,14 @@ void TestTiedOrders::observerFollows() {
         std::vector<double> places;
         for (const int multiple : arrangements(Task::rank3Ties)[static_cast<std::size_t>(arrangement)])
             places.push_back(multiple * 0.9 * observer.sigma());
-        ++counts[static_cast<std::size_t>(outcomeOf(Task::rank3Ties, arrangement, observer.answer(Task::rank3Ties, places)))];
+        ++counts[static_cast<std::size_t>(
+            outcomeOf(Task::rank3Ties, arrangement, observer.answer(Task::rank3Ties, places)))];
     }
     const auto p = tiedRankProbabilities(0.9, 0.7);
     for (std::size_t r = 0; r < p.size(); ++r) {
         const double expected = 0.9 * p[r] + 0.1 / kRankings;
-        QVERIFY(std::abs(counts[r] / double(kAnswers) - expected) < 5.0 * std::sqrt(expected * (1.0 - expected) / kAnswers));
+        QVERIFY(std::abs(counts[r] / double(kAnswers) - expected) <
+                5.0 * std::sqrt(expected * (1.0 - expected) / kAnswers));
     }
 }
 
@@ -142,7 +149,8 @@ void TestTiedOrders::rankingsAreWhole() {
         QCOMPARE(outcomeOf(Task::rank3Ties, arrangement, correctAnswer(Task::rank3Ties, arrangement)), 0);
         QCOMPARE(outcomeOf(Task::rank3Ties, arrangement, 12), 12);
         for (int answer = 0; answer < 6; ++answer)
-            QCOMPARE(outcomeOf(Task::rank3Ties, arrangement, answer), outcomeOf(Task::rank3, arrangement, answer));
+            QCOMPARE(outcomeOf(Task::rank3Ties, arrangement, answer),
+                     outcomeOf(Task::rank3, arrangement, answer));
     }
     QCOMPARE(outcomeOf(Task::rank3, 0, 6), -1); // a tie where none may be said
     QCOMPARE(outcomes(Task::rank3Ties), 13);
@@ -162,7 +170,8 @@ void TestTiedOrders::procedureOfThirteen() {
     QVERIFY(!makeProcedure(none, 1));
 }
 
-/// 60 runs of 60 trials by observers whose threshold of ties the grid does not hold: sd of log10 JND as without ties, no bias.
+/// 60 runs of 60 trials by observers whose threshold of ties the grid does not hold: sd of log10 JND as
+/// without ties, no bias.
 void TestTiedOrders::findsSigma() {
     constexpr int kRuns = 60;
     double sum = 0.0, squares = 0.0;
@@ -170,7 +179,8 @@ void TestTiedOrders::findsSigma() {
         Rank3Spec spec = tied();
         spec.stop = {.trials = 60};
         auto procedure = makeProcedure(spec, 1);
-        SimulatedObserver observer({.weber = 0.12, .lapse = 0.02, .ties = 0.7}, static_cast<std::uint64_t>(run + 1));
+        SimulatedObserver observer({.weber = 0.12, .lapse = 0.02, .ties = 0.7},
+                                   static_cast<std::uint64_t>(run + 1));
         while (!(*procedure)->done()) {
             const Stimulus x = (*procedure)->next().stimulus;
             const int answer = observer.answer(Task::rank3Ties, {0.0, x[0], 2.0 * x[0]});
@@ -186,13 +196,15 @@ void TestTiedOrders::findsSigma() {
     QVERIFY(std::abs(bias) < 0.02 + 3.0 * sd / std::sqrt(double(kRuns)));
 }
 
-/// Planned precision is what simulated runs have (test_plan_coverage: 0.052 at 64 trials, best spacing or not); always tied says nothing.
+/// Planned precision is what simulated runs have (test_plan_coverage: 0.052 at 64 trials, best spacing or
+/// not); always tied says nothing.
 void TestTiedOrders::worthOfTies() {
     const double strict = bestSpacing(Task::rank3, 0.02).information;
     const double ties = bestSpacing(Task::rank3Ties, 0.02, false, 0.5).information;
     qInfo("information a trial: %.3f without ties, %.3f with", strict, ties);
     QVERIFY(ties > 0.8 * strict && ties < 1.5 * strict);
-    QVERIFY(std::abs(fisherInformation(Task::rank3Ties, 2.0, 0.0, false, 1e-6) - fisherInformation(Task::rank3, 2.0, 0.0)) < 0.01);
+    QVERIFY(std::abs(fisherInformation(Task::rank3Ties, 2.0, 0.0, false, 1e-6) -
+                     fisherInformation(Task::rank3, 2.0, 0.0)) < 0.01);
     QVERIFY(fisherInformation(Task::rank3Ties, 1.0, 0.02, false, 60.0) < 1e-6);
 }
 

@@ -59,7 +59,8 @@ inline psychophysics::FitOptions yesNo(psychophysics::Sigmoid function = psychop
 
 /// Whatever the data, a fit gives finite values, or NaN with a warning; proportions lie between 0 and 1.
 inline void mustBeSane(const psychophysics::FitResult& fit) {
-    QVERIFY(fit.fitted ? std::isfinite(fit.threshold) && fit.width > 0.0 : std::isnan(fit.threshold) && std::isnan(fit.width));
+    QVERIFY(fit.fitted ? std::isfinite(fit.threshold) && fit.width > 0.0
+                       : std::isnan(fit.threshold) && std::isnan(fit.width));
     QVERIFY(fit.fitted || !fit.warnings.empty());
     if (fit.fitted) {
         QVERIFY(fit.lapse >= 0.0 && fit.lapse < 1.0 && fit.guess >= 0.0 && fit.guess < 1.0);
@@ -67,7 +68,8 @@ inline void mustBeSane(const psychophysics::FitResult& fit) {
         QVERIFY(!std::isnan(fit.logLikelihood));
     }
     for (const std::string& warning : fit.warnings) {
-        QVERIFY2(warning.find(": ") != std::string::npos && warning.find(' ') > warning.find(':'), warning.c_str());
+        QVERIFY2(warning.find(": ") != std::string::npos && warning.find(' ') > warning.find(':'),
+                 warning.c_str());
     }
 }
 

@@ -19,7 +19,7 @@ constexpr std::int64_t kMs = 1'000'000;
 /// Records what it was given, and takes as long on the virtual clock as its script says.
 struct ScriptedTask {
     VirtualClock* clock = nullptr;
-    std::vector<std::int64_t> durations_ns{}; ///< by tick; 0 beyond the end
+    std::vector<std::int64_t> durations_ns{};  ///< by tick; 0 beyond the end
     std::vector<std::int64_t> wakeDelays_ns{}; ///< of the wake-up after the tick
     std::size_t stopAfter = 0;
     std::vector<std::uint64_t> indices{};
@@ -168,8 +168,10 @@ private slots:
         QCOMPARE(status.priorityGranted, policy == SCHED_FIFO);
         QCOMPARE(granted.sched_priority, status.priorityGranted ? 80 : 0);
         QVERIFY2(status.priorityDetail.find("80") != std::string::npos, status.priorityDetail.c_str());
-        QVERIFY2(status.memoryLocked || status.memoryDetail.rfind("memory not locked: ", 0) == 0, status.memoryDetail.c_str());
-        QVERIFY2(slack_ns >= 0 && slack_ns <= 1, qPrintable(QString::number(slack_ns))); // the default of 50 µs is half of what is spun
+        QVERIFY2(status.memoryLocked || status.memoryDetail.rfind("memory not locked: ", 0) == 0,
+                 status.memoryDetail.c_str());
+        QVERIFY2(slack_ns >= 0 && slack_ns <= 1,
+                 qPrintable(QString::number(slack_ns))); // the default of 50 µs is half of what is spun
         QVERIFY2(denormalProduct == 0.0, "denormals are flushed on that thread");
     }
 };

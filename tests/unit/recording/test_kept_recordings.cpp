@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The format of recordings and of the crash ring to the byte, what is summed up and hashed of made frames, and the words in which what does
-// not fit is refused, with its place. Against what was looked at and kept: files of today are read for years. A change that is meant is kept
-// anew, and its difference is read in review: CHIRON_STORE_OUTLINES=1 ctest --test-dir build/release -R "^test_kept_recordings$"
+// The format of recordings and of the crash ring to the byte, what is summed up and hashed of made frames,
+// and the words in which what does not fit is refused, with its place. Against what was looked at and kept:
+// files of today are read for years. A change that is meant is kept anew, and its difference is read in
+// review: CHIRON_STORE_OUTLINES=1 ctest --test-dir build/release -R "^test_kept_recordings$"
 #include "recording/channel_table.h"
 #include "recording/chunk_decoder.h"
 #include "recording/chunk_encoder.h"
@@ -21,7 +22,9 @@ using namespace chiron::tests;
 
 namespace {
 
-QString text(const std::string& words) { return QString::fromStdString(words); }
+QString text(const std::string& words) {
+    return QString::fromStdString(words);
+}
 
 /// Frames of numbers that every processor makes alike.
 core::HapticFrame madeFrame(std::uint64_t n, std::uint32_t tools) {
@@ -36,7 +39,8 @@ core::HapticFrame madeFrame(std::uint64_t n, std::uint32_t tools) {
     frame.header.phase = core::TrialPhase::running;
     frame.header.force = n < 5 ? core::ForceState::ramping : core::ForceState::on;
     frame.header.paused = n >= 60 && n < 70 ? 1 : 0;
-    frame.header.commands[0] = {n == 60 ? core::CommandKind::pause : core::CommandKind::none, static_cast<std::uint16_t>(n == 60 ? 7 : 0)};
+    frame.header.commands[0] = {n == 60 ? core::CommandKind::pause : core::CommandKind::none,
+                                static_cast<std::uint16_t>(n == 60 ? 7 : 0)};
     frame.header.energySupplied_J = static_cast<double>(n) / 1024.0;
     frame.header.energyStored_J = static_cast<double>(n % 8) / 2048.0;
     frame.header.quantities[0] = static_cast<double>(n % 5);
@@ -114,7 +118,8 @@ private:
         const QString differs = m_kept.differs(name, lines.lines());
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
-    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/recording/kept_recordings.txt"), &tests::sameNumbers};
+    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/recording/kept_recordings.txt"),
+                           &tests::sameNumbers};
 };
 
 void TestKeptRecordings::tables() {
@@ -123,20 +128,31 @@ void TestKeptRecordings::tables() {
         const auto table = ChannelTable::forTools(HapticTrace::channels(tools), madeScene());
         QVERIFY(table);
         for (const Channel& c : table->channels())
-            lines.add(QStringLiteral("%1 %2 [%3] in \"%4\", kind %5, slot %6, reference %7, factor %8").arg(c.tool).arg(text(c.id), text(c.unit), text(c.frame)).arg(static_cast<int>(c.kind)).arg(c.slot)
-                          .arg(c.reference).arg(c.factor), {c.resolution});
+            lines.add(QStringLiteral("%1 %2 [%3] in \"%4\", kind %5, slot %6, reference %7, factor %8")
+                          .arg(c.tool)
+                          .arg(text(c.id), text(c.unit), text(c.frame))
+                          .arg(static_cast<int>(c.kind))
+                          .arg(c.slot)
+                          .arg(c.reference)
+                          .arg(c.factor),
+                      {c.resolution});
         const std::vector<std::uint8_t> bytes = table->encode();
         for (std::size_t at = 0; at < bytes.size(); at += 64)
-            lines.add(QString::fromLatin1(QByteArray(reinterpret_cast<const char*>(bytes.data()) + at, static_cast<qsizetype>(std::min<std::size_t>(64, bytes.size() - at))).toHex(' ')));
+            lines.add(QString::fromLatin1(
+                QByteArray(reinterpret_cast<const char*>(bytes.data()) + at,
+                           static_cast<qsizetype>(std::min<std::size_t>(64, bytes.size() - at)))
+                    .toHex(' ')));
     }
     hold(QStringLiteral("tables"), lines);
 }
 
 void TestKeptRecordings::tablesThatAreRefused() {
     NumberLines words;
-    const auto make = [&](const char* name, const std::vector<ToolChannels>& tools, const SceneChannels& scene) {
+    const auto make = [&](const char* name, const std::vector<ToolChannels>& tools,
+                          const SceneChannels& scene) {
         const auto table = ChannelTable::forTools(tools, scene);
-        words.add(QStringLiteral("%1: %2").arg(QLatin1String(name), table ? QStringLiteral("taken") : text(table.error().message)));
+        words.add(QStringLiteral("%1: %2").arg(QLatin1String(name), table ? QStringLiteral("taken")
+                                                                          : text(table.error().message)));
     };
     std::vector<ToolChannels> tools = HapticTrace::channels(1);
     make("no tool", {}, {});
@@ -167,7 +183,9 @@ void TestKeptRecordings::tablesThatAreRefused() {
             channels[i].id = "c" + std::to_string(i);
         change(channels);
         const auto table = ChannelTable::fromChannels(channels);
-        words.add(QStringLiteral("%1: %2").arg(QLatin1String(name), table ? QStringLiteral("taken, tools %1").arg(table->tools()) : text(table.error().message)));
+        words.add(QStringLiteral("%1: %2").arg(QLatin1String(name),
+                                               table ? QStringLiteral("taken, tools %1").arg(table->tools())
+                                                     : text(table.error().message)));
     };
     list("none", 0, [](auto&) {});
     list("512", 512, [](auto&) {});
@@ -191,12 +209,19 @@ void TestKeptRecordings::tablesThatAreRefused() {
         list("kind", 3, [kind](auto& c) { c[0].kind = static_cast<ChannelKind>(kind); });
     for (const int reference : {-2, -1, 0, 1, 2, 3})
         list("reference", 4, [reference](auto& c) { c[2].reference = reference; });
-    list("reference of one that has one", 4, [](auto& c) { c[1].reference = 0; c[3].reference = 1; });
+    list("reference of one that has one", 4, [](auto& c) {
+        c[1].reference = 0;
+        c[3].reference = 1;
+    });
     list("the same id", 3, [](auto& c) { c[2].id = "c0"; });
-    list("the same id of another tool", 3, [](auto& c) { c[2].id = "c0"; c[2].tool = 2; });
+    list("the same id of another tool", 3, [](auto& c) {
+        c[2].id = "c0";
+        c[2].tool = 2;
+    });
     hold(QStringLiteral("tables that are refused"), words);
 
-    const std::vector<std::uint8_t> bytes = ChannelTable::forTools(HapticTrace::channels(1), madeScene())->encode();
+    const std::vector<std::uint8_t> bytes =
+        ChannelTable::forTools(HapticTrace::channels(1), madeScene())->encode();
     Runs cut, changed;
     for (std::size_t length = 0; length <= bytes.size(); ++length) {
         const auto table = ChannelTable::decode(std::span(bytes).first(length));
@@ -230,7 +255,10 @@ void TestKeptRecordings::chunksThatAreRefused() {
         ChunkDecoder decoder(table);
         std::vector<core::HapticFrame> read;
         const auto decoded = decoder.decode(changed, read);
-        words.add(QStringLiteral("%1: %2, %3 frames").arg(QLatin1String(name), decoded ? QStringLiteral("taken") : text(decoded.error().message)).arg(read.size()));
+        words.add(
+            QStringLiteral("%1: %2, %3 frames")
+                .arg(QLatin1String(name), decoded ? QStringLiteral("taken") : text(decoded.error().message))
+                .arg(read.size()));
     };
     say("as it is", *chunk);
     Chunk other = *chunk;
@@ -279,7 +307,10 @@ void TestKeptRecordings::hashesAndSums() {
     for (const std::uint32_t tools : {1U, 2U, 4U}) {
         const auto frames = madeFrames(130, tools);
         for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{7}, std::size_t{130}})
-            lines.add(QStringLiteral("%1 tools, %2 frames: %3").arg(tools).arg(count).arg(text(toHex(forceHashOf(std::span(frames).first(count))))));
+            lines.add(QStringLiteral("%1 tools, %2 frames: %3")
+                          .arg(tools)
+                          .arg(count)
+                          .arg(text(toHex(forceHashOf(std::span(frames).first(count))))));
         const Position position;
         SecondSummaries summaries(position, 1.5);
         std::vector<SecondSummary> done;
@@ -288,8 +319,10 @@ void TestKeptRecordings::hashesAndSums() {
         lines.add(QStringLiteral("%1 before the end").arg(done.size()));
         summaries.finish(done);
         for (const SecondSummary& s : done)
-            lines.add(QStringLiteral("second"), {static_cast<double>(s.second), static_cast<double>(s.tool), static_cast<double>(s.frames), s.pathLength_m, s.maximumForce_N, s.meanForce_N, s.impulse_Ns,
-                                                 s.timeOverLimit_s, static_cast<double>(s.events)});
+            lines.add(QStringLiteral("second"),
+                      {static_cast<double>(s.second), static_cast<double>(s.tool),
+                       static_cast<double>(s.frames), s.pathLength_m, s.maximumForce_N, s.meanForce_N,
+                       s.impulse_Ns, s.timeOverLimit_s, static_cast<double>(s.events)});
     }
     Chunk chunk;
     chunk.sequence = 3;
@@ -306,13 +339,17 @@ void TestKeptRecordings::rounding() {
     for (const double resolution : {1e-3, 1e-5, 2.5e-5, 0.3, 1.0, 1.0 / 3.0, 1e-9})
         lines.add(QStringLiteral("steps"), {resolution, stepsPerUnit(resolution)});
     const double steps = stepsPerUnit(1e-3);
-    for (const double value : {0.0, 0.0005, 0.0015, -0.0005, -0.0025, 1.2345, 1073741.8239, 1073741.824, 1073741.8246, -1073741.8246, 1e12, -1e300})
-        lines.add(QStringLiteral("value"), {value, static_cast<double>(quantise(value, steps)), dequantise(quantise(value, steps), steps)});
+    for (const double value : {0.0, 0.0005, 0.0015, -0.0005, -0.0025, 1.2345, 1073741.8239, 1073741.824,
+                               1073741.8246, -1073741.8246, 1e12, -1e300})
+        lines.add(QStringLiteral("value"), {value, static_cast<double>(quantise(value, steps)),
+                                            dequantise(quantise(value, steps), steps)});
     QCOMPARE(quantise(std::nan(""), steps), kNaNQuantum);
     QCOMPARE(quantise(std::numeric_limits<double>::infinity(), steps), kInfinityQuantum);
     QCOMPARE(quantise(-std::numeric_limits<double>::infinity(), steps), -kInfinityQuantum);
-    QVERIFY(std::isnan(dequantise(kNaNQuantum, steps)) && std::isnan(dequantise(kNaNQuantum + 1, steps)) && std::isnan(dequantise(-kNaNQuantum, steps)));
-    QVERIFY(dequantise(kInfinityQuantum, steps) == std::numeric_limits<double>::infinity() && dequantise(-kInfinityQuantum, steps) == -std::numeric_limits<double>::infinity());
+    QVERIFY(std::isnan(dequantise(kNaNQuantum, steps)) && std::isnan(dequantise(kNaNQuantum + 1, steps)) &&
+            std::isnan(dequantise(-kNaNQuantum, steps)));
+    QVERIFY(dequantise(kInfinityQuantum, steps) == std::numeric_limits<double>::infinity() &&
+            dequantise(-kInfinityQuantum, steps) == -std::numeric_limits<double>::infinity());
     core::HapticFrame frame = madeFrame(13, 2);
     frame.header.reserved = 5;
     frame.tool[0].reserved = 6;
@@ -329,9 +366,13 @@ void TestKeptRecordings::rounding() {
         lines.add(QStringLiteral("commanded"), tool.commanded);
         lines.add(QStringLiteral("measured"), tool.measured);
         lines.add(QStringLiteral("display"), tool.display);
-        lines.add(QStringLiteral("else"), {static_cast<double>(tool.buttons), static_cast<double>(tool.reserved), static_cast<double>(tool.packet)});
+        lines.add(QStringLiteral("else"),
+                  {static_cast<double>(tool.buttons), static_cast<double>(tool.reserved),
+                   static_cast<double>(tool.packet)});
     }
-    lines.add(QStringLiteral("header"), {static_cast<double>(rounded.header.index), static_cast<double>(rounded.header.reserved), rounded.header.energySupplied_J, rounded.header.energyStored_J, rounded.header.quantities[0]});
+    lines.add(QStringLiteral("header"),
+              {static_cast<double>(rounded.header.index), static_cast<double>(rounded.header.reserved),
+               rounded.header.energySupplied_J, rounded.header.energyStored_J, rounded.header.quantities[0]});
     hold(QStringLiteral("rounding"), lines);
 }
 
@@ -342,7 +383,10 @@ void TestKeptRecordings::rings() {
         RingSettings settings = rings.settings(tools);
         settings.capacity = capacity;
         const auto ring = RingFile::create(settings);
-        lines.add(QStringLiteral("%1: %2").arg(QLatin1String(name), ring ? QStringLiteral("taken, %1 slots of %2 tools").arg(ring->capacity()).arg(ring->tools()) : text(ring.error().message)));
+        lines.add(QStringLiteral("%1: %2").arg(
+            QLatin1String(name),
+            ring ? QStringLiteral("taken, %1 slots of %2 tools").arg(ring->capacity()).arg(ring->tools())
+                 : text(ring.error().message)));
     };
     make("no tool", 0, 4096);
     make("four tools", 4, 4096);
@@ -352,7 +396,8 @@ void TestKeptRecordings::rings() {
     make("larger", 1, 131072);
     make("no power of two", 1, 5000);
     for (const std::uint32_t tools : {1U, 2U, 3U, 4U})
-        lines.add(QStringLiteral("bytes"), {static_cast<double>(usedFrameBytes(tools)), static_cast<double>(slotBytesFor(tools))});
+        lines.add(QStringLiteral("bytes"),
+                  {static_cast<double>(usedFrameBytes(tools)), static_cast<double>(slotBytesFor(tools))});
     lines.add(text(ringFilePrefix(rings.settings().database)));
     RingHeader header;
     header.tools = 2;
@@ -362,7 +407,11 @@ void TestKeptRecordings::rings() {
     header.pid = 4711;
     header.database = {1, 2, 3};
     header.bootId[0] = 'b';
-    lines.add(QStringLiteral("checksum %1, offsets %2 %3 %4").arg(identityChecksum(header)).arg(offsetof(RingHeader, committed)).arg(offsetof(RingHeader, dropped)).arg(sizeof(RingHeader)));
+    lines.add(QStringLiteral("checksum %1, offsets %2 %3 %4")
+                  .arg(identityChecksum(header))
+                  .arg(offsetof(RingHeader, committed))
+                  .arg(offsetof(RingHeader, dropped))
+                  .arg(sizeof(RingHeader)));
     header.committed = header.dropped = 99; // not of its identity
     lines.add(QStringLiteral("checksum %1").arg(identityChecksum(header)));
 
@@ -379,8 +428,10 @@ void TestKeptRecordings::rings() {
             file.write(reinterpret_cast<const char*>(&h), sizeof h);
         }
         const auto ring = recoverRing(path);
-        QString said = ring ? QStringLiteral("taken, %1 frames").arg(ring->frames().size()) : text(ring.error().message);
-        lines.add(QStringLiteral("%1: %2").arg(QLatin1String(name), said.replace(text(path.string()), QStringLiteral("RING"))));
+        QString said =
+            ring ? QStringLiteral("taken, %1 frames").arg(ring->frames().size()) : text(ring.error().message);
+        lines.add(QStringLiteral("%1: %2").arg(QLatin1String(name),
+                                               said.replace(text(path.string()), QStringLiteral("RING"))));
     };
     spoiled("as it is", [](RingHeader&) {});
     spoiled("another mark", [](RingHeader& h) { h.magic += 1; });

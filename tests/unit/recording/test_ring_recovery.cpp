@@ -98,7 +98,8 @@ void TestRingRecovery::damagedHeadersAreRefused() {
         patch(path, at, 0x04);
     }
     QVERIFY(recoverRing(path));
-    patch(path, offsetof(RingHeader, frameLayout), 0x03); // 2 becomes 1: frames of a program before quantities
+    patch(path, offsetof(RingHeader, frameLayout),
+          0x03); // 2 becomes 1: frames of a program before quantities
     QVERIFY(recoverRing(path).error().message.find("expected frame layout 2, found 1") != std::string::npos);
     patch(path, offsetof(RingHeader, frameLayout), 0x03);
     for (const std::uintmax_t size : {std::uintmax_t{0}, std::uintmax_t{100}, std::uintmax_t{5000}}) {

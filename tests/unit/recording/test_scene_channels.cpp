@@ -35,7 +35,8 @@ std::vector<core::HapticFrame> framesWithValues() {
     return frames;
 }
 
-std::vector<core::HapticFrame> throughAChunk(const ChannelTable& table, std::span<const core::HapticFrame> frames) {
+std::vector<core::HapticFrame> throughAChunk(const ChannelTable& table,
+                                             std::span<const core::HapticFrame> frames) {
     ChunkEncoder encoder(table);
     auto chunk = encoder.encode(0, frames);
     ChunkDecoder decoder(*ChannelTable::decode(table.encode()));
@@ -50,7 +51,8 @@ std::vector<core::HapticFrame> throughAChunk(const ChannelTable& table, std::spa
 class TestSceneChannels : public QObject {
     Q_OBJECT
 private slots:
-    /// A session without quantities has the table it always had, byte for byte; with them they follow behind it.
+    /// A session without quantities has the table it always had, byte for byte; with them they follow behind
+    /// it.
     void theyComeAfterEverythingElse() {
         const auto plain = ChannelTable::forTools(tests::HapticTrace::channels(2));
         QVERIFY(plain->encode() == tableOf({}).encode());

@@ -41,7 +41,8 @@ int main(int argc, char** argv) {
     below.addLimit(QStringLiteral("limit of the plate, 30°"), 30.0);
     for (report::PlotView* view : {&above, &below})
         view->setLeftMargin(60.0);
-    const QImage picture = report::renderPanels({{&above, QRectF(0, 0, 760, 260)}, {&below, QRectF(0, 268, 760, 260)}}, QSize(760, 528), 1.5, theme);
+    const QImage picture = report::renderPanels(
+        {{&above, QRectF(0, 0, 760, 260)}, {&below, QRectF(0, 268, 760, 260)}}, QSize(760, 528), 1.5, theme);
     const auto written = report::writePng(QString::fromLocal8Bit(argv[1]), picture);
     if (!written)
         std::fprintf(stderr, "%s\n", written.error().message.c_str());

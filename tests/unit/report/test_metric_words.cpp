@@ -33,29 +33,39 @@ private slots:
         QVERIFY(!session_report::metricMeaning(mean, 1).contains(QStringLiteral("mean")));
         for (const scoring::MetricDefinition& metric : scoring::metricCatalogue()) {
             const QString id = QString::fromStdString(std::string(metric.id));
-            if (id.startsWith(QStringLiteral("force_")) || id.startsWith(QStringLiteral("apex_")) || id == QLatin1String("offset_rms") ||
-                id == QLatin1String("alignment_rms") || id == QLatin1String("torque_rms")) // those that lead to a moment of their own
-                QVERIFY2(!session_report::momentTitle(id).contains(QStringLiteral("mean"), Qt::CaseInsensitive), qPrintable(session_report::momentTitle(id)));
+            if (id.startsWith(QStringLiteral("force_")) || id.startsWith(QStringLiteral("apex_")) ||
+                id == QLatin1String("offset_rms") || id == QLatin1String("alignment_rms") ||
+                id == QLatin1String("torque_rms")) // those that lead to a moment of their own
+                QVERIFY2(
+                    !session_report::momentTitle(id).contains(QStringLiteral("mean"), Qt::CaseInsensitive),
+                    qPrintable(session_report::momentTitle(id)));
         }
-        QCOMPARE(session_report::momentTitle(QStringLiteral("force_rms")), session_report::metricTitle(QStringLiteral("force_max")));
-        QCOMPARE(session_report::momentTitle(QStringLiteral("reversals")), session_report::metricTitle(QStringLiteral("reversals")));
+        QCOMPARE(session_report::momentTitle(QStringLiteral("force_rms")),
+                 session_report::metricTitle(QStringLiteral("force_max")));
+        QCOMPARE(session_report::momentTitle(QStringLiteral("reversals")),
+                 session_report::metricTitle(QStringLiteral("reversals")));
     }
 
     void everyReasonHasWords() {
         std::set<QString> said;
         for (std::size_t i = 0; i < scoring::kUndefinedReasons; ++i) {
             const scoring::Undefined undefined{static_cast<scoring::UndefinedReason>(i), {4, 5, 20}};
-            const QString words = session_report::metricReason(QString::fromStdString(scoring::storedText(undefined)));
-            QVERIFY2(!words.isEmpty() && !words.contains(QLatin1Char('%')) && said.insert(words).second, qPrintable(words));
+            const QString words =
+                session_report::metricReason(QString::fromStdString(scoring::storedText(undefined)));
+            QVERIFY2(!words.isEmpty() && !words.contains(QLatin1Char('%')) && said.insert(words).second,
+                     qPrintable(words));
         }
-        const QString counts = session_report::metricReason(QStringLiteral("only 4 regions with a lump and 5 without: 20 of each are needed"));
+        const QString counts = session_report::metricReason(
+            QStringLiteral("only 4 regions with a lump and 5 without: 20 of each are needed"));
         QCOMPARE(counts, QStringLiteral("only 4 regions with a lump and 5 without: 20 of each are needed"));
-        QCOMPARE(session_report::metricReason(QStringLiteral("a reason of a later version")), QStringLiteral("a reason of a later version"));
+        QCOMPARE(session_report::metricReason(QStringLiteral("a reason of a later version")),
+                 QStringLiteral("a reason of a later version"));
     }
 
     void whatFailedGoesFirstAndAtMostThreeAreShown() {
         std::vector<report::MetricRow> rows;
-        for (const auto& [id, passed] : {std::pair{"a", true}, std::pair{"b", true}, std::pair{"c", true}, std::pair{"d", false}, std::pair{"e", false}}) {
+        for (const auto& [id, passed] : {std::pair{"a", true}, std::pair{"b", true}, std::pair{"c", true},
+                                         std::pair{"d", false}, std::pair{"e", false}}) {
             report::MetricRow row;
             row.id = QLatin1String(id);
             row.passed = passed;
@@ -95,7 +105,8 @@ private slots:
         for (const char* part : {"6.20", "4.00", "1.25", "12.0"})
             QVERIFY2(words.contains(QLatin1String(part)), qPrintable(words));
         force.beyondChecked = 0.01;
-        QVERIFY(report::beyondCheckedWords(force, locale).isEmpty()); // one percent is not more than one percent
+        QVERIFY(
+            report::beyondCheckedWords(force, locale).isEmpty()); // one percent is not more than one percent
         force.beyondChecked = 0.0101;
         QVERIFY(!report::beyondCheckedWords(force, locale).isEmpty());
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Maps of a palpation as pictures: what was searched, how hard, where lumps and findings lie. CHIRON_KEEP_PICTURES=<folder> keeps them.
+// Maps of a palpation as pictures: what was searched, how hard, where lumps and findings lie.
+// CHIRON_KEEP_PICTURES=<folder> keeps them.
 #include "app/exercises/palpation/report/palpation_map_painter.h"
 
 #include <QtTest>
@@ -8,10 +9,10 @@
 using namespace chiron;
 using namespace chiron::report;
 using simulation::FindingOutcome;
-using simulation::SurfaceMapKind;
 using simulation::MapBand;
 using simulation::MapBands;
 using simulation::SurfaceMap;
+using simulation::SurfaceMapKind;
 
 namespace {
 
@@ -23,7 +24,8 @@ PlotTheme plainTheme() {
     return theme;
 }
 
-PlotTheme themed(const char* paper, const char* ink, const char* muted, const char* accent, const char* good, const char* bad) {
+PlotTheme themed(const char* paper, const char* ink, const char* muted, const char* accent, const char* good,
+                 const char* bad) {
     PlotTheme theme = plainTheme();
     theme.paper = QColor(QLatin1String(paper));
     theme.ink = QColor(QLatin1String(ink));
@@ -40,7 +42,8 @@ std::vector<std::pair<QString, PlotTheme>> themes() {
             {"contrast", themed("#000000", "#ffffff", "#e6e6e6", "#ffe14d", "#5dff9b", "#ff9d98")}};
 }
 
-/// The left half pressed in vertical strips, harder from strip to strip: 0.3, 0.7, 1.5, 3.0, 5.0 N; the right half not touched.
+/// The left half pressed in vertical strips, harder from strip to strip: 0.3, 0.7, 1.5, 3.0, 5.0 N; the right
+/// half not touched.
 SurfaceMap strips() {
     SurfaceMap map({0.040, 0.040}, 0.0045, 0.5);
     const double forces[] = {0.3, 0.7, 1.5, 3.0, 5.0};
@@ -61,14 +64,20 @@ PalpationMapView view(SurfaceMapKind kind) {
 }
 
 /// W's place in the picture.
-QPoint placeOf(const SurfaceMap& map, const PalpationMapView& view, double x_m, double y_m, const PlotTheme& theme) {
+QPoint placeOf(const SurfaceMap& map, const PalpationMapView& view, double x_m, double y_m,
+               const PlotTheme& theme) {
     const QRectF plot = PalpationMapPainter(map, view, theme).plotIn(QRectF(QPointF(0, 0), QSizeF(kSize)));
-    return (plot.center() + QPointF(0.5 * plot.width() * x_m / map.half_m().x(), -0.5 * plot.height() * y_m / map.half_m().y())).toPoint();
+    return (plot.center() + QPointF(0.5 * plot.width() * x_m / map.half_m().x(),
+                                    -0.5 * plot.height() * y_m / map.half_m().y()))
+        .toPoint();
 }
 
 double luminance(const QColor& colour) {
-    const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
-    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+    const auto linear = [](double v) {
+        return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
 }
 
 int differing(const QImage& a, const QImage& b) {
@@ -125,13 +134,19 @@ private slots:
             double before = luminance(theme.paper);
             const double way = luminance(theme.accent) > before ? 1.0 : -1.0;
             for (int strip = 1; strip < 4; ++strip) { // searched, so not hatched
-                const double now = luminance(picture.pixelColor(qRound(first.x() + strip * step), middle.y()));
-                QVERIFY2((now - before) * way > 0.015, qPrintable(QStringLiteral("%1, strip %2: %3 after %4").arg(name).arg(strip).arg(now).arg(before)));
+                const double now =
+                    luminance(picture.pixelColor(qRound(first.x() + strip * step), middle.y()));
+                QVERIFY2((now - before) * way > 0.015, qPrintable(QStringLiteral("%1, strip %2: %3 after %4")
+                                                                      .arg(name)
+                                                                      .arg(strip)
+                                                                      .arg(now)
+                                                                      .arg(before)));
                 before = now;
             }
             int cross = 0; // the other way than what was not searched: bad and its hatch
             for (int y = 0; y < 20; ++y)
-                cross += picture.pixelColor(qRound(first.x() + 4 * step), middle.y() + y) == theme.bad ? 1 : 0;
+                cross +=
+                    picture.pixelColor(qRound(first.x() + 4 * step), middle.y() + y) == theme.bad ? 1 : 0;
             QVERIFY(cross > 4 && cross < 20);
         }
     }
@@ -159,7 +174,8 @@ private slots:
         PlotTheme grey; // where colours say nothing
         grey.good = grey.bad = grey.ink;
         std::vector<QImage> pictures;
-        for (const FindingOutcome outcome : {FindingOutcome::open, FindingOutcome::hit, FindingOutcome::falseAlarm}) {
+        for (const FindingOutcome outcome :
+             {FindingOutcome::open, FindingOutcome::hit, FindingOutcome::falseAlarm}) {
             PalpationMapView one;
             one.findings = {{1, 0.0, 0.0, 0.0, outcome, false}};
             pictures.push_back(palpationMapPicture(SurfaceMap(), one, grey, kSize).copy(0, 30, 250, 340));
@@ -179,8 +195,11 @@ private slots:
         const SurfaceMap map = strips();
         const QString words = PalpationMapPainter(map, open, {}).words();
         QVERIFY(!words.contains(QStringLiteral("Lumps")));
-        QVERIFY(words.contains(QStringLiteral("Findings reported: 3")) && words.contains(QStringLiteral("False alarms: 1")));
-        QVERIFY(PalpationMapPainter(map, view(SurfaceMapKind::coverage), {}).words().contains(QStringLiteral("Lumps found: 1 of 2")));
+        QVERIFY(words.contains(QStringLiteral("Findings reported: 3")) &&
+                words.contains(QStringLiteral("False alarms: 1")));
+        QVERIFY(PalpationMapPainter(map, view(SurfaceMapKind::coverage), {})
+                    .words()
+                    .contains(QStringLiteral("Lumps found: 1 of 2")));
     }
 
     void pictures() {
@@ -191,9 +210,10 @@ private slots:
                     const QImage picture = palpationMapPicture(strips(), view(kind), theme, size, 2.0);
                     QCOMPARE(picture.size(), 2 * size);
                     if (!folder.isEmpty())
-                        picture.save(QStringLiteral("%1/map_%2_%3_%4.png")
-                                         .arg(folder, kind == SurfaceMapKind::force ? "force" : "coverage", name)
-                                         .arg(size.width()));
+                        picture.save(
+                            QStringLiteral("%1/map_%2_%3_%4.png")
+                                .arg(folder, kind == SurfaceMapKind::force ? "force" : "coverage", name)
+                                .arg(size.width()));
                 }
     }
 };

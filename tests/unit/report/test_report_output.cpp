@@ -67,7 +67,8 @@ ReportData sample(std::size_t samples) {
                      true,
                      2.9,
                      25.5,
-                     "published mean ± SD", {}},
+                     "published mean ± SD",
+                     {}},
                     {"time", "Time", "s", 184.2, {}, {}, 300.0, true, true, {}, {}, {}, {}},
                     {"force_max", "Maximum force", "N", 4.62, {}, {}, 4.0, false, true, {}, {}, {}, {}},
                     {"apex_error_sd", "Apex error, SD", "%", 12.04, {}, {}, {}, {}, false, {}, {}, {}, {}},
@@ -82,7 +83,8 @@ ReportData sample(std::size_t samples) {
                      false,
                      {},
                      {},
-                     {}, {}},
+                     {},
+                     {}},
                     {"sparc", "Smoothness (SPARC)", "", -2.417, {}, {}, {}, {}, false, {}, {}, {}, {}}};
     const double misfit[10][2] = {{12, -8}, {-22, 5},   {7, 14},  {31, -19}, {-4, -11},
                                   {15, 3},  {-140, 60}, {9, -27}, {2, 6},    {-13, 18}};
@@ -151,7 +153,8 @@ ReportData longAndGreek() {
                                 false,
                                 {},
                                 {},
-                                {}, {}});
+                                {},
+                                {}});
     return data;
 }
 
@@ -175,7 +178,8 @@ void TestReportOutput::copiedTextIsTheTextSeen() {
     const QString reader = QStandardPaths::findExecutable(QStringLiteral("pdftotext"));
     if (reader.isEmpty())
         QSKIP("pdftotext is not installed");
-    const QStringList seen{QStringLiteral("10:39, 0:05.0, (N), [mm], \u22123.5 \u2264 0.75, 3 \u00d7 2, 40\u201360 %, \u00b15\u00b0, \u03bcm, d\u2032"),
+    const QStringList seen{QStringLiteral("10:39, 0:05.0, (N), [mm], \u22123.5 \u2264 0.75, 3 \u00d7 2, "
+                                          "40\u201360 %, \u00b15\u00b0, \u03bcm, d\u2032"),
                            QString::fromUtf8("Größe: Überdehnung, „Maß“, fi fl ffi"),
                            QString::fromUtf8("Εισαγωγή στην ουρήθρα: δύναμη ΐ ϊ ί Ί")};
     const QString file = path(QStringLiteral("copied.pdf"));
@@ -188,15 +192,18 @@ void TestReportOutput::copiedTextIsTheTextSeen() {
         for (const bool bold : {false, true}) {
             painter.setFont(large.font(14, bold));
             for (qsizetype i = 0; i < seen.size(); ++i)
-                painter.drawText(QPointF(100, 40 * large.scale * (double(i) + 1.0 + (bold ? 4.0 : 0.0))), seen[i]);
+                painter.drawText(QPointF(100, 40 * large.scale * (double(i) + 1.0 + (bold ? 4.0 : 0.0))),
+                                 seen[i]);
         }
     }
     QProcess process;
     process.start(reader, {QStringLiteral("-layout"), file, QStringLiteral("-")});
     QVERIFY(process.waitForFinished());
-    const QString copied = QString::fromUtf8(process.readAllStandardOutput()).normalized(QString::NormalizationForm_C);
+    const QString copied =
+        QString::fromUtf8(process.readAllStandardOutput()).normalized(QString::NormalizationForm_C);
     for (const QString& line : seen)
-        QVERIFY2(copied.count(line.normalized(QString::NormalizationForm_C)) == 2, qPrintable(line + QStringLiteral(" in: ") + copied));
+        QVERIFY2(copied.count(line.normalized(QString::NormalizationForm_C)) == 2,
+                 qPrintable(line + QStringLiteral(" in: ") + copied));
 }
 
 void TestReportOutput::sessionReport_data() {
@@ -237,9 +244,12 @@ void TestReportOutput::sessionReport() {
     if (painter.isEmpty())
         return;
     const QString pages = path(QStringLiteral("page_%1").arg(QLatin1String(QTest::currentDataTag())));
-    QCOMPARE(QProcess::execute(painter, {QStringLiteral("-r"), QStringLiteral("60"), QStringLiteral("-png"), file, pages}), 0);
+    QCOMPARE(QProcess::execute(
+                 painter, {QStringLiteral("-r"), QStringLiteral("60"), QStringLiteral("-png"), file, pages}),
+             0);
     const QFileInfo about(pages);
-    for (const QFileInfo& page : about.dir().entryInfoList({about.fileName() + QStringLiteral("*.png")}, QDir::Files, QDir::Name)) {
+    for (const QFileInfo& page :
+         about.dir().entryInfoList({about.fileName() + QStringLiteral("*.png")}, QDir::Files, QDir::Name)) {
         const QString differs = m_kept.differs(page.completeBaseName(), QImage(page.filePath()));
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
@@ -265,7 +275,9 @@ void TestReportOutput::pictures() {
     const QString impossible = path(QStringLiteral("in_the_way/pictures"));
     const auto refused = writeSessionPngs(impossible, ReportData(), theme);
     QVERIFY(!refused);
-    QVERIFY2(refused.error().message.starts_with(impossible.toStdString() + ": was not written: the folder could not be made"), refused.error().message.c_str());
+    QVERIFY2(refused.error().message.starts_with(impossible.toStdString() +
+                                                 ": was not written: the folder could not be made"),
+             refused.error().message.c_str());
 }
 
 // The picture over the limit differs from the same picture with the limit above every force.
@@ -295,12 +307,14 @@ ReportData ofFourTools() {
     for (int tool = 0; tool < 4; ++tool) {
         ToolSamples& samples = data.series.tools.emplace_back(first);
         samples.name = QStringLiteral("Tool %1").arg(tool + 1);
-        for (std::vector<double>* values : {&samples.x_mm, &samples.y_mm, &samples.z_mm, &samples.tissue_N, &samples.commanded_N, &samples.measured_N})
+        for (std::vector<double>* values : {&samples.x_mm, &samples.y_mm, &samples.z_mm, &samples.tissue_N,
+                                            &samples.commanded_N, &samples.measured_N})
             for (double& value : *values)
                 value *= 1.0 - 0.2 * tool;
     }
     data.series.tools[1].tissue_N[10000] = 6.5;
-    data.series.criticalErrors = {{9.5, 10.5, 0, 1, QStringLiteral("Pressed on the wall for 1.00 s, up to 6.50 N")}};
+    data.series.criticalErrors = {
+        {9.5, 10.5, 0, 1, QStringLiteral("Pressed on the wall for 1.00 s, up to 6.50 N")}};
     return data;
 }
 
@@ -318,7 +332,8 @@ void TestReportOutput::severalToolsHaveALineEach() {
             QVERIFY(plot->legendTexts().contains(QStringLiteral("Tool %1").arg(tool)));
     }
     const ReportData alone = sample(1000);
-    QVERIFY(!feltForcePlot(alone.series, 4.0, theme) && !measuredForcePlot(alone.series, 4.0, theme)); // both are in the one plot of force
+    QVERIFY(!feltForcePlot(alone.series, 4.0, theme) &&
+            !measuredForcePlot(alone.series, 4.0, theme)); // both are in the one plot of force
     QCOMPARE(positionPlots(alone.series, theme).size(), std::size_t{1});
     ReportData shown = ofFourTools();
     for (ToolSamples& tool : shown.series.tools)
@@ -334,16 +349,22 @@ void TestReportOutput::severalToolsHaveALineEach() {
     }
 }
 
-// At the worst moment of the error, upon the line of the tool that made it; nothing where its tool has no samples.
+// At the worst moment of the error, upon the line of the tool that made it; nothing where its tool has no
+// samples.
 void TestReportOutput::criticalErrorsAreCrosses() {
     const PlotTheme theme = lightTheme(QLocale::c());
     ReportData data = ofFourTools();
-    const auto named = [&] { return forcePlot(data.series, data.forceLimit_N, theme)->legendTexts().contains(QStringLiteral("critical error")); };
+    const auto named = [&] {
+        return forcePlot(data.series, data.forceLimit_N, theme)
+            ->legendTexts()
+            .contains(QStringLiteral("critical error"));
+    };
     QVERIFY(named());
     data.series.criticalErrors[0].tool = 4;
     QVERIFY(!named());
     data.series.criticalErrors[0].tool = -1; // of the session, and so of its first tool
-    data.series.criticalErrors[0].begin_s = data.series.criticalErrors[0].end_s = 1e6; // after the last sample: at the last one
+    data.series.criticalErrors[0].begin_s = data.series.criticalErrors[0].end_s =
+        1e6; // after the last sample: at the last one
     QVERIFY(named());
     data.series.t_s.clear();
     QVERIFY(!named());
@@ -379,7 +400,8 @@ void TestReportOutput::failuresNameThePath() {
         QCOMPARE(failed.error().code, core::ErrorCode::storage);
         QVERIFY(failed.error().message.find(m_folder.toStdString()) != std::string::npos);
     }
-    const auto noPixels = positionPlots({}, theme).front()->savePng(path(QStringLiteral("none.png")), QSize(0, 0));
+    const auto noPixels =
+        positionPlots({}, theme).front()->savePng(path(QStringLiteral("none.png")), QSize(0, 0));
     QVERIFY(!noPixels.has_value());
     QVERIFY(!QFile::exists(path(QStringLiteral("none.png"))));
 }

@@ -96,7 +96,8 @@ void TestReportParts::gapsStay() {
     QCOMPARE(std::count_if(line.y.begin(), line.y.end(), [](double v) { return std::isnan(v); }), 1);
 }
 
-// As it is said, written down once more: of each column first, lowest, highest and last, a run of what is no number as one gap.
+// As it is said, written down once more: of each column first, lowest, highest and last, a run of what is no
+// number as one gap.
 void TestReportParts::eachColumnKeepsItsFour() {
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> x, y;
@@ -115,7 +116,8 @@ void TestReportParts::eachColumnKeepsItsFour() {
         if (held.empty())
             return;
         const auto lower = [&](std::size_t a, std::size_t b) { return y[a] < y[b]; };
-        std::vector<std::size_t> four{held.front(), *std::min_element(held.begin(), held.end(), lower), *std::max_element(held.begin(), held.end(), lower), held.back()};
+        std::vector<std::size_t> four{held.front(), *std::min_element(held.begin(), held.end(), lower),
+                                      *std::max_element(held.begin(), held.end(), lower), held.back()};
         std::sort(four.begin(), four.end());
         four.erase(std::unique(four.begin(), four.end()), four.end());
         for (const std::size_t i : four) {
@@ -216,7 +218,8 @@ void TestReportParts::aTallBlockGetsItsOwnPage() {
     QCOMPARE(pages[1].size(), std::size_t{1});
 }
 
-// Each begins where the one before ended and its own gap has passed; the first of a page at its top, without a gap.
+// Each begins where the one before ended and its own gap has passed; the first of a page at its top, without
+// a gap.
 void TestReportParts::blocksStandUnderEachOther() {
     auto blocks = rows(5, 20.0);
     const std::vector<double> gaps{7.0, 3.0, 0.0, 5.0, 9.0};
@@ -235,7 +238,8 @@ void TestReportParts::blocksStandUnderEachOther() {
     }
 }
 
-// What just fits stays, gaps counted; a head is repeated first, and what it heads stands under it with its gap.
+// What just fits stays, gaps counted; a head is repeated first, and what it heads stands under it with its
+// gap.
 void TestReportParts::aPageIsFilledToItsEnd() {
     auto blocks = rows(3, 30.0);
     blocks[1].gapBefore = blocks[2].gapBefore = 5.0;
@@ -246,7 +250,8 @@ void TestReportParts::aPageIsFilledToItsEnd() {
     const auto pages = paginate(blocks, 79.0);
     QCOMPARE(pages.size(), std::size_t{2});
     QCOMPARE(pages[1].size(), std::size_t{2});
-    QVERIFY(pages[1][0].block == 0 && pages[1][0].top == 0.0 && pages[1][1].block == 2 && pages[1][1].top == 15.0);
+    QVERIFY(pages[1][0].block == 0 && pages[1][0].top == 0.0 && pages[1][1].block == 2 &&
+            pages[1][1].top == 15.0);
     // A heading whose followers together do not fit goes with all of them.
     auto chain = rows(4, 20.0);
     chain[1].keepWithNext = chain[2].keepWithNext = true;
@@ -272,19 +277,38 @@ void TestReportParts::numbersFollowTheLocale() {
 // Three digits that say something, to the ends of each range, whatever the sign.
 void TestReportParts::digitsFollowTheSize() {
     const QLocale english(QLocale::English, QLocale::UnitedKingdom);
-    for (const auto& [value, words] : std::initializer_list<std::pair<double, const char*>>{
-             {0.0, "0.00"}, {0.0000099, "9.90e-06"}, {0.00001, "0.000010"}, {0.000464, "0.00046"}, {0.00099, "0.00099"}, {0.001, "0.001"}, {0.9994, "0.999"}, {1.0, "1.00"}, {9.994, "9.99"}, {10.0, "10.0"}, {99.94, "99.9"}, {100.0, "100"}, {9'999'999.0, "9,999,999"}, {1e7, "1.00e+07"}}) {
+    for (const auto& [value, words] :
+         std::initializer_list<std::pair<double, const char*>>{{0.0, "0.00"},
+                                                               {0.0000099, "9.90e-06"},
+                                                               {0.00001, "0.000010"},
+                                                               {0.000464, "0.00046"},
+                                                               {0.00099, "0.00099"},
+                                                               {0.001, "0.001"},
+                                                               {0.9994, "0.999"},
+                                                               {1.0, "1.00"},
+                                                               {9.994, "9.99"},
+                                                               {10.0, "10.0"},
+                                                               {99.94, "99.9"},
+                                                               {100.0, "100"},
+                                                               {9'999'999.0, "9,999,999"},
+                                                               {1e7, "1.00e+07"}}) {
         QCOMPARE(formatNumber(value, english).toLower(), QString::fromLatin1(words));
         if (value != 0.0)
             QCOMPARE(formatNumber(-value, english).toLower(), QLatin1Char('-') + QString::fromLatin1(words));
     }
     const QString count = QStringLiteral("count");
-    QCOMPARE(formatValue(3.0, count, english), QStringLiteral("3")); // counts need no word behind them
+    QCOMPARE(formatValue(3.0, count, english), QStringLiteral("3"));    // counts need no word behind them
     QCOMPARE(formatValue(2.5, count, english), QStringLiteral("2.50")); // a mean of counts
     QCOMPARE(formatValue(2.5, QString(), english), QStringLiteral("2.50"));
-    for (const auto& [seconds, words] : std::initializer_list<std::pair<double, const char*>>{
-             {0.0, "0.0 s"}, {59.94, "59.9 s"}, {60.0, "1 min 00 s"}, {119.6, "2 min 00 s"}, {3599.0, "59 min 59 s"}, {-0.1, "–"}})
-        QCOMPARE(formatDuration(seconds, english).replace(QChar(0x00a0), QLatin1Char(' ')), QString::fromUtf8(words));
+    for (const auto& [seconds, words] :
+         std::initializer_list<std::pair<double, const char*>>{{0.0, "0.0 s"},
+                                                               {59.94, "59.9 s"},
+                                                               {60.0, "1 min 00 s"},
+                                                               {119.6, "2 min 00 s"},
+                                                               {3599.0, "59 min 59 s"},
+                                                               {-0.1, "–"}})
+        QCOMPARE(formatDuration(seconds, english).replace(QChar(0x00a0), QLatin1Char(' ')),
+                 QString::fromUtf8(words));
     QCOMPARE(formatDuration(std::numeric_limits<double>::infinity(), english), QStringLiteral("–"));
 }
 
@@ -294,16 +318,20 @@ void TestReportParts::whatWasFeltInWords() {
     force.tissue_N = 0.0199;
     QCOMPARE(feltWords(force, true, english), QStringLiteral("Nothing was touched."));
     force.tissue_N = 0.02; // a contact, as for every metric
-    QVERIFY(feltWords(force, true, english).endsWith(QStringLiteral("0.020\u00a0N, and all of it was felt.")));
+    QVERIFY(
+        feltWords(force, true, english).endsWith(QStringLiteral("0.020\u00a0N, and all of it was felt.")));
     QVERIFY(feltWords(force, false, english).endsWith(QStringLiteral("the force was only shown.")));
     force.firstLimited_s = 61.0;
     force.felt_N = 0.01;
     force.limited_s = 0.5;
-    QVERIFY(feltWords(force, true, english).endsWith(QStringLiteral("at most 0.010\u00a0N of it was felt: the force was limited for 0.500\u00a0s, first after 1\u00a0min 01\u00a0s.")));
+    QVERIFY(feltWords(force, true, english)
+                .endsWith(QStringLiteral("at most 0.010\u00a0N of it was felt: the force was limited for "
+                                         "0.500\u00a0s, first after 1\u00a0min 01\u00a0s.")));
     force.beyondChecked = kBeyondCheckedSaid;
     QVERIFY(beyondCheckedWords(force, english).isEmpty());
     force.beyondChecked = 2.0 * kBeyondCheckedSaid;
-    QVERIFY(beyondCheckedWords(force, english).startsWith(formatValue(200.0 * kBeyondCheckedSaid, QStringLiteral("%"), english)));
+    QVERIFY(beyondCheckedWords(force, english)
+                .startsWith(formatValue(200.0 * kBeyondCheckedSaid, QStringLiteral("%"), english)));
     // Of what failed first, the three that stand on the first page.
     std::vector<MetricRow> rows(6);
     for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -33,14 +33,25 @@ psychophysics::StudyDesign designOf(const std::string& id, bool blind) {
     psychophysics::Questionnaire questions;
     questions.id = "after";
     questions.title = {{"en", "Face validity"}};
-    questions.items = {{"realism", {{"en", "How real did it feel?"}}, psychophysics::QuestionnaireItem::Kind::likert, 5, {{"en", "not at all"}}, {{"en", "fully"}}, {}, "face", 0, 0, true}};
+    questions.items = {{"realism",
+                        {{"en", "How real did it feel?"}},
+                        psychophysics::QuestionnaireItem::Kind::likert,
+                        5,
+                        {{"en", "not at all"}},
+                        {{"en", "fully"}},
+                        {},
+                        "face",
+                        0,
+                        0,
+                        true}};
     study.questionnaires = {questions};
     study.trial.practiceTrials = 0;
     study.blindExperimenter = blind;
     return study;
 }
 
-/// One word after another, however lines were broken. Punctuation between capitals may be missing: the font has glyphs of its own for it.
+/// One word after another, however lines were broken. Punctuation between capitals may be missing: the font
+/// has glyphs of its own for it.
 QString textOf(const QString& pdf) {
     QProcess reader;
     reader.start(QStringLiteral("pdftotext"), {QStringLiteral("-layout"), pdf, QStringLiteral("-")});
@@ -72,7 +83,8 @@ private:
     }
     database::StudyNumber draft(const psychophysics::StudyDesign& design) {
         const auto study = write([&](database::StudyRepository& all) {
-            return all.createStudy(design.id, design.title.at("en"), catalogue::studyJson(design).toStdString());
+            return all.createStudy(design.id, design.title.at("en"),
+                                   catalogue::studyJson(design).toStdString());
         });
         if (!study)
             qFatal("%s", study.error().message.c_str());
@@ -86,28 +98,41 @@ private:
             qFatal("%s", frozen.error().message.c_str());
         sha256 = *frozen;
         double answer = 4.0;
-        for (const auto& [code, words, weber] : {std::tuple{"ALPHA", "weber:0.1", 0.1}, std::tuple{"BRAVO", "weber:0.15", 0.15}}) {
-            const auto participant = write([&, name = code, observer = words](database::StudyRepository& all) { return all.enrolParticipant(study, {}, 0, observer, name); });
+        for (const auto& [code, words, weber] :
+             {std::tuple{"ALPHA", "weber:0.1", 0.1}, std::tuple{"BRAVO", "weber:0.15", 0.15}}) {
+            const auto participant =
+                write([&, name = code, observer = words](database::StudyRepository& all) {
+                    return all.enrolParticipant(study, {}, 0, observer, name);
+                });
             session::StudyRunRequest request;
             request.study = study;
             request.participantCode = participant ? participant->code : std::string();
             request.observer.weber = weber;
             request.quick = true;
-            if (const auto run = session::runStudyHeadless(*m_site.database, database::Actor::simulated(), request); !run || !run->completed)
+            if (const auto run =
+                    session::runStudyHeadless(*m_site.database, database::Actor::simulated(), request);
+                !run || !run->completed)
                 qFatal("%s", run ? "not completed" : run.error().message.c_str());
             if (!design.questionnaires.empty())
-                write([&](database::StudyRepository& all) { return all.storeQuestionnaireAnswers({{participant->id, design.questionnaires.front().id, "realism", answer++, {}, {}}}); });
+                write([&](database::StudyRepository& all) {
+                    return all.storeQuestionnaireAnswers(
+                        {{participant->id, design.questionnaires.front().id, "realism", answer++, {}, {}}});
+                });
         }
         return study;
     }
-    core::Result<void> report(database::StudyNumber study, const QString& file, const std::string& language = "en") {
+    core::Result<void> report(database::StudyNumber study, const QString& file,
+                              const std::string& language = "en") {
         auto connection = m_site.database->openReader();
         database::StudyReader reader(**connection, database::Actor::simulated());
-        return session_report::writeStudyReport(file, reader, study, report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom)), language);
+        return session_report::writeStudyReport(
+            file, reader, study, report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom)),
+            language);
     }
     QString file(const char* name) const {
         const QString kept = qEnvironmentVariable("CHIRON_KEEP_PICTURES");
-        return kept.isEmpty() ? m_folder.filePath(QLatin1String(name)) : QDir(kept).filePath(QLatin1String(name));
+        return kept.isEmpty() ? m_folder.filePath(QLatin1String(name))
+                              : QDir(kept).filePath(QLatin1String(name));
     }
     tests::SessionFixture m_site;
     QTemporaryDir m_folder;
@@ -127,14 +152,23 @@ void TestStudyReport::tellsAll() {
     QVERIFY2(written, written ? "" : written.error().message.c_str());
     const QString text = textOf(file("study.pdf"));
     QCOMPARE(sha256.size(), std::size_t{64});
-    for (const QString& word : {QString::fromStdString(sha256), QStringLiteral("Feeling stiffness"), QStringLiteral("Softwood tube"), QStringLiteral("ALPHA"),
-                                QStringLiteral("BRAVO"), QStringLiteral("150 N/m"), QStringLiteral("2 participant"), QStringLiteral("Fidelity"),
-                                QStringLiteral("How real did it feel?"), QStringLiteral("Weber fraction of the group"), QStringLiteral("Page"), QStringLiteral("Worth of each object")})
+    for (const QString& word :
+         {QString::fromStdString(sha256), QStringLiteral("Feeling stiffness"),
+          QStringLiteral("Softwood tube"), QStringLiteral("ALPHA"), QStringLiteral("BRAVO"),
+          QStringLiteral("150 N/m"), QStringLiteral("2 participant"), QStringLiteral("Fidelity"),
+          QStringLiteral("How real did it feel?"), QStringLiteral("Weber fraction of the group"),
+          QStringLiteral("Page"), QStringLiteral("Worth of each object")})
         QVERIFY2(text.contains(word), qPrintable(word + QStringLiteral(" is not in: ") + text));
     // A column as on the screen, for every participant, and what it means once.
     QCOMPARE(text.count(QStringLiteral("How much of the result comes from the prior")), 1);
-    QVERIFY2(QRegularExpression(QStringLiteral("ALPHA (! )?[\\d.]+ % [\\d.]+ . [\\d.]+ % [\\d.]+ N/m [\\d.]+ % \\d+ Completed ")).match(text).hasMatch(), qPrintable(text.mid(text.indexOf(QStringLiteral("JND at the reference")), 900)));
-    QVERIFY2(text.contains(QStringLiteral("Median 4.5, interquartile range 4.25 to 4.75")), qPrintable(text)); // as the scale has it, without noughts
+    QVERIFY2(
+        QRegularExpression(
+            QStringLiteral("ALPHA (! )?[\\d.]+ % [\\d.]+ . [\\d.]+ % [\\d.]+ N/m [\\d.]+ % \\d+ Completed "))
+            .match(text)
+            .hasMatch(),
+        qPrintable(text.mid(text.indexOf(QStringLiteral("JND at the reference")), 900)));
+    QVERIFY2(text.contains(QStringLiteral("Median 4.5, interquartile range 4.25 to 4.75")),
+             qPrintable(text)); // as the scale has it, without noughts
     QVERIFY(report(study, file("study_de.pdf"), "de"));
     QVERIFY(textOf(file("study_de.pdf")).contains(QStringLiteral("Steifigkeit fühlen")));
 }
@@ -143,11 +177,13 @@ void TestStudyReport::blindUntilUnblinded() {
     std::string sha256;
     const auto study = done(designOf("jnd_blind", true), sha256);
     auto connection = m_site.database->openReader();
-    const auto sealed = database::StudyReader(**connection, database::Actor::simulated()).conditionCodes(study);
+    const auto sealed =
+        database::StudyReader(**connection, database::Actor::simulated()).conditionCodes(study);
     QVERIFY(sealed && sealed->size() == 1);
     QVERIFY(report(study, file("blind.pdf")));
     const QString blind = textOf(file("blind.pdf"));
-    QVERIFY(blind.contains(QString::fromStdString(sealed->front().sealedCode)) && blind.contains(QString::fromStdString(sha256)));
+    QVERIFY(blind.contains(QString::fromStdString(sealed->front().sealedCode)) &&
+            blind.contains(QString::fromStdString(sha256)));
     for (const char* told : {"Softwood", "150 N/m", "JND at"})
         QVERIFY2(!blind.contains(QLatin1String(told)), qPrintable(blind));
     QVERIFY(write([&](database::StudyRepository& all) { return all.unblindStudy(study, "all are done"); }));
@@ -155,7 +191,8 @@ void TestStudyReport::blindUntilUnblinded() {
     QVERIFY(textOf(file("unblinded.pdf")).contains(QStringLiteral("Softwood tube")));
 }
 
-/// Conditions that differ: nothing of them but their codes, and how well trials went by participant, until the study is unblinded.
+/// Conditions that differ: nothing of them but their codes, and how well trials went by participant, until
+/// the study is unblinded.
 void TestStudyReport::blindToUnlikeConditions() {
     psychophysics::StudyDesign design = designOf("jnd_unlike", true);
     psychophysics::Condition other = design.conditions.front();
@@ -169,7 +206,8 @@ void TestStudyReport::blindToUnlikeConditions() {
     std::string sha256;
     const auto study = done(design, sha256);
     auto connection = m_site.database->openReader();
-    const auto sealed = database::StudyReader(**connection, database::Actor::simulated()).conditionCodes(study);
+    const auto sealed =
+        database::StudyReader(**connection, database::Actor::simulated()).conditionCodes(study);
     QVERIFY(sealed && sealed->size() == 2);
     QVERIFY(report(study, file("unlike.pdf")));
     const QString blind = textOf(file("unlike.pdf"));
@@ -179,7 +217,9 @@ void TestStudyReport::blindToUnlikeConditions() {
     for (const QString& told : known)
         QVERIFY2(!blind.contains(told), qPrintable(told));
     QVERIFY2(blind.contains(QStringLiteral("stay sealed until the study is unblinded")), qPrintable(blind));
-    QVERIFY2(blind.contains(QStringLiteral("2 of 2")) && blind.contains(QStringLiteral("Over all conditions together")), qPrintable(blind)); // quality, by participant
+    QVERIFY2(blind.contains(QStringLiteral("2 of 2")) &&
+                 blind.contains(QStringLiteral("Over all conditions together")),
+             qPrintable(blind)); // quality, by participant
     for (const char* counted : {"Choices reproduced", "Weber fraction", "Practice"})
         QVERIFY2(!blind.contains(QLatin1String(counted)), counted);
     QVERIFY(write([&](database::StudyRepository& all) { return all.unblindStudy(study, "all are done"); }));
@@ -189,7 +229,8 @@ void TestStudyReport::blindToUnlikeConditions() {
         QVERIFY2(open.contains(told), qPrintable(told + ": " + open));
 }
 
-/// A study of the apex: bias, sd and error instead of Weber fractions; while blind without millimetres, which would tell the radius.
+/// A study of the apex: bias, sd and error instead of Weber fractions; while blind without millimetres, which
+/// would tell the radius.
 void TestStudyReport::tellsOfMarks() {
     psychophysics::StudyDesign design = designOf("apex_report", false);
     psychophysics::Condition& condition = design.conditions.front();
@@ -200,8 +241,10 @@ void TestStudyReport::tellsOfMarks() {
     std::string sha256;
     QVERIFY(report(done(design, sha256), file("apex.pdf")));
     const QString text = textOf(file("apex.pdf"));
-    for (const char* word : {"Hidden sphere", "Bias in x", "SD in y", "Marks around the true apex", "Error in locating spheres", "mm,", "ALPHA", "BRAVO", "observer for planning"})
-        QVERIFY2(text.contains(QLatin1String(word)), qPrintable(QLatin1String(word) + QStringLiteral(" is not in: ") + text));
+    for (const char* word : {"Hidden sphere", "Bias in x", "SD in y", "Marks around the true apex",
+                             "Error in locating spheres", "mm,", "ALPHA", "BRAVO", "observer for planning"})
+        QVERIFY2(text.contains(QLatin1String(word)),
+                 qPrintable(QLatin1String(word) + QStringLiteral(" is not in: ") + text));
     QVERIFY(!text.contains(QStringLiteral("Weber fraction of the group")));
     design.id = "apex_blind";
     design.blindExperimenter = true;

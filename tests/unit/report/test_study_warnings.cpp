@@ -13,18 +13,28 @@ using psychophysics::Warning;
 using psychophysics::WarningKind;
 using psychophysics::warningText;
 
-static void initialiseCatalogues() { Q_INIT_RESOURCE(i18n); }
+static void initialiseCatalogues() {
+    Q_INIT_RESOURCE(i18n);
+}
 
-// Every warning of an analysis has words for people in every language of the program, and a token for data. A kind that is added without
-// one of them fails here.
+// Every warning of an analysis has words for people in every language of the program, and a token for data. A
+// kind that is added without one of them fails here.
 class TestStudyWarnings : public QObject {
     Q_OBJECT
 private slots:
     /// Three digits, without an exponent from 0.00001 to ten millions.
     void numbersHaveThreeDigits() {
-        for (const auto& [value, words] : {std::pair{0.0, "0"}, {1.0, "1.00"}, {-12.345, "-12.3"}, {123.45, "123"}, {1234567.0, "1234567"}, {12345678.0, "1.23e+07"},
-                                           {0.00001234, "0.0000123"}, {0.000001234, "1.23e-06"}, {std::nan(""), "–"}})
-            QCOMPARE(chiron::session_report::study_report_words::number(value, QLocale::c()), QString::fromUtf8(words));
+        for (const auto& [value, words] : {std::pair{0.0, "0"},
+                                           {1.0, "1.00"},
+                                           {-12.345, "-12.3"},
+                                           {123.45, "123"},
+                                           {1234567.0, "1234567"},
+                                           {12345678.0, "1.23e+07"},
+                                           {0.00001234, "0.0000123"},
+                                           {0.000001234, "1.23e-06"},
+                                           {std::nan(""), "–"}})
+            QCOMPARE(chiron::session_report::study_report_words::number(value, QLocale::c()),
+                     QString::fromUtf8(words));
     }
     void initTestCase() { initialiseCatalogues(); }
     void everyKindHasWords_data();
@@ -40,13 +50,16 @@ namespace {
 constexpr int kCount = 7;
 constexpr int kOf = 41;
 
-Warning warningOf(int kind) { return {static_cast<WarningKind>(kind), kCount, kOf, "a detail"}; }
+Warning warningOf(int kind) {
+    return {static_cast<WarningKind>(kind), kCount, kOf, "a detail"};
+}
 
 /// What the program would say in a language, with its catalogue installed as long as this lives.
 class Spoken {
 public:
     explicit Spoken(const QString& language) {
-        m_good = m_translator.load(QStringLiteral(":/i18n/chiron_%1.qm").arg(language)) && QCoreApplication::installTranslator(&m_translator);
+        m_good = m_translator.load(QStringLiteral(":/i18n/chiron_%1.qm").arg(language)) &&
+                 QCoreApplication::installTranslator(&m_translator);
     }
     ~Spoken() { QCoreApplication::removeTranslator(&m_translator); }
     bool good() const { return m_good; }
@@ -91,7 +104,8 @@ void TestStudyWarnings::everyKindHasWords() {
             QCOMPARE(words.contains(QString::number(number)), english.contains(QString::number(number)));
         seen.insert(words);
     }
-    constexpr int kAlike = 2; // no reference, of comparisons and settings; few participants, of a threshold and an apex
+    constexpr int kAlike =
+        2; // no reference, of comparisons and settings; few participants, of a threshold and an apex
     QCOMPARE(static_cast<int>(seen.size()), static_cast<int>(WarningKind::end) - kAlike);
 }
 
@@ -103,9 +117,11 @@ void TestStudyWarnings::everyMethodHasWords() {
         const Spoken spoken(language);
         const QString words = session_report::methodWords(method);
         QVERIFY2(!words.isEmpty() && !methodText(method).empty(), methodText(method).data());
-        QVERIFY2((words == plain) == (language == u"en") && (language != u"el" || isGreek(words)), qPrintable(words));
+        QVERIFY2((words == plain) == (language == u"en") && (language != u"el" || isGreek(words)),
+                 qPrintable(words));
     }
-    QVERIFY(session_report::methodWords(EstimateMethod::none).isEmpty() && methodText(EstimateMethod::none).empty());
+    QVERIFY(session_report::methodWords(EstimateMethod::none).isEmpty() &&
+            methodText(EstimateMethod::none).empty());
 }
 
 // Scripts read tokens; an export of today reads as one of before.
@@ -115,21 +131,31 @@ void TestStudyWarnings::dataStayEnglish() {
         const std::string text = warningText(warningOf(kind));
         static const QRegularExpression form(QStringLiteral("^[a-z]+(_[a-z]+)*: [^#@%$]+$"));
         QVERIFY2(form.match(QString::fromStdString(text)).hasMatch(), text.c_str());
-        QVERIFY2(text.starts_with(std::string(warningToken(static_cast<WarningKind>(kind))) + ": "), text.c_str());
+        QVERIFY2(text.starts_with(std::string(warningToken(static_cast<WarningKind>(kind))) + ": "),
+                 text.c_str());
     }
-    QCOMPARE(warningText({WarningKind::leftOutTrials, 3}), std::string("left_out: 3 trials have no usable difference or answer and were left out"));
-    QCOMPARE(warningText({WarningKind::priorEdgeLow}), std::string("prior_edge: the data say nothing at the lower end: the estimate is where the prior put it"));
-    QCOMPARE(warningText({WarningKind::withdrawn, 1}), std::string("withdrawn: 1 participant who withdrew left out"));
-    QCOMPARE(warningText({WarningKind::simulatedLeftOut, 2}), std::string("simulated_left_out: 2 participants simulated left out: the group is of people"));
-    QCOMPARE(warningText({WarningKind::runsWithoutEstimate, 3, 100}), std::string("runs_without_estimate: 3 of 100"));
+    QCOMPARE(warningText({WarningKind::leftOutTrials, 3}),
+             std::string("left_out: 3 trials have no usable difference or answer and were left out"));
+    QCOMPARE(
+        warningText({WarningKind::priorEdgeLow}),
+        std::string(
+            "prior_edge: the data say nothing at the lower end: the estimate is where the prior put it"));
+    QCOMPARE(warningText({WarningKind::withdrawn, 1}),
+             std::string("withdrawn: 1 participant who withdrew left out"));
+    QCOMPARE(warningText({WarningKind::simulatedLeftOut, 2}),
+             std::string("simulated_left_out: 2 participants simulated left out: the group is of people"));
+    QCOMPARE(warningText({WarningKind::runsWithoutEstimate, 3, 100}),
+             std::string("runs_without_estimate: 3 of 100"));
     QCOMPARE(warningText({WarningKind::notSimulated, 0, 0, "why"}), std::string("not_simulated: why"));
     QVERIFY(warningToken(WarningKind::end).empty());
 }
 
 void TestStudyWarnings::oneAndMany() {
     const Spoken spoken(QStringLiteral("de"));
-    QCOMPARE(session_report::warningWords({WarningKind::withdrawn, 1}), QStringLiteral("1 Person, die zurückgetreten ist, ist ausgelassen."));
-    QCOMPARE(session_report::warningWords({WarningKind::withdrawn, 3}), QStringLiteral("3 Personen, die zurückgetreten sind, sind ausgelassen."));
+    QCOMPARE(session_report::warningWords({WarningKind::withdrawn, 1}),
+             QStringLiteral("1 Person, die zurückgetreten ist, ist ausgelassen."));
+    QCOMPARE(session_report::warningWords({WarningKind::withdrawn, 3}),
+             QStringLiteral("3 Personen, die zurückgetreten sind, sind ausgelassen."));
 }
 
 QTEST_MAIN(TestStudyWarnings)

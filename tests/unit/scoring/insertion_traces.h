@@ -25,11 +25,13 @@ struct CanalSample {
     ProcedureStage stage = ProcedureStage::insertion;
 };
 
-/// A trial of `duration_s` at `step_s` whose tip moves along x as deep as it is in, with a canal of 110 mm, its bend at
-/// 40 mm and a limit of 2 N.
-inline TrialTrace canalTrial(double duration_s, double step_s, const std::function<CanalSample(double)>& canal) {
+/// A trial of `duration_s` at `step_s` whose tip moves along x as deep as it is in, with a canal of 110 mm,
+/// its bend at 40 mm and a limit of 2 N.
+inline TrialTrace canalTrial(double duration_s, double step_s,
+                             const std::function<CanalSample(double)>& canal) {
     TrialTrace trial;
-    trial.tools.push_back(sampled(duration_s, step_s, [&](double t) { return Vec3(canal(t).s_m, 0.0, 0.0); }));
+    trial.tools.push_back(
+        sampled(duration_s, step_s, [&](double t) { return Vec3(canal(t).s_m, 0.0, 0.0); }));
     InsertionSeries series;
     for (const double t : trial.tools.front().t_s) {
         const CanalSample sample = canal(t);

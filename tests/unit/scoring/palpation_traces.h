@@ -2,9 +2,9 @@
 // Trials of a palpation that were made up, as a recording tells them.
 #pragma once
 
+#include "core/report_word.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "scoring/trace.h"
-#include "core/report_word.h"
 
 #include <cstddef>
 #include <string>
@@ -21,8 +21,8 @@ struct MadeLump {
     int hardness = 5;
 };
 
-/// Three seconds of one or more fingers at 100 Hz over a search area of 60 × 60 mm in 3 × 3 regions of 20 mm; hit radius 12 mm,
-/// band 0.8 to 2.5 N. Reports come one a sample from the 100th on.
+/// Three seconds of one or more fingers at 100 Hz over a search area of 60 × 60 mm in 3 × 3 regions of 20 mm;
+/// hit radius 12 mm, band 0.8 to 2.5 N. Reports come one a sample from the 100th on.
 class MadeTrial {
 public:
     static constexpr std::size_t kSamples = 301;
@@ -31,19 +31,28 @@ public:
     explicit MadeTrial(const std::vector<MadeLump>& lumps = {}, std::size_t fingers = 1) {
         for (std::size_t f = 0; f < fingers; ++f)
             m_trial.tools.push_back(finger());
-        for (const char* id : {"report_count", "report_field", "report_finding", "report_value", "finding_x_m", "finding_y_m", "finding_z_m",
-                               "coverage"})
+        for (const char* id : {"report_count", "report_field", "report_finding", "report_value",
+                               "finding_x_m", "finding_y_m", "finding_z_m", "coverage"})
             m_trial.quantities.push_back({id, std::vector<double>(kSamples, 0.0)});
-        m_trial.truth = {{"area_half_x_m", 0.03}, {"area_half_y_m", 0.03}, {"region_columns", 3.0}, {"region_rows", 3.0},
-                         {"hit_radius_m", 0.012}, {"band_low_N", 0.8},     {"band_high_N", 2.5},    {"cover_force_N", 0.5},
-                         {"asks_size", 1.0},      {"asks_hardness", 1.0},  {"lumps", static_cast<double>(lumps.size())}};
+        m_trial.truth = {{"area_half_x_m", 0.03},
+                         {"area_half_y_m", 0.03},
+                         {"region_columns", 3.0},
+                         {"region_rows", 3.0},
+                         {"hit_radius_m", 0.012},
+                         {"band_low_N", 0.8},
+                         {"band_high_N", 2.5},
+                         {"cover_force_N", 0.5},
+                         {"asks_size", 1.0},
+                         {"asks_hardness", 1.0},
+                         {"lumps", static_cast<double>(lumps.size())}};
         for (std::size_t i = 0; i < lumps.size(); ++i)
             addLump(i, lumps[i]);
         m_trial.completed = true;
     }
 
     /// A finding in place `number`, with what is said of it (0: nothing).
-    MadeTrial& found(int number, double x_m, double y_m, int confidence = 0, int hardness = 0, unsigned size = 0) {
+    MadeTrial& found(int number, double x_m, double y_m, int confidence = 0, int hardness = 0,
+                     unsigned size = 0) {
         say(core::ReportField::found, number, 0, x_m, y_m);
         if (confidence > 0)
             say(core::ReportField::confidence, number, static_cast<unsigned>(confidence), x_m, y_m);
@@ -53,8 +62,15 @@ public:
             say(core::ReportField::size, number, size, x_m, y_m);
         return *this;
     }
-    MadeTrial& say(core::ReportField field, int finding, unsigned value = 0, double x_m = 0.0, double y_m = 0.0) {
-        const double told[] = {++m_count, static_cast<double>(field), static_cast<double>(finding), static_cast<double>(value), x_m, y_m, 0.0};
+    MadeTrial& say(core::ReportField field, int finding, unsigned value = 0, double x_m = 0.0,
+                   double y_m = 0.0) {
+        const double told[] = {++m_count,
+                               static_cast<double>(field),
+                               static_cast<double>(finding),
+                               static_cast<double>(value),
+                               x_m,
+                               y_m,
+                               0.0};
         for (std::size_t q = 0; q < 7; ++q)
             for (std::size_t i = m_next; i < kSamples; ++i)
                 m_trial.quantities[q].values[i] = told[q];
@@ -101,8 +117,12 @@ private:
     }
     void addLump(std::size_t i, const MadeLump& lump) {
         const std::string name = "lump_" + std::to_string(i) + "_";
-        for (const auto& [id, value] : {std::pair<const char*, double>{"x_m", lump.x_m}, {"y_m", lump.y_m}, {"z_m", 0.0}, {"depth_m", 0.012},
-                                        {"radius_m", lump.radius_m}, {"hardness", static_cast<double>(lump.hardness)}})
+        for (const auto& [id, value] : {std::pair<const char*, double>{"x_m", lump.x_m},
+                                        {"y_m", lump.y_m},
+                                        {"z_m", 0.0},
+                                        {"depth_m", 0.012},
+                                        {"radius_m", lump.radius_m},
+                                        {"hardness", static_cast<double>(lump.hardness)}})
             m_trial.truth.push_back({name + id, value});
     }
 

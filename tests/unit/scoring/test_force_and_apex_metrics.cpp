@@ -85,11 +85,13 @@ void TestForceAndApexMetrics::forceNeedsContact() {
     QCOMPARE(valueOf(trace, "force_impulse_over_limit"), 0.0);
 }
 
-// 3 N, then through at 6 N: until the tool is out (10 ms of 2 N falling, 20 ms of none) the load is 6 N. Unbroken tissue scores as before.
+// 3 N, then through at 6 N: until the tool is out (10 ms of 2 N falling, 20 ms of none) the load is 6 N.
+// Unbroken tissue scores as before.
 void TestForceAndApexMetrics::brokenTissueKeepsTheForceThatBrokeIt() {
     using namespace core::contact_bits;
     auto tool = sampled(0.06, 0.01, [](double) { return Vec3::Zero().eval(); });
-    tool.tissue_N = {Vec3(0, 0, 3), Vec3(0, 0, 6), Vec3(0, 0, 2), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    tool.tissue_N = {Vec3(0, 0, 3), Vec3(0, 0, 6), Vec3(0, 0, 2), Vec3::Zero(),
+                     Vec3::Zero(),  Vec3::Zero(),  Vec3::Zero()};
     tool.contact = {0, kYielded | kThrough, kThrough, kThrough, kThrough, 0, 0};
     auto trace = session(tool);
     trace.forceLimit_N = 4.0;
@@ -109,7 +111,8 @@ void TestForceAndApexMetrics::everyToolCounts() {
     const auto nowhere = [](double) { return Vec3::Zero().eval(); };
     auto trace = session(sampled(0.05, 0.01, nowhere, [](double) { return Vec3(0.0, 0.0, 1.0); }));
     trace.forceLimit_N = 4.0;
-    trace.trials.front().tools.push_back(sampled(0.05, 0.01, nowhere, [](double) { return Vec3(0.0, 5.0, 0.0); }));
+    trace.trials.front().tools.push_back(
+        sampled(0.05, 0.01, nowhere, [](double) { return Vec3(0.0, 5.0, 0.0); }));
     QCOMPARE(valueOf(trace, "force_max"), 5.0);
     QVERIFY(std::abs(valueOf(trace, "force_time_over_limit") - 0.05) < 1e-12);
     QVERIFY(std::abs(valueOf(trace, "force_impulse_over_limit") - 0.25) < 1e-12);
@@ -117,14 +120,16 @@ void TestForceAndApexMetrics::everyToolCounts() {
     QCOMPARE(valueOf(trace, "force_time_over_limit", 1), 0.0);
 }
 
-// Twice under the first tool, once under the second; what gave way before the trial is none of its own; a file tells the same.
+// Twice under the first tool, once under the second; what gave way before the trial is none of its own; a
+// file tells the same.
 void TestForceAndApexMetrics::tissueThatGaveWayIsCounted() {
     using namespace core::contact_bits;
     const auto still = [](double) { return Vec3(0.0, 0.0, 0.01); };
     auto first = sampled(0.009, 0.001, still);
     auto second = sampled(0.009, 0.001, still);
     constexpr auto kNow = static_cast<std::uint8_t>(kYielded | kThrough);
-    first.contact = {kThrough, kThrough, 0, kBeyondChecked, kNow, kThrough, 0, 0, kThrough, kThrough}; // the last without its first tick
+    first.contact = {kThrough, kThrough, 0, kBeyondChecked, kNow,
+                     kThrough, 0,        0, kThrough,       kThrough}; // the last without its first tick
     second.contact = {kNow, kThrough, kThrough, 0, 0, 0, 0, 0, 0, 0};
     auto trace = session(first);
     trace.trials.front().tools.push_back(second);
@@ -159,7 +164,8 @@ void TestForceAndApexMetrics::apexMissesAreKeptAndCounted() {
     QCOMPARE(valueOf(trace, "apex_misses"), 2.0); // out of contact; 30 mm away; exactly R is no miss
     QVERIFY(std::abs(valueOf(trace, "apex_error_mean", 1) - (150.0 + 100.0) / 8.0) < 1e-9);
     // A miss counts with R at least on each axis: 0, 0; 100, 100; 100, 150; 0, 100.
-    QVERIFY(std::abs(valueOf(trace, "apex_error_mean") - (100.0 + 100.0 + 100.0 + 150.0 + 100.0) / 8.0) < 1e-9);
+    QVERIFY(std::abs(valueOf(trace, "apex_error_mean") - (100.0 + 100.0 + 100.0 + 150.0 + 100.0) / 8.0) <
+            1e-9);
 }
 
 void TestForceAndApexMetrics::apexWithoutMarkScoresLastPosition() {

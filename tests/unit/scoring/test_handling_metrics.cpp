@@ -10,10 +10,12 @@ using namespace chiron::scoring;
 
 namespace {
 
-bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+bool isNear(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+}
 
-/// Two objects for a second at 1 kHz: the first rests at 3, 4 mm from the target, the second 50 mm away; the squeeze is a ramp to 2 N.
-/// `held` (its number + 1, 0: none) is held from 0.2 to 0.8 s.
+/// Two objects for a second at 1 kHz: the first rests at 3, 4 mm from the target, the second 50 mm away; the
+/// squeeze is a ramp to 2 N. `held` (its number + 1, 0: none) is held from 0.2 to 0.8 s.
 TrialTrace handled(double task = 0.0, double heaviest = 0.0, bool completed = true, double held = 1.0) {
     TrialTrace trial;
     ToolTrace tool;
@@ -37,8 +39,9 @@ TrialTrace handled(double task = 0.0, double heaviest = 0.0, bool completed = tr
     trial.quantities.push_back(std::move(squeeze));
     trial.quantities.insert(trial.quantities.end(), bodies.begin(), bodies.end());
     trial.quantities.push_back(std::move(holding));
-    trial.truth = {{"target_x_m", 0.010}, {"target_y_m", 0.020}, {"target_radius_m", 0.014}, {"squeeze_limit_N", 1.5},
-                   {"task", task},        {"objects", 2.0},      {"heaviest", heaviest}};
+    trial.truth = {{"target_x_m", 0.010},    {"target_y_m", 0.020}, {"target_radius_m", 0.014},
+                   {"squeeze_limit_N", 1.5}, {"task", task},        {"objects", 2.0},
+                   {"heaviest", heaviest}};
     trial.completed = completed;
     return trial;
 }
@@ -73,7 +76,8 @@ class TestHandlingMetrics : public QObject {
 private slots:
     void squeeze() {
         QVERIFY(isNear(valueOf(session({handled()}), "squeeze_max"), 2.0, 1e-12));
-        QVERIFY(isNear(valueOf(session({handled()}), "squeeze_time_over_limit"), 0.249, 1e-9)); // samples 751..999, each a millisecond
+        QVERIFY(isNear(valueOf(session({handled()}), "squeeze_time_over_limit"), 0.249,
+                       1e-9)); // samples 751..999, each a millisecond
         auto paused = handled();
         for (int i = 900; i <= 1000; ++i)
             paused.tools[0].paused[static_cast<std::size_t>(i)] = 1;
@@ -88,19 +92,26 @@ private slots:
         auto other = handled();
         other.quantities[1].values.back() = 0.010; // right over the middle in x: 4 mm
         QVERIFY(isNear(valueOf(session({handled(), other}), "placement_error"), 4.5, 1e-9));
-        QVERIFY(isNear(valueOf(session({handled(0.0, 0.0, false)}), "placement_error"), 5.0, 1e-9)); // time ended it: all the same
+        QVERIFY(isNear(valueOf(session({handled(0.0, 0.0, false)}), "placement_error"), 5.0,
+                       1e-9)); // time ended it: all the same
     }
 
     void weighing() {
         QCOMPARE(valueOf(session({handled(1.0, 0.0)}), "weighing_correct"), 100.0);
-        QCOMPARE(valueOf(session({handled(1.0, 1.0)}), "weighing_correct"), 0.0); // the lighter one lies there
+        QCOMPARE(valueOf(session({handled(1.0, 1.0)}), "weighing_correct"),
+                 0.0); // the lighter one lies there
         QCOMPARE(valueOf(session({handled(1.0, 0.0, false)}), "weighing_correct"), 0.0);
-        QCOMPARE(valueOf(session({handled(1.0, 0.0), handled(1.0, 1.0), handled(1.0, 0.0), handled(1.0, 0.0)}), "weighing_correct"), 75.0);
-        QCOMPARE(metricOf(session({handled(0.0)}), "weighing_correct").reason, std::string("no weighing was asked for"));
+        QCOMPARE(
+            valueOf(session({handled(1.0, 0.0), handled(1.0, 1.0), handled(1.0, 0.0), handled(1.0, 0.0)}),
+                    "weighing_correct"),
+            75.0);
+        QCOMPARE(metricOf(session({handled(0.0)}), "weighing_correct").reason,
+                 std::string("no weighing was asked for"));
     }
 
     void chanceOfWeighing() {
-        QCOMPARE(valueOf(session({handled(1.0, 0.0), handled(1.0, 1.0)}), "weighing_correct_by_chance"), 50.0); // two objects
+        QCOMPARE(valueOf(session({handled(1.0, 0.0), handled(1.0, 1.0)}), "weighing_correct_by_chance"),
+                 50.0); // two objects
         auto four = handled(1.0, 0.0);
         for (NamedValue& value : four.truth)
             value.value = value.id == "objects" ? 4.0 : value.value;
@@ -110,20 +121,23 @@ private slots:
     /// One of four that the level asks for is a quarter, however many were begun.
     void completedOfThoseAskedFor() {
         SessionTrace trace = session({handled(), handled(0.0, 0.0, false)});
-        QCOMPARE(*metricOf(trace, "procedure_completed", 2).value, 50.0); // how many were asked for is not known
+        QCOMPARE(*metricOf(trace, "procedure_completed", 2).value,
+                 50.0); // how many were asked for is not known
         trace.plannedTrials = 4;
         QCOMPARE(*metricOf(trace, "procedure_completed", 2).value, 25.0);
         QCOMPARE(*metricOf(trace, "procedure_completed", 1).value, 50.0); // as it was
         trace.trials.back().unfinished = true;
         QCOMPARE(*metricOf(trace, "procedure_completed", 2).value, 25.0);
         const std::vector<MetricRequest> wanted{{"procedure_completed", 2}};
-        QCOMPARE(*calculateScore(trace, wanted, {}, true)->trials.front().front().value, 100.0); // of a trial: that trial
+        QCOMPARE(*calculateScore(trace, wanted, {}, true)->trials.front().front().value,
+                 100.0); // of a trial: that trial
     }
 
     /// The answer is what was held last, not what happens to lie nearest to the target.
     void theLastHeldIsTheAnswer() {
         QCOMPARE(valueOf(session({handled(1.0, 1.0, true, 2.0)}), "weighing_correct"), 100.0);
-        QCOMPARE(valueOf(session({handled(1.0, 0.0, true, 2.0)}), "weighing_correct"), 0.0); // though the heaviest lies nearer
+        QCOMPARE(valueOf(session({handled(1.0, 0.0, true, 2.0)}), "weighing_correct"),
+                 0.0); // though the heaviest lies nearer
         QVERIFY(isNear(valueOf(session({handled(0.0, 0.0, true, 2.0)}), "placement_error"), 50.0, 1e-9));
         auto both = handled(1.0, 1.0, true, 2.0);
         both.quantities.back().values[50] = 1.0; // the other one was tried before
@@ -135,7 +149,8 @@ private slots:
         QVERIFY(isNear(valueOf(session({handled(0.0, 0.0, false, 0.0)}), "placement_error"), 5.0, 1e-9));
         auto unknown = handled();
         unknown.quantities.pop_back();
-        QCOMPARE(metricOf(session({unknown}), "placement_error").reason, std::string("the trace has no objects and target"));
+        QCOMPARE(metricOf(session({unknown}), "placement_error").reason,
+                 std::string("the trace has no objects and target"));
     }
 
     void completed() {
@@ -145,12 +160,16 @@ private slots:
     void undefinedWithItsReason() {
         auto bare = handled();
         bare.quantities.clear();
-        QCOMPARE(metricOf(session({handled(), bare}), "squeeze_max").reason, std::string("the trace has no squeeze"));
-        QCOMPARE(metricOf(session({bare}), "placement_error").reason, std::string("the trace has no objects and target"));
-        QCOMPARE(metricOf(session({bare}), "procedure_completed").reason, std::string("the trace has no procedure"));
+        QCOMPARE(metricOf(session({handled(), bare}), "squeeze_max").reason,
+                 std::string("the trace has no squeeze"));
+        QCOMPARE(metricOf(session({bare}), "placement_error").reason,
+                 std::string("the trace has no objects and target"));
+        QCOMPARE(metricOf(session({bare}), "procedure_completed").reason,
+                 std::string("the trace has no procedure"));
         auto unlimited = handled();
         unlimited.truth.clear();
-        QCOMPARE(metricOf(session({unlimited}), "squeeze_time_over_limit").reason, std::string("the trace has no squeeze limit"));
+        QCOMPARE(metricOf(session({unlimited}), "squeeze_time_over_limit").reason,
+                 std::string("the trace has no squeeze limit"));
     }
 };
 

@@ -26,9 +26,12 @@ constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 TrialTrace wildTrial(std::uint64_t seed) {
     core::Random random(seed);
     TrialTrace trial = canalTrial(4.0, 0.001, [&](double t) {
-        return CanalSample{0.03 * t + 0.002 * std::sin(9.1 * t), 0.003 * random.uniform(), 0.4 * random.uniform(),
-                           1.9 + 0.5 * std::sin(7.3 * t), 0.009 * random.uniform(),
-                           t < 0.2 ? ProcedureStage::outside
+        return CanalSample{0.03 * t + 0.002 * std::sin(9.1 * t),
+                           0.003 * random.uniform(),
+                           0.4 * random.uniform(),
+                           1.9 + 0.5 * std::sin(7.3 * t),
+                           0.009 * random.uniform(),
+                           t < 0.2   ? ProcedureStage::outside
                            : t < 3.0 ? ProcedureStage::insertion
                            : t < 3.5 ? ProcedureStage::inspection
                                      : ProcedureStage::withdrawal};
@@ -38,7 +41,9 @@ TrialTrace wildTrial(std::uint64_t seed) {
         tool.p_WT_m[i] += 1e-5 * Vec3(random.normal(), random.normal(), random.normal());
         tool.tissue_N[i] = Vec3(random.normal(), random.normal(), random.normal());
         tool.tissueTorque_Nm.push_back(0.02 * Vec3(random.normal(), random.normal(), random.normal()));
-        tool.q_WT.push_back(core::Quat(1.0 + random.uniform(), random.normal(), random.normal(), random.normal()).normalized());
+        tool.q_WT.push_back(
+            core::Quat(1.0 + random.uniform(), random.normal(), random.normal(), random.normal())
+                .normalized());
         tool.commanded_N.push_back(0.9 * tool.tissue_N[i]);
     }
     for (std::size_t i = 700; i < 900; ++i)
@@ -62,14 +67,17 @@ SessionTrace again(const SessionTrace& trace) {
     return std::move(*back);
 }
 
-bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+bool same(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
 bool same(const std::vector<double>& a, const std::vector<double>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) { return same(x, y); });
 }
 
-const std::string kHeader = "t_s,x_mm,y_mm,z_mm,arc_mm,offset_mm,alignment_deg,lateral_N,axial_mNm,stage,landmarks_seen,"
-                            "completed,length_mm,bend_mm,goal_mm,lateral_limit_N,landmarks\n";
+const std::string kHeader =
+    "t_s,x_mm,y_mm,z_mm,arc_mm,offset_mm,alignment_deg,lateral_N,axial_mNm,stage,landmarks_seen,"
+    "completed,length_mm,bend_mm,goal_mm,lateral_limit_N,landmarks\n";
 
 std::string row(const std::string& t_s, const std::string& canal = "1,0.5,2,0.1,0.25,insertion,0",
                 const std::string& trial = "1,110,40,80,2,2") {
@@ -94,15 +102,16 @@ private slots:
 };
 
 void TestInsertionCsv::columnsOfACanal() {
-    const std::string text = kHeader + row("0", "-1.5,0.5,2.25,0.1,0.25,outside,0") + row("0.001", "1,0,0,0,0,insertion,2") +
-                             row("0.002", "2,0,0,0,0,completed,3");
+    const std::string text = kHeader + row("0", "-1.5,0.5,2.25,0.1,0.25,outside,0") +
+                             row("0.001", "1,0,0,0,0,insertion,2") + row("0.002", "2,0,0,0,0,completed,3");
     const auto rows = readTraceCsv(text, "c.csv");
     QVERIFY2(rows, rows ? "" : rows.error().message.c_str());
     QVERIFY(rows->columns.insertion && !rows->columns.torque && !rows->columns.orientation);
     const auto trace = buildSessionTrace(*rows, "urethra_insertion");
     QVERIFY2(trace, trace ? "" : trace.error().message.c_str());
     const TrialTrace& trial = trace->trials.at(0);
-    QVERIFY(trial.insertion && trial.completed && trial.tools[0].q_WT.empty() && trial.tools[0].tissueTorque_Nm.empty());
+    QVERIFY(trial.insertion && trial.completed && trial.tools[0].q_WT.empty() &&
+            trial.tools[0].tissueTorque_Nm.empty());
     const InsertionSeries& series = *trial.insertion;
     QCOMPARE(series.s_m, (std::vector<double>{-0.0015, 0.001, 0.002}));
     QCOMPARE(series.offset_m[0], 0.0005);
@@ -141,7 +150,9 @@ void TestInsertionCsv::everyMetricIsKeptBitForBit() {
         for (std::size_t trial = 0; trial < 2; ++trial)
             QVERIFY2(a->trials[trial][i].value == b->trials[trial][i].value, all[i].id.c_str());
     }
-    QCOMPARE(defined, static_cast<int>(all.size()) - 46); // all but those of the apex, the tube, loose objects, findings, and the prediction of a soft organ
+    QCOMPARE(defined,
+             static_cast<int>(all.size()) - 46); // all but those of the apex, the tube, loose objects,
+                                                 // findings, and the prediction of a soft organ
     QVERIFY(*a->metrics[0].value > 0.0);
 }
 
@@ -156,8 +167,10 @@ void TestInsertionCsv::seriesAreKeptBitForBit() {
     QVERIFY(same(a.insertion->lateral_N, b.insertion->lateral_N));
     QVERIFY(same(a.insertion->axialTorque_Nm, b.insertion->axialTorque_Nm));
     QCOMPARE(a.insertion->stage, b.insertion->stage);
-    QVERIFY(same(a.insertion->length_m, b.insertion->length_m) && same(a.insertion->bend_m, b.insertion->bend_m));
-    QVERIFY(same(a.insertion->goal_m, b.insertion->goal_m) && same(a.insertion->lateralLimit_N, b.insertion->lateralLimit_N));
+    QVERIFY(same(a.insertion->length_m, b.insertion->length_m) &&
+            same(a.insertion->bend_m, b.insertion->bend_m));
+    QVERIFY(same(a.insertion->goal_m, b.insertion->goal_m) &&
+            same(a.insertion->lateralLimit_N, b.insertion->lateralLimit_N));
     QVERIFY(std::isnan(b.insertion->landmarkSeen_s[1]));
     QVERIFY(same(a.insertion->landmarkSeen_s[2], b.insertion->landmarkSeen_s[2]));
     for (std::size_t i = 0; i < a.tools[0].t_s.size(); ++i) {
@@ -174,8 +187,8 @@ void TestInsertionCsv::eventsAreKeptBitForBit() {
     QCOMPARE(a.trauma.size(), b.trauma.size());
     QCOMPARE(a.reversals.size(), b.reversals.size());
     for (std::size_t i = 0; i < a.trauma.size(); ++i)
-        QVERIFY(same(a.trauma[i].begin_s, b.trauma[i].begin_s) && same(a.trauma[i].end_s, b.trauma[i].end_s) &&
-                same(a.trauma[i].value, b.trauma[i].value));
+        QVERIFY(same(a.trauma[i].begin_s, b.trauma[i].begin_s) &&
+                same(a.trauma[i].end_s, b.trauma[i].end_s) && same(a.trauma[i].value, b.trauma[i].value));
 }
 
 void TestInsertionCsv::gridsAreIdempotent() {
@@ -202,12 +215,15 @@ void TestInsertionCsv::landmarksAreSeenAtASample() {
 }
 
 void TestInsertionCsv::otherExercisesHaveNoneOfIt() {
-    const auto sphere = traces::session(traces::sampled(0.1, 0.001, [](double t) { return Vec3(t, 0.0, 0.0); }));
+    const auto sphere =
+        traces::session(traces::sampled(0.1, 0.001, [](double t) { return Vec3(t, 0.0, 0.0); }));
     const TraceRows rows = rowsOf(sphere);
     QVERIFY(!rows.columns.insertion && !rows.columns.torque && !rows.columns.orientation);
-    QCOMPARE(traceCsvHeader(rows.columns),
-             std::string("t_s,x_mm,y_mm,z_mm,tool,fx_N,fy_N,fz_N,trial,paused,marked,timed_out,mark_in_contact,mark_x_mm,"
-                         "mark_y_mm,mark_z_mm,force_limit_N\n"));
+    QCOMPARE(
+        traceCsvHeader(rows.columns),
+        std::string(
+            "t_s,x_mm,y_mm,z_mm,tool,fx_N,fy_N,fz_N,trial,paused,marked,timed_out,mark_in_contact,mark_x_mm,"
+            "mark_y_mm,mark_z_mm,force_limit_N\n"));
     QVERIFY(!again(sphere).trials[0].insertion);
 }
 
@@ -229,9 +245,10 @@ void TestInsertionCsv::writesExactDecimals() {
     r.insertion.lateralLimit_N = 2.0;
     r.insertion.landmarks = 3;
     rows.rows.push_back(r);
-    QCOMPARE(writeTraceCsv(rows), "t_s,x_mm,y_mm,z_mm,tx_mNm,ty_mNm,tz_mNm," + kHeader.substr(kHeader.find("arc_mm")) +
-                                      "0.000000,0.000000,0.000000,0.000000,-0.01,150.00,1.23,-10.000001,1.234567,12.345678,"
-                                      "2.001,9.99,withdrawal,5,0,110.000000,40.000000,120.000000,2.000,3\n");
+    QCOMPARE(writeTraceCsv(rows),
+             "t_s,x_mm,y_mm,z_mm,tx_mNm,ty_mNm,tz_mNm," + kHeader.substr(kHeader.find("arc_mm")) +
+                 "0.000000,0.000000,0.000000,0.000000,-0.01,150.00,1.23,-10.000001,1.234567,12.345678,"
+                 "2.001,9.99,withdrawal,5,0,110.000000,40.000000,120.000000,2.000,3\n");
 }
 
 void TestInsertionCsv::refusals_data() {
@@ -240,20 +257,31 @@ void TestInsertionCsv::refusals_data() {
     const auto one = [](const std::string& canal, const std::string& trial = "1,110,40,80,2,2") {
         return QByteArray::fromStdString(kHeader + row("0", canal, trial));
     };
-    QTest::newRow("negative offset") << one("1,-0.5,2,0.1,0.25,insertion,0") << QByteArray("offset_mm \"-0.5\"");
-    QTest::newRow("angle over 180") << one("1,0.5,181,0.1,0.25,insertion,0") << QByteArray("degrees, 0 to 180");
-    QTest::newRow("negative lateral force") << one("1,0.5,2,-0.1,0.25,insertion,0") << QByteArray("lateral_N");
+    QTest::newRow("negative offset") << one("1,-0.5,2,0.1,0.25,insertion,0")
+                                     << QByteArray("offset_mm \"-0.5\"");
+    QTest::newRow("angle over 180") << one("1,0.5,181,0.1,0.25,insertion,0")
+                                    << QByteArray("degrees, 0 to 180");
+    QTest::newRow("negative lateral force")
+        << one("1,0.5,2,-0.1,0.25,insertion,0") << QByteArray("lateral_N");
     QTest::newRow("negative torque") << one("1,0.5,2,0.1,-1,insertion,0") << QByteArray("millinewton metres");
     QTest::newRow("unknown stage") << one("1,0.5,2,0.1,0.25,resting,0") << QByteArray("stage \"resting\"");
-    QTest::newRow("stage as a number") << one("1,0.5,2,0.1,0.25,1,0") << QByteArray("outside, insertion, inspection");
-    QTest::newRow("no length") << one("1,0.5,2,0.1,0.25,insertion,0", "1,0,40,80,2,2") << QByteArray("length_mm");
-    QTest::newRow("no limit") << one("1,0.5,2,0.1,0.25,insertion,0", "1,110,40,80,0,2") << QByteArray("lateral_limit_N");
-    QTest::newRow("33 landmarks") << one("1,0.5,2,0.1,0.25,insertion,0", "1,110,40,80,2,33") << QByteArray("0 to 32");
+    QTest::newRow("stage as a number")
+        << one("1,0.5,2,0.1,0.25,1,0") << QByteArray("outside, insertion, inspection");
+    QTest::newRow("no length") << one("1,0.5,2,0.1,0.25,insertion,0", "1,0,40,80,2,2")
+                               << QByteArray("length_mm");
+    QTest::newRow("no limit") << one("1,0.5,2,0.1,0.25,insertion,0", "1,110,40,80,0,2")
+                              << QByteArray("lateral_limit_N");
+    QTest::newRow("33 landmarks") << one("1,0.5,2,0.1,0.25,insertion,0", "1,110,40,80,2,33")
+                                  << QByteArray("0 to 32");
     QTest::newRow("not finite") << one("nan,0.5,2,0.1,0.25,insertion,0") << QByteArray("arc_mm");
-    QTest::newRow("half a group") << QByteArray("t_s,x_mm,y_mm,z_mm,tx_mNm\n0,1,2,3,4\n") << QByteArray("no column \"ty_mNm\"");
-    for (const auto& [name, trial] : {std::pair{"completed", "0,110,40,80,2,2"}, {"length_mm", "1,111,40,80,2,2"},
-                                      {"bend_mm", "1,110,41,80,2,2"}, {"goal_mm", "1,110,40,81,2,2"},
-                                      {"lateral_limit_N", "1,110,40,80,3,2"}, {"landmarks", "1,110,40,80,2,1"}})
+    QTest::newRow("half a group") << QByteArray("t_s,x_mm,y_mm,z_mm,tx_mNm\n0,1,2,3,4\n")
+                                  << QByteArray("no column \"ty_mNm\"");
+    for (const auto& [name, trial] : {std::pair{"completed", "0,110,40,80,2,2"},
+                                      {"length_mm", "1,111,40,80,2,2"},
+                                      {"bend_mm", "1,110,41,80,2,2"},
+                                      {"goal_mm", "1,110,40,81,2,2"},
+                                      {"lateral_limit_N", "1,110,40,80,3,2"},
+                                      {"landmarks", "1,110,40,80,2,1"}})
         QTest::newRow(name) << QByteArray::fromStdString(kHeader + row("0") +
                                                          row("0.001", "1,0.5,2,0.1,0.25,insertion,0", trial))
                             << QByteArray(name) + " changes at t_s 0.001";
@@ -267,7 +295,8 @@ void TestInsertionCsv::refusals() {
                             : core::Result<SessionTrace>(tl::unexpected(rows.error()));
     QVERIFY(!trace);
     QVERIFY(trace.error().code == core::ErrorCode::badInput);
-    QVERIFY2(trace.error().message.find(place.toStdString()) != std::string::npos, trace.error().message.c_str());
+    QVERIFY2(trace.error().message.find(place.toStdString()) != std::string::npos,
+             trace.error().message.c_str());
 }
 
 QTEST_APPLESS_MAIN(TestInsertionCsv)

@@ -117,7 +117,8 @@ void TestInsertionEvents::traumaIsOneUntilBelowEightyPercent() {
 
 void TestInsertionEvents::traumaTellsWhenAndHowMuch() {
     // Over from 10 ms, 3.2 N at most while it goes on at 1.7 N, over at 80 ms.
-    const auto trial = forces(runs({{10, 0.5}, {30, 2.5}, {10, 3.2}, {30, 1.7}, {10, 0.1}, {10, 3.9}, {5, 0.0}}));
+    const auto trial =
+        forces(runs({{10, 0.5}, {30, 2.5}, {10, 3.2}, {30, 1.7}, {10, 0.1}, {10, 3.9}, {5, 0.0}}));
     const auto found = traumaOf(trial);
     QCOMPARE(found.size(), std::size_t{1}); // the last peak lasted 10 ms
     QCOMPARE(found[0].begin_s, 0.010);
@@ -128,12 +129,15 @@ void TestInsertionEvents::traumaTellsWhenAndHowMuch() {
 }
 
 void TestInsertionEvents::aBreakStartsTheTimeAnew() {
-    QCOMPARE(traumaOf(forces(runs({{3, 0.0}, {15, 2.5}, {1, 2.0}, {15, 2.5}, {3, 0.0}}))).size(), std::size_t{0});
-    QCOMPARE(traumaOf(forces(runs({{3, 0.0}, {15, 2.5}, {1, 2.0}, {20, 2.5}, {3, 0.0}}))).size(), std::size_t{1});
+    QCOMPARE(traumaOf(forces(runs({{3, 0.0}, {15, 2.5}, {1, 2.0}, {15, 2.5}, {3, 0.0}}))).size(),
+             std::size_t{0});
+    QCOMPARE(traumaOf(forces(runs({{3, 0.0}, {15, 2.5}, {1, 2.0}, {20, 2.5}, {3, 0.0}}))).size(),
+             std::size_t{1});
 }
 
 void TestInsertionEvents::traumaAtTheTrialsEnd() {
-    QCOMPARE(traumaOf(forces(runs({{3, 0.0}, {20, 2.5}}))).size(), std::size_t{0}); // the last sample holds for no time
+    QCOMPARE(traumaOf(forces(runs({{3, 0.0}, {20, 2.5}}))).size(),
+             std::size_t{0}); // the last sample holds for no time
     const auto found = traumaOf(forces(runs({{3, 0.0}, {21, 2.5}})));
     QCOMPARE(found.size(), std::size_t{1});
     QCOMPARE(found[0].end_s, 0.023);
@@ -200,7 +204,8 @@ void TestInsertionEvents::reversalTellsWhenAndHowFar() {
 void TestInsertionEvents::tremorIsNoReversal() {
     const auto trial = canalTrial(10.0, 0.001, [](double t) {
         CanalSample sample;
-        sample.s_m = 0.005 * t + 4e-4 * std::sin(2.0 * 3.14159265358979 * 10.0 * t); // 0.8 mm from peak to peak
+        sample.s_m =
+            0.005 * t + 4e-4 * std::sin(2.0 * 3.14159265358979 * 10.0 * t); // 0.8 mm from peak to peak
         return sample;
     });
     QCOMPARE(reversalsOf(trial).size(), std::size_t{0});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an insertion came to: torques, landmarks, the tip's travel while they were visited, and how deep it went.
+// What an insertion came to: torques, landmarks, the tip's travel while they were visited, and how deep it
+// went.
 #include "insertion_traces.h"
 
 #include <QtTest>
@@ -19,7 +20,9 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+bool isNear(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+}
 
 } // namespace
 
@@ -42,8 +45,10 @@ void TestInsertionGoals::torques() {
     const auto trace = canalSession(trial);
     QVERIFY(isNear(valueOf(trace, "torque_max"), 100.0, 1e-9));
     QVERIFY(isNear(valueOf(trace, "torque_rms"), std::sqrt((25.0 * (n - 1.0) + 10000.0) / n), 1e-9));
-    QCOMPARE(metricOf(canalSession(straightIn()), "torque_max").reason, std::string("the trace has no torques"));
-    QCOMPARE(metricOf(canalSession(straightIn()), "torque_rms").reason, std::string("the trace has no torques"));
+    QCOMPARE(metricOf(canalSession(straightIn()), "torque_max").reason,
+             std::string("the trace has no torques"));
+    QCOMPARE(metricOf(canalSession(straightIn()), "torque_rms").reason,
+             std::string("the trace has no torques"));
     auto paused = trial;
     paused.tools[0].paused[500] = 1;
     QVERIFY(isNear(valueOf(canalSession(paused), "torque_max"), 5.0, 1e-9));
@@ -62,7 +67,8 @@ void TestInsertionGoals::procedureCompleted() {
 void TestInsertionGoals::landmarks() {
     constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
     auto trial = straightIn();
-    QCOMPARE(metricOf(canalSession(trial), "landmarks_seen").reason, std::string("the level has no landmarks"));
+    QCOMPARE(metricOf(canalSession(trial), "landmarks_seen").reason,
+             std::string("the level has no landmarks"));
     trial.insertion->landmarkSeen_s = {kNever, kNever};
     QCOMPARE(valueOf(canalSession(trial), "landmarks_seen"), 0.0);
     trial.insertion->landmarkSeen_s = {8.0, kNever, 9.5};
@@ -75,11 +81,14 @@ void TestInsertionGoals::landmarks() {
 }
 
 void TestInsertionGoals::inspectionTravel() {
-    // 2 s in, 4 s round a circle of 5 mm once, 2 s out; still at both ends of the circle, so that no filter moves it.
+    // 2 s in, 4 s round a circle of 5 mm once, 2 s out; still at both ends of the circle, so that no filter
+    // moves it.
     auto trial = canalTrial(8.0, 0.001, [](double t) {
         CanalSample sample;
         sample.s_m = 0.115;
-        sample.stage = t < 2.0 ? ProcedureStage::insertion : t < 6.0 ? ProcedureStage::inspection : ProcedureStage::withdrawal;
+        sample.stage = t < 2.0   ? ProcedureStage::insertion
+                       : t < 6.0 ? ProcedureStage::inspection
+                                 : ProcedureStage::withdrawal;
         return sample;
     });
     trial.insertion->landmarkSeen_s = {5.0};
@@ -96,7 +105,8 @@ void TestInsertionGoals::inspectionTravel() {
     QVERIFY(isNear(valueOf(canalSession(trial), "inspection_travel"), circle_mm, 0.6));
     QVERIFY(isNear(valueOf(canalSession(trial), "path_length"), circle_mm + 80.0, 0.6));
     auto noise = trial;
-    for (std::size_t i = 0; i < noise.tools[0].t_s.size(); ++i) // one count of 25 µm up and down each ms is no travel
+    for (std::size_t i = 0; i < noise.tools[0].t_s.size();
+         ++i) // one count of 25 µm up and down each ms is no travel
         noise.tools[0].p_WT_m[i].y() += i % 2 == 0 ? 25e-6 : 0.0;
     QVERIFY(isNear(valueOf(canalSession(noise), "inspection_travel"), circle_mm, 1.0));
 }
@@ -106,7 +116,8 @@ void TestInsertionGoals::depthStopsAtTheGoal() {
     QCOMPARE(valueOf(canalSession(trial), "insertion_depth"), 80.0);
     trial.insertion->goal_m = 0.0353; // exactly the goal, so that a gate there holds
     QCOMPARE(valueOf(canalSession(trial), "insertion_depth"), 35.3);
-    const auto shallow = canalTrial(1.0, 0.001, [](double t) { return CanalSample{0.06 * std::sin(kPi * t)}; });
+    const auto shallow =
+        canalTrial(1.0, 0.001, [](double t) { return CanalSample{0.06 * std::sin(kPi * t)}; });
     QCOMPARE(valueOf(canalSession(shallow), "insertion_depth"), 60.0); // the deepest place, not the last
     const auto outside = canalTrial(1.0, 0.001, [](double t) { return CanalSample{-0.02 * t}; });
     QCOMPARE(valueOf(canalSession(outside), "insertion_depth"), 0.0);
@@ -116,7 +127,9 @@ void TestInsertionGoals::depthStopsAtTheGoal() {
 // In to 30 mm on the line, then on to 70 mm beside it: 10 mm aside is still in the canal, more is not.
 void TestInsertionGoals::depthIsInTheCanal() {
     const auto beside = [](double offset_m) {
-        return canalTrial(1.0, 0.001, [offset_m](double t) { return CanalSample{0.07 * t, t > 0.4286 ? offset_m : 0.0}; });
+        return canalTrial(1.0, 0.001, [offset_m](double t) {
+            return CanalSample{0.07 * t, t > 0.4286 ? offset_m : 0.0};
+        });
     };
     QCOMPARE(valueOf(canalSession(beside(0.010)), "insertion_depth"), 70.0);
     QVERIFY(isNear(valueOf(canalSession(beside(0.0101)), "insertion_depth"), 30.0, 0.08));

@@ -21,13 +21,14 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDegree = kPi / 180.0;
 
-bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+bool isNear(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+}
 
-const std::vector<std::string> kOfTheCanal{"offset_rms",    "offset_max", "alignment_rms",  "bend_alignment",
-                                           "trauma_events", "reversals",  "landmarks_seen", "inspection_travel",
-                                           "procedure_completed", "trauma_time", "trauma_impulse", "lateral_max",
-                                           "advance_while_turning", "curve_alignment",
-                                           "insertion_depth"};
+const std::vector<std::string> kOfTheCanal{
+    "offset_rms",     "offset_max",     "alignment_rms",         "bend_alignment",      "trauma_events",
+    "reversals",      "landmarks_seen", "inspection_travel",     "procedure_completed", "trauma_time",
+    "trauma_impulse", "lateral_max",    "advance_while_turning", "curve_alignment",     "insertion_depth"};
 
 /// Pressed aside with `lateral_N` from 1 s on for `time_s`.
 SessionTrace pressed(double time_s, double lateral_N) {
@@ -39,18 +40,21 @@ SessionTrace pressed(double time_s, double lateral_N) {
     }));
 }
 
-/// Straight in at 10 mm/s to the bend at 40 mm; there turned by 30° within 2 s, standing still or going on at `while_m_per_s`, and then on.
+/// Straight in at 10 mm/s to the bend at 40 mm; there turned by 30° within 2 s, standing still or going on at
+/// `while_m_per_s`, and then on.
 TrialTrace turnedAtBend(double while_m_per_s) {
     const double from = 5.0, to = 7.0; // s
     TrialTrace trial = canalTrial(14.0, 0.001, [=](double t) {
         CanalSample sample;
-        sample.s_m = -0.010 + 0.010 * std::min(t, from) + while_m_per_s * std::clamp(t - from, 0.0, to - from) + 0.010 * std::max(0.0, t - to);
+        sample.s_m = -0.010 + 0.010 * std::min(t, from) +
+                     while_m_per_s * std::clamp(t - from, 0.0, to - from) + 0.010 * std::max(0.0, t - to);
         return sample;
     });
     ToolTrace& tool = trial.tools.front();
     tool.tissueTorque_Nm.assign(tool.t_s.size(), Vec3::Zero());
     for (const double t : tool.t_s)
-        tool.q_WT.emplace_back(Eigen::AngleAxisd(30.0 * kDegree * std::clamp((t - from) / (to - from), 0.0, 1.0), Vec3::UnitX()));
+        tool.q_WT.emplace_back(Eigen::AngleAxisd(
+            30.0 * kDegree * std::clamp((t - from) / (to - from), 0.0, 1.0), Vec3::UnitX()));
     return trial;
 }
 
@@ -118,10 +122,12 @@ void TestInsertionMetrics::onlyInsideTheUrethra_data() {
 void TestInsertionMetrics::onlyInsideTheUrethra() {
     QFETCH(int, s_nm);
     QFETCH(bool, counts);
-    for (const auto stage : {ProcedureStage::insertion, ProcedureStage::inspection, ProcedureStage::withdrawal}) {
+    for (const auto stage :
+         {ProcedureStage::insertion, ProcedureStage::inspection, ProcedureStage::withdrawal}) {
         const auto trace = canalSession(canalTrial(0.1, 0.001, [=](double t) {
             const bool special = t > 0.0495 && t < 0.0505; // one sample of 101
-            return CanalSample{special ? 1e-9 * s_nm : 0.050, special ? 0.007 : 0.0, special ? 0.7 : 0.0, 0.0, 0.0, stage};
+            return CanalSample{
+                special ? 1e-9 * s_nm : 0.050, special ? 0.007 : 0.0, special ? 0.7 : 0.0, 0.0, 0.0, stage};
         }));
         QCOMPARE(valueOf(trace, "offset_max") > 0.0, counts);
         QCOMPARE(valueOf(trace, "alignment_rms") > 0.0, counts);
@@ -134,7 +140,8 @@ void TestInsertionMetrics::bendIsTenMillimetresEitherWay() {
     // 10° there, 40° everywhere else; the ends at exactly 30 and 50 mm belong to it.
     const auto tilted = [](std::int64_t halfWidth_nm) {
         return canalSession(canalTrial(0.4, 0.001, [=](double t) {
-            const std::int64_t s_nm = 20'000'000 + 100'000 * std::lround(t * 1e3); // 20 to 60 mm in steps of 0.1 mm
+            const std::int64_t s_nm =
+                20'000'000 + 100'000 * std::lround(t * 1e3); // 20 to 60 mm in steps of 0.1 mm
             const bool near = std::abs(s_nm - 40'000'000) <= halfWidth_nm;
             CanalSample sample;
             sample.s_m = static_cast<double>(s_nm) * 1e-9;
@@ -143,7 +150,7 @@ void TestInsertionMetrics::bendIsTenMillimetresEitherWay() {
         }));
     };
     QVERIFY(isNear(valueOf(tilted(10'000'000), "bend_alignment"), 10.0, 1e-6));
-    QVERIFY(valueOf(tilted(9'950'000), "bend_alignment") > 10.5);  // both ends tilted more
+    QVERIFY(valueOf(tilted(9'950'000), "bend_alignment") > 10.5); // both ends tilted more
     QVERIFY(isNear(valueOf(tilted(12'000'000), "bend_alignment"), 10.0, 1e-6));
     QVERIFY(valueOf(tilted(10'000'000), "alignment_rms") > 20.0);
 }
@@ -152,7 +159,8 @@ void TestInsertionMetrics::curveIsThirtyMillimetresPastTheBend() {
     // 10° there, 40° everywhere else; the ends at exactly 40 and 70 mm belong to it.
     const auto tilted = [](std::int64_t from_nm, std::int64_t to_nm) {
         return canalSession(canalTrial(0.6, 0.001, [=](double t) {
-            const std::int64_t s_nm = 20'000'000 + 100'000 * std::lround(t * 1e3); // 20 to 80 mm in steps of 0.1 mm
+            const std::int64_t s_nm =
+                20'000'000 + 100'000 * std::lround(t * 1e3); // 20 to 80 mm in steps of 0.1 mm
             CanalSample sample;
             sample.s_m = static_cast<double>(s_nm) * 1e-9;
             sample.alignment_rad = (s_nm >= from_nm && s_nm <= to_nm ? 10.0 : 40.0) * kDegree;
@@ -194,7 +202,8 @@ void TestInsertionMetrics::traumaHasTimeImpulseAndAWorstForce() {
     QVERIFY(isNear(valueOf(once, "trauma_impulse"), 156.0, 0.027));
     QCOMPARE(valueOf(once, "lateral_max"), 26.0);
     const auto below = pressed(6.0, 1.9);
-    QVERIFY(valueOf(below, "trauma_time") == 0.0 && valueOf(below, "trauma_impulse") == 0.0 && valueOf(below, "lateral_max") == 1.9);
+    QVERIFY(valueOf(below, "trauma_time") == 0.0 && valueOf(below, "trauma_impulse") == 0.0 &&
+            valueOf(below, "lateral_max") == 1.9);
     const auto twice = canalSession({pressed(0.5, 3.0).trials.front(), pressed(0.25, 2.5).trials.front()});
     QVERIFY(isNear(valueOf(twice, "trauma_time"), 0.75, 0.0021));
     QVERIFY(isNear(valueOf(twice, "trauma_impulse"), 1.5 + 0.625, 0.006));
@@ -210,7 +219,8 @@ void TestInsertionMetrics::longOrHardTraumaIsACriticalError() {
     auto broken = pressed(0.5, 4.5);
     auto& tool = broken.trials.front().tools.front();
     tool.contact.assign(tool.t_s.size(), 0);
-    tool.contact[1200] = core::contact_bits::kThrough | core::contact_bits::kYielded; // within the trauma: the same error
+    tool.contact[1200] =
+        core::contact_bits::kThrough | core::contact_bits::kYielded; // within the trauma: the same error
     QCOMPARE(valueOf(broken, "critical_errors"), 1.0);
     tool.contact[5000] = core::contact_bits::kThrough | core::contact_bits::kYielded;
     QCOMPARE(valueOf(broken, "critical_errors"), 2.0);
@@ -219,8 +229,11 @@ void TestInsertionMetrics::longOrHardTraumaIsACriticalError() {
 }
 
 void TestInsertionMetrics::advanceWhileTurningIsOfTheBend() {
-    const auto turned = [](double speed) { return valueOf(canalSession(turnedAtBend(speed)), "advance_while_turning"); };
-    // A turn is seen 0.1 s before it begins and 0.1 s after it has ended, as far as it is half over there: at 5°/s of 15°/s a third.
+    const auto turned = [](double speed) {
+        return valueOf(canalSession(turnedAtBend(speed)), "advance_while_turning");
+    };
+    // A turn is seen 0.1 s before it begins and 0.1 s after it has ended, as far as it is half over there: at
+    // 5°/s of 15°/s a third.
     QVERIFY2(isNear(turned(0.0), 0.0, 0.8), qPrintable(QString::number(turned(0.0))));
     QVERIFY2(isNear(turned(0.010), 20.0, 1.5), qPrintable(QString::number(turned(0.010))));
     QVERIFY(turned(0.005) > 9.0 && turned(0.005) < 12.0);
@@ -230,11 +243,13 @@ void TestInsertionMetrics::advanceWhileTurningIsOfTheBend() {
     TrialTrace out = turnedAtBend(0.010);
     for (auto& stage : out.insertion->stage)
         stage = static_cast<std::uint8_t>(ProcedureStage::withdrawal);
-    QCOMPARE(metricOf(canalSession(out), "advance_while_turning").reason, std::string("the tip was never at the bend"));
+    QCOMPARE(metricOf(canalSession(out), "advance_while_turning").reason,
+             std::string("the tip was never at the bend"));
 }
 
 void TestInsertionMetrics::pathIsMeasuredAlongTheCanal() {
-    // In by 90 mm and out again, as an insertion goes: version 1 divides by next to nothing, version 2 by the canal.
+    // In by 90 mm and out again, as an insertion goes: version 1 divides by next to nothing, version 2 by the
+    // canal.
     const auto inAndOut = [](double aside_m) {
         TrialTrace trial = canalTrial(20.0, 0.001, [](double t) {
             CanalSample sample;
@@ -246,18 +261,21 @@ void TestInsertionMetrics::pathIsMeasuredAlongTheCanal() {
             trial.tools.front().p_WT_m[i].y() += aside_m * std::sin(2.0 * kPi * trial.tools.front().t_s[i]);
         return canalSession(trial);
     };
-    QVERIFY2(std::abs(valueOf(inAndOut(0.0), "path_inefficiency")) < 0.5, qPrintable(QString::number(valueOf(inAndOut(0.0), "path_inefficiency"))));
+    QVERIFY2(std::abs(valueOf(inAndOut(0.0), "path_inefficiency")) < 0.5,
+             qPrintable(QString::number(valueOf(inAndOut(0.0), "path_inefficiency"))));
     const double wavy = valueOf(inAndOut(0.001), "path_inefficiency");
     QVERIFY2(wavy > 8.0 && wavy < 15.0, qPrintable(QString::number(wavy))); // 1 mm at 1 Hz on 9 mm/s: 11 %
     QVERIFY(valueOf(inAndOut(0.0), "path_inefficiency", 1) > 1000.0);
 }
 
 void TestInsertionMetrics::undefinedWithItsReason() {
-    const auto sphere = traces::session(traces::sampled(1.0, 0.001, [](double t) { return Vec3(t, 0.0, 0.0); }));
+    const auto sphere =
+        traces::session(traces::sampled(1.0, 0.001, [](double t) { return Vec3(t, 0.0, 0.0); }));
     for (const std::string& id : kOfTheCanal) {
         QVERIFY2(!metricOf(sphere, id).value, id.c_str());
         const bool any = id == "procedure_completed"; // not of canals alone
-        QCOMPARE(metricOf(sphere, id).reason, std::string(any ? "the trace has no procedure" : "the trace has no insertion data"));
+        QCOMPARE(metricOf(sphere, id).reason,
+                 std::string(any ? "the trace has no procedure" : "the trace has no insertion data"));
     }
     const auto outside = canalSession(canalTrial(1.0, 0.001, [](double) { return CanalSample{-0.005}; }));
     for (const char* id : {"offset_rms", "offset_max", "alignment_rms"})
@@ -265,14 +283,16 @@ void TestInsertionMetrics::undefinedWithItsReason() {
     QCOMPARE(metricOf(outside, "inspection_travel").reason, std::string("the level has no landmarks"));
     auto asked = straightIn();
     asked.insertion->landmarkSeen_s = {std::numeric_limits<double>::quiet_NaN()};
-    QCOMPARE(metricOf(canalSession(asked), "inspection_travel").reason, std::string("the inspection was not reached"));
+    QCOMPARE(metricOf(canalSession(asked), "inspection_travel").reason,
+             std::string("the inspection was not reached"));
 }
 
 void TestInsertionMetrics::aTrialWithoutCanalIsNotLeftOut() {
     auto blind = straightIn();
     blind.insertion.reset();
     const auto trace = canalSession({straightIn(), blind});
-    for (const char* id : {"offset_rms", "offset_max", "alignment_rms", "bend_alignment", "trauma_events", "reversals"})
+    for (const char* id :
+         {"offset_rms", "offset_max", "alignment_rms", "bend_alignment", "trauma_events", "reversals"})
         QCOMPARE(metricOf(trace, id).reason, std::string("the trace has no insertion data"));
 }
 
@@ -295,8 +315,9 @@ void TestInsertionMetrics::sessionsPoolTheirTrials() {
 void TestInsertionMetrics::pausesAreLeftOut() {
     auto trial = canalTrial(3.0, 0.001, [](double t) {
         const bool wild = t > 0.9995 && t < 1.9995;
-        return CanalSample{wild ? 0.070 : 0.040, wild ? 0.009 : 0.001, wild ? 1.0 : 0.1, wild ? 3.9 : 0.0, 0.0,
-                           ProcedureStage::insertion};
+        return CanalSample{
+            wild ? 0.070 : 0.040,     wild ? 0.009 : 0.001, wild ? 1.0 : 0.1, wild ? 3.9 : 0.0, 0.0,
+            ProcedureStage::insertion};
     });
     const auto whole = canalSession(trial);
     QCOMPARE(valueOf(whole, "trauma_events"), 1.0);
@@ -336,7 +357,8 @@ void TestInsertionMetrics::badSeriesAreRefused() {
     trial.tools.clear();
     QVERIFY(refused(trial));
     trial = straightIn();
-    trial.insertion->offset_m[5000] = std::numeric_limits<double>::quiet_NaN(); // the whole sample is left out
+    trial.insertion->offset_m[5000] =
+        std::numeric_limits<double>::quiet_NaN(); // the whole sample is left out
     QCOMPARE(valueOf(canalSession(trial), "offset_rms"), 0.0);
 }
 

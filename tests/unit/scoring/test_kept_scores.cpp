@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every metric in every version of trials that were drawn so that much happens in them, often just at a limit, and of the same trials with
-// something lacking, against what was kept. Hand-made cases show that metrics are right; stored scores stay comparable only where none of them changes.
+// Every metric in every version of trials that were drawn so that much happens in them, often just at a
+// limit, and of the same trials with something lacking, against what was kept. Hand-made cases show that
+// metrics are right; stored scores stay comparable only where none of them changes.
 #include "support/kept_figures.h"
 
 #include "drawn_traces.h"
@@ -11,9 +12,9 @@
 #include "curriculum/exercises/palpation/scoring/finding_errors.h"
 #include "curriculum/exercises/palpation/scoring/palpation_answer.h"
 #include "curriculum/exercises/palpation/scoring/roc_curve.h"
-#include "scoring/force_facts.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_moments.h"
+#include "scoring/force_facts.h"
 #include "scoring/metric_catalogue.h"
 #include "scoring/score_calculator.h"
 #include "scoring/smoothness.h"
@@ -83,13 +84,17 @@ void TestKeptScores::everyMetric() {
         const auto card = calculateScore(changed, all(), {}, true);
         QVERIFY2(card, card ? "" : card.error().message.c_str());
         for (std::size_t i = 0; i < card->metrics.size(); ++i) {
-            const QString id = QStringLiteral("%1@%2").arg(QString::fromStdString(card->metrics[i].id)).arg(card->metrics[i].version);
+            const QString id = QStringLiteral("%1@%2")
+                                   .arg(QString::fromStdString(card->metrics[i].id))
+                                   .arg(card->metrics[i].version);
             tell(out, id, card->metrics[i]);
             for (std::size_t trial = 0; trial < card->trials.size(); ++trial)
                 tell(out, QStringLiteral("%1 of %2").arg(id).arg(trial), card->trials[trial][i]);
         }
         const ForceFacts facts = forceFactsOf(changed);
-        out.add(QStringLiteral("forces"), facts.tissue_N, facts.commanded_N, facts.limited_s, facts.firstLimited_s.value_or(-1.0), facts.samples, facts.beyondChecked, facts.beyondCheckedShare());
+        out.add(QStringLiteral("forces"), facts.tissue_N, facts.commanded_N, facts.limited_s,
+                facts.firstLimited_s.value_or(-1.0), facts.samples, facts.beyondChecked,
+                facts.beyondCheckedShare());
         // Of a change only what it changes.
         Figures changedOnly;
         for (qsizetype i = 0; i < out.lines.size(); ++i)
@@ -109,12 +114,16 @@ void TestKeptScores::palpations() {
     Figures out;
     const std::vector<TrialTrace> trials = palpated();
     for (std::size_t count = 0; count <= trials.size(); ++count) {
-        SessionTrace trace = tests::palpationSession({trials.begin(), trials.begin() + static_cast<std::ptrdiff_t>(count)});
+        SessionTrace trace =
+            tests::palpationSession({trials.begin(), trials.begin() + static_cast<std::ptrdiff_t>(count)});
         for (const double limit_N : {4.0, 2.0}) {
             trace.forceLimit_N = limit_N;
             const auto card = calculateScore(trace, all(), {}, true);
             for (std::size_t i = 0; i < card->metrics.size(); ++i)
-                if (const std::string& id = card->metrics[i].id; id.starts_with("palpation") || id.starts_with("loc") || id.starts_with("size") || id.starts_with("hard") || id == "coverage" || id.starts_with("force_band") || id == "pressing_time" || id == "searching_time") {
+                if (const std::string& id = card->metrics[i].id;
+                    id.starts_with("palpation") || id.starts_with("loc") || id.starts_with("size") ||
+                    id.starts_with("hard") || id == "coverage" || id.starts_with("force_band") ||
+                    id == "pressing_time" || id == "searching_time") {
                     tell(out, QString::fromStdString(id), card->metrics[i]);
                     for (const auto& trial : card->trials)
                         tell(out, QStringLiteral("- of one"), trial[i]);
@@ -126,9 +135,11 @@ void TestKeptScores::palpations() {
         const JudgedTrial judged = judgePalpation(trial);
         QVERIFY(judged.answer);
         const PalpationAnswer& answer = *judged.answer;
-        out.add(QStringLiteral("judged"), answer.hits(), answer.misses(), answer.falseAlarms(), answer.reports.size());
+        out.add(QStringLiteral("judged"), answer.hits(), answer.misses(), answer.falseAlarms(),
+                answer.reports.size());
         for (const TimedReport& report : answer.reports)
-            out.add(QStringLiteral("report"), report.t_s, static_cast<int>(report.field), report.finding, report.value, report.place_W.x(), report.place_W.y());
+            out.add(QStringLiteral("report"), report.t_s, static_cast<int>(report.field), report.finding,
+                    report.value, report.place_W.x(), report.place_W.y());
         for (const FindingMatch& match : answer.matches)
             out.add(QStringLiteral("match"), match.finding, match.lump, match.distance_m, match.region);
         for (const DetectionRegion& region : answer.regions)
@@ -137,14 +148,17 @@ void TestKeptScores::palpations() {
         out.add(QStringLiteral("pairs"), pairs.right, pairs.pairs, pairs.rated, pairs.rightByChance);
         ratings.add(answer.regions);
         if (const auto curve = rocOf(ratings)) {
-            out.add(QStringLiteral("curve"), curve->area, curve->dA.value_or(-99.0), curve->slope.value_or(-99.0));
+            out.add(QStringLiteral("curve"), curve->area, curve->dA.value_or(-99.0),
+                    curve->slope.value_or(-99.0));
             for (const RocPoint& point : curve->points)
                 out.add(QStringLiteral("point"), point.falseAlarmRate, point.hitRate, point.confidence);
         }
         for (const double x : {-0.0301, -0.03, -0.01, 0.0, 0.01, 0.0299, 0.03, 0.0301})
-            out.add(QStringLiteral("region at"), x, regionAt(answer.truth, Vec3(x, 0.0, 0.0)), regionAt(answer.truth, Vec3(0.0, x, 0.0)), regionAt(answer.truth, Vec3(x, x, 0.0)));
+            out.add(QStringLiteral("region at"), x, regionAt(answer.truth, Vec3(x, 0.0, 0.0)),
+                    regionAt(answer.truth, Vec3(0.0, x, 0.0)), regionAt(answer.truth, Vec3(x, x, 0.0)));
     }
-    for (const std::vector<std::pair<int, int>>& rated : std::vector<std::vector<std::pair<int, int>>>{{}, {{1, 1}}, {{1, 1}, {1, 2}}, {{1, 2}, {3, 3}, {5, 1}}, {{2, 2}, {4, 4}, {5, 4}, {1, 5}}}) {
+    for (const std::vector<std::pair<int, int>>& rated : std::vector<std::vector<std::pair<int, int>>>{
+             {}, {{1, 1}}, {{1, 1}, {1, 2}}, {{1, 2}, {3, 3}, {5, 1}}, {{2, 2}, {4, 4}, {5, 4}, {1, 5}}}) {
         const HardnessPairs pairs = hardnessPairs(rated);
         out.add(QStringLiteral("of ratings"), pairs.right, pairs.pairs, pairs.rated, pairs.rightByChance);
     }
@@ -163,35 +177,46 @@ void TestKeptScores::events() {
         const InsertionEvents events = insertionEvents(traces::onGrids(trial));
         told("trauma", events.trauma);
         told("reversal", events.reversals);
-        for (const InsertionQuantity quantity : {InsertionQuantity::offset, InsertionQuantity::alignment, InsertionQuantity::bendAlignment, InsertionQuantity::curveAlignment, InsertionQuantity::torque}) {
+        for (const InsertionQuantity quantity :
+             {InsertionQuantity::offset, InsertionQuantity::alignment, InsertionQuantity::bendAlignment,
+              InsertionQuantity::curveAlignment, InsertionQuantity::torque}) {
             const auto largest = largestOf(traces::onGrids(trial), quantity);
-            out.add(QStringLiteral("largest"), largest ? largest->begin_s : -1.0, largest ? largest->value : -1.0, inMetricUnit(quantity, 0.01));
-            told("over", stretchesOver(traces::onGrids(trial), quantity, inMetricUnit(quantity, quantity == InsertionQuantity::torque ? 0.001 : quantity == InsertionQuantity::offset ? 0.002 : 0.2)));
+            out.add(QStringLiteral("largest"), largest ? largest->begin_s : -1.0,
+                    largest ? largest->value : -1.0, inMetricUnit(quantity, 0.01));
+            told("over",
+                 stretchesOver(traces::onGrids(trial), quantity,
+                               inMetricUnit(quantity, quantity == InsertionQuantity::torque   ? 0.001
+                                                      : quantity == InsertionQuantity::offset ? 0.002
+                                                                                              : 0.2)));
             out.say(QStringLiteral("unit"), metricUnitOf(quantity));
         }
     }
     for (const MetricDefinition& metric : metricCatalogue())
         if (const auto quantity = insertionQuantityOf(metric.id))
-            out.add(QString::fromUtf8(metric.id.data(), static_cast<qsizetype>(metric.id.size())), static_cast<int>(*quantity));
+            out.add(QString::fromUtf8(metric.id.data(), static_cast<qsizetype>(metric.id.size())),
+                    static_cast<int>(*quantity));
     hold(QStringLiteral("events"), out);
 }
 
 /// A truth that lacks something or cannot be.
 void TestKeptScores::truths() {
     Figures out;
-    const std::vector<NamedValue> good = tests::MadeTrial(std::vector<tests::MadeLump>{{0.01, 0.01, 0.0075, 1}}).trial().truth;
+    const std::vector<NamedValue> good =
+        tests::MadeTrial(std::vector<tests::MadeLump>{{0.01, 0.01, 0.0075, 1}}).trial().truth;
     const auto tried = [&](const QString& name, const std::vector<NamedValue>& truth) {
         const auto read = palpationTruthOf(truth);
         out.say(name, read ? "read" : "refused");
         if (read)
-            out.add(QStringLiteral("truth"), read->lumps.size(), read->areaHalf_m.x(), read->areaHalf_m.y(), read->regionColumns, read->regionRows, read->hitRadius_m, read->bandLow_N, read->bandHigh_N, read->coverForce_N, read->asksSize,
-                    read->asksHardness);
+            out.add(QStringLiteral("truth"), read->lumps.size(), read->areaHalf_m.x(), read->areaHalf_m.y(),
+                    read->regionColumns, read->regionRows, read->hitRadius_m, read->bandLow_N,
+                    read->bandHigh_N, read->coverForce_N, read->asksSize, read->asksHardness);
     };
     for (std::size_t i = 0; i < good.size(); ++i) {
         std::vector<NamedValue> less = good;
         less.erase(less.begin() + static_cast<std::ptrdiff_t>(i));
         tried(QString::fromStdString(good[i].id), less);
-        for (const double value : {-1.0, -1e-9, 0.0, 1e-6, 0.49, 0.5, 1.0, 1.49, 5.0, 5.5, 6.0, 8.0, 12.0, 16.0, 17.0, 32.0, 33.0, 64.0, 65.0, 1e12, HUGE_VAL}) {
+        for (const double value : {-1.0, -1e-9, 0.0,  1e-6, 0.49, 0.5,  1.0,  1.49, 5.0,  5.5,     6.0,
+                                   8.0,  12.0,  16.0, 17.0, 32.0, 33.0, 64.0, 65.0, 1e12, HUGE_VAL}) {
             if (good[i].id == "lumps" && value > 1.4)
                 continue; // then lumps lack
             std::vector<NamedValue> other = good;
@@ -237,7 +262,8 @@ void TestKeptScores::files() {
         QVERIFY2(read, read ? "" : read.error().message.c_str());
         const auto built = buildSessionTrace(*read, "drawn", 3.0);
         QVERIFY2(built, built ? "" : built.error().message.c_str());
-        const auto card = calculateScore(*built, all(), {}, true), same = calculateScore(trace, all(), {}, true);
+        const auto card = calculateScore(*built, all(), {}, true),
+                   same = calculateScore(trace, all(), {}, true);
         for (std::size_t i = 0; i < card->metrics.size(); ++i) {
             QVERIFY2(plain || card->metrics[i].value == same->metrics[i].value, card->metrics[i].id.c_str());
             if (plain)
@@ -247,7 +273,8 @@ void TestKeptScores::files() {
     hold(QStringLiteral("files"), out);
 }
 
-/// Each cell of a row with every column, at the ends of what it may be and beyond, and how it is written again.
+/// Each cell of a row with every column, at the ends of what it may be and beyond, and how it is written
+/// again.
 void TestKeptScores::cells() {
     Figures out;
     SessionTrace trace = drawn();
@@ -264,7 +291,18 @@ void TestKeptScores::cells() {
         out.say(names[i], usual[i].toStdString());
     for (qsizetype i = 0; i < names.size(); ++i) {
         const int known = findTraceColumn(names[i].toStdString());
-        QStringList values{QString(), QStringLiteral("0"), QStringLiteral("1"), QStringLiteral("-1"), QStringLiteral("2"), QStringLiteral("0.5"), QStringLiteral("-0"), QStringLiteral("0.00000049"), QStringLiteral("x"), QStringLiteral("1e400"), QStringLiteral("running"), QStringLiteral("withdrawal")};
+        QStringList values{QString(),
+                           QStringLiteral("0"),
+                           QStringLiteral("1"),
+                           QStringLiteral("-1"),
+                           QStringLiteral("2"),
+                           QStringLiteral("0.5"),
+                           QStringLiteral("-0"),
+                           QStringLiteral("0.00000049"),
+                           QStringLiteral("x"),
+                           QStringLiteral("1e400"),
+                           QStringLiteral("running"),
+                           QStringLiteral("withdrawal")};
         if (known >= 0) {
             const TraceColumn& column = traceColumns()[static_cast<std::size_t>(known)];
             for (const double end : {column.least, column.most})
@@ -275,8 +313,15 @@ void TestKeptScores::cells() {
         for (const QString& value : values) {
             QStringList row = usual;
             row[i] = value;
-            const auto read = readTraceCsv((names.join(QLatin1Char(',')) + QLatin1Char('\n') + row.join(QLatin1Char(','))).toStdString(), "t");
-            out.say(names[i] + QStringLiteral(" = ") + value, read ? QString::fromStdString(writeTraceCsv(*read)).section(QLatin1Char('\n'), 1, 1).section(QLatin1Char(','), i, i).toStdString() : read.error().message.substr(0, 160));
+            const auto read = readTraceCsv(
+                (names.join(QLatin1Char(',')) + QLatin1Char('\n') + row.join(QLatin1Char(','))).toStdString(),
+                "t");
+            out.say(names[i] + QStringLiteral(" = ") + value,
+                    read ? QString::fromStdString(writeTraceCsv(*read))
+                               .section(QLatin1Char('\n'), 1, 1)
+                               .section(QLatin1Char(','), i, i)
+                               .toStdString()
+                         : read.error().message.substr(0, 160));
         }
     }
     hold(QStringLiteral("cells"), out);
@@ -287,15 +332,22 @@ void TestKeptScores::headers() {
     Figures out;
     const auto told = [&](const std::string& name, const std::string& text) {
         const auto read = readTraceCsv(text, "t");
-        const auto built = read ? buildSessionTrace(*read, "drawn") : core::Result<SessionTrace>(SessionTrace{});
-        out.say(QString::fromStdString(name), !read ? read.error().message.substr(0, 200) : !built ? built.error().message : "read, " + std::to_string(read->rows.size()) + " rows, " + std::to_string(built->trials.size()) + " trials");
+        const auto built =
+            read ? buildSessionTrace(*read, "drawn") : core::Result<SessionTrace>(SessionTrace{});
+        out.say(QString::fromStdString(name), !read ? read.error().message.substr(0, 200)
+                                              : !built
+                                                  ? built.error().message
+                                                  : "read, " + std::to_string(read->rows.size()) + " rows, " +
+                                                        std::to_string(built->trials.size()) + " trials");
     };
     const std::string head = "t_s,x_mm,y_mm,z_mm", row = "\n0,1,2,3\n";
     for (const TraceColumn& column : traceColumns()) {
         told("with " + std::string(column.name), head + "," + std::string(column.name) + "\n0,1,2,3,1\n");
-        told("twice " + std::string(column.name), std::string(column.name) + "," + std::string(column.name) + row);
+        told("twice " + std::string(column.name),
+             std::string(column.name) + "," + std::string(column.name) + row);
     }
-    for (const char* name : {"", "x", "quantity_", "quantity_a", "quantity_A", "quantity_a b", "truth_", "truth_a_1", "truth_1", "quantity_a,quantity_a", "quantity_a,truth_a"})
+    for (const char* name : {"", "x", "quantity_", "quantity_a", "quantity_A", "quantity_a b", "truth_",
+                             "truth_a_1", "truth_1", "quantity_a,quantity_a", "quantity_a,truth_a"})
         told(std::string("named ") + name, head + "," + name + "\n0,1,2,3,1\n");
     for (const int count : {64, 65})
         for (const char* prefix : {"quantity_a", "truth_a"}) {
@@ -306,10 +358,29 @@ void TestKeptScores::headers() {
             }
             told(std::to_string(count) + prefix, names + cells);
         }
-    for (const char* text : {"", "\n", "\xef\xbb\xbf", "\xef\xbb\xbft_s,x_mm,y_mm,z_mm\n0,1,2,3", "t_s,x_mm,y_mm,z_mm", "t_s,x_mm,y_mm,z_mm\r\n0,1,2,3\r\n", "t_s,x_mm,y_mm,z_mm\n0,1,2,3\n\n\n", "t_s,x_mm,y_mm,z_mm\n0,1,2,3\n\n1,1,2,3", "t_s,x_mm,y_mm,z_mm\n\n0,1,2,3",
-                             "t_s,x_mm,y_mm,z_mm\n0,1,2\n", "t_s,x_mm,y_mm,z_mm\n0,1,2,3,\n", "t_s,x_mm,y_mm,z_mm\n0,\x1f\x20\x7e\x7f\x80,2,3\n", "t_s,x_mm,y_mm,z_mm\n0,1234567890123456789012345678901234567890,2,x\n", "t_s,x_mm,y_mm,z_mm\n0,12345678901234567890123456789012345678901x,2,3\n",
-                             "t_s,x_mm,y_mm,z_mm,tool\n0,1,2,3,0\n0,1,2,3,1\n0,1,2,3,1\n", "t_s,x_mm,y_mm,z_mm,trial\n0,1,2,3,1\n1,1,2,3,2\n2,1,2,3,1\n", "t_s,x_mm,y_mm,z_mm,phase\n0,1,2,3,ready\n", "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n0,1,2,3,1.0009,0,0,0\n1,1,2,3,1.0011,0,0,0\n",
-                             "t_s,x_mm,y_mm,z_mm,force_limit_N\n0,1,2,3,2\n1,1,2,3,3\n", "t_s,x_mm,y_mm,z_mm,trials_planned\n0,1,2,3,2\n1,1,2,3,3\n", "t_s,x_mm,y_mm,z_mm,failed\n0,1,2,3,0\n1,1,2,3,1\n", "t_s,x_mm,y_mm,z_mm,unfinished\n0,1,2,3,1\n1,1,2,3,0\n", "t_s,x_mm,y_mm,z_mm,truth_a\n0,1,2,3,1\n1,1,2,3,2\n"})
+    for (const char* text : {"",
+                             "\n",
+                             "\xef\xbb\xbf",
+                             "\xef\xbb\xbft_s,x_mm,y_mm,z_mm\n0,1,2,3",
+                             "t_s,x_mm,y_mm,z_mm",
+                             "t_s,x_mm,y_mm,z_mm\r\n0,1,2,3\r\n",
+                             "t_s,x_mm,y_mm,z_mm\n0,1,2,3\n\n\n",
+                             "t_s,x_mm,y_mm,z_mm\n0,1,2,3\n\n1,1,2,3",
+                             "t_s,x_mm,y_mm,z_mm\n\n0,1,2,3",
+                             "t_s,x_mm,y_mm,z_mm\n0,1,2\n",
+                             "t_s,x_mm,y_mm,z_mm\n0,1,2,3,\n",
+                             "t_s,x_mm,y_mm,z_mm\n0,\x1f\x20\x7e\x7f\x80,2,3\n",
+                             "t_s,x_mm,y_mm,z_mm\n0,1234567890123456789012345678901234567890,2,x\n",
+                             "t_s,x_mm,y_mm,z_mm\n0,12345678901234567890123456789012345678901x,2,3\n",
+                             "t_s,x_mm,y_mm,z_mm,tool\n0,1,2,3,0\n0,1,2,3,1\n0,1,2,3,1\n",
+                             "t_s,x_mm,y_mm,z_mm,trial\n0,1,2,3,1\n1,1,2,3,2\n2,1,2,3,1\n",
+                             "t_s,x_mm,y_mm,z_mm,phase\n0,1,2,3,ready\n",
+                             "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n0,1,2,3,1.0009,0,0,0\n1,1,2,3,1.0011,0,0,0\n",
+                             "t_s,x_mm,y_mm,z_mm,force_limit_N\n0,1,2,3,2\n1,1,2,3,3\n",
+                             "t_s,x_mm,y_mm,z_mm,trials_planned\n0,1,2,3,2\n1,1,2,3,3\n",
+                             "t_s,x_mm,y_mm,z_mm,failed\n0,1,2,3,0\n1,1,2,3,1\n",
+                             "t_s,x_mm,y_mm,z_mm,unfinished\n0,1,2,3,1\n1,1,2,3,0\n",
+                             "t_s,x_mm,y_mm,z_mm,truth_a\n0,1,2,3,1\n1,1,2,3,2\n"})
         told(text, text);
     hold(QStringLiteral("headers"), out);
 }

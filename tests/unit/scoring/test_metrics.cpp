@@ -271,7 +271,9 @@ void TestMetrics::everyRowIsWhole() {
     std::map<std::string_view, const MetricDefinition*> last;
     for (const MetricDefinition& metric : metricCatalogue()) {
         const char* id = metric.id.data();
-        QVERIFY2(QRegularExpression(QStringLiteral("^[a-z][a-z0-9_]*$")).match(QString::fromLatin1(id)).hasMatch(), id);
+        QVERIFY2(
+            QRegularExpression(QStringLiteral("^[a-z][a-z0-9_]*$")).match(QString::fromLatin1(id)).hasMatch(),
+            id);
         for (const std::string_view text : {metric.title, metric.meaning, metric.definition, metric.source})
             QVERIFY2(!text.empty() && text.front() != ' ' && text.back() != ' ', id);
         QVERIFY2(metric.meaning.back() == '.' && metric.title.back() != '.', id);
@@ -280,11 +282,16 @@ void TestMetrics::everyRowIsWhole() {
         const MetricDefinition*& before = last[metric.id];
         QVERIFY2(metric.version == (before ? before->version + 1 : 1), id);
         // A new version measures anew; what people call it and what it is counted in stay.
-        QVERIFY2(!before || (metric.title == before->title && metric.meaning == before->meaning && metric.unit == before->unit && metric.measure != before->measure), id);
+        QVERIFY2(!before || (metric.title == before->title && metric.meaning == before->meaning &&
+                             metric.unit == before->unit && metric.measure != before->measure),
+                 id);
         before = &metric;
     }
-    for (const char* force : {"force_max", "force_mean", "force_rms", "force_p95", "force_time_over_limit", "force_impulse_over_limit"}) {
-        QVERIFY2(findMetric(force, 1)->tools == MetricTools::first && findMetric(force, 2)->tools == MetricTools::all, force); // as their definitions say
+    for (const char* force : {"force_max", "force_mean", "force_rms", "force_p95", "force_time_over_limit",
+                              "force_impulse_over_limit"}) {
+        QVERIFY2(findMetric(force, 1)->tools == MetricTools::first &&
+                     findMetric(force, 2)->tools == MetricTools::all,
+                 force); // as their definitions say
         QCOMPARE(toString(findMetric(force)->tools), std::string_view("all"));
     }
     QVERIFY(last.size() > 60);

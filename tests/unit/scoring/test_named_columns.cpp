@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an exercise names itself, through a trace file and back: quantities of the scene, truths of a trial, how it ended.
+// What an exercise names itself, through a trace file and back: quantities of the scene, truths of a trial,
+// how it ended.
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
 #include "scoring/trace_grid.h"
@@ -21,14 +22,16 @@ SessionTrace busy() {
     session.exercise = "elastic_tube";
     for (int t = 0; t < 2; ++t) {
         TrialTrace trial;
-        trial.tools.push_back(traces::sampled(0.2, 0.001, [t](double s) { return Vec3(s / 3.0 + t, s * s, -s); }));
+        trial.tools.push_back(
+            traces::sampled(0.2, 0.001, [t](double s) { return Vec3(s / 3.0 + t, s * s, -s); }));
         trial.trial = t;
         for (double& s : trial.tools[0].t_s)
             s += t; // trials follow one another
         trial.tools.push_back(trial.tools[0]);
         trial.quantities = {{"tension_N", {}}, {"grip_0", {}}};
         for (std::size_t i = 0; i < trial.tools[0].t_s.size(); ++i) {
-            trial.quantities[0].values.push_back(1.0 / 3.0 + 1e-17 * static_cast<double>(i) + 0.1 * static_cast<double>(i));
+            trial.quantities[0].values.push_back(1.0 / 3.0 + 1e-17 * static_cast<double>(i) +
+                                                 0.1 * static_cast<double>(i));
             trial.quantities[1].values.push_back(static_cast<double>(i % 4));
         }
         trial.truth = {{"target_N", 0.1 + 0.2}, {"hold_s", 3.0}};
@@ -88,7 +91,8 @@ private slots:
 
     void columnsAreNamed() {
         const std::string header = traceCsvHeader(rowsOf(busy()).columns);
-        for (const char* column : {"completed", "failed", "quantity_tension_N", "quantity_grip_0", "truth_target_N", "truth_hold_s"})
+        for (const char* column : {"completed", "failed", "quantity_tension_N", "quantity_grip_0",
+                                   "truth_target_N", "truth_hold_s"})
             QVERIFY2(header.find(column) != std::string::npos, column);
     }
 
@@ -100,7 +104,8 @@ private slots:
         QVERIFY(clean);
         QCOMPARE(clean->trials[0].tools[0].t_s.size(), session.trials[0].tools[0].t_s.size() - 1);
         QCOMPARE(clean->trials[0].quantities[1].values.size(), clean->trials[0].tools[0].t_s.size());
-        QCOMPARE(clean->trials[0].tools[1].t_s.size(), session.trials[0].tools[1].t_s.size()); // another tool's is another sample
+        QCOMPARE(clean->trials[0].tools[1].t_s.size(),
+                 session.trials[0].tools[1].t_s.size()); // another tool's is another sample
         session.trials[0].quantities[0].values.pop_back();
         QVERIFY(!onStoredGrids(session)); // not one a sample
     }
@@ -108,12 +113,18 @@ private slots:
     void refusals_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("says");
-        QTest::newRow("misspelt") << QByteArray("t_s,x_mm,y_mm,z_mm,quantity\n0,0,0,0,1\n") << QByteArray("r.csv:1:5: \"quantity\"");
-        QTest::newRow("no id") << QByteArray("t_s,x_mm,y_mm,z_mm,truth_\n0,0,0,0,1\n") << QByteArray("\"truth_\"");
-        QTest::newRow("odd id") << QByteArray("t_s,x_mm,y_mm,z_mm,truth_a-b\n0,0,0,0,1\n") << QByteArray("\"truth_a-b\"");
-        QTest::newRow("twice") << QByteArray("t_s,x_mm,y_mm,z_mm,truth_a,truth_a\n0,0,0,0,1,1\n") << QByteArray("each column once");
-        QTest::newRow("no number") << QByteArray("t_s,x_mm,y_mm,z_mm,quantity_a\n0,0,0,0,x\n") << QByteArray("r.csv:2:5: \"x\": expected a finite number, or nothing");
-        QTest::newRow("infinite") << QByteArray("t_s,x_mm,y_mm,z_mm,quantity_a\n0,0,0,0,inf\n") << QByteArray("a finite number");
+        QTest::newRow("misspelt") << QByteArray("t_s,x_mm,y_mm,z_mm,quantity\n0,0,0,0,1\n")
+                                  << QByteArray("r.csv:1:5: \"quantity\"");
+        QTest::newRow("no id") << QByteArray("t_s,x_mm,y_mm,z_mm,truth_\n0,0,0,0,1\n")
+                               << QByteArray("\"truth_\"");
+        QTest::newRow("odd id") << QByteArray("t_s,x_mm,y_mm,z_mm,truth_a-b\n0,0,0,0,1\n")
+                                << QByteArray("\"truth_a-b\"");
+        QTest::newRow("twice") << QByteArray("t_s,x_mm,y_mm,z_mm,truth_a,truth_a\n0,0,0,0,1,1\n")
+                               << QByteArray("each column once");
+        QTest::newRow("no number") << QByteArray("t_s,x_mm,y_mm,z_mm,quantity_a\n0,0,0,0,x\n")
+                                   << QByteArray("r.csv:2:5: \"x\": expected a finite number, or nothing");
+        QTest::newRow("infinite") << QByteArray("t_s,x_mm,y_mm,z_mm,quantity_a\n0,0,0,0,inf\n")
+                                  << QByteArray("a finite number");
         QTest::newRow("truth changes") << QByteArray("t_s,x_mm,y_mm,z_mm,truth_a\n0,0,0,0,1\n0.1,0,0,0,2\n")
                                        << QByteArray("trial 1: truth_a changes at t_s 0.1");
         QTest::newRow("failed changes") << QByteArray("t_s,x_mm,y_mm,z_mm,failed\n0,0,0,0,0\n0.1,0,0,0,1\n")

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a trial of a palpation is judged to be: reports read back, findings matched to lumps, regions, ROC.
 #include "core/random.h"
-#include "palpation_traces.h"
 #include "curriculum/exercises/palpation/scoring/palpation_answer.h"
 #include "curriculum/exercises/palpation/scoring/roc_curve.h"
+#include "palpation_traces.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -18,7 +18,9 @@ using tests::MadeTrial;
 
 namespace {
 
-bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+bool isNear(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+}
 
 PalpationAnswer answerOf(const MadeTrial& trial) {
     JudgedTrial judged = judgePalpation(trial);
@@ -27,10 +29,14 @@ PalpationAnswer answerOf(const MadeTrial& trial) {
     return std::move(*judged.answer);
 }
 
-std::string reasonOf(const TrialTrace& trial) { return judgePalpation(trial).answer ? std::string() : storedText({judgePalpation(trial).reason, {}}); }
+std::string reasonOf(const TrialTrace& trial) {
+    return judgePalpation(trial).answer ? std::string() : storedText({judgePalpation(trial).reason, {}});
+}
 
 /// As many regions of each answer as told, surest first.
-RatingCounts ratings(std::array<int, 7> ofSignal, std::array<int, 7> ofNoise) { return {ofSignal, ofNoise}; }
+RatingCounts ratings(std::array<int, 7> ofSignal, std::array<int, 7> ofNoise) {
+    return {ofSignal, ofNoise};
+}
 
 } // namespace
 
@@ -64,7 +70,8 @@ private slots:
             jump.quantities[0].values[i] = 3.0; // two at once: one is not told
         QCOMPARE(reportsOf(jump)->lost, 1);
         QCOMPARE(reasonOf(jump), std::string("the trace lost reports"));
-        for (const auto& [column, value] : {std::pair{1, 9.0}, {1, std::nan("")}, {2, 8.0}, {2, -1.0}, {3, 5000.0}, {4, HUGE_VAL}}) {
+        for (const auto& [column, value] :
+             {std::pair{1, 9.0}, {1, std::nan("")}, {2, 8.0}, {2, -1.0}, {3, 5000.0}, {4, HUGE_VAL}}) {
             TrialTrace odd = trial;
             for (double& v : odd.quantities[static_cast<std::size_t>(column)].values)
                 v = value;
@@ -83,8 +90,13 @@ private slots:
 
     void truthThatCannotBe() {
         const std::string refused = "the trace has no lumps and search area";
-        for (const auto& [id, value] : {std::pair<std::string, double>{"lumps", 7.0}, {"lumps", -1.0}, {"region_columns", 0.0},
-                                        {"region_rows", 1e9}, {"area_half_x_m", 0.0}, {"hit_radius_m", -0.001}, {"lump_0_hardness", 6.0},
+        for (const auto& [id, value] : {std::pair<std::string, double>{"lumps", 7.0},
+                                        {"lumps", -1.0},
+                                        {"region_columns", 0.0},
+                                        {"region_rows", 1e9},
+                                        {"area_half_x_m", 0.0},
+                                        {"hit_radius_m", -0.001},
+                                        {"lump_0_hardness", 6.0},
                                         {"lump_0_radius_m", std::nan("")}}) {
             TrialTrace trial = MadeTrial({{0.0, 0.0}});
             for (NamedValue& named : trial.truth)
@@ -99,7 +111,9 @@ private slots:
 
     /// Reach is 12 mm, or the lump's own radius; the border belongs to it.
     void reach() {
-        const auto hits = [](double x_m, double radius_m) { return answerOf(MadeTrial({{0.0, 0.0, radius_m}}).found(0, x_m, 0.0)).hits(); };
+        const auto hits = [](double x_m, double radius_m) {
+            return answerOf(MadeTrial({{0.0, 0.0, radius_m}}).found(0, x_m, 0.0)).hits();
+        };
         QCOMPARE(hits(0.012, 0.0075), 1);
         QCOMPARE(hits(0.0121, 0.0075), 0);
         QCOMPARE(hits(0.0121, 0.014), 1);
@@ -119,9 +133,11 @@ private slots:
         QVERIFY((countsOf(answer.regions) == core::DetectionCounts{1, 1, 0, 8}));
     }
 
-    /// Nearest pair first: finding 0 is nearer to both lumps than 1, and takes the one that is nearest of all.
+    /// Nearest pair first: finding 0 is nearer to both lumps than 1, and takes the one that is nearest of
+    /// all.
     void nearestPairFirst() {
-        const PalpationAnswer answer = answerOf(MadeTrial({{0.0, 0.0}, {0.016, 0.0}}).found(0, 0.009, 0.0).found(1, 0.002, 0.010));
+        const PalpationAnswer answer =
+            answerOf(MadeTrial({{0.0, 0.0}, {0.016, 0.0}}).found(0, 0.009, 0.0).found(1, 0.002, 0.010));
         QCOMPARE(answer.matches[0].lump, 1);
         QVERIFY(isNear(answer.matches[0].distance_m, 0.007, 1e-12));
         QCOMPARE(answer.matches[1].lump, 0);
@@ -154,14 +170,14 @@ private slots:
         QCOMPARE(regionAt(four, {-1e-15, 0.0, 0.0}), 2);
     }
 
-    /// A finding that found a lump of the next region counts there and is no false alarm where it lies; one outside the area is of
-    /// no region; the highest confidence stands.
+    /// A finding that found a lump of the next region counts there and is no false alarm where it lies; one
+    /// outside the area is of no region; the highest confidence stands.
     void regionsOfFindings() {
         MadeTrial trial({{0.009, 0.0}});
-        trial.found(0, 0.012, 0.0, 4);                       // beyond the border: finds the lump of the middle
+        trial.found(0, 0.012, 0.0, 4); // beyond the border: finds the lump of the middle
         trial.found(1, -0.02, 0.02, 2).found(2, -0.025, 0.025, 5); // one lump-free region twice
-        trial.found(3, 0.04, 0.0, 5);                        // outside
-        trial.found(4, -0.009, -0.009, 5);                   // in the lump's region, out of reach
+        trial.found(3, 0.04, 0.0, 5);                              // outside
+        trial.found(4, -0.009, -0.009, 5);                         // in the lump's region, out of reach
         const PalpationAnswer answer = answerOf(trial);
         QCOMPARE(answer.hits(), 1);
         QCOMPARE(answer.falseAlarms(), 4);
@@ -185,8 +201,10 @@ private slots:
             MadeTrial forth(lumps);
             MadeTrial back(lumps);
             for (int i = 0; i < 6; ++i) {
-                forth.found(i, marks[static_cast<std::size_t>(i)].first, marks[static_cast<std::size_t>(i)].second);
-                back.found(i, marks[static_cast<std::size_t>(5 - i)].first, marks[static_cast<std::size_t>(5 - i)].second);
+                forth.found(i, marks[static_cast<std::size_t>(i)].first,
+                            marks[static_cast<std::size_t>(i)].second);
+                back.found(i, marks[static_cast<std::size_t>(5 - i)].first,
+                           marks[static_cast<std::size_t>(5 - i)].second);
             }
             const PalpationAnswer a = answerOf(forth);
             const PalpationAnswer b = answerOf(back);
@@ -211,8 +229,8 @@ private slots:
         QVERIFY(!rocOf(ratings({1, 0, 0, 0, 0, 0, 0}, {})) && !rocOf(ratings({}, {1, 0, 0, 0, 0, 0, 0})));
     }
 
-    /// By hand: of 4 lumps 2 sure, 1 unrated, 1 silent; of 4 places without 1 at 3, 3 silent. Points (0, ½), (¼, ½), (¼, ¾), (1, 1): area
-    /// ¼·½ + ¾·⅞ = 0.78125.
+    /// By hand: of 4 lumps 2 sure, 1 unrated, 1 silent; of 4 places without 1 at 3, 3 silent. Points (0, ½),
+    /// (¼, ½), (¼, ¾), (1, 1): area ¼·½ + ¾·⅞ = 0.78125.
     void rocByHand() {
         const auto curve = rocOf(ratings({2, 0, 0, 0, 0, 1, 1}, {0, 0, 1, 0, 0, 0, 3}));
         QVERIFY(isNear(curve->area, 0.78125, 1e-12));
@@ -225,14 +243,17 @@ private slots:
                     curve->points[i].confidence < curve->points[i - 1].confidence);
     }
 
-    /// 40,000 ratings of an observer with d′ = 1.5 and spreads 1 and 1.25: slope 0.8 and d_a = √(2/(1 + 0.64))·0.8·1.5 = 1.3252;
-    /// the straight lines between five points lie a little below the curve's area Φ(d_a/√2) = 0.8257.
+    /// 40,000 ratings of an observer with d′ = 1.5 and spreads 1 and 1.25: slope 0.8 and d_a = √(2/(1 +
+    /// 0.64))·0.8·1.5 = 1.3252; the straight lines between five points lie a little below the curve's area
+    /// Φ(d_a/√2) = 0.8257.
     void rocOfAGaussianObserver() {
         core::Random random(5);
         RatingCounts counts;
         const auto answer = [](double x) {
             const double edges[] = {2.4, 1.7, 1.1, 0.6, 0.1};
-            return static_cast<std::size_t>(std::find_if(std::begin(edges), std::end(edges), [x](double e) { return x > e; }) - std::begin(edges));
+            return static_cast<std::size_t>(
+                std::find_if(std::begin(edges), std::end(edges), [x](double e) { return x > e; }) -
+                std::begin(edges));
         };
         for (int i = 0; i < 20000; ++i) {
             const std::size_t said = answer(1.5 + 1.25 * random.normal());
@@ -243,12 +264,14 @@ private slots:
         const auto curve = rocOf(counts);
         QVERIFY2(isNear(*curve->slope, 0.8, 0.03), qPrintable(QString::number(*curve->slope)));
         QVERIFY2(isNear(*curve->dA, 1.3252, 0.04), qPrintable(QString::number(*curve->dA)));
-        QVERIFY2(curve->area < 0.8257 + 0.005 && curve->area > 0.8257 - 0.03, qPrintable(QString::number(curve->area)));
+        QVERIFY2(curve->area < 0.8257 + 0.005 && curve->area > 0.8257 - 0.03,
+                 qPrintable(QString::number(curve->area)));
     }
 
     void regionsBecomeRatings() {
         RatingCounts counts;
-        const std::vector<DetectionRegion> regions{{true, true, 5}, {true, true, 0}, {true, false, -1}, {false, true, 1}, {false, false, -1}};
+        const std::vector<DetectionRegion> regions{
+            {true, true, 5}, {true, true, 0}, {true, false, -1}, {false, true, 1}, {false, false, -1}};
         counts.add(regions);
         RatingCounts twice = counts;
         twice += counts;

@@ -2,14 +2,14 @@
 // Metrics of palpation on trials that were made up, each against a number worked out by hand.
 #include "core/contact_bits.h"
 #include "core/normal_distribution.h"
-#include "palpation_traces.h"
+#include "core/report_word.h"
 #include "curriculum/exercises/palpation/scoring/palpation_truth.h"
+#include "palpation_traces.h"
 #include "scoring/metric.h"
 #include "scoring/metric_catalogue.h"
 #include "scoring/score_calculator.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
-#include "core/report_word.h"
 
 #include <QtTest>
 #include <cmath>
@@ -22,7 +22,9 @@ using tests::palpationSession;
 
 namespace {
 
-bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+bool isNear(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+}
 
 Measurement metricOf(const SessionTrace& trace, const std::string& id, int version = 0) {
     const std::vector<MetricRequest> wanted{{id, version}};
@@ -68,7 +70,8 @@ private slots:
         QCOMPARE(valueOf({threeLumps()}, "palpation_hits"), 2.0);
         QCOMPARE(valueOf({threeLumps()}, "palpation_misses"), 1.0);
         QCOMPARE(valueOf({threeLumps()}, "palpation_false_alarms"), 1.0);
-        QCOMPARE(valueOf({threeLumps(), threeLumps(), MadeTrial().found(0, 0.0, 0.0)}, "palpation_hits"), 4.0);
+        QCOMPARE(valueOf({threeLumps(), threeLumps(), MadeTrial().found(0, 0.0, 0.0)}, "palpation_hits"),
+                 4.0);
         QCOMPARE(valueOf({threeLumps(), MadeTrial().found(0, 0.0, 0.0)}, "palpation_false_alarms"), 2.0);
         QCOMPARE(valueOf({MadeTrial()}, "palpation_false_alarms"), 0.0);
         QCOMPARE(reasonOf({MadeTrial()}, "palpation_hits"), QString("no lump was there"));
@@ -80,9 +83,11 @@ private slots:
         QCOMPARE(valueOf({threeLumps().say(ReportField::remove, 2)}, "palpation_false_alarms"), 0.0);
         QCOMPARE(valueOf({threeLumps().say(ReportField::remove, 0)}, "palpation_hits"), 1.0);
         QCOMPARE(valueOf({threeLumps().timedOut()}, "palpation_hits"), 2.0); // what had been said counts
-        QCOMPARE(valueOf({threeLumps().pause(90, 250)}, "palpation_hits"), 2.0); // a report is one in a pause too
+        QCOMPARE(valueOf({threeLumps().pause(90, 250)}, "palpation_hits"),
+                 2.0); // a report is one in a pause too
         MadeTrial again = threeLumps();
-        again.say(ReportField::remove, 0).found(0, -0.021, -0.02, 5, 5, 50); // its place in the list is taken anew
+        again.say(ReportField::remove, 0)
+            .found(0, -0.021, -0.02, 5, 5, 50); // its place in the list is taken anew
         QVERIFY(isNear(valueOf({again}, "localisation_error"), 3.0, 1e-9)); // (1 + 5)/2
     }
 
@@ -94,7 +99,8 @@ private slots:
         QVERIFY(isNear(valueOf({threeLumps(), one}, "localisation_error"), 6.0, 1e-9));
         QVERIFY(isNear(valueOf({threeLumps(), one}, "size_error"), 2.5 / 3.0, 1e-9));
         QCOMPARE(reasonOf({MadeTrial({{0.0, 0.0}})}, "localisation_error"), QString("no lump was found"));
-        QCOMPARE(reasonOf({MadeTrial({{0.0, 0.0}}).found(0, 0.0, 0.0)}, "size_error"), QString("of no lump that was found the size was said"));
+        QCOMPARE(reasonOf({MadeTrial({{0.0, 0.0}}).found(0, 0.0, 0.0)}, "size_error"),
+                 QString("of no lump that was found the size was said"));
         TrialTrace unasked = MadeTrial({{0.0, 0.0}}).found(0, 0.0, 0.0);
         std::erase_if(unasked.truth, [](const NamedValue& v) { return v.id.starts_with("asks"); });
         QCOMPARE(reasonOf({unasked}, "size_error"), QString("the level asks for no size"));
@@ -108,7 +114,8 @@ private slots:
         TrialTrace first = MadeTrial({{0.0, 0.0}}).found(0, 0.0, 0.0, 5);
         first.truth.push_back({"introduction", 1.0});
         introduced.insert(introduced.begin(), first);
-        for (const char* metric : {"palpation_d_prime", "palpation_d_prime_low", "palpation_d_prime_high", "palpation_criterion", "palpation_roc_area"})
+        for (const char* metric : {"palpation_d_prime", "palpation_d_prime_low", "palpation_d_prime_high",
+                                   "palpation_criterion", "palpation_roc_area"})
             for (const int version : {1, 2})
                 if (findMetric(metric, version)) {
                     QVERIFY(std::isfinite(valueOf(plain, metric, version)));
@@ -123,37 +130,52 @@ private slots:
     void hardness() {
         QCOMPARE(valueOf({threeLumps()}, "hardness_order", 1), 100.0);
         QCOMPARE(valueOf({threeLumps().say(ReportField::hardness, 0, 5)}, "hardness_order", 1), 0.0);
-        QCOMPARE(valueOf({threeLumps().say(ReportField::hardness, 0, 4)}, "hardness_order", 1), 0.0); // alike is not right
+        QCOMPARE(valueOf({threeLumps().say(ReportField::hardness, 0, 4)}, "hardness_order", 1),
+                 0.0); // alike is not right
         // the third one, 3, is called 3: right against 5 called 4, alike with 2 called 3
-        QVERIFY(isNear(valueOf({threeLumps().found(3, -0.02, 0.02, 0, 3)}, "hardness_order", 1), 200.0 / 3.0, 1e-9));
-        QVERIFY(isNear(valueOf({threeLumps(), threeLumps().say(ReportField::hardness, 0, 5)}, "hardness_order", 1), 50.0, 1e-9));
+        QVERIFY(isNear(valueOf({threeLumps().found(3, -0.02, 0.02, 0, 3)}, "hardness_order", 1), 200.0 / 3.0,
+                       1e-9));
+        QVERIFY(isNear(
+            valueOf({threeLumps(), threeLumps().say(ReportField::hardness, 0, 5)}, "hardness_order", 1), 50.0,
+            1e-9));
         const QString few("fewer than two lumps of a trial were found and their hardness said");
         QCOMPARE(reasonOf({MadeTrial({{0.0, 0.0}}).found(0, 0.0, 0.0, 0, 3)}, "hardness_order", 1), few);
         const auto one = MadeTrial({{0.0, 0.0, 0.0075, 2}}).found(0, 0.0, 0.0, 0, 3);
-                const auto alike = MadeTrial({{-0.02, 0.0}, {0.02, 0.0}}).found(0, -0.02, 0.0, 0, 1).found(1, 0.02, 0.0, 0, 5);
+        const auto alike =
+            MadeTrial({{-0.02, 0.0}, {0.02, 0.0}}).found(0, -0.02, 0.0, 0, 1).found(1, 0.02, 0.0, 0, 5);
         QCOMPARE(reasonOf({alike}, "hardness_order"), QString("the lumps that were found are equally hard"));
         // version 2: lumps of all trials are on one scale
-        QCOMPARE(reasonOf({one}, "hardness_order"), QString("fewer than two lumps were found and their hardness said"));
-        QCOMPARE(reasonOf({one, one}, "hardness_order"), QString("the lumps that were found are equally hard"));
+        QCOMPARE(reasonOf({one}, "hardness_order"),
+                 QString("fewer than two lumps were found and their hardness said"));
+        QCOMPARE(reasonOf({one, one}, "hardness_order"),
+                 QString("the lumps that were found are equally hard"));
         const auto harder = MadeTrial({{0.0, 0.0, 0.0075, 4}}).found(0, 0.0, 0.0, 0, 5);
         QCOMPARE(valueOf({one, harder}, "hardness_order"), 100.0);
-        QCOMPARE(valueOf({one, MadeTrial({{0.0, 0.0, 0.0075, 4}}).found(0, 0.0, 0.0, 0, 2)}, "hardness_order"), 0.0);
+        QCOMPARE(
+            valueOf({one, MadeTrial({{0.0, 0.0, 0.0075, 4}}).found(0, 0.0, 0.0, 0, 2)}, "hardness_order"),
+            0.0);
         QCOMPARE(valueOf({one, harder}, "hardness_order_by_chance"), 50.0);
         QVERIFY(std::isnan(valueOf({one, harder}, "hardness_order", 1)));
     }
 
     /// What feeling nothing gives stands beside what was reached.
     void chance() {
-        QVERIFY(isNear(valueOf({threeLumps()}, "hardness_order_by_chance"), 50.0, 1e-9)); // one pair, called differently
-        QVERIFY(isNear(valueOf({threeLumps().say(ReportField::hardness, 0, 4)}, "hardness_order_by_chance"), 0.0, 1e-9)); // alike: never right
+        QVERIFY(isNear(valueOf({threeLumps()}, "hardness_order_by_chance"), 50.0,
+                       1e-9)); // one pair, called differently
+        QVERIFY(isNear(valueOf({threeLumps().say(ReportField::hardness, 0, 4)}, "hardness_order_by_chance"),
+                       0.0, 1e-9)); // alike: never right
         // 3, 4 and 3: two of three pairs differ, so a third is right in random order
-        QVERIFY(isNear(valueOf({threeLumps().found(3, -0.02, 0.02, 0, 3)}, "hardness_order_by_chance"), 100.0 / 3.0, 1e-9));
+        QVERIFY(isNear(valueOf({threeLumps().found(3, -0.02, 0.02, 0, 3)}, "hardness_order_by_chance"),
+                       100.0 / 3.0, 1e-9));
         const auto one = MadeTrial({{0.0, 0.0}}).found(0, 0.010, 0.0);
-        QVERIFY(isNear(valueOf({threeLumps()}, "size_error_by_chance"), 2.5 / 3.0, 1e-9)); // 5, 6 and 7.5 mm about 6
-        QVERIFY(isNear(valueOf({threeLumps()}, "size_error_by_chance", 1), 1.25, 1e-9)); // of the two that were found
+        QVERIFY(isNear(valueOf({threeLumps()}, "size_error_by_chance"), 2.5 / 3.0,
+                       1e-9)); // 5, 6 and 7.5 mm about 6
+        QVERIFY(isNear(valueOf({threeLumps()}, "size_error_by_chance", 1), 1.25,
+                       1e-9)); // of the two that were found
         const double radius_mm = 1e3 * palpationTruthOf(TrialTrace(one).truth)->hitRadius_m;
         QVERIFY(isNear(valueOf({one, one}, "localisation_error_by_chance"), radius_mm * 2.0 / 3.0, 1e-9));
-        QCOMPARE(reasonOf({MadeTrial({{0.0, 0.0}})}, "localisation_error_by_chance"), QString("no lump was found"));
+        QCOMPARE(reasonOf({MadeTrial({{0.0, 0.0}})}, "localisation_error_by_chance"),
+                 QString("no lump was found"));
     }
 
     /// 20 lumps in 20 trials of nine regions: 15 found, 8 of 160 lump-free regions with a false alarm.
@@ -169,7 +191,9 @@ private slots:
         zF = core::normalQuantile((8.0 + 8.0 / 9.0) / (160.0 + 16.0 / 9.0));
         QVERIFY(isNear(valueOf(trials, "palpation_d_prime"), zH - zF, 1e-12));
         QVERIFY(isNear(valueOf(trials, "palpation_criterion"), -0.5 * (zH + zF), 1e-12));
-        QVERIFY(isNear(0.5 * (valueOf(trials, "palpation_d_prime_low") + valueOf(trials, "palpation_d_prime_high")), zH - zF, 1e-12));
+        QVERIFY(isNear(
+            0.5 * (valueOf(trials, "palpation_d_prime_low") + valueOf(trials, "palpation_d_prime_high")),
+            zH - zF, 1e-12));
         QVERIFY(valueOf(trials, "palpation_d_prime_low") > 1.0); // it was felt
         // sure of every hit, guessed every false alarm: ¾ straight up, then to (0.05, 0.75), then to (1, 1)
         QVERIFY(isNear(valueOf(trials, "palpation_roc_area"), 0.05 * 0.75 + 0.95 * 0.875, 1e-12));
@@ -178,15 +202,20 @@ private slots:
     void sensitivityOfExtremes() {
         const double z = core::normalQuantile(20.5 / 21.0);
         const double none = core::normalQuantile(0.5 / 161.0);
-        QVERIFY(isNear(valueOf(oneLumpEach(20, 20, 0), "palpation_d_prime", 1), z - none, 1e-12)); // all right
-        QVERIFY(isNear(valueOf(oneLumpEach(20, 0, 0), "palpation_d_prime", 1), -z - none, 1e-12)); // no marks: version 1 has 0.67
+        QVERIFY(
+            isNear(valueOf(oneLumpEach(20, 20, 0), "palpation_d_prime", 1), z - none, 1e-12)); // all right
+        QVERIFY(isNear(valueOf(oneLumpEach(20, 0, 0), "palpation_d_prime", 1), -z - none,
+                       1e-12)); // no marks: version 1 has 0.67
         const auto silent = oneLumpEach(20, 0, 0);
         QVERIFY(isNear(valueOf(silent, "palpation_d_prime"), 0.0, 1e-12)); // who says nothing shows nothing
-        QVERIFY(valueOf(silent, "palpation_d_prime_low") < 0.0 && valueOf(silent, "palpation_d_prime_high") > 0.0);
-        QCOMPARE(reasonOf(oneLumpEach(20, 0, 0), "palpation_roc_area"), QString("nobody said how sure a finding is"));
+        QVERIFY(valueOf(silent, "palpation_d_prime_low") < 0.0 &&
+                valueOf(silent, "palpation_d_prime_high") > 0.0);
+        QCOMPARE(reasonOf(oneLumpEach(20, 0, 0), "palpation_roc_area"),
+                 QString("nobody said how sure a finding is"));
     }
 
-    /// Pressed over the limit (4 N) within reach of a lump: not found, nor in any region; beside it, or gently: found.
+    /// Pressed over the limit (4 N) within reach of a lump: not found, nor in any region; beside it, or
+    /// gently: found.
     void pressedTooHardIsNotFound() {
         const auto hard = [](double force_N, double x_m) {
             MadeTrial trial({{0.02, 0.02}});
@@ -201,7 +230,8 @@ private slots:
         QCOMPARE(valueOf({hard(4.1, 0.02)}, "palpation_misses"), 1.0);
         QCOMPARE(valueOf({hard(4.1, 0.02)}, "palpation_false_alarms"), 0.0);
         QCOMPARE(valueOf({hard(4.1, 0.02)}, "palpation_hits", 1), 1.0);
-        QCOMPARE(valueOf({hard(4.1, -0.02)}, "palpation_hits"), 1.0); // elsewhere: the gate on time over the limit minds that
+        QCOMPARE(valueOf({hard(4.1, -0.02)}, "palpation_hits"),
+                 1.0); // elsewhere: the gate on time over the limit minds that
         TrialTrace broken = hard(1.0, 0.02);
         broken.tools[0].contact.assign(broken.tools[0].t_s.size(), 0);
         broken.tools[0].contact[55] = core::contact_bits::kThrough;
@@ -219,15 +249,20 @@ private slots:
 
     void tooFew() {
         for (const char* id : {"palpation_d_prime", "palpation_criterion", "palpation_roc_area"}) {
-            QCOMPARE(reasonOf(oneLumpEach(19, 19, 0), id), QString("only 19 regions with a lump and 152 without: 20 of each are needed"));
-            const auto card = calculateScore(palpationSession(oneLumpEach(20, 15, 8)), std::vector<MetricRequest>{{id, 1}}, {}, true);
-            QVERIFY(card && card->metrics[0].value && !card->trials[0][0].value); // a session has enough, each of its trials not
-            QCOMPARE(card->trials[0][0].reason, std::string("only 1 regions with a lump and 8 without: 20 of each are needed"));
+            QCOMPARE(reasonOf(oneLumpEach(19, 19, 0), id),
+                     QString("only 19 regions with a lump and 152 without: 20 of each are needed"));
+            const auto card = calculateScore(palpationSession(oneLumpEach(20, 15, 8)),
+                                             std::vector<MetricRequest>{{id, 1}}, {}, true);
+            QVERIFY(card && card->metrics[0].value &&
+                    !card->trials[0][0].value); // a session has enough, each of its trials not
+            QCOMPARE(card->trials[0][0].reason,
+                     std::string("only 1 regions with a lump and 8 without: 20 of each are needed"));
         }
     }
 
     void coverage() {
-        QVERIFY(isNear(valueOf({MadeTrial().covered(0.5), MadeTrial().covered(0.8)}, "coverage"), 65.0, 1e-9));
+        QVERIFY(
+            isNear(valueOf({MadeTrial().covered(0.5), MadeTrial().covered(0.8)}, "coverage"), 65.0, 1e-9));
         TrialTrace bare = MadeTrial();
         bare.quantities.clear();
         QCOMPARE(reasonOf({MadeTrial(), bare}, "coverage"), QString("the trace has no coverage"));
@@ -242,8 +277,10 @@ private slots:
         trial.pause(150, 200);
         QVERIFY(isNear(valueOf({trial}, "pressing_time"), 1.0, 1e-9));
         QVERIFY(isNear(valueOf({trial}, "force_band_time"), 100.0, 1e-9));
-        QVERIFY(isNear(valueOf({MadeTrial().press(0, 0, 100, 0.02)}, "pressing_time"), 0.0, 1e-12)); // not over 0.02 N
-        QVERIFY(isNear(valueOf({MadeTrial().press(0, 0, 100, 2.5)}, "force_band_time"), 100.0, 1e-9)); // both ends belong to it
+        QVERIFY(isNear(valueOf({MadeTrial().press(0, 0, 100, 0.02)}, "pressing_time"), 0.0,
+                       1e-12)); // not over 0.02 N
+        QVERIFY(isNear(valueOf({MadeTrial().press(0, 0, 100, 2.5)}, "force_band_time"), 100.0,
+                       1e-9)); // both ends belong to it
         QVERIFY(isNear(valueOf({MadeTrial().press(0, 0, 100, 2.501)}, "force_band_time"), 0.0, 1e-9));
         QCOMPARE(reasonOf({MadeTrial()}, "force_band_time"), QString("nothing was pressed"));
         TrialTrace bare = MadeTrial();
@@ -255,14 +292,18 @@ private slots:
 
     void searching() {
         QVERIFY(isNear(valueOf({MadeTrial().timedOut()}, "searching_time"), 3.0, 1e-9));
-        QVERIFY(isNear(valueOf({MadeTrial().at(200).say(ReportField::done, -1)}, "searching_time"), 2.0, 1e-9));
-        QVERIFY(isNear(valueOf({MadeTrial().pause(50, 150).at(200).say(ReportField::done, -1)}, "searching_time"), 1.0, 1e-9));
+        QVERIFY(
+            isNear(valueOf({MadeTrial().at(200).say(ReportField::done, -1)}, "searching_time"), 2.0, 1e-9));
+        QVERIFY(
+            isNear(valueOf({MadeTrial().pause(50, 150).at(200).say(ReportField::done, -1)}, "searching_time"),
+                   1.0, 1e-9));
         QVERIFY(isNear(valueOf({MadeTrial(), MadeTrial()}, "searching_time"), 6.0, 1e-9));
     }
 
     void absentWithTheReason() {
-        for (const char* id : {"palpation_hits", "palpation_misses", "palpation_false_alarms", "palpation_d_prime", "palpation_criterion",
-                               "palpation_roc_area", "localisation_error", "size_error", "hardness_order"}) {
+        for (const char* id : {"palpation_hits", "palpation_misses", "palpation_false_alarms",
+                               "palpation_d_prime", "palpation_criterion", "palpation_roc_area",
+                               "localisation_error", "size_error", "hardness_order"}) {
             TrialTrace bare = threeLumps();
             bare.truth.clear();
             QCOMPARE(reasonOf({threeLumps(), bare}, id), QString("the trace has no lumps and search area"));
@@ -286,9 +327,10 @@ private slots:
         QVERIFY2(rows, rows ? "" : rows.error().message.c_str());
         const auto after = buildSessionTrace(*rows, "palpation");
         QVERIFY2(after, after ? "" : after.error().message.c_str());
-        for (const char* id : {"palpation_hits", "palpation_misses", "palpation_false_alarms", "palpation_d_prime", "palpation_criterion",
-                               "palpation_roc_area", "localisation_error", "size_error", "hardness_order", "coverage", "force_band_time",
-                               "pressing_time", "searching_time"}) {
+        for (const char* id :
+             {"palpation_hits", "palpation_misses", "palpation_false_alarms", "palpation_d_prime",
+              "palpation_criterion", "palpation_roc_area", "localisation_error", "size_error",
+              "hardness_order", "coverage", "force_band_time", "pressing_time", "searching_time"}) {
             const auto a = metricOf(before, id);
             QVERIFY2(a.value && a.value == metricOf(*after, id).value, id);
         }

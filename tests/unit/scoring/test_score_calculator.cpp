@@ -113,7 +113,8 @@ void TestScoreCalculator::catalogueIsComplete() {
     for (const MetricDefinition& metric : metricCatalogue()) {
         found.insert(metric.id);
         QVERIFY(versions.insert({metric.id, metric.version}).second);
-        QVERIFY(metric.version == 1 || versions.contains({metric.id, metric.version - 1})); // the old ones stay
+        QVERIFY(metric.version == 1 ||
+                versions.contains({metric.id, metric.version - 1})); // the old ones stay
         QVERIFY(metric.measure != nullptr);
         QVERIFY(!metric.definition.empty() && !metric.source.empty());
         QVERIFY(findMetric(metric.id)->version >= metric.version);
@@ -144,7 +145,8 @@ void TestScoreCalculator::unequalColumnsAreRefused() {
 }
 
 void TestScoreCalculator::orderAndVersionsAreKept() {
-    const std::vector<MetricRequest> requests{{"time", 1}, {"force_max", 1}, {"time", 0}, {"sparc", 1}, {"force_mean", 0}};
+    const std::vector<MetricRequest> requests{
+        {"time", 1}, {"force_max", 1}, {"time", 0}, {"sparc", 1}, {"force_mean", 0}};
     const auto card = calculateScore(busySession(), requests, {}, true);
     QVERIFY(card.has_value());
     QCOMPARE(card->metrics.size(), std::size_t{4}); // the same metric once

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same trace gives the same scores to the last bit: again, from its exported file, with packets read twice.
+// The same trace gives the same scores to the last bit: again, from its exported file, with packets read
+// twice.
 #include "busy_session.h"
 
 #include "scoring/trace_builder.h"
@@ -67,7 +68,8 @@ void TestScoresAreReproducible::exportedTraceScoresTheSame() {
     QVERIFY(sameScores(*live, *fromFile));
     QVERIFY(writeTraceCsv(*rows) == csv);
     for (const auto& metric : live->metrics) { // the comparison above was about numbers
-        const bool ofOthers = metric.reason.starts_with("the trace has no ") || metric.reason == "no weighing was asked for";
+        const bool ofOthers =
+            metric.reason.starts_with("the trace has no ") || metric.reason == "no weighing was asked for";
         QVERIFY2(metric.value.has_value() != ofOthers, metric.id.c_str());
     }
 }

@@ -140,7 +140,8 @@ void TestSmoothness::lowPassTakesShortInput() {
     const auto two = lowPassZeroPhase({core::Vec3(0, 0, 0), core::Vec3(1, 0, 0)}, 1000.0, 20.0);
     QCOMPARE(two.size(), std::size_t{2});
     QVERIFY(two[0].allFinite() && two[1].allFinite());
-    QVERIFY((two[0] - core::Vec3(0, 0, 0)).norm() > 0.0 || (two[1] - core::Vec3(1, 0, 0)).norm() > 0.0); // filtered like any other
+    QVERIFY((two[0] - core::Vec3(0, 0, 0)).norm() > 0.0 ||
+            (two[1] - core::Vec3(1, 0, 0)).norm() > 0.0); // filtered like any other
 }
 
 // Forwards-then-backwards leaves no direction of time but at the edges.

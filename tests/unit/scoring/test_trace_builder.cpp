@@ -30,7 +30,8 @@ void TestTraceBuilder::marksFromButtons() {
                              "2,2,0,0,2,0,0,0\n" // another button
                              "3,3,0,0,3,0,0,0.5\n"
                              "4,4,0,0,1,0,0,0\n";
-    const auto trace = buildSessionTrace(*readTraceCsv(text, "m.csv"), "sphere_apex", 4.0, MarkMeaning::endsTheTrial);
+    const auto trace =
+        buildSessionTrace(*readTraceCsv(text, "m.csv"), "sphere_apex", 4.0, MarkMeaning::endsTheTrial);
     QVERIFY(trace.has_value());
     const TrialTrace& trial = trace->trials.at(0);
     QVERIFY(trial.marked && trial.markInContact);
@@ -43,8 +44,10 @@ void TestTraceBuilder::marksFromButtonsEndATrialWhereTheyAnswerIt() {
     const std::string text = "t_s,x_mm,y_mm,z_mm,buttons\n0,0,0,0,0\n1,1,0,0,1\n2,2,0,0,0\n";
     const auto rows = readTraceCsv(text, "m.csv");
     QCOMPARE(buildSessionTrace(*rows, "a")->trials[0].tools[0].t_s.size(), std::size_t{3});
-    QCOMPARE(buildSessionTrace(*rows, "a", 4.0, MarkMeaning::endsTheTrial)->trials[0].tools[0].t_s.size(), std::size_t{2});
-    const auto unmarked = buildSessionTrace(*readTraceCsv(kPlain, "p.csv"), "a", 4.0, MarkMeaning::endsTheTrial);
+    QCOMPARE(buildSessionTrace(*rows, "a", 4.0, MarkMeaning::endsTheTrial)->trials[0].tools[0].t_s.size(),
+             std::size_t{2});
+    const auto unmarked =
+        buildSessionTrace(*readTraceCsv(kPlain, "p.csv"), "a", 4.0, MarkMeaning::endsTheTrial);
     QVERIFY(!unmarked->trials[0].marked && !unmarked->trials[0].timedOut);
     QCOMPARE(unmarked->trials[0].p_WMark_m.x(), 0.0015);
     QVERIFY(unmarked->trials[0].markInContact); // no forces in the file: not judged

@@ -21,9 +21,11 @@ struct TubeSample {
     Step step = Step::hold;
 };
 
-TrialTrace tubeTrial(double duration_s, const std::function<TubeSample(double)>& tube, double target_N = 1.0) {
+TrialTrace tubeTrial(double duration_s, const std::function<TubeSample(double)>& tube,
+                     double target_N = 1.0) {
     TrialTrace trial;
-    trial.tools.push_back(traces::sampled(duration_s, 0.001, [](double t) { return core::Vec3(0.001 * t, 0.0, 0.05); }));
+    trial.tools.push_back(
+        traces::sampled(duration_s, 0.001, [](double t) { return core::Vec3(0.001 * t, 0.0, 0.05); }));
     QuantityTrace tension{"tension_N", {}}, stretch{"stretch_m", {}}, grip{"grip_1", {}}, step{"step", {}};
     for (const double t : trial.tools.front().t_s) {
         const TubeSample sample = tube(t);
@@ -51,9 +53,12 @@ SessionTrace tubeSession(std::vector<TrialTrace> trials) {
     return trace;
 }
 
-bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+bool isNear(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+}
 
-const std::vector<std::string> kOfTheTube{"tension_error_rms", "tension_error_sd", "time_in_band", "over_stretches", "drops"};
+const std::vector<std::string> kOfTheTube{"tension_error_rms", "tension_error_sd", "time_in_band",
+                                          "over_stretches", "drops"};
 
 } // namespace
 
@@ -74,7 +79,8 @@ private slots:
     void sessionsPoolTheirTrials();
 };
 
-// A fold held back from 1 s on: its pull counts until the trial's end, in its band or not; where it never was held back, nothing of the time was.
+// A fold held back from 1 s on: its pull counts until the trial's end, in its band or not; where it never was
+// held back, nothing of the time was.
 void TestTubeMetrics::aFoldIsHeldInItsBand() {
     const auto fold = [](const std::function<double(double)>& pull_N) {
         TrialTrace trial = tubeTrial(5.0, [](double) { return TubeSample{1.0, 0.02, Step::hold}; });
@@ -91,7 +97,9 @@ void TestTubeMetrics::aFoldIsHeldInItsBand() {
         trial.truth.push_back({"retraction_high_N", 1.0});
         return trial;
     };
-    const TrialTrace good = fold([](double t) { return t < 1.0 ? 0.0 : t < 3.0 ? 0.8 : t < 4.0 ? 1.3 : 0.0; }); // 2 s in, 1 s too hard, 1 s let go of
+    const TrialTrace good = fold([](double t) {
+        return t < 1.0 ? 0.0 : t < 3.0 ? 0.8 : t < 4.0 ? 1.3 : 0.0;
+    }); // 2 s in, 1 s too hard, 1 s let go of
     const TrialTrace never = fold([](double) { return 0.5; });
     QVERIFY(isNear(valueOf(tubeSession({good}), "retraction_time_in_band"), 50.0, 0.1));
     QVERIFY(isNear(valueOf(tubeSession({good, never}), "retraction_time_in_band"), 25.0, 0.1));
@@ -103,15 +111,20 @@ void TestTubeMetrics::aFoldIsHeldInItsBand() {
 
 void TestTubeMetrics::aSineAboutTheTarget() {
     // Three whole periods in 3 s, 0.3 N high: RMS 0.3/√2; within ± 0.15 N a third of the time (asin ½ = 30°).
-    const auto trace = tubeSession({tubeTrial(
-        3.001, [](double t) { return TubeSample{1.0 + 0.3 * std::sin(2.0 * std::numbers::pi * t), 0.02, t < 3.0 ? Step::hold : Step::done}; })});
+    const auto trace = tubeSession({tubeTrial(3.001, [](double t) {
+        return TubeSample{1.0 + 0.3 * std::sin(2.0 * std::numbers::pi * t), 0.02,
+                          t < 3.0 ? Step::hold : Step::done};
+    })});
     QVERIFY(isNear(valueOf(trace, "tension_error_rms"), 0.3 / std::sqrt(2.0), 1e-3));
     QVERIFY(isNear(valueOf(trace, "tension_error_sd"), 0.3 / std::sqrt(2.0), 1e-3));
-    QVERIFY2(isNear(valueOf(trace, "time_in_band"), 1.0, 0.013), qPrintable(QString::number(valueOf(trace, "time_in_band"))));
+    QVERIFY2(isNear(valueOf(trace, "time_in_band"), 1.0, 0.013),
+             qPrintable(QString::number(valueOf(trace, "time_in_band"))));
 }
 
 void TestTubeMetrics::aConstantErrorIsNoSpread() {
-    const auto trace = tubeSession({tubeTrial(3.0, [](double) { return TubeSample{1.1, 0.02, Step::hold}; })});
+    const auto trace = tubeSession({tubeTrial(3.0, [](double) {
+        return TubeSample{1.1, 0.02, Step::hold};
+    })});
     QVERIFY(isNear(valueOf(trace, "tension_error_rms"), 0.1, 1e-9));
     QVERIFY(isNear(valueOf(trace, "tension_error_sd"), 0.0, 1e-9));
     QVERIFY(isNear(valueOf(trace, "time_in_band"), 3.0, 1e-9)); // what holds to the next sample
@@ -119,7 +132,8 @@ void TestTubeMetrics::aConstantErrorIsNoSpread() {
 
 void TestTubeMetrics::onlyTheHoldCounts() {
     const auto trace = tubeSession({tubeTrial(4.0, [](double t) {
-        return t < 1.0 ? TubeSample{1.0, 0.02, Step::stretch} : TubeSample{1.2, 0.02, t < 3.0 ? Step::hold : Step::done};
+        return t < 1.0 ? TubeSample{1.0, 0.02, Step::stretch}
+                       : TubeSample{1.2, 0.02, t < 3.0 ? Step::hold : Step::done};
     })});
     QVERIFY(isNear(valueOf(trace, "tension_error_rms"), 0.2, 1e-9));
     QCOMPARE(valueOf(trace, "time_in_band"), 0.0);
@@ -136,13 +150,19 @@ void TestTubeMetrics::everyHoldCounts() {
     QVERIFY(isNear(valueOf(trace, "tension_error_sd"), 0.95 * std::sqrt(3.0) / 4.0, 1e-3));
     QVERIFY(isNear(valueOf(trace, "time_in_band"), 3.0, 1e-9));
     // also where the broken one was in the band
-    const auto broken = tubeSession({tubeTrial(5.0, [](double t) { return TubeSample{1.05, 0.02, t < 1.0 || t >= 2.0 ? Step::hold : Step::stretch}; })});
+    const auto broken = tubeSession({tubeTrial(5.0, [](double t) {
+        return TubeSample{1.05, 0.02, t < 1.0 || t >= 2.0 ? Step::hold : Step::stretch};
+    })});
     QVERIFY(isNear(valueOf(broken, "time_in_band"), 3.0, 1e-9));
 }
 
 void TestTubeMetrics::timeInBandOfAMark() {
     TrialTrace trial = tubeTrial(
-        2.0, [](double t) { return TubeSample{0.7, t < 0.5 ? 0.021 : 0.018, Step::hold}; }, 0.0);
+        2.0,
+        [](double t) {
+            return TubeSample{0.7, t < 0.5 ? 0.021 : 0.018, Step::hold};
+        },
+        0.0);
     trial.truth.push_back({"mark_m", 0.018});
     trial.truth.push_back({"mark_tolerance_m", 0.0018});
     const auto trace = tubeSession({trial});
@@ -153,7 +173,8 @@ void TestTubeMetrics::timeInBandOfAMark() {
 
 void TestTubeMetrics::overStretchesAreRearmed() {
     const double levels[] = {0.02, 0.032, 0.026, 0.033, 0.0252, 0.0316, 0.0251, 0.0320, 0.0315, 0.01};
-    // limit 31.5 mm, armed again below 25.2 mm: the second peak belongs to the first, 25.2 is not below it, 25.1 is.
+    // limit 31.5 mm, armed again below 25.2 mm: the second peak belongs to the first, 25.2 is not below
+    // it, 25.1 is.
     const auto trace = tubeSession({tubeTrial(10.0, [&](double t) {
         return TubeSample{1.0, levels[std::min<std::size_t>(9, static_cast<std::size_t>(t))], Step::stretch};
     })});
@@ -161,13 +182,18 @@ void TestTubeMetrics::overStretchesAreRearmed() {
 }
 
 void TestTubeMetrics::dropsAreReleasesBeforeTheEnd() {
-    const Step steps[] = {Step::grasp, Step::stretch, Step::grasp, Step::stretch, Step::hold, Step::grasp, Step::handOver, Step::carry,
-                          Step::grasp, Step::stretch, Step::hold, Step::done};
+    const Step steps[] = {Step::grasp,    Step::stretch, Step::grasp, Step::stretch, Step::hold, Step::grasp,
+                          Step::handOver, Step::carry,   Step::grasp, Step::stretch, Step::hold, Step::done};
     const auto trace = tubeSession({tubeTrial(12.0, [&](double t) {
         return TubeSample{1.0, 0.02, steps[std::min<std::size_t>(11, static_cast<std::size_t>(t))]};
     })});
     QCOMPARE(valueOf(trace, "drops"), 3.0);
-    QCOMPARE(valueOf(tubeSession({tubeTrial(1.0, [](double) { return TubeSample{0.0, 0.0, Step::grasp}; })}), "drops"), 0.0);
+    QCOMPARE(valueOf(tubeSession({tubeTrial(1.0,
+                                            [](double) {
+                                                return TubeSample{0.0, 0.0, Step::grasp};
+                                            })}),
+                     "drops"),
+             0.0);
 }
 
 void TestTubeMetrics::pausesAreLeftOut() {
@@ -179,19 +205,24 @@ void TestTubeMetrics::pausesAreLeftOut() {
     const auto trace = tubeSession({trial});
     QVERIFY(isNear(valueOf(trace, "tension_error_rms"), 0.1, 1e-9));
     QCOMPARE(valueOf(trace, "over_stretches"), 0.0);
-    TrialTrace released = tubeTrial(3.0, [](double t) { return TubeSample{1.0, 0.02, t < 2.0 ? Step::stretch : Step::grasp}; });
+    TrialTrace released = tubeTrial(3.0, [](double t) {
+        return TubeSample{1.0, 0.02, t < 2.0 ? Step::stretch : Step::grasp};
+    });
     for (std::size_t i = 1000; i < 2000; ++i)
         released.tools.front().paused[i] = 1;
     QCOMPARE(valueOf(tubeSession({released}), "drops"), 0.0);
 }
 
 void TestTubeMetrics::undefinedWithItsReason() {
-    const auto plain = traces::session(traces::sampled(1.0, 0.001, [](double t) { return core::Vec3(t, 0.0, 0.0); }));
+    const auto plain =
+        traces::session(traces::sampled(1.0, 0.001, [](double t) { return core::Vec3(t, 0.0, 0.0); }));
     for (const std::string& id : kOfTheTube) {
         QVERIFY(!metricOf(plain, id).value);
         QCOMPARE(metricOf(plain, id).reason, std::string("the trace has no data of a tube"));
     }
-    const auto never = tubeSession({tubeTrial(2.0, [](double) { return TubeSample{0.2, 0.003, Step::stretch}; })});
+    const auto never = tubeSession({tubeTrial(2.0, [](double) {
+        return TubeSample{0.2, 0.003, Step::stretch};
+    })});
     QCOMPARE(metricOf(never, "tension_error_rms").reason, std::string("the tension was never held"));
     QCOMPARE(metricOf(never, "tension_error_sd").reason, std::string("the tension was never held"));
     QCOMPARE(valueOf(never, "time_in_band"), 0.0);
@@ -212,8 +243,9 @@ void TestTubeMetrics::sessionsPoolTheirTrials() {
     QVERIFY(isNear(valueOf(trace, "time_in_band"), 2.0 / 3.0, 1e-9));
 }
 
-/// Straight to the tube and by a half circle back to where it began, between them a hand that wanders while it holds: 100 (π/2 − 1) for the half
-/// circle alone, diluted by the straight way. Version 1 sees a trial that ends where it began.
+/// Straight to the tube and by a half circle back to where it began, between them a hand that wanders while
+/// it holds: 100 (π/2 − 1) for the half circle alone, diluted by the straight way. Version 1 sees a trial
+/// that ends where it began.
 void TestTubeMetrics::thePathIsMeasuredStepByStep() {
     const double reach_m = 0.1;
     const auto stepAt = [](double t) { return t < 2.0 ? Step::grasp : t < 4.0 ? Step::hold : Step::stretch; };
@@ -227,7 +259,8 @@ void TestTubeMetrics::thePathIsMeasuredStepByStep() {
         else if (stepAt(t) == Step::hold)
             p = core::Vec3(reach_m, 0.002 * std::sin(std::numbers::pi * (t - 2.0)), 0.0);
         else
-            p = core::Vec3(half + half * std::cos(0.5 * std::numbers::pi * (t - 4.0)), half * std::sin(0.5 * std::numbers::pi * (t - 4.0)), 0.0);
+            p = core::Vec3(half + half * std::cos(0.5 * std::numbers::pi * (t - 4.0)),
+                           half * std::sin(0.5 * std::numbers::pi * (t - 4.0)), 0.0);
     }
     const double expected = 100.0 * ((1.0 + std::numbers::pi / 2.0) / 2.0 - 1.0);
     const auto session = tubeSession({trial});
@@ -247,7 +280,8 @@ void TestTubeMetrics::thePathIsMeasuredStepByStep() {
     for (core::Vec3& p : tool.p_WT_m)
         p.x() *= 0.5;
     tool.p_WT_m.back() = core::Vec3(0.02, 0.0, 0.0);
-    QCOMPARE(*metricOf(tubeSession({trial}), "path_inefficiency", 3).value, *metricOf(tubeSession({trial}), "path_inefficiency", 1).value);
+    QCOMPARE(*metricOf(tubeSession({trial}), "path_inefficiency", 3).value,
+             *metricOf(tubeSession({trial}), "path_inefficiency", 1).value);
 }
 
 QTEST_APPLESS_MAIN(TestTubeMetrics)

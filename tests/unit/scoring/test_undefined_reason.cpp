@@ -90,13 +90,17 @@ private slots:
                 undefined.counts = {7, 140, 20};
             QCOMPARE(undefinedOf(storedText(undefined)), std::optional(undefined));
         }
-        QCOMPARE(storedText({UndefinedReason::tooFewRegions, {7, 140, 20}}), std::string("only 7 regions with a lump and 140 without: 20 of each are needed"));
+        QCOMPARE(storedText({UndefinedReason::tooFewRegions, {7, 140, 20}}),
+                 std::string("only 7 regions with a lump and 140 without: 20 of each are needed"));
     }
 
     void whatIsNoneOfOursIsNone() {
-        for (const char* text : {"", "no", "no trials ", " no trials", "No trials", "no contact\n", "only regions with a lump and 4 without: 20 of each are needed",
-                                 "only 7 regions with a lump and -4 without: 20 of each are needed", "only 7 regions with a lump and 4 without: 20 of each are needed.",
-                                 "only 99999999999 regions with a lump and 4 without: 20 of each are needed", "only # regions with a lump and # without: # of each are needed"})
+        for (const char* text : {"", "no", "no trials ", " no trials", "No trials", "no contact\n",
+                                 "only regions with a lump and 4 without: 20 of each are needed",
+                                 "only 7 regions with a lump and -4 without: 20 of each are needed",
+                                 "only 7 regions with a lump and 4 without: 20 of each are needed.",
+                                 "only 99999999999 regions with a lump and 4 without: 20 of each are needed",
+                                 "only # regions with a lump and # without: # of each are needed"})
             QVERIFY2(!undefinedOf(text), text);
     }
 };

@@ -54,7 +54,8 @@ inline SessionTrace session(ToolTrace tool) {
 }
 
 /// Version 0: the newest.
-inline chiron::scoring::MetricValue metricOf(const SessionTrace& trace, const std::string& id, int version = 0) {
+inline chiron::scoring::MetricValue metricOf(const SessionTrace& trace, const std::string& id,
+                                             int version = 0) {
     const chiron::scoring::MetricRequest request{id, version};
     const auto card = chiron::scoring::calculateScore(trace, {&request, 1}, {}, true);
     return card ? card->metrics.front()

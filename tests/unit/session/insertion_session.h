@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "frames.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "session/playback_track.h"
 
 #include <limits>
@@ -14,15 +14,17 @@ namespace chiron::tests {
 
 inline constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 
-/// 2 s at 1 kHz: in, back by 5 mm from 0.5 to 0.6 s, on, over the limit for 50 ms and for 30 ms, inspection from 1.2 s,
-/// withdrawal from 1.6 s.
+/// 2 s at 1 kHz: in, back by 5 mm from 0.5 to 0.6 s, on, over the limit for 50 ms and for 30 ms, inspection
+/// from 1.2 s, withdrawal from 1.6 s.
 inline scoring::SessionTrace trace() {
     scoring::TrialTrace trial;
     scoring::ToolTrace tool;
     scoring::InsertionSeries series;
     for (int i = 0; i <= 2000; ++i) {
         const double t = 1e-3 * i;
-        const double s_mm = t < 0.5 ? 100.0 * t : t < 0.6 ? 50.0 - 50.0 * (t - 0.5) : 45.0 + 100.0 * (t - 0.6);
+        const double s_mm = t < 0.5   ? 100.0 * t
+                            : t < 0.6 ? 50.0 - 50.0 * (t - 0.5)
+                                      : 45.0 + 100.0 * (t - 0.6);
         tool.t_s.push_back(t);
         tool.p_WT_m.push_back(core::Vec3(1e-3 * s_mm, 0.0, 0.0));
         tool.tissue_N.push_back(core::Vec3::Zero());
@@ -32,9 +34,9 @@ inline scoring::SessionTrace trace() {
         series.alignment_rad.push_back(0.0);
         series.lateral_N.push_back(i >= 800 && i < 850 ? 2.5 : i >= 900 && i < 930 ? 3.25 : 0.0);
         series.axialTorque_Nm.push_back(0.0);
-        series.stage.push_back(static_cast<std::uint8_t>(t < 0.1   ? core::ProcedureStage::outside
-                                                         : t < 1.2 ? core::ProcedureStage::insertion
-                                                         : t < 1.6 ? core::ProcedureStage::inspection
+        series.stage.push_back(static_cast<std::uint8_t>(t < 0.1    ? core::ProcedureStage::outside
+                                                         : t < 1.2  ? core::ProcedureStage::insertion
+                                                         : t < 1.6  ? core::ProcedureStage::inspection
                                                          : i < 2000 ? core::ProcedureStage::withdrawal
                                                                     : core::ProcedureStage::completed));
     }
@@ -51,7 +53,8 @@ inline scoring::SessionTrace trace() {
 }
 
 /// The same session's frames, through the extractor.
-inline session::PlaybackTrack track(std::uint32_t lastEvent = core::event_bits::kCompleted | core::event_bits::kStageChanged) {
+inline session::PlaybackTrack track(std::uint32_t lastEvent = core::event_bits::kCompleted |
+                                                              core::event_bits::kStageChanged) {
     auto frames = someFrames(2001);
     frames[0].header.events = core::event_bits::kTrialStarted;
     for (const std::size_t at : {std::size_t{100}, std::size_t{1200}, std::size_t{1600}})
@@ -67,7 +70,8 @@ inline session::PlaybackTrack track(std::uint32_t lastEvent = core::event_bits::
         const double t_s = 1e-3 * static_cast<double>(frame.header.index);
         marks.add(frame, t_s);
         if (frame.header.index % 4 == 0) {
-            track.moments.push_back({t_s, frame.header.index, 0, frame.header.phase, frame.header.force, false});
+            track.moments.push_back(
+                {t_s, frame.header.index, 0, frame.header.phase, frame.header.force, false});
             track.tools.emplace_back();
         }
     }
@@ -78,7 +82,8 @@ inline session::PlaybackTrack track(std::uint32_t lastEvent = core::event_bits::
     return track;
 }
 
-inline std::vector<session::PlaybackMark> ofKind(const session::PlaybackTrack& track, session::PlaybackMarkKind kind) {
+inline std::vector<session::PlaybackMark> ofKind(const session::PlaybackTrack& track,
+                                                 session::PlaybackMarkKind kind) {
     std::vector<session::PlaybackMark> found;
     for (const session::PlaybackMark& mark : track.marks)
         if (mark.kind == kind)

@@ -35,7 +35,8 @@ void TestBackupSchedule::oneADay_data() {
     QTest::newRow("today") << true << QStringLiteral("2026-11-20T06:00:00.000Z") << false;
     QTest::newRow("today, later than now") << true << QStringLiteral("2026-11-20T23:00:00.000Z") << false;
     QTest::newRow("yesterday") << true << QStringLiteral("2026-11-19T23:59:59.000Z") << true;
-    QTest::newRow("the clock was a month ahead") << true << QStringLiteral("2026-12-20T06:00:00.000Z") << true;
+    QTest::newRow("the clock was a month ahead")
+        << true << QStringLiteral("2026-12-20T06:00:00.000Z") << true;
     QTest::newRow("off") << false << QStringLiteral("2026-11-01T06:00:00.000Z") << false;
     QTest::newRow("no time at all") << true << QStringLiteral("yesterday") << true;
 }
@@ -54,7 +55,8 @@ void TestBackupSchedule::theDayIsThePersons() {
     database::BackupStanding standing;
     standing.goodUtc = "2026-11-19T23:30:00.000Z";
     const QTimeZone east(3600 * 2);
-    QVERIFY(!isBackupDue(standing, QDateTime(QDate(2026, 11, 20), QTime(9, 0), east))); // half past one of the same day there
+    QVERIFY(!isBackupDue(
+        standing, QDateTime(QDate(2026, 11, 20), QTime(9, 0), east))); // half past one of the same day there
     QVERIFY(isBackupDue(standing, QDateTime(QDate(2026, 11, 20), QTime(9, 0), Qt::UTC)));
 }
 
@@ -78,7 +80,8 @@ void TestBackupSchedule::oneDiskIsNoticed() {
     QTemporaryDir folder;
     const std::string site = folder.filePath(QStringLiteral("site.db")).toStdString();
     QVERIFY(onOneDisk(folder.filePath(QStringLiteral("backups/not/there/yet")).toStdString(), site));
-    if (!QFileInfo::exists(QStringLiteral("/dev/shm")) || QStorageInfo(folder.path()) == QStorageInfo(QStringLiteral("/dev/shm")))
+    if (!QFileInfo::exists(QStringLiteral("/dev/shm")) ||
+        QStorageInfo(folder.path()) == QStorageInfo(QStringLiteral("/dev/shm")))
         QSKIP("there is no second file system here");
     QVERIFY(!onOneDisk("/dev/shm/backups", site));
 }
@@ -87,7 +90,8 @@ void TestBackupSchedule::theDaysBackupIsMadeOnce() {
     QTemporaryDir folder;
     database::DatabaseOptions options;
     options.passwordCost = database::PasswordCost::minimalForTests();
-    auto database = database::Database::create(folder.filePath(QStringLiteral("site.db")).toStdString(), options);
+    auto database =
+        database::Database::create(folder.filePath(QStringLiteral("site.db")).toStdString(), options);
     QVERIFY(database);
     const DailyWork first = backUpIfDue(**database, {}, nullptr);
     QVERIFY2(first.due && first.made, first.made ? "" : first.made.error().message.c_str());
@@ -99,7 +103,8 @@ void TestBackupSchedule::theDaysBackupIsMadeOnce() {
     QFile copy(QString::fromStdString(listed.front().folder + "/chiron.db"));
     QVERIFY(copy.open(QIODevice::ReadWrite) && copy.seek(copy.size() / 2) && copy.putChar('!'));
     copy.close();
-    QCOMPARE(looksWhole(listed.front().folder, (*database)->file(), options).error().code, core::ErrorCode::doesNotHold);
+    QCOMPARE(looksWhole(listed.front().folder, (*database)->file(), options).error().code,
+             core::ErrorCode::doesNotHold);
 }
 
 QTEST_GUILESS_MAIN(TestBackupSchedule)

@@ -16,8 +16,10 @@ namespace {
 using Configuration = devices::SimulatedDevice::Configuration;
 
 /// A hand that holds the simulated gimbal still, as still as it trembles.
-std::unique_ptr<devices::SimulatedDevice> held(const Configuration& configuration, std::vector<mechanisms::ScriptedMotion::Term> moved = {}) {
-    return *devices::SimulatedDevice::create(configuration, std::make_unique<mechanisms::ScriptedMotion>(configuration.start_D, std::move(moved)));
+std::unique_ptr<devices::SimulatedDevice> held(const Configuration& configuration,
+                                               std::vector<mechanisms::ScriptedMotion::Term> moved = {}) {
+    return *devices::SimulatedDevice::create(
+        configuration, std::make_unique<mechanisms::ScriptedMotion>(configuration.start_D, std::move(moved)));
 }
 
 core::Result<haptics::DelayEstimate> measured(const Configuration& configuration) {
@@ -32,10 +34,11 @@ Configuration late(int ticks, double amplifierLag_s = 0.0003) {
     return configuration;
 }
 
-/// What the simulated plant really has: the age of its counts, the lag of its motors, less half a step of its integration, which moves the
-/// tool by the speed at the end of a step.
+/// What the simulated plant really has: the age of its counts, the lag of its motors, less half a step of its
+/// integration, which moves the tool by the speed at the end of a step.
 double truth_s(const Configuration& configuration) {
-    return 1e-3 * configuration.plant.sampleDelay_ticks + configuration.plant.amplifierLag_s - 0.5e-3 / configuration.plant.substeps;
+    return 1e-3 * configuration.plant.sampleDelay_ticks + configuration.plant.amplifierLag_s -
+           0.5e-3 / configuration.plant.substeps;
 }
 
 /// A device that counts how it is used.
@@ -86,9 +89,11 @@ private slots:
         QFETCH(int, ticks);
         const auto found = measured(late(ticks));
         QVERIFY2(found, found ? "" : found.error().message.c_str());
-        QVERIFY2(std::abs(found->delay_s - truth_s(late(ticks))) < 0.0001, qPrintable(QString::number(found->delay_s)));
+        QVERIFY2(std::abs(found->delay_s - truth_s(late(ticks))) < 0.0001,
+                 qPrintable(QString::number(found->delay_s)));
         QVERIFY(found->standardError_s > 0.0 && found->standardError_s < 0.0001);
-        QVERIFY2(std::abs(found->mass_kg - 0.15) < 0.01, qPrintable(QString::number(found->mass_kg))); // instrument and depth axis
+        QVERIFY2(std::abs(found->mass_kg - 0.15) < 0.01,
+                 qPrintable(QString::number(found->mass_kg))); // instrument and depth axis
     }
     void whateverHandHoldsIt_data() {
         QTest::addColumn<double>("kg");
@@ -110,14 +115,17 @@ private slots:
             configuration.seed = seed;
             const auto found = measured(configuration);
             QVERIFY2(found, found ? "" : found.error().message.c_str());
-            QVERIFY2(std::abs(found->delay_s - truth_s(configuration)) < 0.0001, qPrintable(QString::number(found->delay_s)));
+            QVERIFY2(std::abs(found->delay_s - truth_s(configuration)) < 0.0001,
+                     qPrintable(QString::number(found->delay_s)));
         }
     }
-    /// A slow motor is not wholly told from the mass it moves: most of its lag counts, and never more than it is.
+    /// A slow motor is not wholly told from the mass it moves: most of its lag counts, and never more than it
+    /// is.
     void mostOfALagCounts() {
         const auto found = measured(late(0, 0.001));
         QVERIFY(found);
-        QVERIFY2(found->delay_s > 0.0006 && found->delay_s < 0.001, qPrintable(QString::number(found->delay_s)));
+        QVERIFY2(found->delay_s > 0.0006 && found->delay_s < 0.001,
+                 qPrintable(QString::number(found->delay_s)));
     }
     void sameSeedSameNumber() { QCOMPARE(measured(late(1))->delay_s, measured(late(1))->delay_s); }
     void forceStaysGentle() {
@@ -152,7 +160,9 @@ private slots:
         Configuration configuration = late(1);
         configuration.hand.tremorRms_m = 0.004;
         configuration.hand.gripStiffness_N_per_m = 20000.0;
-        const auto device = held(configuration, {{core::Vec3(0.0, 0.0, 0.02), 3.3, 0.0}, {core::Vec3(0.0, 0.0, 0.004), 36.5, 0.4}, {core::Vec3(0.0, 0.0, 0.004), 63.4, 1.0}});
+        const auto device = held(configuration, {{core::Vec3(0.0, 0.0, 0.02), 3.3, 0.0},
+                                                 {core::Vec3(0.0, 0.0, 0.004), 36.5, 0.4},
+                                                 {core::Vec3(0.0, 0.0, 0.004), 63.4, 1.0}});
         const auto found = session::measureDelay(*device, configuration.mapping);
         QVERIFY2(!found, found ? qPrintable(QString::number(found->delay_s)) : "");
         QCOMPARE(found.error().code, core::ErrorCode::doesNotHold);

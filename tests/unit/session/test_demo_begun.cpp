@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The making of a demonstration as far as it takes a moment: who is there, what is planned, and that a broken-off one leaves nothing (the whole
-// of it is test_demo_study's).
+// The making of a demonstration as far as it takes a moment: who is there, what is planned, and that a
+// broken-off one leaves nothing (the whole of it is test_demo_study's).
 #include "catalogue/catalogue.h"
 #include "database/accounts/account_service.h"
 #include "database/repositories/study_reader.h"
@@ -26,14 +26,16 @@ const catalogue::Catalogue& content() {
     return *loaded;
 }
 
-/// Sessions of operators on every level but the later ones of palpation, then what three trainees have tried: one can do it, two learn.
+/// Sessions of operators on every level but the later ones of palpation, then what three trainees have tried:
+/// one can do it, two learn.
 int plannedSessions() {
     int count = 0;
     for (const catalogue::Exercise& exercise : content().exercises()) {
         const std::vector<std::string> names = (*session::exerciseKind(exercise.id))->operatorNames();
         for (const catalogue::ExerciseLevel& level : exercise.levels) {
             count += exercise.id != "palpation" || level.number <= 2 ? static_cast<int>(names.size()) : 0;
-            const bool organs = (exercise.id == "sphere_apex" && level.number >= 5) || (exercise.id == "elastic_tube" && level.number == 4);
+            const bool organs = (exercise.id == "sphere_apex" && level.number >= 5) ||
+                                (exercise.id == "elastic_tube" && level.number == 4);
             const bool learned = exercise.id == "sphere_apex" || exercise.id == "elastic_tube";
             count += level.number <= 2 || organs ? 1 : 0; // Eva
             if (learned && level.number == 1)
@@ -67,18 +69,20 @@ void TestDemoBegun::thePeopleOfTheSite() {
     tests::SessionFixture fixture;
     std::atomic<bool> cancel{false};
     std::vector<session::DemoProgress> told;
-    const auto stopped = session::makeDemoSite(*fixture.database, content(), 3,
-                                               [&](const session::DemoProgress& progress) {
-                                                   told.push_back(progress);
-                                                   cancel = true;
-                                               },
-                                               &cancel);
+    const auto stopped = session::makeDemoSite(
+        *fixture.database, content(), 3,
+        [&](const session::DemoProgress& progress) {
+            told.push_back(progress);
+            cancel = true;
+        },
+        &cancel);
     QVERIFY(!stopped && stopped.error().code == core::ErrorCode::cancelled);
     QCOMPARE(told.size(), std::size_t{1});
     QCOMPARE(told.front().step, 1);
     QCOMPARE(told.front().of, plannedSessions() + session::demoStudyParticipants());
     const catalogue::Exercise& first = content().exercises().front();
-    QCOMPARE(told.front().doing, first.id + " level 1, " + (*session::exerciseKind(first.id))->operatorNames().front());
+    QCOMPARE(told.front().doing,
+             first.id + " level 1, " + (*session::exerciseKind(first.id))->operatorNames().front());
     database::AccountService accounts(*fixture.database);
     const auto admin = accounts.login("amalia", session::kDemoPassword);
     QVERIFY(admin.has_value());
@@ -86,10 +90,15 @@ void TestDemoBegun::thePeopleOfTheSite() {
     const auto people = accounts.listPeople(*admin);
     QVERIFY(people && people->size() == 6);
     using database::Role;
-    for (const auto& [name, display, role] : {std::tuple{"theo", "Theo Trainer", Role::trainer}, {session::kDemoResearcher, "Rhea Researcher", Role::researcher},
-                                              {"nikos", "Nikos Newcomer", Role::trainee}, {"ines", "Ines Improving", Role::trainee}, {"eva", "Eva Expert", Role::trainee}}) {
+    for (const auto& [name, display, role] : {std::tuple{"theo", "Theo Trainer", Role::trainer},
+                                              {session::kDemoResearcher, "Rhea Researcher", Role::researcher},
+                                              {"nikos", "Nikos Newcomer", Role::trainee},
+                                              {"ines", "Ines Improving", Role::trainee},
+                                              {"eva", "Eva Expert", Role::trainee}}) {
         const auto person = accounts.personByName(*admin, name);
-        QVERIFY2(person && person->displayName == display && person->roles == database::RoleSet{role} && person->enabled && !person->mustChangePassword, name);
+        QVERIFY2(person && person->displayName == display && person->roles == database::RoleSet{role} &&
+                     person->enabled && !person->mustChangePassword,
+                 name);
         QVERIFY2(accounts.login(name, session::kDemoPassword), name);
     }
 }
@@ -104,15 +113,20 @@ void TestDemoBegun::aBrokenOffSiteLeavesNothing() {
             QVERIFY(QDir().mkpath(folder.filePath(QStringLiteral("site"))));
         }
         std::atomic<bool> cancel{false};
-        const auto stopped = session::createDemoSite(file.toStdString(), options, content(), 3,
-                                                     [&](const session::DemoProgress&) {
-                                                         QVERIFY(QFileInfo::exists(file));
-                                                         cancel = true;
-                                                     },
-                                                     &cancel);
+        const auto stopped = session::createDemoSite(
+            file.toStdString(), options, content(), 3,
+            [&](const session::DemoProgress&) {
+                QVERIFY(QFileInfo::exists(file));
+                cancel = true;
+            },
+            &cancel);
         QVERIFY(!stopped && stopped.error().code == core::ErrorCode::cancelled);
-        QCOMPARE(QDir(folder.path()).entryList({siteIsThere ? QStringLiteral("b.db*") : QStringLiteral("a.db*")}, QDir::AllEntries), QStringList());
-        QCOMPARE(QFileInfo::exists(folder.filePath(QStringLiteral("site"))), siteIsThere); // what was not made here is left
+        QCOMPARE(QDir(folder.path())
+                     .entryList({siteIsThere ? QStringLiteral("b.db*") : QStringLiteral("a.db*")},
+                                QDir::AllEntries),
+                 QStringList());
+        QCOMPARE(QFileInfo::exists(folder.filePath(QStringLiteral("site"))),
+                 siteIsThere); // what was not made here is left
     }
 }
 
@@ -121,9 +135,11 @@ void TestDemoBegun::whatWasThereStays() {
     QFile file(folder.filePath(QStringLiteral("mine.db")));
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write("mine") == 4);
     file.close();
-    const auto refused = session::createDemoSite(file.fileName().toStdString(), cheap(), content(), 3, [](const session::DemoProgress&) { QFAIL("begun"); });
+    const auto refused = session::createDemoSite(file.fileName().toStdString(), cheap(), content(), 3,
+                                                 [](const session::DemoProgress&) { QFAIL("begun"); });
     QVERIFY(!refused && refused.error().code == core::ErrorCode::badInput);
-    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList{QStringLiteral("mine.db")});
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+             QStringList{QStringLiteral("mine.db")});
     QCOMPARE(file.size(), 4);
 }
 
@@ -135,12 +151,13 @@ void TestDemoBegun::quickRunsOfItsStudy() {
     const auto ada = accounts.login("ada", session::kDemoPassword);
     std::atomic<bool> cancel{false};
     std::vector<std::string> told;
-    const auto stopped = session::makeDemoStudy(*fixture.database, *ada, 5,
-                                                [&](const std::string& doing) {
-                                                    told.push_back(doing);
-                                                    cancel = !doing.ends_with(", without rendering");
-                                                },
-                                                &cancel);
+    const auto stopped = session::makeDemoStudy(
+        *fixture.database, *ada, 5,
+        [&](const std::string& doing) {
+            told.push_back(doing);
+            cancel = !doing.ends_with(", without rendering");
+        },
+        &cancel);
     QVERIFY(!stopped && stopped.error().code == core::ErrorCode::cancelled);
     QCOMPARE(told.size(), static_cast<std::size_t>(session::demoStudyParticipants()));
     QCOMPARE(told.front(), std::string("study stiffness_elastic_tube, SIM-1, without rendering"));
@@ -149,7 +166,8 @@ void TestDemoBegun::quickRunsOfItsStudy() {
     database::StudyReader reader(**connection, *ada);
     const auto studies = reader.listStudies();
     QVERIFY(studies && studies->size() == 2);
-    QVERIFY(studies->front().key == "stiffness_elastic_tube" && studies->front().state == database::StudyState::frozen && studies->front().participants == 7);
+    QVERIFY(studies->front().key == "stiffness_elastic_tube" &&
+            studies->front().state == database::StudyState::frozen && studies->front().participants == 7);
     QVERIFY(studies->back().key == "surgeons" && studies->back().state == database::StudyState::draft);
     const auto participants = reader.participants(studies->front().id);
     QVERIFY(participants && participants->size() == 7);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Friction sets in as the session's device can render it, and a replay, which has the device's stored data alone, has the same friction.
+// Friction sets in as the session's device can render it, and a replay, which has the device's stored data
+// alone, has the same friction.
+#include "app/exercises/urethra_insertion/session/device_friction.h"
 #include "catalogue/catalogue.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
-#include "app/exercises/urethra_insertion/session/device_friction.h"
 #include "session/device_json.h"
 #include "session/exercise_kind.h"
 #include "session/session_setup.h"
@@ -17,7 +18,9 @@ using core::Vec3;
 
 namespace {
 
-const session::ExerciseKind& kind() { return **session::exerciseKind("urethra_insertion"); }
+const session::ExerciseKind& kind() {
+    return **session::exerciseKind("urethra_insertion");
+}
 
 /// Level 3 on P1's simulated mechanism.
 session::SessionSetup onMechanism() {
@@ -65,7 +68,8 @@ private slots:
 
 void TestDeviceFriction::countAtTheTip() {
     const session::SessionSetup setup = onMechanism();
-    const double count = session::tipCount_m(setup.devices[0]); // 40960 counts a turn on arms of 0.1 to 0.15 m
+    const double count =
+        session::tipCount_m(setup.devices[0]); // 40960 counts a turn on arms of 0.1 to 0.15 m
     QVERIFY2(count > 12e-6 && count < 25e-6, qPrintable(QString::number(count)));
     devices::DeviceDescriptor coarse = setup.devices[0];
     for (auto& axis : coarse.axes)
@@ -99,7 +103,8 @@ void TestDeviceFriction::aScaledWorkspaceScalesBoth() {
     device.maximumDamping_Ns_per_m = 30.0;
     const devices::WorkspaceMapping twice{.scale = 2.0};
     const simulation::UrethraForceSettings felt = session::onDevice({}, device, twice);
-    QCOMPARE(felt.maximumDamping_Ns_per_m, 15.0); // 2 mm of W are 1 mm of the hand: 15 N·s/m there are 30 here
+    QCOMPARE(felt.maximumDamping_Ns_per_m,
+             15.0); // 2 mm of W are 1 mm of the hand: 15 N·s/m there are 30 here
     QCOMPARE(felt.count_m, 2.0 * session::tipCount_m(device));
 }
 
@@ -110,7 +115,8 @@ void TestDeviceFriction::theSceneHasItsDevicesFriction() {
     setup.devices[0].maximumDamping_Ns_per_m = 10.0;
     const Vec3 weak = forceAtTheNeck(setup);
     // μN = 0.92 N: V/√(V² + V₀²) with V₀ = 18 and 92 mm/s; what else resists is the same.
-    QVERIFY2(std::abs((usual - weak).norm() - (0.439 - 0.099)) < 0.01, qPrintable(QString::number((usual - weak).norm())));
+    QVERIFY2(std::abs((usual - weak).norm() - (0.439 - 0.099)) < 0.01,
+             qPrintable(QString::number((usual - weak).norm())));
     setup.devices[0].maximumDamping_Ns_per_m = 500.0; // the level's own limit, 50
     QVERIFY((forceAtTheNeck(setup) - usual).norm() < 1e-12);
 }

@@ -135,11 +135,13 @@ void TestEventExtractor::tissueThatGaveWay() {
     auto frames = someFrames(12, 0, 2);
     frames[4].tool[1].tissue = {0.0, 0.0, 7.5, 0.0, 0.0, 0.0};
     frames[5].tool[1].tissue = {0.0, 0.0, 6.0, 0.0, 0.0, 0.0};
-    frames[5].tool[1].status |= core::contactStatus(core::contact_bits::kYielded | core::contact_bits::kThrough);
+    frames[5].tool[1].status |=
+        core::contactStatus(core::contact_bits::kYielded | core::contact_bits::kThrough);
     for (std::size_t i = 6; i < 9; ++i)
         frames[i].tool[1].status |= core::contactStatus(core::contact_bits::kThrough);
     frames[10].tool[0].tissue = {0.0, 2.0, 0.0, 0.0, 0.0, 0.213};
-    frames[10].tool[0].status |= core::contactStatus(core::contact_bits::kYielded | core::contact_bits::kThrough);
+    frames[10].tool[0].status |=
+        core::contactStatus(core::contact_bits::kYielded | core::contact_bits::kThrough);
     const auto extractor = extracted(frames, 2);
     int found = 0;
     for (const database::EventRecord& event : extractor.events())

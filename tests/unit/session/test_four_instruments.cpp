@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two and four simulated gimbals at once on one scene: caps, stop, arming, recording, recovery and replay hold for each of them.
-#include "support/looked_back.h"
+// Two and four simulated gimbals at once on one scene: caps, stop, arming, recording, recovery and replay
+// hold for each of them.
 #include "devices/drivers/simulated/simulated_device.h"
 #include "mechanisms/scripted_motion.h"
 #include "recording/crash_ring.h"
@@ -9,6 +9,7 @@
 #include "session/recovery.h"
 #include "session/replayer.h"
 #include "support/haptic_bench.h"
+#include "support/looked_back.h"
 #include "support/session_fixture.h"
 
 #include <QtTest>
@@ -24,18 +25,20 @@ namespace {
 
 constexpr double kCap_N = 2.0;
 
-/// A hand that comes down on the floor beside the sphere and strokes it, pressing much harder than the device gives.
+/// A hand that comes down on the floor beside the sphere and strokes it, pressing much harder than the device
+/// gives.
 std::unique_ptr<mechanisms::HandStrategy> presser(std::size_t tool) {
     const double phase = 0.5 * static_cast<double>(tool);
     return std::make_unique<mechanisms::ScriptedMotion>(
-        Vec3(0.0, 0.0, 0.010), std::vector<mechanisms::ScriptedMotion::Term>{{Vec3(0.010, 0.0, 0.0), 0.7, phase},
-                                                                             {Vec3(0.0, 0.0, 0.025), 0.2, phase}});
+        Vec3(0.0, 0.0, 0.010), std::vector<mechanisms::ScriptedMotion::Term>{
+                                   {Vec3(0.010, 0.0, 0.0), 0.7, phase}, {Vec3(0.0, 0.0, 0.025), 0.2, phase}});
 }
 
 session::Station pressers(std::size_t tools, const catalogue::ExerciseLevel& level) {
     // The first hand is a real trainee's, so that trials go on; the others only press.
     auto station = session::scriptedStation(**session::exerciseKind("sphere_apex"), level, "novice", 5);
-    constexpr std::array<std::array<double, 3>, 3> kPlaces{{{-0.06, 0.0, 0.0}, {0.0, 0.05, 0.0}, {0.05, -0.03, 0.0}}};
+    constexpr std::array<std::array<double, 3>, 3> kPlaces{
+        {{-0.06, 0.0, 0.0}, {0.0, 0.05, 0.0}, {0.05, -0.03, 0.0}}};
     for (std::size_t i = 1; i < tools; ++i) {
         devices::SimulatedDevice::Configuration configuration;
         configuration.mapping.origin_m = kPlaces[i - 1];
@@ -49,7 +52,9 @@ session::Station pressers(std::size_t tools, const catalogue::ExerciseLevel& lev
     return std::move(*station);
 }
 
-double forceOf(const core::Array6& wrench) { return std::hypot(wrench[0], wrench[1], wrench[2]); }
+double forceOf(const core::Array6& wrench) {
+    return std::hypot(wrench[0], wrench[1], wrench[2]);
+}
 
 /// A loop with so many gimbals, run by hand.
 struct Bench {
@@ -122,7 +127,8 @@ void TestFourInstruments::capsHoldForEach() {
     }
     QVERIFY(armed);
     for (std::size_t i = 1; i < count; ++i) {
-        QVERIFY2(asked[i] > kCap_N, qPrintable(QStringLiteral("tool %1 asked for %2 N").arg(i).arg(asked[i])));
+        QVERIFY2(asked[i] > kCap_N,
+                 qPrintable(QStringLiteral("tool %1 asked for %2 N").arg(i).arg(asked[i])));
         QVERIFY2(given[i] > 0.5 * kCap_N && given[i] <= kCap_N + 1e-9,
                  qPrintable(QStringLiteral("tool %1 got %2 N").arg(i).arg(given[i])));
     }

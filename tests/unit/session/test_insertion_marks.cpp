@@ -2,9 +2,9 @@
 // Every penalty of an insertion's scores is a mark in playback, with its beginning, end and size.
 #include "insertion_session.h"
 
-#include "scoring/score_calculator.h"
-#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
+#include "scoring/score_calculator.h"
 #include "session/worst_moment.h"
 
 #include <QtTest>
@@ -38,11 +38,13 @@ private slots:
 
 void TestInsertionMarks::procedureEventsAreMarks() {
     const auto made = track();
-    QCOMPARE(ofKind(made, PlaybackMarkKind::stageChanged).size(), std::size_t{3}); // the last one is the completion
+    QCOMPARE(ofKind(made, PlaybackMarkKind::stageChanged).size(),
+             std::size_t{3}); // the last one is the completion
     QCOMPARE(ofKind(made, PlaybackMarkKind::landmarkSeen).size(), std::size_t{2});
     QCOMPARE(ofKind(made, PlaybackMarkKind::completed).size(), std::size_t{1});
     QCOMPARE(ofKind(made, PlaybackMarkKind::completed)[0].t_s, 2.0);
-    QVERIFY(ofKind(made, PlaybackMarkKind::marked).empty() && ofKind(made, PlaybackMarkKind::timedOut).empty());
+    QVERIFY(ofKind(made, PlaybackMarkKind::marked).empty() &&
+            ofKind(made, PlaybackMarkKind::timedOut).empty());
 }
 
 void TestInsertionMarks::penaltiesAreWhatIsCounted() {
@@ -110,7 +112,8 @@ void TestInsertionMarks::stagesThatDoNotFitStayUntold() {
         QVERIFY(mark.detail.empty());
 }
 
-// A second trial that ends within the inspection and sees one landmark: neither tells the other its stages, landmarks or end.
+// A second trial that ends within the inspection and sees one landmark: neither tells the other its stages,
+// landmarks or end.
 void TestInsertionMarks::trialsKeepTheirMarks() {
     constexpr double kLater_s = 3.0;
     auto made = track();
@@ -179,15 +182,18 @@ void TestInsertionMarks::longOrHardTraumaIsACriticalError() {
             made.trials[0].insertion->lateral_N[static_cast<std::size_t>(300 + i)] = force_N;
         return made;
     };
-    for (const auto& [ticks, force_N, critical] : {std::tuple{1100, 2.5, 1}, {400, 4.1, 1}, {400, 3.9, 0}, {990, 2.5, 0}})
+    for (const auto& [ticks, force_N, critical] :
+         {std::tuple{1100, 2.5, 1}, {400, 4.1, 1}, {400, 3.9, 0}, {990, 2.5, 0}})
         for (const int version : {1, 2}) {
             const auto session = pressed(ticks, force_N);
             const std::vector<scoring::MetricRequest> wanted{{"critical_errors", version}};
             const auto card = scoring::calculateScore(session, wanted, {}, true);
             QVERIFY(card);
             auto made = track();
-            QVERIFY(session::addInsertionMarks(made, session, {}, version >= scoring::kCriticalSpansCountFrom));
-            const auto marked = std::count_if(made.marks.begin(), made.marks.end(), [](const PlaybackMark& mark) { return mark.critical; });
+            QVERIFY(
+                session::addInsertionMarks(made, session, {}, version >= scoring::kCriticalSpansCountFrom));
+            const auto marked = std::count_if(made.marks.begin(), made.marks.end(),
+                                              [](const PlaybackMark& mark) { return mark.critical; });
             QCOMPARE(static_cast<double>(marked), *card->metrics[0].value);
             QCOMPARE(int(marked), version == 1 ? 0 : critical);
         }
@@ -210,8 +216,9 @@ void TestInsertionMarks::longOrHardTraumaIsACriticalError() {
 void TestInsertionMarks::penaltiesArePenalties() {
     QVERIFY(session::isPenalty(PlaybackMarkKind::trauma));
     QVERIFY(session::isPenalty(PlaybackMarkKind::reversal));
-    for (const auto kind : {PlaybackMarkKind::completed, PlaybackMarkKind::stageChanged, PlaybackMarkKind::landmarkSeen,
-                            PlaybackMarkKind::contact, PlaybackMarkKind::marked})
+    for (const auto kind :
+         {PlaybackMarkKind::completed, PlaybackMarkKind::stageChanged, PlaybackMarkKind::landmarkSeen,
+          PlaybackMarkKind::contact, PlaybackMarkKind::marked})
         QVERIFY(!session::isPenalty(kind));
 }
 

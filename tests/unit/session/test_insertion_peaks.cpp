@@ -2,8 +2,8 @@
 // Where offset, alignment and torque were largest, and where they went beyond the level's gates.
 #include "insertion_session.h"
 
-#include "scoring/score_calculator.h"
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
+#include "scoring/score_calculator.h"
 #include "session/worst_moment.h"
 
 #include <QtTest>
@@ -16,7 +16,8 @@ using tests::track;
 
 namespace {
 
-/// Offset, tilt and torque with peaks inside; the largest offset of all in the bladder, and one more in a pause.
+/// Offset, tilt and torque with peaks inside; the largest offset of all in the bladder, and one more in a
+/// pause.
 scoring::SessionTrace unsteady() {
     auto session = trace();
     auto& trial = session.trials[0];
@@ -33,7 +34,8 @@ scoring::SessionTrace unsteady() {
     from(700, 701, [&](std::size_t i) { series.offset_m[i] = 0.0035; });
     from(750, 760, [&](std::size_t i) { series.offset_m[i] = 0.003; }); // at the gate: held
     from(780, 790, [&](std::size_t i) { series.offset_m[i] = 0.009, tool.paused[i] = 1; });
-    from(1700, 1800, [&](std::size_t i) { series.offset_m[i] = 0.030; }); // in the bladder, where it is no matter
+    from(1700, 1800,
+         [&](std::size_t i) { series.offset_m[i] = 0.030; }); // in the bladder, where it is no matter
     from(450, 451, [&](std::size_t i) { series.alignment_rad[i] = 0.3; }); // s = 45 mm: at the bend
     from(1000, 1001, [&](std::size_t i) { series.alignment_rad[i] = 0.5; });
     from(1400, 1420, [&](std::size_t i) { tool.tissueTorque_Nm[i] = core::Vec3(0.0, 0.06, 0.08); });
@@ -50,7 +52,8 @@ private slots:
 };
 
 void TestInsertionPeaks::gatesOnPeaksAreMarks() {
-    const std::vector<scoring::Gate> gates{{"offset_max", std::nullopt, 3.0}, {"torque_max", std::nullopt, 90.0}};
+    const std::vector<scoring::Gate> gates{{"offset_max", std::nullopt, 3.0},
+                                           {"torque_max", std::nullopt, 90.0}};
     auto made = track();
     QVERIFY(session::addInsertionMarks(made, unsteady(), gates));
     const auto off = ofKind(made, PlaybackMarkKind::offCentre);
@@ -66,12 +69,15 @@ void TestInsertionPeaks::gatesOnPeaksAreMarks() {
     QCOMPARE(torque[0].t_s, 1.4);
     QCOMPARE(torque[0].end_s, 1.42);
     QVERIFY(std::abs(*torque[0].value - 0.1) < 1e-12);
-    QVERIFY(session::isPenalty(PlaybackMarkKind::offCentre) && session::isPenalty(PlaybackMarkKind::overTorque));
+    QVERIFY(session::isPenalty(PlaybackMarkKind::offCentre) &&
+            session::isPenalty(PlaybackMarkKind::overTorque));
 
     auto ungated = track();
-    const std::vector<scoring::Gate> others{{"offset_rms", std::nullopt, 3.0}, {"torque_max", 1.0, std::nullopt}};
+    const std::vector<scoring::Gate> others{{"offset_rms", std::nullopt, 3.0},
+                                            {"torque_max", 1.0, std::nullopt}};
     QVERIFY(session::addInsertionMarks(ungated, unsteady(), others));
-    QVERIFY(ofKind(ungated, PlaybackMarkKind::offCentre).empty() && ofKind(ungated, PlaybackMarkKind::overTorque).empty());
+    QVERIFY(ofKind(ungated, PlaybackMarkKind::offCentre).empty() &&
+            ofKind(ungated, PlaybackMarkKind::overTorque).empty());
 }
 
 void TestInsertionPeaks::worstMomentOfAPeak() {

@@ -29,7 +29,9 @@ scoring::TrialTrace along(const UrethraInsertionParameters& p, const std::vector
     return trial;
 }
 
-std::vector<double> held(double s_m, std::size_t samples) { return std::vector<double>(samples, s_m); }
+std::vector<double> held(double s_m, std::size_t samples) {
+    return std::vector<double>(samples, s_m);
+}
 
 } // namespace
 
@@ -72,7 +74,8 @@ void TestInsertionSeries::placeAndAlignment() {
     trial.tools[0].p_WT_m[2] = aside.p_WT;
     trial.tools[0].q_WT[2] = aside.q_WT;
     const auto series = *session::insertionSeries(p, trial);
-    QVERIFY(std::abs(series.s_m[0] + 0.02) < 1e-9 && std::abs(series.s_m[1] - 0.05) < 1e-9 && std::abs(series.s_m[2] - 0.10) < 1e-9);
+    QVERIFY(std::abs(series.s_m[0] + 0.02) < 1e-9 && std::abs(series.s_m[1] - 0.05) < 1e-9 &&
+            std::abs(series.s_m[2] - 0.10) < 1e-9);
     QVERIFY(series.offset_m[1] < 1e-9 && std::abs(series.offset_m[2] - 0.005) < 1e-9);
     QVERIFY(series.alignment_rad[1] < 1e-7 && std::abs(series.alignment_rad[2] - tilt) < 1e-7);
 }
@@ -111,7 +114,8 @@ void TestInsertionSeries::torqueIsTakenAboutTheAxis() {
     QVERIFY(std::abs(series.axialTorque_Nm[1] - 0.004) < 1e-9);
 }
 
-// A pause is no time: the tip is held for a landmark before and after it, and what it did in between is nobody's business.
+// A pause is no time: the tip is held for a landmark before and after it, and what it did in between is
+// nobody's business.
 void TestInsertionSeries::pausedSamplesMoveNothing() {
     UrethraInsertionParameters p = tests::wholeProcedure();
     p.landmarks = {{"ahead", 0.0, 0.0}};
@@ -127,7 +131,8 @@ void TestInsertionSeries::pausedSamplesMoveNothing() {
     QCOMPARE(series.stage[699], static_cast<std::uint8_t>(ProcedureStage::inspection));
     QCOMPARE(series.stage.back(), static_cast<std::uint8_t>(ProcedureStage::withdrawal));
     // 199 ms before the pause and 101 ms after it make the 0.3 s.
-    QVERIFY2(std::abs(series.landmarkSeen_s[0] - 0.800) < 1e-9, qPrintable(QString::number(series.landmarkSeen_s[0], 'g', 12)));
+    QVERIFY2(std::abs(series.landmarkSeen_s[0] - 0.800) < 1e-9,
+             qPrintable(QString::number(series.landmarkSeen_s[0], 'g', 12)));
 }
 
 void TestInsertionSeries::landmarksGetTheirTimes() {
@@ -138,7 +143,8 @@ void TestInsertionSeries::landmarksGetTheirTimes() {
     QVERIFY(std::abs(series.landmarkSeen_s[1] - 0.300) < 1e-9);
 }
 
-// Level ends at its last landmark, on a device whose clock runs 0.03 % slow: after 300 ticks it has counted 299.9 ms.
+// Level ends at its last landmark, on a device whose clock runs 0.03 % slow: after 300 ticks it has counted
+// 299.9 ms.
 void TestInsertionSeries::ticksCountNotTheDevicesClock() {
     UrethraInsertionParameters p = tests::wholeProcedure();
     p.landmarks = {{"ahead", 0.0, 0.0}};
@@ -200,14 +206,16 @@ void TestInsertionSeries::levelsNumbersGoAlong() {
     QCOMPARE(series.lateralLimit_N, 1.5);
 }
 
-// The same movements, 30 mm to the side: the stored series says outside, as the scene does, and nothing was inserted.
+// The same movements, 30 mm to the side: the stored series says outside, as the scene does, and nothing was
+// inserted.
 void TestInsertionSeries::besideTheCanalNothingAdvances() {
     const UrethraInsertionParameters p = tests::wholeProcedure();
     std::vector<double> way;
     for (int mm = -20; mm <= 150; ++mm)
         way.push_back(1e-3 * mm);
     scoring::TrialTrace trial = along(p, way);
-    QCOMPARE(session::insertionSeries(p, trial)->stage.back(), static_cast<std::uint8_t>(ProcedureStage::inspection));
+    QCOMPARE(session::insertionSeries(p, trial)->stage.back(),
+             static_cast<std::uint8_t>(ProcedureStage::inspection));
     for (Vec3& place : trial.tools[0].p_WT_m)
         place += p.pose.vectorToW(0.030 * Vec3::UnitX());
     const auto series = *session::insertionSeries(p, trial);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fp_environment.h"
+#include "session/level_cues.h"
 #include "session/run_task.h"
 #include "session/station.h"
-#include "session/level_cues.h"
 #include "support/haptic_bench.h"
 #include "support/session_fixture.h"
 
@@ -17,11 +17,13 @@ namespace {
 constexpr std::int64_t kFrame_ns = 16'666'667; // a window of 60 Hz
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
-/// A window and its loop on one virtual clock: each tick first does what the GUI thread would have done by then.
+/// A window and its loop on one virtual clock: each tick first does what the GUI thread would have done by
+/// then.
 class WindowedRun {
 public:
     WindowedRun(tests::LoopBench& bench, session::LiveLink& link, session::TeeSink& sink, bool beats)
-        : m_link(link), m_task(*bench.loop, link.inputs(), sink, {~0ull, nullptr, nullptr, &link}), m_beats(beats) {
+        : m_link(link), m_task(*bench.loop, link.inputs(), sink, {~0ull, nullptr, nullptr, &link}),
+          m_beats(beats) {
         link.inputs().beat(0);
     }
     /// The GUI thread does nothing in [from, to) of the clock.
@@ -73,20 +75,24 @@ struct Run {
     session::TeeSink sink{store, nullptr};
     std::unique_ptr<session::LiveLink> own = std::make_unique<session::LiveLink>();
     session::LiveLink& link = *own;
-    tests::LoopBench bench{{{device, {}}}, link.inputs(), sink, tests::apexScene(tests::benchExercise(1, 60.0))};
+    tests::LoopBench bench{
+        {{device, {}}}, link.inputs(), sink, tests::apexScene(tests::benchExercise(1, 60.0))};
     WindowedRun window;
 };
 
-double normOf(const core::Array6& wrench) { return std::hypot(wrench[0], wrench[1], wrench[2]); }
+double normOf(const core::Array6& wrench) {
+    return std::hypot(wrench[0], wrench[1], wrench[2]);
+}
 
-/// The largest rise of the commanded force from one tick to the next, measured as the supervisor's slew stage does: from
-/// what is left when the last force only gives way.
+/// The largest rise of the commanded force from one tick to the next, measured as the supervisor's slew stage
+/// does: from what is left when the last force only gives way.
 double largestStep_N(const std::vector<core::HapticFrame>& frames) {
     double largest = 0.0;
     for (std::size_t n = 1; n < frames.size(); ++n) {
         const core::Vec3 before = core::toWrench(frames[n - 1].tool[0].commanded).force;
         const core::Vec3 now = core::toWrench(frames[n].tool[0].commanded).force;
-        const double share = before.squaredNorm() > 0.0 ? std::clamp(now.dot(before) / before.squaredNorm(), 0.0, 1.0) : 0.0;
+        const double share =
+            before.squaredNorm() > 0.0 ? std::clamp(now.dot(before) / before.squaredNorm(), 0.0, 1.0) : 0.0;
         largest = std::max(largest, (now - share * before).norm());
     }
     return largest;
@@ -171,12 +177,15 @@ void TestLiveLink::aStalledWindowDelaysNoTick() {
     QCOMPARE(normOf(held.tool[0].commanded), 0.0);
     QVERIFY(normOf(held.tool[0].tissue) > 0.1); // there was something to feel
     QVERIFY(run.at(7'100).header.force == ForceState::arming);
-    QCOMPARE(run.window.drained + [&] {
-        std::uint64_t left = 0;
-        for (session::LiveSample sample; run.link.samples().tryPop(sample);)
-            ++left;
-        return left;
-    }(), kTicks);
+    QCOMPARE(
+        run.window.drained +
+            [&] {
+                std::uint64_t left = 0;
+                for (session::LiveSample sample; run.link.samples().tryPop(sample);)
+                    ++left;
+                return left;
+            }(),
+        kTicks);
 }
 
 void TestLiveLink::aWindowThatNeverBeatsIsHeld() {

@@ -38,7 +38,8 @@ std::unique_ptr<session::LiveTraining> begin(tests::SessionFixture& site, sessio
 bool frame(session::LiveTraining& live, haptics::DisplayState& shown) {
     live.beat();
     live.display().read(shown);
-    for (session::LiveSample sample; live.samples().tryPop(sample);) // or there is no room for more after 8 s, which a busy machine needs
+    for (session::LiveSample sample;
+         live.samples().tryPop(sample);) // or there is no room for more after 8 s, which a busy machine needs
         continue;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     return !live.finished();
@@ -84,7 +85,8 @@ void TestLiveTraining::aPersonsSetEndsWithItsLastTrial() {
     QCOMPARE(live->result()->session, live->sessionId());
     QCOMPARE(live->droppedSamples(), std::uint64_t{0});
     QVERIFY(stateOf(site, live->sessionId()) == SessionState::completed);
-    tests::OpenStored stored(*site.database, live->sessionId()); // a person's hand replays to the same bits, too
+    tests::OpenStored stored(*site.database,
+                             live->sessionId()); // a person's hand replays to the same bits, too
     const auto replay = session::replaySession(*stored.session);
     QVERIFY2(replay, replay ? "" : replay.error().message.c_str());
     QVERIFY(replay->identical && replay->comparable);
@@ -109,7 +111,8 @@ void TestLiveTraining::destroyingItEndsAndStoresIt() {
     auto live = begin(site, mouseRequest(1, 60.0));
     live->post(CommandKind::start);
     haptics::DisplayState shown;
-    while (frame(*live, shown) && shown.phase != core::TrialPhase::running) {}
+    while (frame(*live, shown) && shown.phase != core::TrialPhase::running) {
+    }
     const database::SessionId id = live->sessionId();
     QVERIFY(id != 0);
     live.reset();
@@ -120,13 +123,16 @@ void TestLiveTraining::itWaitsForTheStartCommand() {
     tests::SessionFixture site;
     auto live = begin(site, mouseRequest(1, 60.0));
     haptics::DisplayState shown;
-    while (frame(*live, shown) && shown.tick < 200) {}
+    while (frame(*live, shown) && shown.tick < 200) {
+    }
     QVERIFY(shown.phase == core::TrialPhase::idle && !shown.started);
     live->post(CommandKind::start);
-    while (frame(*live, shown) && shown.phase != core::TrialPhase::running) {}
+    while (frame(*live, shown) && shown.phase != core::TrialPhase::running) {
+    }
     QVERIFY(shown.started);
     live->requestStop();
-    while (frame(*live, shown)) {}
+    while (frame(*live, shown)) {
+    }
     QVERIFY(live->result());
 }
 
@@ -145,12 +151,14 @@ void TestLiveTraining::refusesAStationWithoutDevice() {
     tests::SessionFixture site;
     session::TrainingRequest request = mouseRequest(1, 60.0);
     request.station = {};
-    const auto live = session::LiveTraining::start(*site.database, database::Actor::simulated(), std::move(request));
+    const auto live =
+        session::LiveTraining::start(*site.database, database::Actor::simulated(), std::move(request));
     QVERIFY(!live);
     QVERIFY(live.error().code == core::ErrorCode::wrongUse);
 }
 
-/// Prints, and asserts nothing that a busy machine could break: what counts is on the virtual clock (test_live_link).
+/// Prints, and asserts nothing that a busy machine could break: what counts is on the virtual clock
+/// (test_live_link).
 void TestLiveTraining::aStallOfTheWindowBesideTheSameRunWithout() {
     for (const bool stall : {false, true}) {
         tests::SessionFixture site;
@@ -158,19 +166,23 @@ void TestLiveTraining::aStallOfTheWindowBesideTheSameRunWithout() {
         QVERIFY(live->felt() && !live->pointer());
         live->post(CommandKind::start);
         haptics::DisplayState shown;
-        while (frame(*live, shown) && shown.tick < 500) {}
+        while (frame(*live, shown) && shown.tick < 500) {
+        }
         if (stall)
             std::this_thread::sleep_for(std::chrono::seconds(1));
         const haptics::DisplayState after = live->display().latest();
-        while (frame(*live, shown) && shown.tick < 2'000) {}
+        while (frame(*live, shown) && shown.tick < 2'000) {
+        }
         live->requestStop();
-        while (frame(*live, shown)) {}
+        while (frame(*live, shown)) {
+        }
         QVERIFY(live->result());
         const session::LoopReport& loop = live->result()->loop;
         qInfo("%s: %llu ticks, %llu late by more than 100 us, %llu skipped; p50 %.1f, p99 %.1f, max %.1f us",
-              stall ? "window stalled for 1 s" : "window alive          ", static_cast<unsigned long long>(loop.ticks),
-              static_cast<unsigned long long>(loop.late), static_cast<unsigned long long>(loop.skipped),
-              loop.p50_us.value_or(0.0), loop.p99_us.value_or(0.0), loop.max_us.value_or(0.0));
+              stall ? "window stalled for 1 s" : "window alive          ",
+              static_cast<unsigned long long>(loop.ticks), static_cast<unsigned long long>(loop.late),
+              static_cast<unsigned long long>(loop.skipped), loop.p50_us.value_or(0.0),
+              loop.p99_us.value_or(0.0), loop.max_us.value_or(0.0));
         if (stall) // the guard looks at the heartbeat's age, not at this test's clock
             QVERIFY((after.guardsSeen & core::guard_bits::kHeartbeat) != 0);
         QCOMPARE(live->result()->recording.dropped, std::uint64_t{0});

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a recording is said to tell: stops, limits, misses, the worst moment, what was felt.
+#include "app/exercises/palpation/session/palpation_marks.h"
 #include "core/contact_bits.h"
 #include "core/random.h"
 #include "frames.h"
 #include "scoring/force_facts.h"
-#include "app/exercises/palpation/session/palpation_marks.h"
 #include "session/playback_mark.h"
 #include "session/worst_moment.h"
 #include "session/yield_cause.h"
@@ -147,18 +147,23 @@ private slots:
         QVERIFY(std::abs(facts.limited_s - 0.1) < 1e-9);
         QCOMPARE(facts.firstLimited_s, std::optional(0.2));
         QVERIFY(std::abs(facts.beyondCheckedShare() - 0.02) < 1e-12);
-        QVERIFY(!scoring::forceFactsOf({}).firstLimited_s && scoring::forceFactsOf({}).beyondCheckedShare() == 0.0);
+        QVERIFY(!scoring::forceFactsOf({}).firstLimited_s &&
+                scoring::forceFactsOf({}).beyondCheckedShare() == 0.0);
     }
 
     void theWorstMomentIsWhereItHappenedNotWhereTheTrialEnded() {
         PlaybackTrack track = quietEnd();
         track.exercise = "elastic_tube";
-        track.marks = {markAt(4.0, PlaybackMarkKind::slipped), markAt(6.0, PlaybackMarkKind::yielded, 9.0), markAt(5.0, PlaybackMarkKind::yielded, 8.0)};
-        const std::vector<scoring::Gate> gates{{"procedure_completed", 100.0, {}}, {"drops", {}, 0.0}, {"critical_errors", {}, 0.0}};
-        const auto broken = worstMoment(track, failed({{"procedure_completed", 0.0}, {"drops", 1.0}, {"critical_errors", 2.0}}), gates);
+        track.marks = {markAt(4.0, PlaybackMarkKind::slipped), markAt(6.0, PlaybackMarkKind::yielded, 9.0),
+                       markAt(5.0, PlaybackMarkKind::yielded, 8.0)};
+        const std::vector<scoring::Gate> gates{
+            {"procedure_completed", 100.0, {}}, {"drops", {}, 0.0}, {"critical_errors", {}, 0.0}};
+        const auto broken = worstMoment(
+            track, failed({{"procedure_completed", 0.0}, {"drops", 1.0}, {"critical_errors", 2.0}}), gates);
         QCOMPARE(broken->reason, std::string("critical_errors"));
         QCOMPARE(broken->t_s, 6.0); // the larger of two, and not the first gate's
-        const auto dropped = worstMoment(track, failed({{"procedure_completed", 0.0}, {"drops", 1.0}}), gates);
+        const auto dropped =
+            worstMoment(track, failed({{"procedure_completed", 0.0}, {"drops", 1.0}}), gates);
         QCOMPARE(dropped->reason, std::string("drops"));
         QCOMPARE(dropped->t_s, 4.0);
         const auto none = worstMoment(track, {}, gates);
@@ -203,7 +208,8 @@ private slots:
         for (core::HapticFrame& frame : frames)
             frame.header.phase = core::TrialPhase::running;
         frames[5].tool[0].tissue = {0.0, 2.0, 0.0, 0.0, 0.0, 0.213};
-        frames[5].tool[0].status |= core::contactStatus(core::contact_bits::kYielded | core::contact_bits::kThrough);
+        frames[5].tool[0].status |=
+            core::contactStatus(core::contact_bits::kYielded | core::contact_bits::kThrough);
         const auto marked = [&](const simulation::YieldLaw& law) {
             MarkExtractor extractor(4.0, 1, false, law);
             for (const core::HapticFrame& frame : frames)
@@ -232,11 +238,17 @@ private slots:
         QTest::addColumn<QString>("exercise");
         QTest::addColumn<QString>("metric");
         QTest::addColumn<int>("kind");
-        QTest::newRow("over-stretches") << "elastic_tube" << "over_stretches" << static_cast<int>(PlaybackMarkKind::damaged);
-        QTest::newRow("drops") << "elastic_tube" << "drops" << static_cast<int>(PlaybackMarkKind::slipped);
-        QTest::newRow("lumps missed") << "palpation" << "palpation_misses" << static_cast<int>(PlaybackMarkKind::lumpMissed);
-        QTest::newRow("false alarms") << "palpation" << "palpation_false_alarms" << static_cast<int>(PlaybackMarkKind::falseAlarm);
-        QTest::newRow("torn") << "elastic_tube" << "procedure_completed" << static_cast<int>(PlaybackMarkKind::failed);
+        QTest::newRow("over-stretches") << "elastic_tube"
+                                        << "over_stretches" << static_cast<int>(PlaybackMarkKind::damaged);
+        QTest::newRow("drops") << "elastic_tube"
+                               << "drops" << static_cast<int>(PlaybackMarkKind::slipped);
+        QTest::newRow("lumps missed") << "palpation"
+                                      << "palpation_misses" << static_cast<int>(PlaybackMarkKind::lumpMissed);
+        QTest::newRow("false alarms")
+            << "palpation"
+            << "palpation_false_alarms" << static_cast<int>(PlaybackMarkKind::falseAlarm);
+        QTest::newRow("torn") << "elastic_tube"
+                              << "procedure_completed" << static_cast<int>(PlaybackMarkKind::failed);
     }
     void eachCountedEventOfATaskHasItsMoment() {
         QFETCH(QString, exercise);
@@ -277,8 +289,9 @@ private slots:
             made.finding = finding;
             return made;
         };
-        record.answer.reports = {report(1.0, core::ReportField::found, 0), report(2.0, core::ReportField::found, 1),
-                                 report(3.0, core::ReportField::remove, 1), report(4.0, core::ReportField::found, 1)};
+        record.answer.reports = {
+            report(1.0, core::ReportField::found, 0), report(2.0, core::ReportField::found, 1),
+            report(3.0, core::ReportField::remove, 1), report(4.0, core::ReportField::found, 1)};
         scoring::FindingMatch hit;
         hit.finding = 0;
         hit.lump = 1;
@@ -287,8 +300,10 @@ private slots:
         wrong.lump = -1;
         record.answer.matches = {hit, wrong};
         addPalpationMarks(track, {&record, 1});
-        QVERIFY(std::is_sorted(track.marks.begin(), track.marks.end(), [](const auto& a, const auto& b) { return a.t_s < b.t_s; }));
-        QCOMPARE(ofKind(track.marks, PlaybackMarkKind::found).size(), std::size_t(2)); // the first, and the one that was taken back
+        QVERIFY(std::is_sorted(track.marks.begin(), track.marks.end(),
+                               [](const auto& a, const auto& b) { return a.t_s < b.t_s; }));
+        QCOMPARE(ofKind(track.marks, PlaybackMarkKind::found).size(),
+                 std::size_t(2)); // the first, and the one that was taken back
         const auto alarms = ofKind(track.marks, PlaybackMarkKind::falseAlarm);
         QCOMPARE(alarms.size(), std::size_t(1));
         QCOMPARE(alarms[0].t_s, 4.0);

@@ -22,8 +22,12 @@ private slots:
 
 namespace {
 
-QJsonObject objectOf(const std::string& text) { return QJsonDocument::fromJson(QByteArray::fromStdString(text)).object(); }
-std::string textOf(const QJsonObject& json) { return QJsonDocument(json).toJson().toStdString(); }
+QJsonObject objectOf(const std::string& text) {
+    return QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
+}
+std::string textOf(const QJsonObject& json) {
+    return QJsonDocument(json).toJson().toStdString();
+}
 
 /// One value within the first bin, two within the second, and so on, the last beyond all edges.
 session::LatenessBins oneMoreEach(haptics::LoopStatistics& statistics) {
@@ -60,13 +64,15 @@ void TestLoopReport::punctualityIsTheStatistics() {
 }
 
 void TestLoopReport::everyFieldIsItsOwn() {
-    session::LoopReport report{11, 22, 33, 0.5, 0.25, 0.125, true, true, "round robin, \"90\"", 1.0 / 3.0, session::LatenessBins{}};
+    session::LoopReport report{
+        11, 22, 33, 0.5, 0.25, 0.125, true, true, "round robin, \"90\"", 1.0 / 3.0, session::LatenessBins{}};
     for (std::size_t i = 0; i < report.lateness->counts.size(); ++i)
         report.lateness->counts[i] = 100 + i;
     const auto back = session::loopReportFrom(session::loopJson(report));
     QVERIFY(back.has_value());
     QVERIFY(back->ticks == 11 && back->late == 22 && back->skipped == 33);
-    QVERIFY(back->p50_us == 0.5 && back->p99_us == 0.25 && back->max_us == 0.125 && back->passivity_J == 1.0 / 3.0);
+    QVERIFY(back->p50_us == 0.5 && back->p99_us == 0.25 && back->max_us == 0.125 &&
+            back->passivity_J == 1.0 / 3.0);
     QVERIFY(back->realtime && back->priorityGranted && back->priorityDetail == report.priorityDetail);
     QVERIFY(back->lateness == report.lateness);
     report.priorityGranted = false;
@@ -76,10 +82,12 @@ void TestLoopReport::everyFieldIsItsOwn() {
 }
 
 void TestLoopReport::absentStaysAbsent() {
-    for (const std::string& text : {session::loopJson({}), std::string("{}")}) { // also of a session stored before there was any of it
+    for (const std::string& text :
+         {session::loopJson({}), std::string("{}")}) { // also of a session stored before there was any of it
         const auto back = session::loopReportFrom(text);
         QVERIFY(back.has_value());
-        QVERIFY(back->ticks == 0 && back->late == 0 && back->skipped == 0 && !back->realtime && !back->priorityGranted && back->priorityDetail.empty());
+        QVERIFY(back->ticks == 0 && back->late == 0 && back->skipped == 0 && !back->realtime &&
+                !back->priorityGranted && back->priorityDetail.empty());
         QVERIFY(!back->p50_us && !back->p99_us && !back->max_us && !back->passivity_J && !back->lateness);
     }
 }
@@ -107,7 +115,8 @@ void TestLoopReport::binsOfAnotherVersionAreLeft() {
 void TestLoopReport::damageIsNamed() {
     for (const char* wrong : {"", "[]", "{", "7"}) {
         const auto read = session::loopReportFrom(wrong);
-        QVERIFY(!read && read.error().code == core::ErrorCode::badInput && read.error().message == "loop statistics: expected a JSON object");
+        QVERIFY(!read && read.error().code == core::ErrorCode::badInput &&
+                read.error().message == "loop statistics: expected a JSON object");
     }
 }
 

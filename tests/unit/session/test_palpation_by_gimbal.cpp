@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scripted expert who holds P2's gimbal finds lumps through loop, supervisor, recording and scoring, as on P3's platform.
+// A scripted expert who holds P2's gimbal finds lumps through loop, supervisor, recording and scoring, as on
+// P3's platform.
 #include "support/session_fixture.h"
 
 #include <QtTest>
@@ -13,8 +14,9 @@ private slots:
     void findsWhatThePlatformFinds();
 };
 
-// Before the tip was seen to touch, 5 of 24 lumps were found beside 58 false alarms (the instrument's own friction passed for the tissue). A
-// third of the lumps, and more hits than false alarms, is what chance does not give: a mark at random finds a lump with 7 %.
+// Before the tip was seen to touch, 5 of 24 lumps were found beside 58 false alarms (the instrument's own
+// friction passed for the tissue). A third of the lumps, and more hits than false alarms, is what chance does
+// not give: a mark at random finds a lump with 7 %.
 void TestPalpationByGimbal::findsWhatThePlatformFinds() {
     bool given = false;
     std::uint64_t seed = qEnvironmentVariable("CHIRON_LADDER_SEED").toULongLong(&given);
@@ -29,7 +31,8 @@ void TestPalpationByGimbal::findsWhatThePlatformFinds() {
         const std::uint64_t drawn = seed + static_cast<std::uint64_t>(i);
         tests::SessionFixture site;
         session::TrainingRequest request = site.request(level, "expert", drawn);
-        auto station = session::scriptedStation(**kind, level, "expert", drawn, mechanisms::PolarMap::exact, "gimbal_hprd");
+        auto station = session::scriptedStation(**kind, level, "expert", drawn, mechanisms::PolarMap::exact,
+                                                "gimbal_hprd");
         QVERIFY(station.has_value());
         request.station = std::move(*station);
         const auto result = site.run(std::move(request));
@@ -40,7 +43,11 @@ void TestPalpationByGimbal::findsWhatThePlatformFinds() {
             falseAlarms += metric.id == "palpation_false_alarms" ? *metric.value : 0.0;
         }
     }
-    const QString told = QStringLiteral("seeds from %1: %2 hits, %3 misses, %4 false alarms").arg(seed).arg(hits).arg(misses).arg(falseAlarms);
+    const QString told = QStringLiteral("seeds from %1: %2 hits, %3 misses, %4 false alarms")
+                             .arg(seed)
+                             .arg(hits)
+                             .arg(misses)
+                             .arg(falseAlarms);
     qInfo("%s", qPrintable(told));
     QVERIFY2(3.0 * hits > hits + misses, qPrintable(told));
     QVERIFY2(falseAlarms < hits, qPrintable(told));

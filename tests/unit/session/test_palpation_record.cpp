@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A palpation looked back at: maps rebuilt from recorded poses and forces, what became of findings, sessions pooled.
+// A palpation looked back at: maps rebuilt from recorded poses and forces, what became of findings, sessions
+// pooled.
 #include "../scoring/palpation_traces.h"
 #include "app/exercises/palpation/session/detection_record.h"
 #include "app/exercises/palpation/session/palpation_record.h"
-#include "simulation/palpation/tissue_surface.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "simulation/palpation/tissue_surface.h"
 
 #include <QtTest>
 #include <cmath>
@@ -66,11 +67,13 @@ session::PlaybackTrack trackOf(const TrialTrace& trial) {
 class TestPalpationRecord : public QObject {
     Q_OBJECT
 private slots:
-    /// The map has the normal part of each press where the pad lay, as if the scene had pressed it; the lateral part, pauses, and
-    /// poses above the surface leave no trace.
+    /// The map has the normal part of each press where the pad lay, as if the scene had pressed it; the
+    /// lateral part, pauses, and poses above the surface leave no trace.
     void mapOfPresses() {
         const auto level = flatLevel();
-        auto trial = pressedAt({{{0.01, 0.0}, {0.3, 0.0, 1.0}}, {{-0.01, 0.01}, {0.0, 0.0, 2.0}}, {{0.02, 0.02}, {0.0, 0.0, 3.0}}});
+        auto trial = pressedAt({{{0.01, 0.0}, {0.3, 0.0, 1.0}},
+                                {{-0.01, 0.01}, {0.0, 0.0, 2.0}},
+                                {{0.02, 0.02}, {0.0, 0.0, 3.0}}});
         trial.tools[0].paused[12] = 1; // the third
         simulation::SurfaceMap expected = session::emptyMapOf(level);
         expected.press({0.01, 0.0}, 1.0);
@@ -82,7 +85,8 @@ private slots:
         QVERIFY(sameMap(session::mapOf(level, trial), session::emptyMapOf(level)));
     }
 
-    /// On a dome the force is split along the surface's own normal, and the place is the foot, not what lies straight above.
+    /// On a dome the force is split along the surface's own normal, and the place is the foot, not what lies
+    /// straight above.
     void mapOnADome() {
         auto level = flatLevel();
         level.tissue.shape.bumps = {{{0.0, 0.0}, {0.04, 0.04}, 0.0, 0.012}};
@@ -115,7 +119,8 @@ private slots:
     void records() {
         TrialTrace trial = pressedAt({{{0.01, 0.0}, {0.0, 0.0, 1.0}}});
         trial.quantities[7].values.back() = 0.25;
-        const auto records = session::palpationRecord(tests::palpationSession({trial, MadeTrial({{0.01, 0.0}}).timedOut()}), flatLevel());
+        const auto records = session::palpationRecord(
+            tests::palpationSession({trial, MadeTrial({{0.01, 0.0}}).timedOut()}), flatLevel());
         QVERIFY(records);
         QCOMPARE(records->size(), std::size_t{2});
         const auto& first = records->front();
@@ -129,7 +134,8 @@ private slots:
     void failureNamesTheTrial() {
         TrialTrace bare = MadeTrial();
         bare.quantities.clear();
-        const auto records = session::palpationRecord(tests::palpationSession({MadeTrial(), bare}), flatLevel());
+        const auto records =
+            session::palpationRecord(tests::palpationSession({MadeTrial(), bare}), flatLevel());
         QVERIFY(!records);
         QCOMPARE(records.error().message, std::string("trial 2: the trace has no reports"));
     }
@@ -138,8 +144,10 @@ private slots:
         session::PooledDetection pooled;
         TrialTrace bare = MadeTrial({{0.0, 0.0}});
         bare.quantities.clear();
-        session::addDetection(pooled, tests::palpationSession({MadeTrial({{0.0, 0.0}}).found(0, 0.0, 0.0, 5), bare}));
-        session::addDetection(pooled, tests::palpationSession({MadeTrial({{0.0, 0.0}}).found(0, -0.02, -0.02, 2)}));
+        session::addDetection(pooled,
+                              tests::palpationSession({MadeTrial({{0.0, 0.0}}).found(0, 0.0, 0.0, 5), bare}));
+        session::addDetection(pooled,
+                              tests::palpationSession({MadeTrial({{0.0, 0.0}}).found(0, -0.02, -0.02, 2)}));
         QCOMPARE(pooled.sessions, 2);
         QCOMPARE(pooled.trials, 2);
         QCOMPARE(pooled.unjudged, 1);

@@ -17,7 +17,8 @@ using database::SessionState;
 namespace {
 
 /// A session that its program left open, with no frame stored.
-database::SessionId openSession(tests::SessionFixture& site, const std::function<void(database::NewSession&)>& change) {
+database::SessionId openSession(tests::SessionFixture& site,
+                                const std::function<void(database::NewSession&)>& change) {
     session::SessionSetup setup;
     setup.level = tests::shortLevel(2, 1, 5.0);
     auto station = session::scriptedStation(**session::exerciseKind("sphere_apex"), setup.level, "expert", 1);
@@ -28,7 +29,8 @@ database::SessionId openSession(tests::SessionFixture& site, const std::function
     columns.channelTable = session::channelTableFor(setup)->encode();
     change(columns);
     const auto id = site.database->write([&](database::WriteContext& context) {
-        return database::SessionRepository(context.connection(), database::Actor::simulated()).beginSession(columns);
+        return database::SessionRepository(context.connection(), database::Actor::simulated())
+            .beginSession(columns);
     });
     if (!id)
         qFatal("%s", id.error().message.c_str());
@@ -53,12 +55,13 @@ void TestRecoveryGoesOn::oneBadSessionDoesNotStopTheOthers() {
     QTemporaryDir rings;
     const auto same = [](database::NewSession&) {};
     const auto badRing = openSession(site, same);
-    const auto badColumn = openSession(site, [](database::NewSession& s) { s.deviceJson = "{\"tools\":[]}"; });
+    const auto badColumn =
+        openSession(site, [](database::NewSession& s) { s.deviceJson = "{\"tools\":[]}"; });
     const auto sound = openSession(site, same);
     const auto id = session::ringIdOf(*site.database);
     QVERIFY(id);
-    QFile ring(rings.filePath(QString::fromStdString(recording::ringFilePrefix(*id) + std::to_string(badRing) +
-                                                     recording::kRingSuffix)));
+    QFile ring(rings.filePath(QString::fromStdString(recording::ringFilePrefix(*id) +
+                                                     std::to_string(badRing) + recording::kRingSuffix)));
     QVERIFY(ring.open(QIODevice::WriteOnly) && ring.write("no ring") == 7);
     ring.close();
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many running ticks had a sample as their newest: what the scene counted, whatever the device's clock says.
+// How many running ticks had a sample as their newest: what the scene counted, whatever the device's clock
+// says.
 #include "frames.h"
 #include "session/trace_assembler.h"
 
@@ -14,7 +15,8 @@ private slots:
     void samplesKnowTheirTicks();
 };
 
-// A device of 250 Hz whose clock counts 0.9 of a millisecond a tick; a pause in between, a refused packet, a repeated one at the start.
+// A device of 250 Hz whose clock counts 0.9 of a millisecond a tick; a pause in between, a refused packet, a
+// repeated one at the start.
 void TestSampleTicks::samplesKnowTheirTicks() {
     auto frames = tests::someFrames(24);
     for (std::size_t i = 0; i < frames.size(); ++i)

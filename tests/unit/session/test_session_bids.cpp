@@ -53,7 +53,8 @@ private:
 };
 
 void TestSessionBids::initTestCase() {
-    const auto run = session::runTraining(*m_fixture.database, m_actor, m_fixture.request(tests::shortLevel(2, 2, 1.0), "expert", 3));
+    const auto run = session::runTraining(*m_fixture.database, m_actor,
+                                          m_fixture.request(tests::shortLevel(2, 2, 1.0), "expert", 3));
     QVERIFY2(run, run ? "" : run.error().message.c_str());
     m_made = tests::copyOf(*m_fixture.database, run->session);
     tests::cutFrames(m_made.frames, m_made.frames.size() - 137, core::CommandKind::end);
@@ -64,7 +65,8 @@ void TestSessionBids::lengthIsThatOfItsFrames() {
     const tests::OpenStored stored(*m_fixture.database, m_id);
     const auto& summary = stored.session->record().summary;
     QCOMPARE(summary.ticks, static_cast<std::uint64_t>(m_made.frames.back().header.index + 1));
-    QCOMPARE(m_made.frames.front().header.index, std::uint64_t{0}); // so the last one's number is one less than they are
+    QCOMPARE(m_made.frames.front().header.index,
+             std::uint64_t{0}); // so the last one's number is one less than they are
     QCOMPARE(summary.ticks, static_cast<std::uint64_t>(m_made.frames.size()));
 }
 
@@ -83,7 +85,8 @@ void TestSessionBids::trialsLastToTheirLastTick() {
         const QList<QByteArray> cells = events.takeFirst().split('\t');
         QCOMPARE(cells[3].toInt(), trial);
         QVERIFY(std::abs(cells[0].toDouble() - 1e-3 * double(span.first)) < 1e-9);
-        QVERIFY2(std::abs(cells[1].toDouble() - 1e-3 * double(span.last - span.first)) < 1e-9, cells[1].constData());
+        QVERIFY2(std::abs(cells[1].toDouble() - 1e-3 * double(span.last - span.first)) < 1e-9,
+                 cells[1].constData());
     }
 }
 
@@ -93,7 +96,11 @@ void TestSessionBids::eventsAtASingleTick() {
     const QString folder = QString::fromStdString(m_fixture.folder()) + "/events";
     auto made = session::NewFolder::begin(folder.toStdString());
     QVERIFY(made);
-    const std::vector<session::BidsEvent> events{{0, 0, "trial", "1"}, {500, 500, "trial", "2"}, {500, 501, "trial", "3"}, {last, last, "trial", "4"}, {last + 1, last + 9, "trial", "5"}};
+    const std::vector<session::BidsEvent> events{{0, 0, "trial", "1"},
+                                                 {500, 500, "trial", "2"},
+                                                 {500, 501, "trial", "3"},
+                                                 {last, last, "trial", "4"},
+                                                 {last + 1, last + 9, "trial", "5"}};
     QVERIFY(session::writeBidsMotion(*made, *stored.session, {"x", "y", {}, 1, "y", {}}, events));
     QVERIFY(made->commit());
     const auto lines = linesOf(folder, "_events.tsv");
@@ -101,7 +108,9 @@ void TestSessionBids::eventsAtASingleTick() {
     const auto at = [&](int line, int column) { return lines[line].split('\t')[column].toDouble(); };
     const double expected[4][2] = {{0.0, 0.0}, {0.5, 0.0}, {0.5, 0.001}, {1e-3 * double(last), 0.0}};
     for (int i = 0; i < 4; ++i)
-        QVERIFY2(std::abs(at(i + 1, 0) - expected[i][0]) < 1e-9 && std::abs(at(i + 1, 1) - expected[i][1]) < 1e-9, lines[i + 1].constData());
+        QVERIFY2(std::abs(at(i + 1, 0) - expected[i][0]) < 1e-9 &&
+                     std::abs(at(i + 1, 1) - expected[i][1]) < 1e-9,
+                 lines[i + 1].constData());
 }
 
 QTEST_GUILESS_MAIN(TestSessionBids)

@@ -68,8 +68,9 @@ bool same(double a, double b) {
 }
 
 /// Keys that earlier versions did not write: not there is their old meaning, 0.
-const QStringList kLater{QStringLiteral("coulomb_friction"), QStringLiteral("viscous_friction"), QStringLiteral("friction_compensation"),
-                         QStringLiteral("serial_number"), QStringLiteral("capKnee")};
+const QStringList kLater{QStringLiteral("coulomb_friction"), QStringLiteral("viscous_friction"),
+                         QStringLiteral("friction_compensation"), QStringLiteral("serial_number"),
+                         QStringLiteral("capKnee")};
 
 /// Every member taken away, and every member of another type: the error names the key.
 template <class Read> void checkDamage(const QJsonObject& good, const QString& place, Read read) {
@@ -144,7 +145,7 @@ void TestSessionJson::deviceComesBack() {
     devices::DeviceDescriptor untold = before;
     untold.serialNumber.clear();
     QVERIFY(!session::toJson(untold).contains("serial_number")); // the text of a session as it always was
-    QJsonObject older = session::toJson(before); // as versions before wrote it
+    QJsonObject older = session::toJson(before);                 // as versions before wrote it
     older.remove("friction_compensation");
     QCOMPARE(session::descriptorFromJson(older)->frictionCompensation, 0.0);
     // A field added to the descriptor but not to its JSON would be lost in silence.
@@ -196,13 +197,15 @@ void TestSessionJson::mappingComesBack() {
         QVERIFY(same(after->origin_m[i], before.origin_m[i]));
     QVERIFY(same(after->scale, before.scale));
     QCOMPARE(after->leftHanded, true);
-    QCOMPARE(std::size_t(session::toJson(before).size()), std::size_t{3}); // a base that is not turned is not told, as before
+    QCOMPARE(std::size_t(session::toJson(before).size()),
+             std::size_t{3}); // a base that is not turned is not told, as before
     QVERIFY(!after->turned());
     before.q_WD = {0.5, -0.5, 0.5, -0.5};
     const auto turned = session::mappingFromJson(stored(session::toJson(before)));
     QVERIFY2(turned, turned ? "" : turned.error().message.c_str());
     QVERIFY(turned->q_WD == before.q_WD);
-    for (const QJsonArray& bad : {QJsonArray{1, 0, 0}, QJsonArray{2, 0, 0, 0}, QJsonArray{0, 0, 0, 0}, QJsonArray{1, 0, 0, "0"}}) {
+    for (const QJsonArray& bad :
+         {QJsonArray{1, 0, 0}, QJsonArray{2, 0, 0, 0}, QJsonArray{0, 0, 0, 0}, QJsonArray{1, 0, 0, "0"}}) {
         QJsonObject damaged = session::toJson(before);
         damaged["base_turn"] = bad;
         const auto refused = session::mappingFromJson(damaged);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/session_setup.h"
+#include "core/laparoscopy_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "modules/exercises/palpation/simulation/palpation_quantities.h"
+#include "session/session_setup.h"
 #include "simulation/palpation/tissue_surface.h"
 #include "support/session_fixture.h"
-#include "modules/exercises/palpation/cues/palpation_cues.h"
-#include "core/laparoscopy_cues.h"
-#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <QtTest>
 
@@ -74,7 +74,8 @@ void TestSessionSetup::scoringRuleIsKept() {
     database::NewSession stored = session::toNewSession(setup);
     QCOMPARE(session::setupFromStored(stored)->scoring, session::ScoringRule::finishedTrials);
     setup.scoring = session::ScoringRule::begunTrials;
-    QCOMPARE(session::setupFromStored(session::toNewSession(setup))->scoring, session::ScoringRule::begunTrials);
+    QCOMPARE(session::setupFromStored(session::toNewSession(setup))->scoring,
+             session::ScoringRule::begunTrials);
     for (const char* before : {R"({"models":"1"})", "{}", ""}) {
         stored.versionsJson = before;
         const auto again = session::setupFromStored(stored);
@@ -137,7 +138,8 @@ void TestSessionSetup::whatCannotBeFeltIsShown_data() {
     QTest::newRow("weigh") << "object_handling" << 3;
 }
 
-// The scene fills the bars of a level's shown-force variant where no device of the setup renders force, and only there.
+// The scene fills the bars of a level's shown-force variant where no device of the setup renders force, and
+// only there.
 void TestSessionSetup::whatCannotBeFeltIsShown() {
     QFETCH(QString, exercise);
     QFETCH(int, level);
@@ -161,11 +163,14 @@ void TestSessionSetup::whatCannotBeFeltIsShown() {
         for (int n = 0; n < 3; ++n)
             scene->respond(ticks.next(0), in, out);
         const simulation::PalpationCues& cues = out.cues.exercise.of<simulation::PalpationCues>();
-        const bool bars = exercise == "palpation" ? cues.bandShown : out.cues.exercise.of<core::LaparoscopyCues>().squeezeShown;
+        const bool bars = exercise == "palpation"
+                              ? cues.bandShown
+                              : out.cues.exercise.of<core::LaparoscopyCues>().squeezeShown;
         QCOMPARE(bars, !felt);
         QCOMPARE(cues.lumps, 0); // hidden either way
         if (exercise == "palpation")
-            QCOMPARE(cues.depth_m[0] > 0.0, !felt && out.quantities[simulation::palpation_quantity::kDepth] > 0.0);
+            QCOMPARE(cues.depth_m[0] > 0.0,
+                     !felt && out.quantities[simulation::palpation_quantity::kDepth] > 0.0);
         if (exercise == "palpation")
             QVERIFY(out.quantities[simulation::palpation_quantity::kDepth] > 0.0);
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which tools a session is done with follows from its exercise.
+#include "catalogue/catalogue.h"
 #include "core/units.h"
 #include "devices/api/workspace_map.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "scoring/trace_csv.h"
-#include "catalogue/catalogue.h"
 #include "session/exercise_kind.h"
 #include "session/station.h"
 #include "simulation/palpation/tissue_surface.h"
-#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <QtTest>
 #include <cmath>
@@ -38,9 +38,11 @@ public:
     std::string_view id() const noexcept override { return "any"; }
     std::string_view mechanism() const noexcept override { return m_mechanism; }
     Vec3 endoscopeStart_W() const noexcept override { return kBeforeTheEntrance; }
-    std::unique_ptr<simulation::IScene> makeScene(const session::SessionSetup&) const override { return nullptr; }
-    core::Result<session::ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
-                                                        std::uint64_t) const override {
+    std::unique_ptr<simulation::IScene> makeScene(const session::SessionSetup&) const override {
+        return nullptr;
+    }
+    core::Result<session::ScriptedTrainee>
+    makeOperator(const catalogue::ExerciseLevel&, const std::string& name, std::uint64_t) const override {
         if (name != "stayer")
             return core::fail(core::ErrorCode::notFound, "operator: expected stayer");
         return session::oneHanded(std::make_unique<Stayer>(), {});
@@ -50,7 +52,10 @@ public:
     double forceLimit_N(const catalogue::ExerciseLevel&) const override { return 4.0; }
     std::uint64_t tickLimit(const catalogue::ExerciseLevel&) const override { return 1; }
     void addTruth(const catalogue::ExerciseLevel&, std::uint64_t, scoring::TrialTrace&) const override {}
-    std::unique_ptr<session::TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel&, std::uint64_t) const override { return nullptr; }
+    std::unique_ptr<session::TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel&,
+                                                         std::uint64_t) const override {
+        return nullptr;
+    }
 
 private:
     std::string_view m_mechanism;
@@ -66,7 +71,9 @@ public:
     devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel&, int tool) const override {
         return {{tool % 2 == 0 ? 0.060 : -0.060, 0.0, 0.0}, 1.0, false};
     }
-    std::unique_ptr<simulation::IScene> makeScene(const session::SessionSetup&) const override { return nullptr; }
+    std::unique_ptr<simulation::IScene> makeScene(const session::SessionSetup&) const override {
+        return nullptr;
+    }
     core::Result<session::ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel&, const std::string&,
                                                         std::uint64_t) const override {
         session::ScriptedTrainee trainee;
@@ -79,7 +86,10 @@ public:
     double forceLimit_N(const catalogue::ExerciseLevel&) const override { return 4.0; }
     std::uint64_t tickLimit(const catalogue::ExerciseLevel&) const override { return 1; }
     void addTruth(const catalogue::ExerciseLevel&, std::uint64_t, scoring::TrialTrace&) const override {}
-    std::unique_ptr<session::TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel&, std::uint64_t) const override { return nullptr; }
+    std::unique_ptr<session::TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel&,
+                                                         std::uint64_t) const override {
+        return nullptr;
+    }
 
 private:
     int m_tools;
@@ -127,7 +137,8 @@ private slots:
         const auto mapping = session::mappingOf({.turn_rad = {0.3, -0.2, 0.1}});
         QVERIFY(mapping && mapping->turned());
         const devices::WorkspaceMap map(*mapping);
-        QVERIFY(map.pointToW(Vec3::UnitX()).y() > 0.2); // to the left: the right side goes away from the person
+        QVERIFY(map.pointToW(Vec3::UnitX()).y() >
+                0.2); // to the left: the right side goes away from the person
         const auto tilted = session::mappingOf({.turn_rad = {0.0, 0.2, 0.0}});
         QVERIFY(devices::WorkspaceMap(*tilted).pointToW(Vec3::UnitZ()).y() > 0.15); // away from the person
         const auto rolled = session::mappingOf({.turn_rad = {0.0, 0.0, 0.2}});
@@ -137,7 +148,8 @@ private slots:
         QVERIFY(far.error().message.find("45 degrees") != std::string::npos);
         QVERIFY(!session::mappingOf({.turn_rad = {std::nan(""), 0.0, 0.0}}));
         const session::WorkspaceChoice turned{.turn_rad = {0.3, 0.0, 0.0}};
-        const auto refused = session::scriptedStation(AnyKind("gimbal_hprd"), {}, "stayer", 5, mechanisms::PolarMap::exact, {}, turned);
+        const auto refused = session::scriptedStation(AnyKind("gimbal_hprd"), {}, "stayer", 5,
+                                                      mechanisms::PolarMap::exact, {}, turned);
         QVERIFY(!refused); // a hand that takes D for W would grope beside its work
         QCOMPARE(refused.error().code, core::ErrorCode::wrongUse);
         const auto pointer = session::keyboardMouseStation(turned);
@@ -153,7 +165,8 @@ private slots:
         };
         for (const double scale : {0.25, 4.0}) {
             QCOMPARE(said({.scale = scale}), std::string());
-            QVERIFY(said({.scale = scale < 1.0 ? std::nextafter(scale, 0.0) : std::nextafter(scale, 9.0)}).ends_with("expected 0.25 to 4"));
+            QVERIFY(said({.scale = scale < 1.0 ? std::nextafter(scale, 0.0) : std::nextafter(scale, 9.0)})
+                        .ends_with("expected 0.25 to 4"));
         }
         for (std::size_t i = 0; i < 3; ++i)
             for (const double side : {-1.0, 1.0}) {
@@ -170,34 +183,45 @@ private slots:
             }
     }
 
-    /// What a level says of its bases holds, each beside where the exercise puts it, until somebody says otherwise.
+    /// What a level says of its bases holds, each beside where the exercise puts it, until somebody says
+    /// otherwise.
     void aLevelMountsItsBases() {
         const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
         catalogue::ExerciseLevel level = *catalogue->find("elastic_tube", 4);
         const auto kind = session::exerciseKind("elastic_tube");
         level.mounting.clear();
         const auto station = [&](const session::WorkspaceChoice& chosen) {
-            auto made = session::scriptedStation(**kind, level, "expert", 5, mechanisms::PolarMap::exact, {}, chosen);
+            auto made =
+                session::scriptedStation(**kind, level, "expert", 5, mechanisms::PolarMap::exact, {}, chosen);
             return made ? made->mappings() : std::vector<devices::WorkspaceMapping>{};
         };
         const auto usual = station({});
         QVERIFY(usual.size() == 2 && !usual[0].turned());
-        level.mounting = {{}, {.scale = 0.9, .origin_m = {0.01, 0.0, 0.002}, .leftHanded = false, .turn_rad = {0.2, 0.1, 0.0}}};
+        level.mounting = {
+            {},
+            {.scale = 0.9, .origin_m = {0.01, 0.0, 0.002}, .leftHanded = false, .turn_rad = {0.2, 0.1, 0.0}}};
         const auto mounted = station({});
         QCOMPARE(mounted.size(), std::size_t{2});
         QVERIFY(mounted[0].q_WD == usual[0].q_WD && mounted[0].origin_m == usual[0].origin_m);
-        QVERIFY(std::abs(mounted[1].origin_m[0] - usual[1].origin_m[0] - 0.01) < 1e-12 && mounted[1].scale == 0.9);
+        QVERIFY(std::abs(mounted[1].origin_m[0] - usual[1].origin_m[0] - 0.01) < 1e-12 &&
+                mounted[1].scale == 0.9);
         QVERIFY(mounted[1].q_WD == session::mappingOf(level.mounting[1])->q_WD);
-        const auto otherwise = station({.scale = 1.0, .origin_m = {}, .leftHanded = false, .turn_rad = {-0.3, 0.0, 0.0}});
-        QVERIFY(otherwise[0].q_WD == otherwise[1].q_WD && otherwise[1].q_WD == session::mappingOf({.turn_rad = {-0.3, 0.0, 0.0}})->q_WD);
+        const auto otherwise =
+            station({.scale = 1.0, .origin_m = {}, .leftHanded = false, .turn_rad = {-0.3, 0.0, 0.0}});
+        QVERIFY(otherwise[0].q_WD == otherwise[1].q_WD &&
+                otherwise[1].q_WD == session::mappingOf({.turn_rad = {-0.3, 0.0, 0.0}})->q_WD);
         QVERIFY(otherwise[1].scale == 0.9); // of that nothing was said
-        const auto straight = station({.scale = 1.0, .origin_m = {}, .leftHanded = false, .turn_rad = {}, .turnGiven = true});
+        const auto straight =
+            station({.scale = 1.0, .origin_m = {}, .leftHanded = false, .turn_rad = {}, .turnGiven = true});
         QVERIFY(!straight[1].turned());
         const auto pointer = session::keyboardMouseStation({}, **kind, level);
-        QVERIFY(pointer && !pointer->tools[1].mapping.turned() && pointer->tools[1].mapping.scale == 1.0); // a mouse is mounted nowhere
-        const catalogue::ExerciseLevel& fold = *catalogue->find("elastic_tube", 6); // two hands and a retractor
+        QVERIFY(pointer && !pointer->tools[1].mapping.turned() &&
+                pointer->tools[1].mapping.scale == 1.0); // a mouse is mounted nowhere
+        const catalogue::ExerciseLevel& fold =
+            *catalogue->find("elastic_tube", 6); // two hands and a retractor
         const auto three = session::scriptedStation(**kind, fold, "novice", 5);
-        QVERIFY(three && three->tools.size() == 3 && three->tools[2].mapping.turned() && three->tools[2].mapping.origin_m[1] > 0.0);
+        QVERIFY(three && three->tools.size() == 3 && three->tools[2].mapping.turned() &&
+                three->tools[2].mapping.origin_m[1] > 0.0);
         const auto mouse = session::keyboardMouseStation({}, **kind, fold);
         QVERIFY(mouse && mouse->pointers().size() == 3);
         level.mounting[1].turn_rad[0] = 1.0; // stored content that no schema saw
@@ -221,7 +245,8 @@ private slots:
         QVERIFY(!session::scriptedStation(AnyKind("gimbal_hprd"), {}, "nobody", 5));
     }
 
-    /// Row by row the pose that was recorded, orientation included; without it an endoscope is refused, a point is not.
+    /// Row by row the pose that was recorded, orientation included; without it an endoscope is refused, a
+    /// point is not.
     void aTraceBringsItsOrientation() {
         std::string text = "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n";
         std::string bare = "t_s,x_mm,y_mm,z_mm\n";
@@ -231,11 +256,14 @@ private slots:
         };
         for (int row = 0; row <= 50; ++row) {
             const core::Quat q = poseAt(row);
-            const std::string place = QString::asprintf("%.3f,0,%.4f,%.4f", 0.01 * row, -69.0 + row, 0.1 * row).toStdString();
-            text += place + QString::asprintf(",%.9f,%.9f,%.9f,%.9f\n", q.w(), q.x(), q.y(), q.z()).toStdString();
+            const std::string place =
+                QString::asprintf("%.3f,0,%.4f,%.4f", 0.01 * row, -69.0 + row, 0.1 * row).toStdString();
+            text +=
+                place + QString::asprintf(",%.9f,%.9f,%.9f,%.9f\n", q.w(), q.x(), q.y(), q.z()).toStdString();
             bare += place + "\n";
         }
-        auto station = session::traceStation(*scoring::readTraceCsv(text, "with.csv"), PointerTool::endoscope);
+        auto station =
+            session::traceStation(*scoring::readTraceCsv(text, "with.csv"), PointerTool::endoscope);
         QVERIFY(station.has_value());
         QVERIFY(station->tools[0].device->open().has_value());
         QVERIFY(poseOf(*station).q_WT.angularDistance(poseAt(0)) < 3e-6);
@@ -251,11 +279,12 @@ private slots:
         QVERIFY(refused.error().message.find("qw") != std::string::npos);
     }
 
-    /// One tool for each instrument, under its entry point, its jaw open; each mailbox moves its own tool and no other, and all
-    /// reach the same box.
+    /// One tool for each instrument, under its entry point, its jaw open; each mailbox moves its own tool and
+    /// no other, and all reach the same box.
     void aMouseMovesOneOfSeveralGraspers() {
         for (const bool leftHanded : {false, true}) {
-            auto station = session::keyboardMouseStation({.origin_m = {0.010, 0.0, 0.0}, .leftHanded = leftHanded}, Graspers(2), {});
+            auto station = session::keyboardMouseStation(
+                {.origin_m = {0.010, 0.0, 0.0}, .leftHanded = leftHanded}, Graspers(2), {});
             QVERIFY(station && station->pointers().size() == 2 && station->tools.size() == 2);
             for (auto& tool : station->tools)
                 QVERIFY(tool.device->open().has_value());
@@ -279,7 +308,8 @@ private slots:
         QVERIFY(point && point->pointers().size() == 1);
     }
 
-    /// A finger that palpates begins just above the skin, on every level, wherever the workspace was shifted and however it is scaled.
+    /// A finger that palpates begins just above the skin, on every level, wherever the workspace was shifted
+    /// and however it is scaled.
     void aFingerBeginsJustAboveTheTissue() {
         const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
         QVERIFY(catalogue.has_value());
@@ -287,29 +317,38 @@ private slots:
         QVERIFY(kind.has_value());
         int levels = 0;
         for (const catalogue::ExerciseLevel& level : catalogue->find("palpation")->levels) {
-            const simulation::TissueSurface surface(level.parameters.as<simulation::PalpationParameters>().tissue.shape);
-            for (const session::WorkspaceChoice& choice : {session::WorkspaceChoice{}, session::WorkspaceChoice{.scale = 2.0, .origin_m = {0.01, -0.02, 0.005}},
-                                                           session::WorkspaceChoice{.scale = 0.5, .leftHanded = true}}) {
+            const simulation::TissueSurface surface(
+                level.parameters.as<simulation::PalpationParameters>().tissue.shape);
+            for (const session::WorkspaceChoice& choice :
+                 {session::WorkspaceChoice{},
+                  session::WorkspaceChoice{.scale = 2.0, .origin_m = {0.01, -0.02, 0.005}},
+                  session::WorkspaceChoice{.scale = 0.5, .leftHanded = true}}) {
                 auto station = session::keyboardMouseStation(choice, **kind, level);
                 QVERIFY(station.has_value());
                 for (std::size_t tool = 0; tool < station->tools.size(); ++tool) {
                     QVERIFY(station->tools[tool].device->open().has_value());
                     const Vec3 p_WT = poseOf(*station, 1, tool).p_WT;
                     const double above_m = p_WT.z() - surface.pointAt(p_WT.head<2>()).z();
-                    QVERIFY2(std::abs(above_m - 0.005) < 1e-5, qPrintable(QStringLiteral("%1: %2 m").arg(QString::fromStdString(level.id)).arg(above_m)));
+                    QVERIFY2(
+                        std::abs(above_m - 0.005) < 1e-5,
+                        qPrintable(
+                            QStringLiteral("%1: %2 m").arg(QString::fromStdString(level.id)).arg(above_m)));
                 }
             }
             ++levels;
         }
         QVERIFY(levels >= 5);
-        auto ball = session::keyboardMouseStation({}, **session::exerciseKind("sphere_apex"), catalogue->find("sphere_apex")->levels.front());
+        auto ball = session::keyboardMouseStation({}, **session::exerciseKind("sphere_apex"),
+                                                  catalogue->find("sphere_apex")->levels.front());
         QVERIFY(ball.has_value() && ball->tools.front().device->open().has_value());
-        QVERIFY(std::abs(poseOf(*ball, 1, 0).p_WT.z() - 0.060) < 1e-5); // a hidden ball has to be looked for from above
+        QVERIFY(std::abs(poseOf(*ball, 1, 0).p_WT.z() - 0.060) <
+                1e-5); // a hidden ball has to be looked for from above
     }
 
     /// Each hand at its own gimbal, at its own place, with a tremor of its own; all with jaws.
     void everyInstrumentHasItsGimbal() {
-        auto station = session::scriptedStation(Graspers(4), {}, "stayer", 5, mechanisms::PolarMap::asPublished);
+        auto station =
+            session::scriptedStation(Graspers(4), {}, "stayer", 5, mechanisms::PolarMap::asPublished);
         QVERIFY(station && station->tools.size() == 4);
         for (auto& tool : station->tools) {
             QVERIFY(tool.device->open().has_value());
@@ -317,14 +356,17 @@ private slots:
             QCOMPARE(tool.device->descriptor().kinematicsParameters.at(1), 1.0);
         }
         for (std::size_t tool = 0; tool < 4; ++tool)
-            QVERIFY((poseOf(*station, 1, tool).p_WT - Vec3(tool % 2 == 0 ? 0.060 : -0.060, 0.0, 0.050)).norm() < 60e-6);
+            QVERIFY(
+                (poseOf(*station, 1, tool).p_WT - Vec3(tool % 2 == 0 ? 0.060 : -0.060, 0.0, 0.050)).norm() <
+                60e-6);
         QVERIFY((poseOf(*station, 500, 0).p_WT - poseOf(*station, 500, 2).p_WT).norm() > 1e-5);
         const auto one = session::scriptedStation(Graspers(1, 2), {}, "stayer", 5);
         QVERIFY(!one && one.error().code == core::ErrorCode::wrongUse);
         QCOMPARE(one.error().message, std::string("exercise any: 2 hands for 1 instruments"));
     }
 
-    /// Rows of both tools drive both, with their jaws, on one clock; a tool that comes later waits, one that ends earlier stays.
+    /// Rows of both tools drive both, with their jaws, on one clock; a tool that comes later waits, one that
+    /// ends earlier stays.
     void aTraceDrivesEveryTool() {
         const std::string text = "t_s,x_mm,y_mm,z_mm,jaw_deg,tool\n"
                                  "1.0,0,0,50,0,0\n1.1,10,0,50,57.29577951308232,0\n"
@@ -338,7 +380,8 @@ private slots:
             QVERIFY(tool.device->open().has_value());
         QVERIFY((poseOf(*station, 51, 0).p_WT - Vec3(0.005, 0.0, 0.050)).norm() < 2e-6);
         QVERIFY(std::abs(poseOf(*station, 49, 0).jaw_rad - 0.99) < 1e-5);
-        QVERIFY((poseOf(*station, 50, 1).p_WT - Vec3(-0.020, 0.0, 0.040)).norm() < 2e-6); // not before its time
+        QVERIFY((poseOf(*station, 50, 1).p_WT - Vec3(-0.020, 0.0, 0.040)).norm() <
+                2e-6); // not before its time
         QVERIFY((poseOf(*station, 51, 1).p_WT - Vec3(-0.020, 0.0, 0.035)).norm() < 2e-6);
         QVERIFY(!station->tools.front().device->finished());
         QVERIFY((poseOf(*station, 60, 0).p_WT - Vec3(0.010, 0.0, 0.050)).norm() < 2e-6);
@@ -347,15 +390,18 @@ private slots:
 
     void aTraceThatLacksAToolIsRefused() {
         const auto refusal = [](const std::string& text, int tools) {
-            const auto station = session::traceStation(*scoring::readTraceCsv(text, "t.csv"), PointerTool::grasper, tools);
+            const auto station =
+                session::traceStation(*scoring::readTraceCsv(text, "t.csv"), PointerTool::grasper, tools);
             return station ? std::string() : station.error().message;
         };
         const std::string right = "t_s,x_mm,y_mm,z_mm,jaw_deg,tool\n0,0,0,50,0,0\n1,0,0,50,0,0\n";
         QCOMPARE(refusal(right, 1), std::string());
-        QCOMPARE(refusal(right, 2), std::string("t.csv: no row of tool 1; the level needs rows of tools 0 to 1 (column tool)"));
+        QCOMPARE(refusal(right, 2),
+                 std::string("t.csv: no row of tool 1; the level needs rows of tools 0 to 1 (column tool)"));
         QCOMPARE(refusal("t_s,x_mm,y_mm,z_mm,jaw_deg\n0,0,0,50,0\n1,0,0,50,0\n", 2),
                  std::string("t.csv: no row of tool 1; the level needs rows of tools 0 to 1 (column tool)"));
-        QCOMPARE(refusal("t_s,x_mm,y_mm,z_mm\n0,0,0,50\n", 1), std::string("t.csv: no jaw; a grasper needs the column jaw_deg"));
+        QCOMPARE(refusal("t_s,x_mm,y_mm,z_mm\n0,0,0,50\n", 1),
+                 std::string("t.csv: no jaw; a grasper needs the column jaw_deg"));
     }
 };
 

@@ -40,7 +40,8 @@ private:
         }
     };
 
-    static std::vector<scoring::TrialTrace> assemble(const std::vector<core::HapticFrame>& frames, int tools = 1,
+    static std::vector<scoring::TrialTrace> assemble(const std::vector<core::HapticFrame>& frames,
+                                                     int tools = 1,
                                                      const session::IOrientationOf* orientations = nullptr) {
         const MillimetreCounts positions;
         session::TraceAssembler assembler(positions, tools, orientations);
@@ -73,14 +74,17 @@ void TestTraceAssembler::refusedPacketsAreLeftOut() {
     auto frames = someFrames(12);
     frames[2].header.events = bits::kTrialStarted;
     frames[9].header.events = bits::kMarked;
-    for (const std::size_t bad : {std::size_t{0}, std::size_t{5}, std::size_t{9}}) { // first frame, mid-trial, at the mark
+    for (const std::size_t bad :
+         {std::size_t{0}, std::size_t{5}, std::size_t{9}}) { // first frame, mid-trial, at the mark
         frames[bad].tool[0].counts = {900, 900, 900};
-        frames[bad].tool[0].deviceTime_us = 4'000'000'000; // a clock that jumped: later good packets are not older than it
+        frames[bad].tool[0].deviceTime_us =
+            4'000'000'000; // a clock that jumped: later good packets are not older than it
         frames[bad].tool[0].status |= core::sample_status::kRefused;
     }
     const auto trials = assemble(frames);
     QCOMPARE(trials.size(), std::size_t{1});
-    QCOMPARE(trials[0].tools[0].t_s, (std::vector<double>{0.001, 0.002, 0.003, 0.005, 0.006, 0.007})); // since the first good one
+    QCOMPARE(trials[0].tools[0].t_s,
+             (std::vector<double>{0.001, 0.002, 0.003, 0.005, 0.006, 0.007})); // since the first good one
     for (const core::Vec3& p : trials[0].tools[0].p_WT_m)
         QVERIFY(p.x() < 0.1);
     QVERIFY(trials[0].marked);

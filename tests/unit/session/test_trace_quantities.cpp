@@ -26,11 +26,13 @@ private slots:
     void failedTrial();
 };
 
-/// One value a sample of the first tool, as the frame had it; a packet read twice or refused adds none, nor do ticks between trials.
+/// One value a sample of the first tool, as the frame had it; a packet read twice or refused adds none, nor
+/// do ticks between trials.
 void TestTraceQuantities::quantitiesFollowTheSamplesOfToolZero() {
     const recording::ToolChannels tool{{{"x", "m", 1e-3}}, 0.0, 1000};
     const std::vector<recording::ToolChannels> tools{tool, tool};
-    const auto table = recording::ChannelTable::forTools(tools, {{{"tension_N", "N", 1e-3}, {"grip_0", "1", 1.0}}, true});
+    const auto table =
+        recording::ChannelTable::forTools(tools, {{{"tension_N", "N", 1e-3}, {"grip_0", "1", 1.0}}, true});
     QVERIFY(table);
     auto frames = someFrames(12, 0, 2);
     for (std::size_t i = 0; i < frames.size(); ++i) {

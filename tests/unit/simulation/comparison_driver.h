@@ -11,8 +11,8 @@ namespace chiron::simulation::testing {
 
 using core::Vec3;
 
-/// Three objects of one attribute: candidate 0 has {v, 1.5 v, 2 v}, candidate 1 {v, 1.1 v, 1.2 v}; arrangement 0 lies from left to
-/// right, 1 from right to left.
+/// Three objects of one attribute: candidate 0 has {v, 1.5 v, 2 v}, candidate 1 {v, 1.1 v, 1.2 v};
+/// arrangement 0 lies from left to right, 1 from right to left.
 inline ComparisonParameters compared(ComparedAttribute attribute) {
     ComparisonParameters p;
     p.attribute = attribute;
@@ -20,12 +20,26 @@ inline ComparisonParameters compared(ComparedAttribute attribute) {
     p.object.damping_Ns_per_m = 1.0;
     double value = 150.0;
     switch (attribute) {
-    case ComparedAttribute::stiffness: p.object.viscosity_Ns_per_m = 0.5; break;
-    case ComparedAttribute::mass: value = 0.05; break;
-    case ComparedAttribute::deformation: value = 0.08; p.object.recoveryShare = 1.0; break;
-    case ComparedAttribute::roughness: value = 100e-6; p.object.roughnessWavelength_m = 0.003; break;
-    case ComparedAttribute::friction: value = 0.25; break;
-    case ComparedAttribute::viscosity: value = 4.0; break;
+    case ComparedAttribute::stiffness:
+        p.object.viscosity_Ns_per_m = 0.5;
+        break;
+    case ComparedAttribute::mass:
+        value = 0.05;
+        break;
+    case ComparedAttribute::deformation:
+        value = 0.08;
+        p.object.recoveryShare = 1.0;
+        break;
+    case ComparedAttribute::roughness:
+        value = 100e-6;
+        p.object.roughnessWavelength_m = 0.003;
+        break;
+    case ComparedAttribute::friction:
+        value = 0.25;
+        break;
+    case ComparedAttribute::viscosity:
+        value = 4.0;
+        break;
     }
     p.values = {{value, 1.5 * value, 2.0 * value}, {value, 1.1 * value, 1.2 * value}};
     p.arrangements = {{0, 1, 2}, {2, 1, 0}};
@@ -44,12 +58,15 @@ inline ComparisonParameters lossless(ComparedAttribute attribute) {
     return p;
 }
 
-inline constexpr ComparedAttribute kComparedAttributes[] = {ComparedAttribute::stiffness, ComparedAttribute::mass,     ComparedAttribute::deformation,
-                                                            ComparedAttribute::roughness, ComparedAttribute::friction, ComparedAttribute::viscosity};
+inline constexpr ComparedAttribute kComparedAttributes[] = {
+    ComparedAttribute::stiffness, ComparedAttribute::mass,     ComparedAttribute::deformation,
+    ComparedAttribute::roughness, ComparedAttribute::friction, ComparedAttribute::viscosity};
 
-/// Steps the scene as the loop does, with one smoothly moving tool whose velocity is the difference of its places.
+/// Steps the scene as the loop does, with one smoothly moving tool whose velocity is the difference of its
+/// places.
 struct ComparisonDriver {
-    explicit ComparisonDriver(const ComparisonParameters& given, std::uint64_t seed = 42) : parameters(given), scene(given, seed) {
+    explicit ComparisonDriver(const ComparisonParameters& given, std::uint64_t seed = 42)
+        : parameters(given), scene(given, seed) {
         in.tools.count = 1;
         in.started = in.forceReady = true;
         tool().p_WT = Vec3(0.0, 0.0, 0.080);
@@ -67,7 +84,8 @@ struct ComparisonDriver {
         if (ticksDone > 0) { // trapezoid: of a force that is a gradient nothing is left
             work_J -= 0.5 * (forceBefore + force()).dot(tool().p_WT - last);
             largestStep_N = std::max(largestStep_N, (force() - forceBefore).norm());
-            largestMade_J = std::max(largestMade_J, out.storedEnergy_J - storedBefore_J + force().dot(tool().p_WT - last));
+            largestMade_J = std::max(largestMade_J,
+                                     out.storedEnergy_J - storedBefore_J + force().dot(tool().p_WT - last));
         }
         last = tool().p_WT;
         ++ticksDone;
@@ -134,8 +152,8 @@ struct ComparisonDriver {
     Vec3 last = Vec3::Zero();
     std::uint64_t ticksDone = 0;
     std::uint32_t events = 0;
-    double slowness = 1.0;      ///< every way takes so many times as long
-    double work_J = 0.0;        ///< put in by the hand
+    double slowness = 1.0; ///< every way takes so many times as long
+    double work_J = 0.0;   ///< put in by the hand
     double largestStep_N = 0.0;
     double largestMade_J = 0.0; ///< in a tick: stored and given beyond what was put in
 };

@@ -54,16 +54,20 @@ inline ObjectHandlingParameters onOrgan(ObjectHandlingParameters p) {
     return p;
 }
 
-/// Steps a scene as the loop does, with one grasper that moves smoothly: its velocity is the difference of its places.
+/// Steps a scene as the loop does, with one grasper that moves smoothly: its velocity is the difference of
+/// its places.
 struct HandlingDriver {
-    explicit HandlingDriver(const ObjectHandlingParameters& given, std::uint64_t seed = 42) : parameters(given), scene(given, seed) {
+    explicit HandlingDriver(const ObjectHandlingParameters& given, std::uint64_t seed = 42)
+        : parameters(given), scene(given, seed) {
         in.tools.count = 1;
         tool().p_WT = Vec3(0.0, 0.0, 0.080);
         open();
     }
     core::ToolState& tool() { return in.tools.tools[0]; }
     double jawFor(double opening_m) const { return JawGeometry{parameters.jawLength_m}.angle_rad(opening_m); }
-    void open() { tool().jaw_rad = jawFor(2.0 * parameters.radius_m + parameters.releaseClearance_m + 0.004); }
+    void open() {
+        tool().jaw_rad = jawFor(2.0 * parameters.radius_m + parameters.releaseClearance_m + 0.004);
+    }
 
     const SceneOutput& tick() {
         if (hasBefore)

@@ -31,7 +31,8 @@ struct ToldReport {
 
 /// Steps a scene as the loop does, with fingers that are where they are put; keeps what the quantities told.
 struct PalpationDriver {
-    explicit PalpationDriver(const PalpationParameters& given, std::uint64_t seed = 42) : parameters(given), scene(given, seed) {
+    explicit PalpationDriver(const PalpationParameters& given, std::uint64_t seed = 42)
+        : parameters(given), scene(given, seed) {
         in.tools.count = given.tools();
         for (int i = 0; i < in.tools.count; ++i)
             at(i, 0.010 * i, 0.0, 0.020);
@@ -85,7 +86,8 @@ private:
     void keep() {
         namespace q = palpation_quantity;
         const auto& v = out.quantities;
-        told.push_back({static_cast<core::ReportField>(std::lround(v[q::kReportField])), static_cast<int>(std::lround(v[q::kReportFinding])),
+        told.push_back({static_cast<core::ReportField>(std::lround(v[q::kReportField])),
+                        static_cast<int>(std::lround(v[q::kReportFinding])),
                         static_cast<unsigned>(std::lround(v[q::kReportValue])),
                         {v[q::kFindingPlace], v[q::kFindingPlace + 1], v[q::kFindingPlace + 2]}});
     }

@@ -58,7 +58,10 @@ void TestAttributeLaws::springIsItsClosedForm() {
         const ElasticLaw law{k, b};
         QVERIFY(near(law.tension(x), static_cast<double>(tensionOf(k, b, x)), 1e-14));
         QVERIFY2(near(law.energy(x), static_cast<double>(energyOf(k, b, x)), 2e-14),
-                 qPrintable(QString("%1 %2 %3").arg(b * x).arg(law.energy(x)).arg(static_cast<double>(energyOf(k, b, x)))));
+                 qPrintable(QString("%1 %2 %3")
+                                .arg(b * x)
+                                .arg(law.energy(x))
+                                .arg(static_cast<double>(energyOf(k, b, x)))));
         QVERIFY(near(law.slope(x), k * std::exp(b * x), 1e-14));
     }
     QCOMPARE((ElasticLaw{500.0, 0.0}.tension(0.003)), 1.5);
@@ -91,8 +94,8 @@ void TestAttributeLaws::stiffeningNeverOverflows() {
     QVERIFY(near(law.energy(end * (1 + 1e-12)), law.energy(end), 1e-10));
     const double over = 0.01;
     QVERIFY(near(law.tension(end + over), law.tension(end) + law.slope(end) * over, 1e-12));
-    QVERIFY(near(law.energy(end + over), law.energy(end) + law.tension(end) * over + 0.5 * law.slope(end) * over * over,
-                 1e-12));
+    QVERIFY(near(law.energy(end + over),
+                 law.energy(end) + law.tension(end) * over + 0.5 * law.slope(end) * over * over, 1e-12));
     QCOMPARE(law.slope(end + over), law.slope(end));
     QVERIFY(std::isfinite(law.tension(-1e9)) && near(law.tension(-1e9), -0.5, 1e-12)); // −k/b
 }
@@ -103,7 +106,8 @@ void TestAttributeLaws::slopeAndTensionAreDerivatives() {
         const ElasticLaw law{random.uniform(10.0, 1000.0), random.uniform(0.0, 300.0)};
         const double x = random.uniform(-0.02, 0.15); // beyond the cap too
         const double e = 1e-6 * std::max(1e-3, std::abs(x));
-        QVERIFY(near((law.energy(x + e) - law.energy(x - e)) / (2 * e), law.tension(x), 1e-5) || std::abs(x) < 1e-4);
+        QVERIFY(near((law.energy(x + e) - law.energy(x - e)) / (2 * e), law.tension(x), 1e-5) ||
+                std::abs(x) < 1e-4);
         QVERIFY(near((law.tension(x + e) - law.tension(x - e)) / (2 * e), law.slope(x), 1e-5));
     }
 }
@@ -113,7 +117,8 @@ void TestAttributeLaws::tensionIsAPotential() {
     core::Random random(3);
     double least = 0.0;
     for (int n = 0; n < 10000; ++n) {
-        const ElasticLaw law{random.uniform(10.0, 1000.0), random.below(2) == 0 ? 0.0 : random.uniform(0.0, 60.0)};
+        const ElasticLaw law{random.uniform(10.0, 1000.0),
+                             random.below(2) == 0 ? 0.0 : random.uniform(0.0, 60.0)};
         double amplitude[3];
         double phase[3];
         for (int h = 0; h < 3; ++h) {
@@ -128,7 +133,8 @@ void TestAttributeLaws::tensionIsAPotential() {
         };
         double work = 0.0;
         for (int i = 0; i < 1000; ++i)
-            work += 0.5 * (law.tension(place(i)) + law.tension(place((i + 1) % 1000))) * (place(i + 1) - place(i));
+            work += 0.5 * (law.tension(place(i)) + law.tension(place((i + 1) % 1000))) *
+                    (place(i + 1) - place(i));
         least = std::min({least, work, -work});
     }
     QVERIFY2(least >= -1e-6, qPrintable(QString::number(least)));
@@ -142,11 +148,13 @@ void TestAttributeLaws::liftingCostsWeightTimesHeight() {
         Vec3 p = Vec3::Zero();
         double work = 0.0;
         for (int i = 0; i < 1000; ++i) {
-            const Vec3 step(random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1.2e-3));
+            const Vec3 step(random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3),
+                            random.uniform(-1e-3, 1.2e-3));
             work -= Mass::weight(m).dot(step);
             p += step;
         }
-        QVERIFY2(std::abs(work - m * 9.80665 * p.z()) < 1e-9, qPrintable(QString::number(work - m * 9.80665 * p.z())));
+        QVERIFY2(std::abs(work - m * 9.80665 * p.z()) < 1e-9,
+                 qPrintable(QString::number(work - m * 9.80665 * p.z())));
         QVERIFY(std::abs(Mass::energy(m, p.z()) - Mass::energy(m, 0.0) - work) < 1e-9);
     }
     QCOMPARE(Mass::weight(0.010).z(), -0.0980665); // P2's ovary

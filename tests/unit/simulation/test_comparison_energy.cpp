@@ -40,8 +40,8 @@ void TestComparisonEnergy::noStepOverAnyEdge_data() {
         QTest::addRow("%d", static_cast<int>(attribute)) << static_cast<int>(attribute);
 }
 
-/// Taken hold of, let go, over the shoulder of a pad and off it: eight times as slowly, the largest step of force is at most a quarter. A
-/// step that belongs to the law would stay.
+/// Taken hold of, let go, over the shoulder of a pad and off it: eight times as slowly, the largest step of
+/// force is at most a quarter. A step that belongs to the law would stay.
 void TestComparisonEnergy::noStepOverAnyEdge() {
     QFETCH(int, attribute);
     const auto which = static_cast<ComparedAttribute>(attribute);
@@ -64,7 +64,8 @@ void TestComparisonEnergy::noStepOverAnyEdge() {
     };
     const double quick_N = largestStep_N(1.0);
     const double slow_N = largestStep_N(8.0);
-    QVERIFY2(slow_N < 0.25 * quick_N && slow_N < 0.05, qPrintable(QStringLiteral("%1 N, slowly %2 N").arg(quick_N).arg(slow_N)));
+    QVERIFY2(slow_N < 0.25 * quick_N && slow_N < 0.05,
+             qPrintable(QStringLiteral("%1 N, slowly %2 N").arg(quick_N).arg(slow_N)));
 }
 
 /// All but roughness: the energy of a rough surface is ObjectContact's own test (test_object_contact).
@@ -75,7 +76,8 @@ void TestComparisonEnergy::noTickMakesEnergy_data() {
             QTest::addRow("%d", static_cast<int>(attribute)) << static_cast<int>(attribute);
 }
 
-/// Whatever is done, in no tick more is stored and given back than was put in (by more than the step's own second order).
+/// Whatever is done, in no tick more is stored and given back than was put in (by more than the step's own
+/// second order).
 void TestComparisonEnergy::noTickMakesEnergy() {
     QFETCH(int, attribute);
     const auto which = static_cast<ComparedAttribute>(attribute);
@@ -98,9 +100,11 @@ void TestComparisonEnergy::closedPathsBothWays() {
         d.startRunning();
         d.moveTo(d.at(1, d.hook_m()), 0.4);
         for (int loop = 0; loop < 100; ++loop) {
-            // an object stays held over its bed: pressed deeper than kPress_N it would be let go, which test "noTickMakesEnergy" does
+            // an object stays held over its bed: pressed deeper than kPress_N it would be let go, which test
+            // "noTickMakesEnergy" does
             const double lowest_m = attribute == ComparedAttribute::mass ? 0.0 : -0.008;
-            std::vector<Vec3> path = randomLoop(random, d.at(1, d.hook_m() + 0.004), 0.0055, 400); // never let go
+            std::vector<Vec3> path =
+                randomLoop(random, d.at(1, d.hook_m() + 0.004), 0.0055, 400); // never let go
             for (Vec3& corner : path)
                 corner.z() = std::max(corner.z(), d.hook_m() + lowest_m);
             for (const bool reverse : {false, true}) {
@@ -116,7 +120,10 @@ void TestComparisonEnergy::closedPathsBothWays() {
                 d.tool().p_WT = path.front();
                 d.tick();
                 const double made_J = d.out.storedEnergy_J - stored_J - (d.work_J - before_J);
-QVERIFY2(std::abs(made_J) < 1e-6, qPrintable(QStringLiteral("%1: %2 J in loop %3").arg(int(attribute)).arg(made_J).arg(loop)));
+                QVERIFY2(
+                    std::abs(made_J) < 1e-6,
+                    qPrintable(
+                        QStringLiteral("%1: %2 J in loop %3").arg(int(attribute)).arg(made_J).arg(loop)));
                 QVERIFY(d.work_J - before_J > -1e-6);
             }
         }

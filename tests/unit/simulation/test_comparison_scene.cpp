@@ -2,8 +2,8 @@
 #include "comparison_driver.h"
 
 #include "core/fp_environment.h"
-#include "core/units.h"
 #include "core/laparoscopy_cues.h"
+#include "core/units.h"
 
 #include <QtTest>
 
@@ -54,7 +54,8 @@ void TestComparisonScene::eachAttribute() {
     ComparisonDriver d(compared(static_cast<ComparedAttribute>(attribute)));
     for (int place = 0; place < 3; ++place) {
         QCOMPARE(*d.scene.valueAt({0, 0}, place), d.parameters.values[0][static_cast<std::size_t>(place)]);
-        QCOMPARE(*d.scene.valueAt({0, 1}, place), d.parameters.values[0][static_cast<std::size_t>(2 - place)]);
+        QCOMPARE(*d.scene.valueAt({0, 1}, place),
+                 d.parameters.values[0][static_cast<std::size_t>(2 - place)]);
     }
     QVERIFY(!d.scene.valueAt({0, 0}, 3) && !d.scene.valueAt({2, 0}, 0) && !d.scene.valueAt({0, 2}, 0));
     d.explore(1); // nothing was presented
@@ -111,7 +112,8 @@ void TestComparisonScene::objectsWeighAsTheirValueSays() {
     }
 }
 
-/// Where a smallest force is asked for an object counts from exactly that force on; where none is, as before, from the first touch.
+/// Where a smallest force is asked for an object counts from exactly that force on; where none is, as before,
+/// from the first touch.
 void TestComparisonScene::aGrazeDoesNotCountAsTouched() {
     const auto pulled = [](double probe_N, double& force_N) {
         ComparisonParameters p = lossless(ComparedAttribute::stiffness);
@@ -128,10 +130,10 @@ void TestComparisonScene::aGrazeDoesNotCountAsTouched() {
     QVERIFY(pulled(0.0, force_N)); // designs and recordings of earlier versions
     QVERIFY(force_N > 0.29 && force_N < 0.31);
     const double reached_N = force_N;
-    QVERIFY(pulled(reached_N, force_N));           // at it
-    QVERIFY(pulled(0.5 * reached_N, force_N));     // above
-    QVERIFY(!pulled(1.001 * reached_N, force_N));  // below
-    QCOMPARE(force_N, reached_N);                  // what is felt is the same
+    QVERIFY(pulled(reached_N, force_N));          // at it
+    QVERIFY(pulled(0.5 * reached_N, force_N));    // above
+    QVERIFY(!pulled(1.001 * reached_N, force_N)); // below
+    QCOMPARE(force_N, reached_N);                 // what is felt is the same
 
     ComparisonParameters all = lossless(ComparedAttribute::friction);
     all.probeAtLeast_N = 1.0;
@@ -163,17 +165,21 @@ void TestComparisonScene::noForceIsNotTouched() {
     QCOMPARE(d.quantity(q::kTouched), 1.0);
 }
 
-/// The ring that is drawn is the zone in which the tool takes hold: the cue, the scene and gripZone() go by one number.
+/// The ring that is drawn is the zone in which the tool takes hold: the cue, the scene and gripZone() go by
+/// one number.
 void TestComparisonScene::allThatIsDrawnOfARingTakesHold() {
     for (const ComparedAttribute attribute : {ComparedAttribute::stiffness, ComparedAttribute::mass}) {
         const ComparisonParameters p = lossless(attribute);
         const GripZone zone = gripZone(p);
         QVERIFY(zone.radius_m > 0.0);
         for (int place = 0; place < p.places; ++place)
-            for (const Vec3& way : {Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0.6, 0, 0.8), Vec3(0, -0.6, 0.8), Vec3(0, 0, 0)}) {
+            for (const Vec3& way :
+                 {Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0),
+                  Vec3(0.6, 0, 0.8), Vec3(0, -0.6, 0.8), Vec3(0, 0, 0)}) {
                 ComparisonDriver d(p);
                 d.startRunning();
-                const core::BodyCue& drawn = d.out.cues.exercise.of<core::LaparoscopyCues>().body[static_cast<std::size_t>(place)];
+                const core::BodyCue& drawn =
+                    d.out.cues.exercise.of<core::LaparoscopyCues>().body[static_cast<std::size_t>(place)];
                 QCOMPARE(drawn.radius_m, zone.radius_m);
                 QCOMPARE(drawn.p_W[2], zone.height_m);
                 const Vec3 centre = d.at(place, zone.height_m);
@@ -192,7 +198,8 @@ void TestComparisonScene::allThatIsDrawnOfARingTakesHold() {
 
 /// Two places with the same value feel the same to the last bit; with another value they do not.
 void TestComparisonScene::padsPushAlikeWhereTheyDoNotDiffer() {
-    for (const ComparedAttribute attribute : {ComparedAttribute::deformation, ComparedAttribute::friction, ComparedAttribute::viscosity}) {
+    for (const ComparedAttribute attribute :
+         {ComparedAttribute::deformation, ComparedAttribute::friction, ComparedAttribute::viscosity}) {
         ComparisonParameters p = compared(attribute);
         p.arrangements = {{0, 2, 0}};
         std::vector<Vec3> felt[3];
@@ -218,7 +225,8 @@ void TestComparisonScene::padsPushAlikeWhereTheyDoNotDiffer() {
     }
 }
 
-/// Whatever a study says of its pads beside the attribute comes through: half as much more of it, the same hand, and other forces.
+/// Whatever a study says of its pads beside the attribute comes through: half as much more of it, the same
+/// hand, and other forces.
 void TestComparisonScene::everyConstantOfAPadIsFelt() {
     struct Constant {
         const char* name;
@@ -227,16 +235,17 @@ void TestComparisonScene::everyConstantOfAPadIsFelt() {
         ComparedAttribute attribute = ComparedAttribute::viscosity; ///< of the study
     };
     using Object = ObjectAttributes;
-    const Constant constants[] = {{"stiffness", &Object::stiffness_N_per_m, 300.0},
-                                  {"stiffening", &Object::stiffening_per_m, 60.0},
-                                  {"recovery time", &Object::recoveryTime_s, 0.1},
-                                  {"recovery share", &Object::recoveryShare, 0.5},
-                                  {"roughness", &Object::roughness_m, 100e-6},
-                                  {"wavelength of the roughness", &Object::roughnessWavelength_m, 0.003},
-                                  {"friction", &Object::friction, 0.2},
-                                  {"stiffness of the bristles", &Object::bristleStiffness_N_per_m, 500.0},
-                                  {"viscosity", &Object::viscosity_Ns_per_m, 2.0, ComparedAttribute::friction},
-                                  {"damping", &Object::damping_Ns_per_m, 1.0}};
+    const Constant constants[] = {
+        {"stiffness", &Object::stiffness_N_per_m, 300.0},
+        {"stiffening", &Object::stiffening_per_m, 60.0},
+        {"recovery time", &Object::recoveryTime_s, 0.1},
+        {"recovery share", &Object::recoveryShare, 0.5},
+        {"roughness", &Object::roughness_m, 100e-6},
+        {"wavelength of the roughness", &Object::roughnessWavelength_m, 0.003},
+        {"friction", &Object::friction, 0.2},
+        {"stiffness of the bristles", &Object::bristleStiffness_N_per_m, 500.0},
+        {"viscosity", &Object::viscosity_Ns_per_m, 2.0, ComparedAttribute::friction},
+        {"damping", &Object::damping_Ns_per_m, 1.0}};
     const auto felt = [](const ComparisonParameters& p) {
         ComparisonDriver d(p);
         d.startRunning();
@@ -260,7 +269,8 @@ void TestComparisonScene::everyConstantOfAPadIsFelt() {
         double differs_N = 0.0;
         for (std::size_t i = 0; i < as.size(); ++i)
             differs_N = std::max(differs_N, (as[i] - more[i]).norm());
-        QVERIFY2(differs_N > 1e-3, qPrintable(QStringLiteral("%1: %2 N").arg(QLatin1String(each.name)).arg(differs_N)));
+        QVERIFY2(differs_N > 1e-3,
+                 qPrintable(QStringLiteral("%1: %2 N").arg(QLatin1String(each.name)).arg(differs_N)));
     }
 }
 
@@ -333,7 +343,8 @@ void TestComparisonScene::limitsOfATrial() {
     QVERIFY(d.force().norm() > 0.5 && d.out.cues.exercise.of<core::LaparoscopyCues>().objectShown);
     d.ticks(4);
     QCOMPARE(d.force().norm(), 0.0);
-    QVERIFY(!d.out.cues.exercise.of<core::LaparoscopyCues>().objectShown && d.out.phase == core::TrialPhase::running);
+    QVERIFY(!d.out.cues.exercise.of<core::LaparoscopyCues>().objectShown &&
+            d.out.phase == core::TrialPhase::running);
     d.ticks(300);
     QVERIFY((d.events & bits::kTimedOut) != 0 && d.out.phase == core::TrialPhase::between);
 }
@@ -381,7 +392,8 @@ void TestComparisonScene::notANumber() {
         ComparisonDriver d(compared(attribute));
         d.startRunning();
         d.moveTo(d.at(1, isHooked(attribute) ? d.hook_m() : -0.002), 0.3);
-        for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        for (const double bad :
+             {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
             const Vec3 good = d.tool().p_WT;
             d.tool().p_WT.z() = bad;
             d.scene.respond(d.source.next(0), d.in, d.out);

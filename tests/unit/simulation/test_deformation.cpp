@@ -100,7 +100,8 @@ void TestDeformation::quickPressMeetsMore() {
     // a ramp of speed s is felt as k d + k₁ s τ (1 − e^{−t/τ}), up to the one tick that q lags
     const double s = 0.005 / 0.5;
     const double ramp = 400.0 * 0.005 + 200.0 * s * 0.25 * (1.0 - std::exp(-0.5 / 0.25));
-    QVERIFY2(std::abs(atDepth(500) - ramp) < 200.0 * s * 0.001, qPrintable(QString::number(atDepth(500) - ramp)));
+    QVERIFY2(std::abs(atDepth(500) - ramp) < 200.0 * s * 0.001,
+             qPrintable(QString::number(atDepth(500) - ramp)));
 }
 
 void TestDeformation::deformationIsPassive_data() {
@@ -121,7 +122,8 @@ void TestDeformation::deformationIsPassive() {
     double lost = 0.0;
     for (int run = 0; run < 200; ++run) {
         const double k = random.uniform(50.0, 800.0);
-        const Deformation::Parameters law{{k, stiffening}, random.uniform(0.0, 2.0) * k, random.uniform(0.005, 1.0)};
+        const Deformation::Parameters law{
+            {k, stiffening}, random.uniform(0.0, 2.0) * k, random.uniform(0.005, 1.0)};
         Deformation dent;
         double d = 0.0;
         double speed = 0.0;
@@ -156,8 +158,8 @@ void TestDeformation::deformationNeverPulls() {
 
 void TestDeformation::withoutTimeItIsElastic() {
     core::Random random(8);
-    for (const Deformation::Parameters& law :
-         {Deformation::Parameters{{300.0, 0.0}, 0.0, 0.5}, Deformation::Parameters{{300.0, 40.0}, 150.0, 0.0}}) {
+    for (const Deformation::Parameters& law : {Deformation::Parameters{{300.0, 0.0}, 0.0, 0.5},
+                                               Deformation::Parameters{{300.0, 40.0}, 150.0, 0.0}}) {
         Deformation dent;
         for (int n = 0; n < 1000; ++n) {
             const double d = random.uniform(0.0, 0.01);

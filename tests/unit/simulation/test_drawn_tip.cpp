@@ -26,12 +26,14 @@ void TestDrawnTip::followsSmallSteps_data() {
     QTest::addColumn<double>("x");
     QTest::addColumn<double>("n");
     for (const double offset : {0.0, 0.004, 0.0079, 0.0081, 0.009, 0.012, 0.020, 0.030})
-        for (const Vec3& way : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0.6, 0.8, 0), Vec3(-0.6, -0.8, 0)})
-            QTest::addRow("%g mm, x %g n %g", 1e3 * offset, way.x(), way.y()) << offset * way.x() << offset * way.y();
+        for (const Vec3& way : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0),
+                                Vec3(0.6, 0.8, 0), Vec3(-0.6, -0.8, 0)})
+            QTest::addRow("%g mm, x %g n %g", 1e3 * offset, way.x(), way.y())
+                << offset * way.x() << offset * way.y();
 }
 
-// Steps of 0.01 mm along the canal, from outside to the bladder's far wall: the drawn tip moves at most 4.2 times as far, also
-// where the canal's limit goes over into the sphere.
+// Steps of 0.01 mm along the canal, from outside to the bladder's far wall: the drawn tip moves at most 4.2
+// times as far, also where the canal's limit goes over into the sphere.
 void TestDrawnTip::followsSmallSteps() {
     QFETCH(double, x);
     QFETCH(double, n);
@@ -71,7 +73,8 @@ void TestDrawnTip::isTheTipItselfWhereItMayBe() {
         const CentrelinePoint at = line.at(random.uniform(0.0, line.length_m() + 0.02));
         const double turn = random.uniform(0.0, 6.28);
         const double offset_m = random.uniform(0.0, 0.00799);
-        const Vec3 inCanal_W = p.pose.pointToW(at.p_A + offset_m * (std::cos(turn) * Vec3::UnitX() + std::sin(turn) * at.n_A));
+        const Vec3 inCanal_W =
+            p.pose.pointToW(at.p_A + offset_m * (std::cos(turn) * Vec3::UnitX() + std::sin(turn) * at.n_A));
         QVERIFY(tip.inW(inCanal_W) == inCanal_W);
         Vec3 out(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
         out *= random.uniform(0.0, 0.99999) * room_m / std::max(1e-9, out.norm());

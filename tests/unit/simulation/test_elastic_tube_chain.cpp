@@ -29,7 +29,9 @@ TubeShape shapeOf(std::size_t nodes, bool fixed, double stiffening_per_m = 0.0) 
     return shape;
 }
 
-NodeHold at(const Vec3& p, const Vec3& v = Vec3::Zero()) { return {true, p, v}; }
+NodeHold at(const Vec3& p, const Vec3& v = Vec3::Zero()) {
+    return {true, p, v};
+}
 
 /// A smooth closed path: three harmonics an axis round `centre`, within ± reach.
 struct Loop {
@@ -53,7 +55,8 @@ struct Loop {
 };
 
 /// Work that two hands put in along their loops, trapezoid rule; backwards where asked.
-double workOf(TubeChain chain, std::size_t a, std::size_t b, const Loop& first, const Loop& second, bool backwards) {
+double workOf(TubeChain chain, std::size_t a, std::size_t b, const Loop& first, const Loop& second,
+              bool backwards) {
     constexpr int kSteps = 4000;
     double work_J = 0.0;
     Vec3 pa = Vec3::Zero(), pb = Vec3::Zero(), fa = Vec3::Zero(), fb = Vec3::Zero();
@@ -109,7 +112,8 @@ void TestElasticTubeChain::tensionAndEnergyAreClosedForms() {
             constexpr int n = 2000;
             for (int i = 0; i < n; ++i) {
                 const double l = x * i / n, r = x * (i + 1) / n;
-                integral += (r - l) / 6.0 * (law.tension_N(l) + 4.0 * law.tension_N(0.5 * (l + r)) + law.tension_N(r));
+                integral += (r - l) / 6.0 *
+                            (law.tension_N(l) + 4.0 * law.tension_N(0.5 * (l + r)) + law.tension_N(r));
             }
             QVERIFY(std::abs(law.energy_J(x) - integral) < 1e-12);
             QVERIFY(std::abs(law.slope_N_per_m(x) - 80.0 * std::exp(b * x)) < 1e-9);
@@ -129,9 +133,11 @@ void TestElasticTubeChain::segmentsInSeriesAreTheTube() {
     const SegmentPull lower = pullOf(law, kLength_m, share * kLength_m, base, middle, kStill);
     const SegmentPull upper = pullOf(law, kLength_m, (1.0 - share) * kLength_m, middle, end, kStill);
     QVERIFY(whole.tension_N > 0.5);
-    QVERIFY(std::abs(lower.tension_N - whole.tension_N) < 1e-12 && std::abs(upper.tension_N - whole.tension_N) < 1e-12);
+    QVERIFY(std::abs(lower.tension_N - whole.tension_N) < 1e-12 &&
+            std::abs(upper.tension_N - whole.tension_N) < 1e-12);
     QVERIFY(std::abs(lower.energy_J + upper.energy_J - whole.energy_J) < 1e-15);
-    QVERIFY(std::abs(1.0 / lower.stiffness_N_per_m + 1.0 / upper.stiffness_N_per_m - 1.0 / whole.stiffness_N_per_m) < 1e-12);
+    QVERIFY(std::abs(1.0 / lower.stiffness_N_per_m + 1.0 / upper.stiffness_N_per_m -
+                     1.0 / whole.stiffness_N_per_m) < 1e-12);
     QVERIFY(std::abs(lower.stretch_m - whole.stretch_m) < 1e-15);
 }
 
@@ -145,7 +151,8 @@ void TestElasticTubeChain::forceIsTheGradient() {
         plus[axis] += h;
         minus[axis] -= h;
         const double slope = (pullOf(law, kLength_m, 0.8 * kLength_m, base, plus, kStill).energy_J -
-                              pullOf(law, kLength_m, 0.8 * kLength_m, base, minus, kStill).energy_J) / (2.0 * h);
+                              pullOf(law, kLength_m, 0.8 * kLength_m, base, minus, kStill).energy_J) /
+                             (2.0 * h);
         QVERIFY(std::abs(pull.onFirst[axis] - slope) < 1e-6); // on the second: −slope
     }
 }
@@ -163,7 +170,8 @@ void TestElasticTubeChain::slackIsNothing() {
     QCOMPARE(answer.energy_J, 0.0);
 }
 
-/// What is free in the middle holds nobody: a place is slack as far as the tube reaches from the next one that is held.
+/// What is free in the middle holds nobody: a place is slack as far as the tube reaches from the next one
+/// that is held.
 void TestElasticTubeChain::wherePullBegins() {
     TubeChain chain(shapeOf(3, false));
     const Vec3 low(0.0, 0.0, 0.02), along(0.6, 0.0, 0.8);
@@ -174,7 +182,10 @@ void TestElasticTubeChain::wherePullBegins() {
         for (int tick = 0; tick < 3000; ++tick) // until what was let go has come back
             chain.step(holds);
     };
-    const auto pullsFrom = [&](std::size_t node, double rest_m) { return chain.slackAt(node, low + 0.999 * rest_m * along) && !chain.slackAt(node, low + 1.001 * rest_m * along); };
+    const auto pullsFrom = [&](std::size_t node, double rest_m) {
+        return chain.slackAt(node, low + 0.999 * rest_m * along) &&
+               !chain.slackAt(node, low + 1.001 * rest_m * along);
+    };
     holding({2}, low);
     QVERIFY(pullsFrom(0, kLength_m));
     QVERIFY(pullsFrom(1, 0.22 * kLength_m));
@@ -190,13 +201,16 @@ void TestElasticTubeChain::dampingNeverPushesAndNeverSteps() {
     const TubeLaw law{{60.0, 0.0}, 5.0, 0.04};
     const Vec3 base = Vec3::Zero();
     double before_N = 0.0;
-    for (double x = -0.001; x < 0.002; x += 1e-6) { // pulled through taut at 0.2 m/s: 1 N of damping, faded in over 0.5 mm
-        const SegmentPull pull = pullOf(law, kLength_m, kLength_m, base, {0.0, 0.0, kLength_m + x}, {0.0, 0.0, 0.2});
+    for (double x = -0.001; x < 0.002;
+         x += 1e-6) { // pulled through taut at 0.2 m/s: 1 N of damping, faded in over 0.5 mm
+        const SegmentPull pull =
+            pullOf(law, kLength_m, kLength_m, base, {0.0, 0.0, kLength_m + x}, {0.0, 0.0, 0.2});
         QVERIFY(std::abs(pull.tension_N - before_N) < 0.0025);
         before_N = pull.tension_N;
     }
     QVERIFY(std::abs(before_N - (0.12 + 1.0)) < 0.002);
-    const SegmentPull back = pullOf(law, kLength_m, kLength_m, base, {0.0, 0.0, kLength_m + 0.002}, {0.0, 0.0, -0.5});
+    const SegmentPull back =
+        pullOf(law, kLength_m, kLength_m, base, {0.0, 0.0, kLength_m + 0.002}, {0.0, 0.0, -0.5});
     QCOMPARE(back.tension_N, 0.0); // 0.12 − 2.5 N would push
     QVERIFY(back.energy_J > 0.0);
 }
@@ -207,7 +221,9 @@ void TestElasticTubeChain::forcesAreEqualAndOpposite() {
     shape.law.viscosity_Ns_per_m = 0.3;
     TubeChain chain(shape);
     for (int i = 0; i < 2000; ++i) {
-        const auto any = [&] { return Vec3(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), random.uniform(0.0, 0.08)); };
+        const auto any = [&] {
+            return Vec3(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), random.uniform(0.0, 0.08));
+        };
         TubeChain::Holds holds;
         holds[0] = at(any(), any());
         holds[1] = at(any(), any());
@@ -238,7 +254,8 @@ void TestElasticTubeChain::closedLoopsOfBothHandsMakeNothing() {
         const Loop first(random, fixed ? Vec3(0.0, 0.0, 0.036) : Vec3(-0.025, 0.0, 0.03), 0.012);
         const Loop second(random, fixed ? Vec3(0.0, 0.0, 0.050) : Vec3(0.025, 0.0, 0.03), 0.012);
         for (const bool backwards : {false, true})
-            worst_J = std::max(worst_J, std::abs(workOf(chain, fixed ? 1 : 0, fixed ? 2 : 1, first, second, backwards)));
+            worst_J = std::max(
+                worst_J, std::abs(workOf(chain, fixed ? 1 : 0, fixed ? 2 : 1, first, second, backwards)));
     }
     QVERIFY2(worst_J < 1e-6, qPrintable(QString::number(worst_J)));
 }
@@ -326,11 +343,13 @@ void TestElasticTubeChain::recoilMakesNoEnergy() {
             if (i == 400)
                 supplied_J = answer.energy_J;
             if (i > 400)
-                supplied_J -= f.dot(holds[stays].p_W - p) + 0.5 * (answer.force[stays] - f).dot(holds[stays].p_W - p);
+                supplied_J -=
+                    f.dot(holds[stays].p_W - p) + 0.5 * (answer.force[stays] - f).dot(holds[stays].p_W - p);
             p = holds[stays].p_W;
             f = answer.force[stays];
             if (i >= 400)
-                QVERIFY2(answer.energy_J <= supplied_J + 2e-6, qPrintable(QString::number(answer.energy_J - supplied_J)));
+                QVERIFY2(answer.energy_J <= supplied_J + 2e-6,
+                         qPrintable(QString::number(answer.energy_J - supplied_J)));
         }
     }
 }

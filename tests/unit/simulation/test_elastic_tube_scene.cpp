@@ -79,7 +79,8 @@ void TestElasticTubeScene::flowOfTrials() {
 }
 
 void TestElasticTubeScene::graspTakesHoldAsItIs() {
-    for (const Vec3& off : {Vec3(0.0, 0.0, 0.006), Vec3(0.004, -0.004, 0.0), Vec3(0.0, 0.003, -0.005), Vec3(0.0, 0.0, 0.0)}) {
+    for (const Vec3& off :
+         {Vec3(0.0, 0.0, 0.006), Vec3(0.004, -0.004, 0.0), Vec3(0.0, 0.003, -0.005), Vec3(0.0, 0.0, 0.0)}) {
         TubeDriver d(tubeExercise(TubeTask::hold));
         d.startRunning();
         d.grasp(0, 1, off);
@@ -203,7 +204,9 @@ void TestElasticTubeScene::whatIsOffIsOff() {
         d.tool(0).p_WT = {trial.base_m.x(), trial.base_m.y(), p.restLength_m};
         d.tick();
         d.close(0);
-        d.moveTo(0, d.tool(0).p_WT + Vec3(0.0, 0.0, task == TubeTask::hold ? trial.target_N / 60.0 : 0.4 * p.restLength_m));
+        d.moveTo(0,
+                 d.tool(0).p_WT +
+                     Vec3(0.0, 0.0, task == TubeTask::hold ? trial.target_N / 60.0 : 0.4 * p.restLength_m));
         d.ticks(100);
         QCOMPARE(d.step(), Step::hold); // what is recorded does not depend on what is shown
         const core::LaparoscopyCues& cues = d.out.cues.exercise.of<core::LaparoscopyCues>();
@@ -238,7 +241,8 @@ void TestElasticTubeScene::planFollowsSeedAndStreams() {
     for (std::size_t i = 0; i < first.size(); ++i) {
         QVERIFY(first[i].base_m == again[i].base_m && first[i].target_N == again[i].target_N);
         QVERIFY(first[i].base_m != other[i].base_m && first[i].target_N != other[i].target_N);
-        QVERIFY(first[i].base_m == alone[i].base_m && first[i].target_N == alone[i].target_N); // streams of their own
+        QVERIFY(first[i].base_m == alone[i].base_m &&
+                first[i].target_N == alone[i].target_N); // streams of their own
         QCOMPARE(alone[i].stiffness_N_per_m, 60.0);
         QVERIFY(first[i].stiffness_N_per_m >= 40.0 && first[i].stiffness_N_per_m <= 120.0);
         QVERIFY(first[i].target_N >= p.targetLow_N && first[i].target_N <= p.targetHigh_N);
@@ -310,7 +314,11 @@ void TestElasticTubeScene::bothHandsAreOneBody() {
 
 /// None, all, and numbers that no device gives.
 void TestElasticTubeScene::asManyToolsAsThereAre() {
-    for (const auto& [given, answered] : {std::pair{0, 0}, {1, 1}, {core::kMaxTools, core::kMaxTools}, {-1, 0}, {core::kMaxTools + 1, core::kMaxTools}}) {
+    for (const auto& [given, answered] : {std::pair{0, 0},
+                                          {1, 1},
+                                          {core::kMaxTools, core::kMaxTools},
+                                          {-1, 0},
+                                          {core::kMaxTools + 1, core::kMaxTools}}) {
         TubeDriver d(tubeExercise(TubeTask::hold));
         d.startRunning();
         d.in.tools.count = given;

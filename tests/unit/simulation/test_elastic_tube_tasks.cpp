@@ -92,7 +92,8 @@ void TestElasticTubeTasks::stretchToTheMark() {
     TubeDriver d(tubeExercise(TubeTask::stretch));
     d.startRunning();
     QVERIFY(d.out.cues.exercise.of<core::LaparoscopyCues>().targetShown);
-    QCOMPARE(d.out.cues.exercise.of<core::LaparoscopyCues>().bandHigh_N, 0.0); // a task without a target tension
+    QCOMPARE(d.out.cues.exercise.of<core::LaparoscopyCues>().bandHigh_N,
+             0.0); // a task without a target tension
     d.grasp(0, 1);
     const auto& mark = d.out.cues.exercise.of<core::LaparoscopyCues>().p_WTarget;
     d.moveTo(0, {mark[0], mark[1], mark[2]});
@@ -154,8 +155,8 @@ Vec3 drawnBack(const TubeDriver& d, double pull_N) {
 
 } // namespace
 
-// Three instruments: nothing can be taken hold of under the fold, the retractor feels its pull and nobody else does, and a fold that slips
-// forward breaks the hold.
+// Three instruments: nothing can be taken hold of under the fold, the retractor feels its pull and nobody
+// else does, and a fold that slips forward breaks the hold.
 void TestElasticTubeTasks::aFoldIsHeldBack() {
     TubeDriver d(behindAFold());
     QCOMPARE(d.p.tools(), 3);
@@ -180,7 +181,8 @@ void TestElasticTubeTasks::aFoldIsHeldBack() {
     QVERIFY(std::abs(d.quantity(TubeQuantity::retraction_N) - 0.8) < 1e-6);
     QVERIFY(std::abs(d.force(2).norm() - 0.8) < 1e-6 && d.force(2).y() < 0.0); // back over the tube
     QVERIFY(d.force(0) == Vec3::Zero() && d.force(1) == Vec3::Zero());
-    QVERIFY(d.out.body[2] == 1 && d.out.body[0] == 0 && std::abs(d.out.bodyEnergy_J[1] - 0.5 * 0.8 * 0.8 / 25.0) < 1e-9);
+    QVERIFY(d.out.body[2] == 1 && d.out.body[0] == 0 &&
+            std::abs(d.out.bodyEnergy_J[1] - 0.5 * 0.8 * 0.8 / 25.0) < 1e-9);
     d.grasp(0, 1);
     d.grasp(1, 0);
     QCOMPARE(d.step(), Step::stretch);
@@ -219,7 +221,8 @@ void TestElasticTubeTasks::aFoldLetsNoEnergyOut() {
     core::Random random(7);
     for (int way = 0; way < 40; ++way) {
         const Vec3 from = d.tool(2).p_WT;
-        const Vec3 goal = drawnBack(d, random.uniform(0.0, 1.5)) + Vec3(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), 0.0);
+        const Vec3 goal = drawnBack(d, random.uniform(0.0, 1.5)) +
+                          Vec3(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), 0.0);
         const int n = static_cast<int>(1000.0 * (goal - from).norm() / random.uniform(0.02, 0.3)) + 1;
         for (int k = 0; k < n; ++k) {
             const Vec3 step = (goal - from) / n;
@@ -251,7 +254,8 @@ void TestElasticTubeTasks::transferFromHandToHand() {
     const Vec3 felt = d.force(0);
     d.tool(1).jaw_rad = TubeDriver::kOpen_rad;
     d.grasp(1, 1);
-    QVERIFY((d.force(0) - felt).norm() < 1e-6 && d.force(1).norm() < 1e-6); // the same tension on both sides of it
+    QVERIFY((d.force(0) - felt).norm() < 1e-6 &&
+            d.force(1).norm() < 1e-6); // the same tension on both sides of it
     QCOMPARE(d.step(), Step::handOver);
     d.largestStep_N = 0.0;
     const Vec3 place = d.force(0);

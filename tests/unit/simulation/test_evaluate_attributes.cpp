@@ -73,13 +73,15 @@ private slots:
 
 void TestEvaluateAttributes::elasticity() {
     const auto row = Table("elasticity").with("stiffness_N_per_m", 300).row({0.004});
-    QVERIFY(near(row.at("force_N"), -1.2) && near(row.at("energy_J"), 0.0024) && near(row.at("slope_N_per_m"), 300));
+    QVERIFY(near(row.at("force_N"), -1.2) && near(row.at("energy_J"), 0.0024) &&
+            near(row.at("slope_N_per_m"), 300));
     QVERIFY(near(Table("elasticity").row({-0.002}).at("force_N"), 1.0));
     QCOMPARE(std::signbit(Table("elasticity").row({0.0}).at("force_N")), false);
 }
 
 void TestEvaluateAttributes::strainStiffening() {
-    const auto row = Table("strain-stiffening").with("stiffness_N_per_m", 200).with("stiffening_per_m", 50).row({0.02});
+    const auto row =
+        Table("strain-stiffening").with("stiffness_N_per_m", 200).with("stiffening_per_m", 50).row({0.02});
     QVERIFY(near(row.at("force_N"), -4.0 * (std::exp(1.0) - 1.0)));
     QVERIFY(near(row.at("energy_J"), 0.08 * (std::exp(1.0) - 2.0)));
     QVERIFY(near(row.at("slope_N_per_m"), 200 * std::exp(1.0)));
@@ -109,7 +111,8 @@ void TestEvaluateAttributes::deformation() {
 }
 
 void TestEvaluateAttributes::roughness() {
-    const Table table = Table("roughness").with("seed", 5).with("roughness_m", 1e-4).with("wavelength_m", 0.004);
+    const Table table =
+        Table("roughness").with("seed", 5).with("roughness_m", 1e-4).with("wavelength_m", 0.004);
     const auto row = table.row({0.0123, -0.004, 0.002});
     const auto h = simulation::Roughness(1e-4, 0.004, 5).sample({0.0123, -0.004, 0.0});
     const double d = 0.002 + h.height_m;
@@ -165,7 +168,8 @@ void TestEvaluateAttributes::viscosity() {
 void TestEvaluateAttributes::elasticTube() {
     const Table linear = Table("elastic-tube").with("rest_length_m", 0.05).with("stiffness_N_per_m", 60);
     auto row = linear.row({0.07});
-    QVERIFY(near(row.at("tension_N"), 1.2) && near(row.at("energy_J"), 0.012) && near(row.at("stretch_m"), 0.02));
+    QVERIFY(near(row.at("tension_N"), 1.2) && near(row.at("energy_J"), 0.012) &&
+            near(row.at("stretch_m"), 0.02));
     row = linear.row({0.049}); // slack
     QVERIFY(row.at("tension_N") == 0.0 && row.at("energy_J") == 0.0 && row.at("slope_N_per_m") == 0.0);
     row = linear.with("stiffening_per_m", 100).row({0.07});

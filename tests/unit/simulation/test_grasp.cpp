@@ -49,7 +49,8 @@ void TestGrasp::jawTakesHoldOnlyWhileClosing() {
     QVERIFY(latch.update(0.30, 0.20, 0.35, true) == GraspChange::none); // not closed enough
     QVERIFY(latch.update(0.19, 0.20, 0.35, true) == GraspChange::grasped && latch.held());
     QVERIFY(latch.update(0.05, 0.20, 0.35, true) == GraspChange::none && latch.held());
-    QVERIFY(latch.update(0.05, 0.20, 0.35, false) == GraspChange::none && latch.held()); // reach was for the catch
+    QVERIFY(latch.update(0.05, 0.20, 0.35, false) == GraspChange::none &&
+            latch.held()); // reach was for the catch
 }
 
 void TestGrasp::jawLetsGoWithHysteresis() {

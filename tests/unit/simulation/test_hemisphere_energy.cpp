@@ -88,8 +88,8 @@ void TestHemisphereEnergy::loopsMakeNoEnergy() {
         QVERIFY2(normalOnly < -10.0 * kLoopTolerance_J, qPrintable(QString::number(normalOnly)));
 }
 
-// A force that is capped along its own direction is a potential's only where the cap follows from the energy: over the decoy's dimple a cap on ‖f‖
-// makes energy, a cap on what the contact says its load is does not.
+// A force that is capped along its own direction is a potential's only where the cap follows from the energy:
+// over the decoy's dimple a cap on ‖f‖ makes energy, a cap on what the contact says its load is does not.
 void TestHemisphereEnergy::cappedByItsLoadItMakesNoEnergy() {
     auto law = plainParameters();
     law.dimple = {0.002, 0.006, law.surface.centre_m + core::Vec2(0.010, 0.0)}; // as sphere_apex level 4
@@ -107,9 +107,11 @@ void TestHemisphereEnergy::cappedByItsLoadItMakesNoEnergy() {
     core::Random random(8);
     double made = 0.0;
     for (int n = 0; n < 40; ++n) {
-        const core::Vec2 at = law.dimple.centre_m + core::Vec2(random.uniform(-0.004, 0.004), random.uniform(-0.004, 0.004));
+        const core::Vec2 at =
+            law.dimple.centre_m + core::Vec2(random.uniform(-0.004, 0.004), random.uniform(-0.004, 0.004));
         const core::Vec2 off = at - law.surface.centre_m;
-        const Vec3 top(at.x(), at.y(), std::sqrt(law.surface.radius_m * law.surface.radius_m - off.squaredNorm()) - 0.002);
+        const Vec3 top(at.x(), at.y(),
+                       std::sqrt(law.surface.radius_m * law.surface.radius_m - off.squaredNorm()) - 0.002);
         auto loop = randomLoop(random, top, 0.0025, 8000);
         for (int direction = 0; direction < 2; ++direction) {
             const double work = workIn(loop, byLoad);
@@ -123,7 +125,10 @@ void TestHemisphereEnergy::cappedByItsLoadItMakesNoEnergy() {
         }
     }
     QVERIFY2(made < -20.0 * kLoopTolerance_J, qPrintable(QString::number(made)));
-    QCOMPARE(HemisphereContact(plainParameters()).respond(law.surface.radius_m * 0.9 * Vec3::UnitZ(), Vec3::Zero()).load_N, 0.0);
+    QCOMPARE(HemisphereContact(plainParameters())
+                 .respond(law.surface.radius_m * 0.9 * Vec3::UnitZ(), Vec3::Zero())
+                 .load_N,
+             0.0);
 }
 
 void TestHemisphereEnergy::stiffLumpMakesNoEnergy() {

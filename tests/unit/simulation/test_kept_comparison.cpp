@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that the scene of a comparison answers, over trials that are explored, answered, adjusted and run out of time, for every
-// attribute and every control: no level sweeps it, for studies make it. Against what was looked at and kept. A change that is meant is kept
-// anew, and its difference is read in review: CHIRON_STORE_OUTLINES=1 ctest --test-dir build/release -R "^test_kept_comparison$"
+// Everything that the scene of a comparison answers, over trials that are explored, answered, adjusted and
+// run out of time, for every attribute and every control: no level sweeps it, for studies make it. Against
+// what was looked at and kept. A change that is meant is kept anew, and its difference is read in review:
+// CHIRON_STORE_OUTLINES=1 ctest --test-dir build/release -R "^test_kept_comparison$"
 #include "comparison_driver.h"
 
 #include "core/fp_environment.h"
@@ -71,8 +72,11 @@ public:
             tick();
         }
     }
-    Vec3 at(int place, double z_m, double y_m = 0.0) const { return {placeX_m(m_parameters, place), y_m, z_m}; }
-    /// In, along and out, as the attribute is felt; what is hooked is taken hold of, pulled, pressed and let go.
+    Vec3 at(int place, double z_m, double y_m = 0.0) const {
+        return {placeX_m(m_parameters, place), y_m, z_m};
+    }
+    /// In, along and out, as the attribute is felt; what is hooked is taken hold of, pulled, pressed and let
+    /// go.
     void explore(int place) {
         const double h = m_parameters.hookHeight_m;
         if (isHooked(m_parameters.attribute)) {
@@ -136,7 +140,8 @@ private slots:
     void everythingKeptIsSeen() { QCOMPARE(m_kept.unseen(), QStringList()); }
 
 private:
-    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/simulation/kept_comparison.txt"), &tests::sameNumbers};
+    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/simulation/kept_comparison.txt"),
+                           &tests::sameNumbers};
 };
 
 void TestKeptComparison::sittingsAreAsTheyWereKept_data() {
@@ -147,7 +152,8 @@ void TestKeptComparison::sittingsAreAsTheyWereKept_data() {
     for (const ComparedAttribute attribute : kComparedAttributes)
         for (int control = 0; control < 4; ++control)
             if (control == 0 || static_cast<int>(attribute) % 3 == control - 1)
-                QTest::addRow("%s, control %s", names[static_cast<int>(attribute)], controls[control]) << static_cast<int>(attribute) << control;
+                QTest::addRow("%s, control %s", names[static_cast<int>(attribute)], controls[control])
+                    << static_cast<int>(attribute) << control;
 }
 
 void TestKeptComparison::sittingsAreAsTheyWereKept() {

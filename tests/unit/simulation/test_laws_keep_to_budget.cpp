@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// No law damps a tool by more than its budget, whatever its content asks for: ‖f(v) − f(0)‖ ≤ b ‖v‖, and what it says it used is at most b
-// and at least what it damps. With a budget that is large enough nothing changes, to the bit.
+// No law damps a tool by more than its budget, whatever its content asks for: ‖f(v) − f(0)‖ ≤ b ‖v‖, and what
+// it says it used is at most b and at least what it damps. With a budget that is large enough nothing
+// changes, to the bit.
 #include "core/random.h"
 #include "core/units.h"
 #include "modules/exercises/comparison/simulation/compared_object.h"
@@ -34,8 +35,10 @@ template <class Feel> bool keeps(const Feel& feel, const Vec3& v) {
     const Felt still = feel(Vec3::Zero(), kBudget), moving = feel(v, kBudget);
     const Felt free = feel(v, std::numeric_limits<double>::infinity()), ample = feel(v, 1e6);
     const double damped = (moving.force - still.force).norm();
-    return damped <= kBudget * v.norm() * (1.0 + 1e-9) + kRounding && damped <= moving.used * v.norm() * (1.0 + 1e-9) + kRounding &&
-           moving.used <= kBudget * (1.0 + 1e-9) && moving.used >= 0.0 && free.force == ample.force && free.used == ample.used;
+    return damped <= kBudget * v.norm() * (1.0 + 1e-9) + kRounding &&
+           damped <= moving.used * v.norm() * (1.0 + 1e-9) + kRounding &&
+           moving.used <= kBudget * (1.0 + 1e-9) && moving.used >= 0.0 && free.force == ample.force &&
+           free.used == ample.used;
 }
 
 } // namespace
@@ -73,15 +76,17 @@ void TestLawsKeepToBudget::objects() {
         attributes.viscosity_Ns_per_m = random.uniform(0.0, 50.0);
         const ObjectContact contact(attributes);
         const double depth = random.uniform(0.0, 0.004);
-        QVERIFY(keeps([&](const Vec3& v, double most) {
-            ContactPlace place;
-            place.depth_m = depth;
-            place.velocity = v;
-            place.mostDamping_Ns_per_m = most;
-            ObjectContactState state;
-            const auto felt = contact.respond(place, core::kTickSeconds, state);
-            return Felt{felt.force, felt.damping_Ns_per_m};
-        }, randomVector(random, 0.1)));
+        QVERIFY(keeps(
+            [&](const Vec3& v, double most) {
+                ContactPlace place;
+                place.depth_m = depth;
+                place.velocity = v;
+                place.mostDamping_Ns_per_m = most;
+                ObjectContactState state;
+                const auto felt = contact.respond(place, core::kTickSeconds, state);
+                return Felt{felt.force, felt.damping_Ns_per_m};
+            },
+            randomVector(random, 0.1)));
     }
 }
 
@@ -92,10 +97,12 @@ void TestLawsKeepToBudget::spheres() {
         parameters.damping_Ns_per_m = random.uniform(0.0, 50.0);
         const HemisphereContact contact(parameters);
         const Vec3 p(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), random.uniform(-0.003, 0.021));
-        QVERIFY(keeps([&](const Vec3& v, double most) {
-            const auto felt = contact.respond(p, v, most);
-            return Felt{felt.force, felt.damping_Ns_per_m};
-        }, randomVector(random, 0.1)));
+        QVERIFY(keeps(
+            [&](const Vec3& v, double most) {
+                const auto felt = contact.respond(p, v, most);
+                return Felt{felt.force, felt.damping_Ns_per_m};
+            },
+            randomVector(random, 0.1)));
     }
 }
 
@@ -103,14 +110,17 @@ void TestLawsKeepToBudget::tissue() {
     core::Random random(3);
     for (int n = 0; n < 2000; ++n) {
         TissueParameters parameters;
-        parameters.damping_Ns_per_m = Vec3(random.uniform(0.0, 50.0), random.uniform(0.0, 50.0), random.uniform(0.0, 50.0));
+        parameters.damping_Ns_per_m =
+            Vec3(random.uniform(0.0, 50.0), random.uniform(0.0, 50.0), random.uniform(0.0, 50.0));
         const TissueContact contact(parameters);
         const Vec3 p(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), random.uniform(-0.004, 0.0));
-        QVERIFY(keeps([&](const Vec3& v, double most) {
-            TissueTouch touch;
-            const auto felt = contact.respond(toolAt(p, v), touch, most);
-            return Felt{felt.force, felt.damping_Ns_per_m};
-        }, randomVector(random, 0.05)));
+        QVERIFY(keeps(
+            [&](const Vec3& v, double most) {
+                TissueTouch touch;
+                const auto felt = contact.respond(toolAt(p, v), touch, most);
+                return Felt{felt.force, felt.damping_Ns_per_m};
+            },
+            randomVector(random, 0.05)));
     }
 }
 
@@ -142,26 +152,33 @@ void TestLawsKeepToBudget::tubes() {
 
 void TestLawsKeepToBudget::comparedObjects() {
     core::Random random(5);
-    for (const ComparedAttribute attribute : {ComparedAttribute::stiffness, ComparedAttribute::mass, ComparedAttribute::viscosity})
+    for (const ComparedAttribute attribute :
+         {ComparedAttribute::stiffness, ComparedAttribute::mass, ComparedAttribute::viscosity})
         for (int n = 0; n < 500; ++n) {
             ComparisonParameters parameters;
             parameters.attribute = attribute;
             parameters.object.damping_Ns_per_m = random.uniform(0.0, 50.0);
             parameters.object.viscosity_Ns_per_m = random.uniform(0.0, 50.0);
-            const double value = attribute == ComparedAttribute::mass ? 0.02 : attribute == ComparedAttribute::stiffness ? 200.0 : random.uniform(0.0, 50.0);
+            const double value = attribute == ComparedAttribute::mass        ? 0.02
+                                 : attribute == ComparedAttribute::stiffness ? 200.0
+                                                                             : random.uniform(0.0, 50.0);
             const double deep = random.uniform(0.0, 0.003);
-            const Vec3 foot(placeX_m(parameters, 0), 0.0, 0.0), ring = foot + parameters.hookHeight_m * Vec3::UnitZ();
-            QVERIFY(keeps([&](const Vec3& v, double most) {
-                ComparedObject object;
-                object.set(parameters, 0, value, 1);
-                if (attribute != ComparedAttribute::viscosity)
-                    (void)object.respond(ring, Vec3::Zero(), most); // taken hold of
-                const Vec3 p = attribute == ComparedAttribute::stiffness ? Vec3(ring + deep * Vec3::UnitZ())
-                               : attribute == ComparedAttribute::mass    ? Vec3(ring - deep * Vec3::UnitZ())
-                                                                         : Vec3(foot - deep * Vec3::UnitZ());
-                const auto felt = object.respond(p, v, most);
-                return Felt{felt.force, felt.damping_Ns_per_m};
-            }, randomVector(random, 0.05)));
+            const Vec3 foot(placeX_m(parameters, 0), 0.0, 0.0),
+                ring = foot + parameters.hookHeight_m * Vec3::UnitZ();
+            QVERIFY(keeps(
+                [&](const Vec3& v, double most) {
+                    ComparedObject object;
+                    object.set(parameters, 0, value, 1);
+                    if (attribute != ComparedAttribute::viscosity)
+                        (void)object.respond(ring, Vec3::Zero(), most); // taken hold of
+                    const Vec3 p = attribute == ComparedAttribute::stiffness
+                                       ? Vec3(ring + deep * Vec3::UnitZ())
+                                   : attribute == ComparedAttribute::mass ? Vec3(ring - deep * Vec3::UnitZ())
+                                                                          : Vec3(foot - deep * Vec3::UnitZ());
+                    const auto felt = object.respond(p, v, most);
+                    return Felt{felt.force, felt.damping_Ns_per_m};
+                },
+                randomVector(random, 0.05)));
         }
 }
 
@@ -177,13 +194,15 @@ void TestLawsKeepToBudget::urethra() {
             EndoscopeMotion motion = randomMotion(random, forces.centreline());
             motion.w_A.setZero();
             const Vec3 v = 0.2 * motion.v_A;
-            QVERIFY(keeps([&](const Vec3& speed, double budget) {
-                EndoscopeMotion moved = motion;
-                moved.v_A = speed;
-                moved.mostDamping_Ns_per_m = budget;
-                const auto felt = forces.respond(moved);
-                return Felt{felt.wrench_A.force, felt.damping_Ns_per_m};
-            }, v));
+            QVERIFY(keeps(
+                [&](const Vec3& speed, double budget) {
+                    EndoscopeMotion moved = motion;
+                    moved.v_A = speed;
+                    moved.mostDamping_Ns_per_m = budget;
+                    const auto felt = forces.respond(moved);
+                    return Felt{felt.wrench_A.force, felt.damping_Ns_per_m};
+                },
+                v));
             motion.v_A.setZero();
             motion.mostDamping_Ns_per_m = kBudget;
             const UrethraResponse still = forces.respond(motion);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is touched lets go: a tool that has come out on another side, or presses harder than the tissue bears, is soon free.
+// What is touched lets go: a tool that has come out on another side, or presses harder than the tissue bears,
+// is soon free.
 #include "core/units.h"
 #include "modules/exercises/object_handling/simulation/object_handling_scene.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
@@ -78,7 +79,9 @@ struct Led {
             tick();
     }
     Vec3 force() const { return out.tissue.tools[0].force; }
-    bool free() const { return force() == Vec3::Zero() && out.storedEnergy_J == 0.0 && out.contactStiffness_N_per_m == 0.0; }
+    bool free() const {
+        return force() == Vec3::Zero() && out.storedEnergy_J == 0.0 && out.contactStiffness_N_per_m == 0.0;
+    }
 
     std::unique_ptr<IScene> scene;
     realtime::TickSource source;
@@ -155,7 +158,8 @@ void TestLetsGo::torqueYieldsToo() {
     QCOMPARE(byForce.step(16.0, false, 0.001, 5.0), 0.5);
 }
 
-// Who is in tissue before he was seen, deeper than it holds, has not broken it: 0 N until he is out, and no event.
+// Who is in tissue before he was seen, deeper than it holds, has not broken it: 0 N until he is out, and no
+// event.
 void TestLetsGo::whatIsFoundDeepIsNotEntered() {
     ContactYield yield({6.0, kFall_s});
     for (int i = 0; i < 50; ++i) {
@@ -166,7 +170,7 @@ void TestLetsGo::whatIsFoundDeepIsNotEntered() {
     QCOMPARE(yield.step(5.0, false, false, 0.001), 1.0);
     QCOMPARE(6.5 * yield.step(6.5, false, false, 0.001), 6.0);
     QVERIFY(yield.bits() & contact::kYielded);
-    yield.reset(); // another trial
+    yield.reset();                                       // another trial
     QCOMPARE(yield.step(4.0, false, false, 0.001), 1.0); // what holds, holds: the supervisor arms it
     yield.reset();
     QCOMPARE(yield.step(4.0, false, true, 0.001), 0.0);
@@ -182,13 +186,15 @@ ContactPlace at(double depth_m, const Vec3& normal = Vec3::UnitZ()) {
 }
 } // namespace
 
-// Whatever a geometry says, the way out changes by no more than the tool's way and 0.05 mm a tick, and is the geometry's again soon.
+// Whatever a geometry says, the way out changes by no more than the tool's way and 0.05 mm a tick, and is the
+// geometry's again soon.
 void TestLetsGo::aPlaceIsFeltWithoutJumps() {
     FeltPlace felt;
     Vec3 p(0.0, 0.0, 0.001);
     QCOMPARE(felt.step(at(-0.001), p, false).depth_m, -0.001);
     Vec3 before = Vec3::Zero();
-    for (int i = 1; i <= 1100; ++i) { // down 5 mm; from tick 500 the surface says another depth, then another way out
+    for (int i = 1; i <= 1100;
+         ++i) { // down 5 mm; from tick 500 the surface says another depth, then another way out
         const double way_m = i <= 600 ? 1e-5 : 0.0;
         p.z() -= way_m;
         const Vec3 normal = i < 800 ? Vec3(Vec3::UnitZ()) : Vec3(Vec3::UnitX());
@@ -208,7 +214,8 @@ void TestLetsGo::aPlaceIsFeltWithoutJumps() {
     QCOMPARE(felt.less_m(), 0.0);
 }
 
-// Found 5 mm deep behind a sheet that it did not go in by: nothing where it is, the sheet's stiffness from there on, nothing on the way out.
+// Found 5 mm deep behind a sheet that it did not go in by: nothing where it is, the sheet's stiffness from
+// there on, nothing on the way out.
 void TestLetsGo::aSheetThatIsFoundDeepLetsOut() {
     FeltPlace felt;
     Vec3 p(0.0, 0.0, -0.005);
@@ -225,7 +232,8 @@ void TestLetsGo::aSheetThatIsFoundDeepLetsOut() {
         const double before_m = felt.felt_m();
         p.z() += 1e-5;
         felt.step(at(-p.z()), p, false);
-        QVERIFY(felt.felt_m() <= before_m && felt.felt_m() <= std::max(0.0, first_m + 0.002 - 1e-5 * (i + 1)) + 1e-12);
+        QVERIFY(felt.felt_m() <= before_m &&
+                felt.felt_m() <= std::max(0.0, first_m + 0.002 - 1e-5 * (i + 1)) + 1e-12);
     }
     for (int i = 0; i < 500; ++i) {
         p.z() -= 1e-5;
@@ -242,13 +250,18 @@ void TestLetsGo::upFromUnderneath_data() {
     QTest::addRow("organ") << static_cast<int>(ApexSurface::organ) << 6.0;
 }
 
-// A hand that is under the table when the trial begins touches nothing there, breaks nothing, and finds all of it whole when it has come out.
+// A hand that is under the table when the trial begins touches nothing there, breaks nothing, and finds all
+// of it whole when it has come out.
 void TestLetsGo::upFromUnderneath() {
     QFETCH(int, surface);
     QFETCH(double, yield_N);
-    for (const Vec3& start : {Vec3(0.0, 0.0, -0.050), Vec3(0.010, 0.010, -0.017), Vec3(0.028, 0.0, -0.025), Vec3(0.031, 0.0, -0.016), Vec3(0.060, 0.0, -0.030)}) {
-        Led led(std::make_unique<SphereApexScene>(dome(static_cast<ApexSurface>(surface), yield_N), 7), start);
-        for (const Vec3& place : {Vec3(0.045, 0.010, -0.020), Vec3(-0.005, 0.025, -0.016), Vec3(0.0, -0.010, -0.004), Vec3(0.045, 0.0, -0.002), Vec3(0.015, 0.0, -0.002), Vec3(0.005, 0.0, 0.010), Vec3(0.0, 0.0, 0.030)})
+    for (const Vec3& start : {Vec3(0.0, 0.0, -0.050), Vec3(0.010, 0.010, -0.017), Vec3(0.028, 0.0, -0.025),
+                              Vec3(0.031, 0.0, -0.016), Vec3(0.060, 0.0, -0.030)}) {
+        Led led(std::make_unique<SphereApexScene>(dome(static_cast<ApexSurface>(surface), yield_N), 7),
+                start);
+        for (const Vec3& place : {Vec3(0.045, 0.010, -0.020), Vec3(-0.005, 0.025, -0.016),
+                                  Vec3(0.0, -0.010, -0.004), Vec3(0.045, 0.0, -0.002),
+                                  Vec3(0.015, 0.0, -0.002), Vec3(0.005, 0.0, 0.010), Vec3(0.0, 0.0, 0.030)})
             led.to(place, 0.1);
         QCOMPARE(led.largest_N, 0.0);
         QCOMPARE(led.yields, 0);
@@ -267,18 +280,21 @@ void TestLetsGo::outOnTheOtherSideOfTheDome_data() {
     }
 }
 
-// Pushed in from the side and out at the back, the dome keeps nothing: it fell by its curve, told so once, and is whole for the next touch.
+// Pushed in from the side and out at the back, the dome keeps nothing: it fell by its curve, told so once,
+// and is whole for the next touch.
 void TestLetsGo::outOnTheOtherSideOfTheDome() {
     QFETCH(int, surface);
     QFETCH(double, yield_N);
     for (const double height_m : {0.002, 0.006, 0.015})
         for (const double speed_m_per_s : {0.02, 0.3}) {
-            Led led(std::make_unique<SphereApexScene>(dome(static_cast<ApexSurface>(surface), yield_N), 7), Vec3(-0.040, 0.0, height_m));
+            Led led(std::make_unique<SphereApexScene>(dome(static_cast<ApexSurface>(surface), yield_N), 7),
+                    Vec3(-0.040, 0.0, height_m));
             QVERIFY(led.free());
             led.to(Vec3(0.026, 0.001, height_m), speed_m_per_s);
             led.wait(2.0 * kFall_s);
             QVERIFY2(led.free(), qPrintable(QString::number(led.force().norm())));
-            QCOMPARE(led.yields, height_m < 0.005 ? 1 : std::min(led.yields, 1)); // higher up it may slide over instead
+            QCOMPARE(led.yields,
+                     height_m < 0.005 ? 1 : std::min(led.yields, 1)); // higher up it may slide over instead
             QCOMPARE(int(led.out.contact[0] & contact::kThrough), 0); // out: nothing is left of it
             led.to(Vec3(0.060, 0.0, height_m), 0.1);
             QVERIFY(led.free());
@@ -291,23 +307,31 @@ void TestLetsGo::outOnTheOtherSideOfTheDome() {
 
 void TestLetsGo::pressedHarderThanItBears_data() {
     QTest::addColumn<int>("surface");
-    for (const auto& [name, surface] : {std::pair{"exact", ApexSurface::exact}, std::pair{"mesh", ApexSurface::mesh}, std::pair{"organ", ApexSurface::organ}})
+    for (const auto& [name, surface] :
+         {std::pair{"exact", ApexSurface::exact}, std::pair{"mesh", ApexSurface::mesh},
+          std::pair{"organ", ApexSurface::organ}})
         QTest::newRow(name) << static_cast<int>(surface);
 }
 
-// Down onto the apex and beside it, as deep as a device goes: never more than the tissue bears, and nothing jumps.
+// Down onto the apex and beside it, as deep as a device goes: never more than the tissue bears, and nothing
+// jumps.
 void TestLetsGo::pressedHarderThanItBears() {
     QFETCH(int, surface);
     constexpr double kYield_N = 5.0;
-    for (const Vec3& over : {Vec3(0.0, 0.0, 0.040), Vec3(0.012, 0.004, 0.040), Vec3(0.0195, 0.0, 0.040), Vec3(0.034, 0.0, 0.040), Vec3(0.055, 0.0, 0.040)})
+    for (const Vec3& over : {Vec3(0.0, 0.0, 0.040), Vec3(0.012, 0.004, 0.040), Vec3(0.0195, 0.0, 0.040),
+                             Vec3(0.034, 0.0, 0.040), Vec3(0.055, 0.0, 0.040)})
         for (const double speed_m_per_s : {0.05, 0.3}) {
             SphereApexParameters p = dome(static_cast<ApexSurface>(surface), kYield_N);
             p.damping_Ns_per_m = 0.0;
             Led led(std::make_unique<SphereApexScene>(p, 7), over);
             led.to(Vec3(over.x(), over.y(), -0.080), speed_m_per_s);
             QVERIFY2(led.largest_N <= kYield_N * (1.0 + 1e-9), qPrintable(QString::number(led.largest_N)));
-            const double step_N = 1.5 * kYield_N * core::kTickSeconds / kFall_s + 500.0 * speed_m_per_s * core::kTickSeconds + 0.1;
-            QVERIFY2(led.largestStep_N <= step_N, qPrintable(QStringLiteral("%1 N at x %2, %3 m/s").arg(led.largestStep_N).arg(over.x()).arg(speed_m_per_s)));
+            const double step_N = 1.5 * kYield_N * core::kTickSeconds / kFall_s +
+                                  500.0 * speed_m_per_s * core::kTickSeconds + 0.1;
+            QVERIFY2(led.largestStep_N <= step_N, qPrintable(QStringLiteral("%1 N at x %2, %3 m/s")
+                                                                 .arg(led.largestStep_N)
+                                                                 .arg(over.x())
+                                                                 .arg(speed_m_per_s)));
             QCOMPARE(led.yields, 1);
             QVERIFY(led.force() == Vec3::Zero() && led.out.storedEnergy_J == 0.0);
             QVERIFY(led.out.contact[0] & contact::kThrough);
@@ -329,7 +353,8 @@ void TestLetsGo::throughTheRimOfAnOrgan() {
     for (const double angle_rad : {0.3, 1.9, 4.0})
         for (const double speed_m_per_s : {0.03, 0.3}) {
             const Vec3 out(std::cos(angle_rad), std::sin(angle_rad), 0.0);
-            Led led(std::make_unique<ObjectHandlingScene>(organBed(yield_N), 3), 0.080 * out + Vec3(0.0, 0.0, 0.010));
+            Led led(std::make_unique<ObjectHandlingScene>(organBed(yield_N), 3),
+                    0.080 * out + Vec3(0.0, 0.0, 0.010));
             led.to(0.082 * out + Vec3(0.0, 0.0, -0.014), speed_m_per_s); // into the rim ...
             led.to(0.110 * out + Vec3(0.0, 0.0, -0.014), speed_m_per_s); // ... and out of it sideways
             led.wait(2.0 * kFall_s);

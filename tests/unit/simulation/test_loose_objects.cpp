@@ -65,7 +65,8 @@ void TestLooseObjects::liesAtItsRestDepth() {
         body.place(Vec3(0.0, 0.0, 0.02));
         for (int n = 0; n < 10000; ++n)
             body.step(kTick, bed(k, 0.5));
-        QVERIFY2(std::abs(body.p_W().z() + 0.010 * g / k) < 1e-9, qPrintable(QString::number(body.p_W().z())));
+        QVERIFY2(std::abs(body.p_W().z() + 0.010 * g / k) < 1e-9,
+                 qPrintable(QString::number(body.p_W().z())));
         QVERIFY(body.v_W().norm() < 1e-9 && body.touching());
     }
 }
@@ -88,7 +89,8 @@ void TestLooseObjects::landsOnceWithItsSpeed() {
     QCOMPARE(landings, 1);
     QVERIFY(std::abs(ticks * kTick - std::sqrt(2.0 * 0.05 / g)) < 0.003);
     const double speed = std::sqrt(2.0 * g * 0.05 + 0.01); // thrown sideways with what the tool had
-    QVERIFY2(std::abs(body.landingSpeed_m_per_s() - speed) < 0.02, qPrintable(QString::number(body.landingSpeed_m_per_s())));
+    QVERIFY2(std::abs(body.landingSpeed_m_per_s() - speed) < 0.02,
+             qPrintable(QString::number(body.landingSpeed_m_per_s())));
     QVERIFY(std::abs(body.p_W().x() - 0.1 * 3.0) < 1e-3); // no friction here: it goes on
 }
 
@@ -104,7 +106,8 @@ void TestLooseObjects::heldFollowsExactly() {
     }
 }
 
-// On a lossless bed it bounces for ever; each landing falls into its tick by chance, ½ k (v h)² either way, and does not add up.
+// On a lossless bed it bounces for ever; each landing falls into its tick by chance, ½ k (v h)² either way,
+// and does not add up.
 void TestLooseObjects::bouncesWithoutRunningAway() {
     FreeBody body(0.010);
     body.place(Vec3(0.0, 0.0, 0.03));
@@ -112,7 +115,8 @@ void TestLooseObjects::bouncesWithoutRunningAway() {
     double highestLate = 0.0;
     for (int n = 0; n < 20000; ++n) {
         body.step(kTick, bed(500.0, 0.0));
-        (n < 5000 ? highestEarly : highestLate) = std::max(n < 5000 ? highestEarly : highestLate, body.p_W().z());
+        (n < 5000 ? highestEarly : highestLate) =
+            std::max(n < 5000 ? highestEarly : highestLate, body.p_W().z());
     }
     QVERIFY2(highestLate < 1.25 * highestEarly, qPrintable(QString::number(highestLate / highestEarly)));
     FreeBody damped(0.010);
@@ -154,7 +158,8 @@ void TestLooseObjects::lyingBodyKeepsStill() {
         moved = std::max(moved, (body.p_W() - rest).norm());
     }
     QVERIFY2(moved < 1e-9, qPrintable(QString::number(moved)));
-    // carried by the micro-height's slope: the elastic part has the weight to within what friction on that slope takes
+    // carried by the micro-height's slope: the elastic part has the weight to within what friction on that
+    // slope takes
     const double depth = contact.roughness().sample({rest.x(), rest.y(), 0.0}).height_m - rest.z();
     const double carried = contact.elastic().tension(depth);
     QVERIFY2(std::abs(carried / (0.010 * g) - 1.0) < 0.01, qPrintable(QString::number(carried)));
@@ -162,7 +167,8 @@ void TestLooseObjects::lyingBodyKeepsStill() {
 
 void TestLooseObjects::passiveBooksOfASpring() {
     tests::PassiveObject books;
-    // pressed 2 mm into 500 N/m and back, slowly: displayed −1 mJ, then 0, never made more than the sampling does
+    // pressed 2 mm into 500 N/m and back, slowly: displayed −1 mJ, then 0, never made more than the sampling
+    // does
     for (int n = 0; n <= 2000; ++n) {
         const double d = 0.002 * (n <= 1000 ? n : 2000 - n) / 1000.0;
         books.update(0, d > 0.0, Vec3(0, 0, -d), Vec3(0, 0, 500.0 * d), 250.0 * d * d);
@@ -177,7 +183,8 @@ void TestLooseObjects::passiveBooksOfASpring() {
     QCOMPARE(books.stored_J(), 0.0);
 }
 
-// P2's interpolated normals in one line: pressed along one direction, let out along another, energy comes from nowhere.
+// P2's interpolated normals in one line: pressed along one direction, let out along another, energy comes
+// from nowhere.
 void TestLooseObjects::passiveBooksFindAnActiveObject() {
     tests::PassiveObject books;
     for (int n = 0; n <= 2000; ++n) {
@@ -185,16 +192,19 @@ void TestLooseObjects::passiveBooksFindAnActiveObject() {
         const double k = n <= 1000 ? 400.0 : 1200.0; // stiffness told too late
         books.update(1, d > 0.0, Vec3(0, 0, -d), Vec3(0, 0, k * d), 0.5 * k * d * d);
     }
-    QVERIFY2(std::abs(books.made_J() - 0.0064) < 5e-5, qPrintable(QString::number(books.made_J()))); // models.md §0: 6.4 mJ
+    QVERIFY2(std::abs(books.made_J() - 0.0064) < 5e-5,
+             qPrintable(QString::number(books.made_J()))); // models.md §0: 6.4 mJ
     QVERIFY(books.worst_J() >= books.made_J());
     books.reset();
     QCOMPARE(books.made_J(), 0.0);
 }
 
-// What one tool puts into an object the other may take out: the object's books say so, the contacts' alone would not.
+// What one tool puts into an object the other may take out: the object's books say so, the contacts' alone
+// would not.
 void TestLooseObjects::passiveBooksOverTwoTools() {
     tests::PassiveObject books;
-    for (int n = 0; n <= 1000; ++n) { // a spring between two tools: the first stretches it, then the second lets it in
+    for (int n = 0; n <= 1000;
+         ++n) { // a spring between two tools: the first stretches it, then the second lets it in
         const double x = 0.01 * n / 1000.0;
         books.update(0, true, Vec3(x, 0, 0), Vec3(-100.0 * x, 0, 0), 0.5 * 0.5 * 100.0 * x * x);
         books.update(1, true, Vec3::Zero(), Vec3(100.0 * x, 0, 0), 0.5 * 0.5 * 100.0 * x * x);
@@ -213,7 +223,8 @@ void TestLooseObjects::sampledSpringMakesWhatIsSaid() {
     tests::PassiveObject books;
     const double step = 1e-4; // 0.1 m/s
     for (int n = 0; n <= 20; ++n)
-        books.update(0, true, Vec3(0, 0, -n * step), Vec3(0, 0, 1000.0 * n * step), 500.0 * n * n * step * step);
+        books.update(0, true, Vec3(0, 0, -n * step), Vec3(0, 0, 1000.0 * n * step),
+                     500.0 * n * n * step * step);
     QVERIFY(std::abs(books.made_J() - 20 * 0.5 * 1000.0 * step * step) < 1e-12);
 }
 

@@ -62,7 +62,8 @@ Vec3 force(const ObjectContact& contact, const ContactPlace& place) {
 }
 
 /// Least work of a loop and of its reverse.
-template <class Place> double leastWork(const ObjectContact& contact, const std::vector<Vec3>& path, Place where) {
+template <class Place>
+double leastWork(const ObjectContact& contact, const std::vector<Vec3>& path, Place where) {
     const testing::Force law = [&](const Vec3& p) { return force(contact, where(p)); };
     const double work = testing::workIn(path, law);
     return std::min(work, -work);
@@ -100,7 +101,8 @@ void TestObjectContact::pressIsTheElasticLaw() {
     QCOMPARE(out.depth_m, 0.004);
     QVERIFY(out.inContact && out.normalForce_N > 0.0);
     const auto away = contact.respond(onPlane({0.01, 0.02, 0.004}), core::kTickSeconds, state);
-    QVERIFY(!away.inContact && away.force.norm() == 0.0 && away.energy_J == 0.0 && away.stiffness_N_per_m == 0.0);
+    QVERIFY(!away.inContact && away.force.norm() == 0.0 && away.energy_J == 0.0 &&
+            away.stiffness_N_per_m == 0.0);
 }
 
 void TestObjectContact::forceIsMinusTheGradient() {
@@ -133,7 +135,8 @@ void TestObjectContact::loopsMakeNoEnergyOnAPlane() {
     const ObjectContact contact(conservative());
     double least = 0.0;
     for (int n = 0; n < 5000; ++n) {
-        const Vec3 centre(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), n % 2 == 0 ? -0.0015 : 0.0);
+        const Vec3 centre(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03),
+                          n % 2 == 0 ? -0.0015 : 0.0);
         least = std::min(least, leastWork(contact, testing::randomLoop(random, centre, 0.002, 500), onPlane));
     }
     QVERIFY2(least >= -1e-6, qPrintable(QString::number(least)));
@@ -147,13 +150,14 @@ void TestObjectContact::loopsMakeNoEnergyOnASphere() {
         const Vec3 outward =
             Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.1, 1)).normalized();
         const Vec3 centre = outward * (kRadius - (n % 2 == 0 ? 0.0015 : 0.0));
-        least = std::min(least, leastWork(contact, testing::randomLoop(random, centre, 0.002, 500), onSphere));
+        least =
+            std::min(least, leastWork(contact, testing::randomLoop(random, centre, 0.002, 500), onSphere));
     }
     QVERIFY2(least >= -1e-6, qPrintable(QString::number(least)));
 }
 
-// What P2's plain "noise on the force" does, and why the lateral part is there: pressed in on one flank of the micro-height and
-// out on the other, a loop without it makes energy, one way round or the other.
+// What P2's plain "noise on the force" does, and why the lateral part is there: pressed in on one flank of
+// the micro-height and out on the other, a loop without it makes energy, one way round or the other.
 void TestObjectContact::withoutTheLateralPartLoopsDo() {
     core::Random random(4);
     const ObjectContact contact(conservative());
@@ -170,8 +174,8 @@ void TestObjectContact::withoutTheLateralPartLoopsDo() {
     QVERIFY2(least < -20e-6, qPrintable(QString::number(least)));
 }
 
-// With everything on, what the hand puts in over any path is at least what is stored: here the real path, tick by tick, with
-// the force answered to each step.
+// With everything on, what the hand puts in over any path is at least what is stored: here the real path,
+// tick by tick, with the force answered to each step.
 void TestObjectContact::dissipativePartsOnlyTake() {
     core::Random random(5);
     double made = 0.0;
@@ -212,7 +216,8 @@ void TestObjectContact::frictionStaysBelowMuN() {
         ObjectContactState state;
         Vec3 p(0.0, 0.0, -0.001);
         for (int n = 0; n < 1000; ++n) {
-            const Vec3 step = 4e-4 * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+            const Vec3 step =
+                4e-4 * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
             p += step;
             p.z() = std::clamp(p.z(), -0.005, 0.001);
             ContactPlace place = run % 2 == 0 ? onPlane(p) : onSphere(p + Vec3(0, 0, kRadius));
@@ -231,7 +236,8 @@ void TestObjectContact::neverPulls() {
     const ObjectContact contact(everything());
     ObjectContactState state;
     for (int n = 0; n < 100000; ++n) {
-        ContactPlace place = onPlane({random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), random.uniform(-0.006, 0.003)});
+        ContactPlace place = onPlane(
+            {random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), random.uniform(-0.006, 0.003)});
         place.velocity = 0.5 * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
         const auto out = contact.respond(place, core::kTickSeconds, state);
         QVERIFY(out.normalForce_N >= 0.0 && out.force.dot(out.normal) >= -1e-12);
@@ -317,7 +323,10 @@ void TestObjectContact::attributesReachTheLaw() {
     };
     QVERIFY(changed([](auto& a) { a.stiffness_N_per_m = 400; }));
     QVERIFY(changed([](auto& a) { a.stiffening_per_m = 50; }));
-    QVERIFY(changed([](auto& a) { a.recoveryTime_s = 0.2; a.recoveryShare = 0.5; }));
+    QVERIFY(changed([](auto& a) {
+        a.recoveryTime_s = 0.2;
+        a.recoveryShare = 0.5;
+    }));
     QVERIFY(changed([](auto& a) { a.roughness_m = 2e-5; }));
     QVERIFY(changed([](auto& a) { a.friction = 0.2; }));
     QVERIFY(changed([](auto& a) { a.viscosity_Ns_per_m = 1; }));

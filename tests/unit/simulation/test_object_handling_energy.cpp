@@ -46,7 +46,8 @@ void TestObjectHandlingEnergy::heldObjectOverClosedPathsAndTheirReverses() {
     for (int path = 0; path < 200; ++path) {
         std::vector<Vec3> corners;
         for (int i = 0; i < 3; ++i)
-            corners.push_back(home + Vec3(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), random.uniform(-0.008, 0.04)));
+            corners.push_back(home + Vec3(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03),
+                                          random.uniform(-0.008, 0.04)));
         const double before = d.work_J;
         for (const Vec3& corner : corners)
             d.moveTo(corner, 0.05);
@@ -58,7 +59,8 @@ void TestObjectHandlingEnergy::heldObjectOverClosedPathsAndTheirReverses() {
         d.moveTo(home, 0.05);
         d.tick();
         const double backward = d.work_J - before - forward;
-        QVERIFY2(forward > -1e-6 && backward > -1e-6, qPrintable(QString("%1 %2").arg(forward).arg(backward)));
+        QVERIFY2(forward > -1e-6 && backward > -1e-6,
+                 qPrintable(QString("%1 %2").arg(forward).arg(backward)));
     }
 }
 
@@ -91,7 +93,9 @@ void TestObjectHandlingEnergy::theBookAgreesWithTheWork() {
     d.graspObject(0, 0.004);
     const double before = d.work_J;
     double worst = 0.0;
-    d.observe = [&](HandlingDriver& now) { worst = std::max(worst, std::abs(now.work_J - before - now.out.storedEnergy_J)); };
+    d.observe = [&](HandlingDriver& now) {
+        worst = std::max(worst, std::abs(now.work_J - before - now.out.storedEnergy_J));
+    };
     d.moveBy(Vec3(0.0, 0.0, -0.0005), 1.0); // into the bed
     d.moveBy(Vec3(0.0, 0.0, 0.020), 2.0);
     d.ticks(5);
@@ -112,10 +116,15 @@ void TestObjectHandlingEnergy::pushingMakesNoEnergy() {
         double strongest = 0.0;
         d.observe = [&](HandlingDriver& now) { strongest = std::max(strongest, now.force().norm()); };
         for (int touch = 0; touch < 6; ++touch) {
-            d.moveTo(d.body().p_W + Vec3(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), 0.030), 0.3);
+            d.moveTo(d.body().p_W + Vec3(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), 0.030),
+                     0.3);
             d.work_J = 0.0;
-            d.moveTo(d.body().p_W + Vec3(random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01), random.uniform(0.002, 0.009)), 0.4);
-            d.moveBy(Vec3(random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01), random.uniform(-0.001, 0.001)), 0.3);
+            d.moveTo(d.body().p_W + Vec3(random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01),
+                                         random.uniform(0.002, 0.009)),
+                     0.4);
+            d.moveBy(
+                Vec3(random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01), random.uniform(-0.001, 0.001)),
+                0.3);
             d.moveBy(Vec3(0.0, 0.0, 0.030), 0.3); // free again: nothing is stored any more
             QVERIFY2(d.work_J > -20e-6, qPrintable(QString::number(d.work_J)));
             d.ticks(300);

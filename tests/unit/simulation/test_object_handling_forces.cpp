@@ -15,7 +15,9 @@ namespace {
 
 constexpr double kWeight_N = 0.010 * core::kStandardGravity;
 
-bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+bool isNear(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+}
 
 } // namespace
 
@@ -71,7 +73,8 @@ void TestObjectHandlingForces::squeezeFollowsTheLaw() {
     HandlingDriver d(p);
     d.startRunning();
     d.graspObject(0, depth_m);
-    const double expected = stiffening > 0.0 ? 300.0 / stiffening * std::expm1(stiffening * depth_m) : 300.0 * depth_m;
+    const double expected =
+        stiffening > 0.0 ? 300.0 / stiffening * std::expm1(stiffening * depth_m) : 300.0 * depth_m;
     QCOMPARE(d.q(q::kHeld), 1.0);
     QVERIFY(isNear(d.q(q::kSqueeze), expected, 1e-9));
     QVERIFY(isNear(d.out.cues.exercise.of<core::LaparoscopyCues>().body[0].squeeze_m, 2.0 * depth_m, 1e-12));
@@ -148,7 +151,8 @@ void TestObjectHandlingForces::everyPartIsContinuous() {
     d.open();
     d.tool().jaw_rad = d.jawFor(d.openingFor(0.002));
     d.jawTo(2.0 * p.radius_m + 0.005, 0.4);
-    QVERIFY2(d.largestStep_N < 0.050, qPrintable(QString::number(d.largestStep_N))); // pressed 0.4 N into the bed, let go
+    QVERIFY2(d.largestStep_N < 0.050,
+             qPrintable(QString::number(d.largestStep_N))); // pressed 0.4 N into the bed, let go
     QCOMPARE(d.events & bits::kReleased, bits::kReleased);
     QVERIFY((d.events & bits::kSlipped) == 0);
 }
@@ -181,7 +185,8 @@ void TestObjectHandlingForces::closedJawsCannotTakeHold() {
     QVERIFY(d.force().norm() > 0.05); // it presses on it instead
 }
 
-/// The passivity credit needs the stiffness that the hand feels: of two bodies, where either is the one in the jaws.
+/// The passivity credit needs the stiffness that the hand feels: of two bodies, where either is the one in
+/// the jaws.
 void TestObjectHandlingForces::heldAgainstAnotherItIsStiffer() {
     for (const std::size_t held : {std::size_t{0}, std::size_t{1}}) {
         ObjectHandlingParameters p = oneOvary();

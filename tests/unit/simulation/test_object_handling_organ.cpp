@@ -91,7 +91,8 @@ void TestObjectHandlingOrgan::lateAnswersAreNoSteps() {
     QVERIFY2(d.largestStep_N < 0.05, qPrintable(QString::number(d.largestStep_N)));
 }
 
-/// A body that is let go beside the organ lies on the floor it stands on, and the organ feels nothing of it; the tip meets it too.
+/// A body that is let go beside the organ lies on the floor it stands on, and the organ feels nothing of it;
+/// the tip meets it too.
 void TestObjectHandlingOrgan::besideTheOrganIsAFloor() {
     ObjectHandlingParameters p = onOrgan(oneOvary());
     p.bedMesh.halfAxisX_m = p.bedMesh.halfAxisY_m = 0.035; // narrower than content may have it
@@ -105,15 +106,17 @@ void TestObjectHandlingOrgan::besideTheOrganIsAFloor() {
     d.open();
     d.ticks(2000);
     const double floor_m = -0.028; // its highest point is at 0, it is 28 mm thick
-    QVERIFY2(std::abs(d.body().p_W.z() - (floor_m + p.radius_m)) < 1e-3, qPrintable(QString::number(d.body().p_W.z())));
+    QVERIFY2(std::abs(d.body().p_W.z() - (floor_m + p.radius_m)) < 1e-3,
+             qPrintable(QString::number(d.body().p_W.z())));
     QVERIFY(d.body().v_W.norm() < 1e-3);
     d.moveBy(Vec3(0.0, 0.0, 0.060), 0.5);
     d.moveTo(Vec3(0.0, 0.060, 0.030), 0.5);
     d.tool().jaw_rad = 0.0;
     d.moveTo(Vec3(0.0, 0.060, floor_m - 0.002), 0.5);
     d.ticks(200);
-    QVERIFY2(std::abs(d.force().z() - 0.6) < 0.1, qPrintable(QString::number(d.force().z()))); // 2 mm of 300 N/m; the mesh's lowest
-                                                                                             // corner may lie 0.3 mm higher
+    QVERIFY2(std::abs(d.force().z() - 0.6) < 0.1,
+             qPrintable(QString::number(d.force().z()))); // 2 mm of 300 N/m; the mesh's lowest
+                                                          // corner may lie 0.3 mm higher
 }
 
 /// An organ that cannot be made is no plane: nothing is felt or shown, and the trial runs out.
@@ -140,7 +143,8 @@ void TestObjectHandlingOrgan::sameInputsSameBits() {
         HandlingDriver d(onOrgan(oneOvary()), 3);
         std::vector<double> seen;
         d.observe = [&](HandlingDriver& now) {
-            seen.insert(seen.end(), {now.force().x(), now.force().y(), now.force().z(), now.out.storedEnergy_J});
+            seen.insert(seen.end(),
+                        {now.force().x(), now.force().y(), now.force().z(), now.out.storedEnergy_J});
             seen.insert(seen.end(), now.out.quantities.begin(), now.out.quantities.end());
         };
         d.startRunning();

@@ -17,7 +17,9 @@ namespace q = handling_quantity;
 
 namespace {
 
-LaparoscopyStep stepOf(const HandlingDriver& d) { return d.out.cues.exercise.of<core::LaparoscopyCues>().step; }
+LaparoscopyStep stepOf(const HandlingDriver& d) {
+    return d.out.cues.exercise.of<core::LaparoscopyCues>().step;
+}
 
 /// From grasped to let go in the target.
 void carryToTarget(HandlingDriver& d, double height_m = 0.045) {
@@ -154,7 +156,7 @@ void TestObjectHandlingTask::tooLooseSlips() {
     QVERIFY((d.events & bits::kReleased) == 0);
     QCOMPARE(d.q(q::kHeld), 0.0);
     QVERIFY2(d.largestStep_N < 0.005, qPrintable(QString::number(d.largestStep_N))); // sliding out is no jerk
-    QVERIFY(std::abs(d.body().bedDepth_m() - d.body().restDepth_m()) < 1e-5);          // it lies again
+    QVERIFY(std::abs(d.body().bedDepth_m() - d.body().restDepth_m()) < 1e-5);        // it lies again
     // A jaw that stays closed does not catch it again; an opened one does.
     QCOMPARE(stepOf(d), LaparoscopyStep::grasp);
     d.graspObject();
@@ -172,7 +174,8 @@ void TestObjectHandlingTask::droppedFromTheAir() {
     QVERIFY(d.body().v_W.norm() < 1e-3);
 }
 
-/// Set down and let go it is no drop, nor does that make the slip that comes after it count again when it lands.
+/// Set down and let go it is no drop, nor does that make the slip that comes after it count again when it
+/// lands.
 void TestObjectHandlingTask::aDropIsToldOnce() {
     HandlingDriver d(oneOvary());
     int told = 0;
@@ -207,7 +210,8 @@ void TestObjectHandlingTask::overSqueezeIsToldOnceAndRearmed() {
     QVERIFY(d.q(q::kSqueeze) > d.parameters.squeezeLimit_N);
     QCOMPARE(damaged, 1);
     d.jawTo(d.openingFor(0.0055), 0.2);
-    QVERIFY(d.q(q::kSqueeze) < d.parameters.squeezeLimit_N && d.q(q::kSqueeze) > 0.8 * d.parameters.squeezeLimit_N);
+    QVERIFY(d.q(q::kSqueeze) < d.parameters.squeezeLimit_N &&
+            d.q(q::kSqueeze) > 0.8 * d.parameters.squeezeLimit_N);
     d.jawTo(d.openingFor(0.0065), 0.2);
     QCOMPARE(damaged, 1); // not let off enough
     d.jawTo(d.openingFor(0.003), 0.2);
@@ -244,14 +248,16 @@ void TestObjectHandlingTask::weighingBySeed() {
             for (std::size_t i = 0; i < 3; ++i) {
                 QVERIFY(trial.mass_kg[i] >= p.massLow_kg && trial.mass_kg[i] <= p.massHigh_kg);
                 if (static_cast<int>(i) != trial.heaviest)
-                    QVERIFY(trial.mass_kg[static_cast<std::size_t>(trial.heaviest)] >= p.massRatio * trial.mass_kg[i] - 1e-12);
+                    QVERIFY(trial.mass_kg[static_cast<std::size_t>(trial.heaviest)] >=
+                            p.massRatio * trial.mass_kg[i] - 1e-12);
                 QVERIFY(trial.place_m[i].norm() <= p.placesRadius_m + 1e-12);
                 QVERIFY((trial.place_m[i] - trial.target_m).norm() >= targetSpacing_m(p) - 1e-12);
                 for (std::size_t k = 0; k < i; ++k)
                     QVERIFY((trial.place_m[i] - trial.place_m[k]).norm() >= objectSpacing_m(p) - 1e-12);
             }
         }
-        QVERIFY(std::memcmp(&plan[0].mass_kg, &planObjectHandlingTrials(p, seed)[0].mass_kg, sizeof(plan[0].mass_kg)) == 0);
+        QVERIFY(std::memcmp(&plan[0].mass_kg, &planObjectHandlingTrials(p, seed)[0].mass_kg,
+                            sizeof(plan[0].mass_kg)) == 0);
     }
     for (const int count : heaviest) // 960 draws: 320 ± 15
         QVERIFY(count > 260 && count < 380);
@@ -266,7 +272,8 @@ void TestObjectHandlingTask::anyObjectEndsAWeighing() {
         d.graspObject(i, 0.0012);
         d.moveBy(Vec3(0.0, 0.0, 0.030), 0.6);
         d.ticks(5);
-        QVERIFY(std::abs(d.force().z() + d.trial().mass_kg[i] * core::kStandardGravity) < 1e-9); // what is felt tells them apart
+        QVERIFY(std::abs(d.force().z() + d.trial().mass_kg[i] * core::kStandardGravity) <
+                1e-9); // what is felt tells them apart
         d.moveBy(Vec3(0.0, 0.0, -0.030), 0.6);
         carryToTarget(d);
         d.ticks(600);
@@ -318,7 +325,8 @@ void TestObjectHandlingTask::sameInputsSameBits() {
         HandlingDriver d(threeToWeigh(), 4);
         std::vector<double> seen;
         d.observe = [&](HandlingDriver& now) {
-            seen.insert(seen.end(), {now.force().x(), now.force().y(), now.force().z(), now.out.storedEnergy_J});
+            seen.insert(seen.end(),
+                        {now.force().x(), now.force().y(), now.force().z(), now.out.storedEnergy_J});
             seen.insert(seen.end(), now.out.quantities.begin(), now.out.quantities.end());
         };
         d.startRunning();

@@ -41,7 +41,8 @@ void keepsItsConstraints(const PalpationParameters& p, const PalpationTrial& tri
             QVERIFY((distractor.centre_m - lump.place_m).norm() >= p.spacing_m);
         QVERIFY(lump.radius_m <= 0.75 * lump.depth_m + 1e-12);
         const auto kind = std::find_if(p.kinds.begin(), p.kinds.end(), [&](const LumpKind& one) {
-            return one.radius_m == lump.radius_m && one.ratio == lump.ratio && std::abs(one.depth_m - lump.depth_m) <= p.depthSpread_m + 1e-12;
+            return one.radius_m == lump.radius_m && one.ratio == lump.ratio &&
+                   std::abs(one.depth_m - lump.depth_m) <= p.depthSpread_m + 1e-12;
         });
         QVERIFY(kind != p.kinds.end());
         QCOMPARE(trial.hardness[static_cast<std::size_t>(i)], kind->hardness);
@@ -62,7 +63,9 @@ private slots:
         for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
             const auto trials = planPalpationTrials(p, seed);
             QCOMPARE(trials.size(), std::size_t{6});
-            QCOMPARE(std::count_if(trials.begin(), trials.end(), [](const PalpationTrial& t) { return t.lumps == 0; }), 2);
+            QCOMPARE(std::count_if(trials.begin(), trials.end(),
+                                   [](const PalpationTrial& t) { return t.lumps == 0; }),
+                     2);
             for (std::size_t i = 0; i < trials.size(); ++i) {
                 keepsItsConstraints(p, trials[i]);
                 if (QTest::currentTestFailed())
@@ -78,7 +81,8 @@ private slots:
             QVERIFY(std::abs(here - 1000.0 / 3.0) < 75.0);
     }
 
-    /// A level that teaches begins with a lump; the empty trials are drawn among the others, and nothing else changes.
+    /// A level that teaches begins with a lump; the empty trials are drawn among the others, and nothing else
+    /// changes.
     void anIntroductionHasALump() {
         PalpationParameters p = severalInABreast();
         p.lumpsLow = 0; // even where a trial may come out empty by itself
@@ -103,16 +107,19 @@ private slots:
         introduced.lumpsLow = p.lumpsLow = 1;
         for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
             const auto trials = planPalpationTrials(introduced, seed);
-            QCOMPARE(std::count_if(trials.begin(), trials.end(), [](const PalpationTrial& t) { return t.lumps == 0; }), 2);
+            QCOMPARE(std::count_if(trials.begin(), trials.end(),
+                                   [](const PalpationTrial& t) { return t.lumps == 0; }),
+                     2);
             for (std::size_t i = 0; i < trials.size(); ++i)
                 catches[i] += trials[i].lumps == 0 ? 1 : 0;
         }
         QCOMPARE(catches[0], 0);
         for (std::size_t i = 1; i < catches.size(); ++i)
             QVERIFY(std::abs(catches[i] - 1000.0 * 2.0 / 5.0) < 80.0); // two of five, 5 standard deviations
-        introduced.catchTrials = introduced.trials - 1; // the only one that is not empty
+        introduced.catchTrials = introduced.trials - 1;                // the only one that is not empty
         const auto trials = planPalpationTrials(introduced, 7);
-        QVERIFY(trials[0].lumps >= 1 && std::all_of(trials.begin() + 1, trials.end(), [](const PalpationTrial& t) { return t.lumps == 0; }));
+        QVERIFY(trials[0].lumps >= 1 && std::all_of(trials.begin() + 1, trials.end(),
+                                                    [](const PalpationTrial& t) { return t.lumps == 0; }));
     }
 
     // What the control moves is at a good place before and after.
@@ -164,17 +171,21 @@ private slots:
         for (std::size_t i = 0; i < before.size(); ++i) {
             QCOMPARE(after[i].lumps, before[i].lumps);
             for (int k = 0; k < before[i].lumps; ++k)
-                QCOMPARE(after[i].lump[static_cast<std::size_t>(k)].place_m, before[i].lump[static_cast<std::size_t>(k)].place_m);
+                QCOMPARE(after[i].lump[static_cast<std::size_t>(k)].place_m,
+                         before[i].lump[static_cast<std::size_t>(k)].place_m);
         }
     }
 
-    // Where a draw cannot succeed, middles of regions are the last resort, and it is known how many they hold.
+    // Where a draw cannot succeed, middles of regions are the last resort, and it is known how many they
+    // hold.
     void lastResortHoldsWhatItSays() {
         PalpationParameters p = severalInABreast();
-        QCOMPARE(mostPalpationLumps(p), 6); // eight regions round the distractor, of which a trial has six at most
+        QCOMPARE(mostPalpationLumps(p),
+                 6); // eight regions round the distractor, of which a trial has six at most
         p.regionColumns = p.regionRows = p.lumpsHigh = 1;
         p.spacing_m = 0.05; // four distractors leave a micrometre round the middle: no draw finds it
-        for (const core::Vec2& way : {core::Vec2(1.0, 0.0), core::Vec2(-1.0, 0.0), core::Vec2(0.0, 1.0), core::Vec2(0.0, -1.0)})
+        for (const core::Vec2& way :
+             {core::Vec2(1.0, 0.0), core::Vec2(-1.0, 0.0), core::Vec2(0.0, 1.0), core::Vec2(0.0, -1.0)})
             p.tissue.regions.push_back({"", 0.050001 * way, {0.01, 0.01}, 0.0, 0.3});
         p.tissue.regions.erase(p.tissue.regions.begin());
         QCOMPARE(mostPalpationLumps(p), 1);

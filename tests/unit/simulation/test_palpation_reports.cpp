@@ -113,9 +113,10 @@ void TestPalpationReports::reportsFindOneAnother() {
 void TestPalpationReports::whatMeansNothingIsNotTold() {
     PalpationDriver d(flatPad());
     d.startRunning();
-    for (const std::uint16_t word : {core::reportWord(ReportField::size, 50), core::reportWord(ReportField::remove, 3),
-                                     core::reportWord(ReportField::select, 0), core::reportWord(ReportField::found, 0),
-                                     std::uint16_t{0xffff}, std::uint16_t{0x7000}}) {
+    for (const std::uint16_t word :
+         {core::reportWord(ReportField::size, 50), core::reportWord(ReportField::remove, 3),
+          core::reportWord(ReportField::select, 0), core::reportWord(ReportField::found, 0),
+          std::uint16_t{0xffff}, std::uint16_t{0x7000}}) {
         d.in.report[0] = word;
         d.in.reports = 1;
         d.ticks(20);
@@ -146,7 +147,8 @@ void TestPalpationReports::waitingReportsAreTakenAtTheLimit() {
     d.ticks(static_cast<int>(PalpationScene::kReportTicks));
     QCOMPARE(d.told.size(), std::size_t{2});
     QCOMPARE(d.told[1].value, 60U);
-    // A device of 125 Hz has a sample of the last one too: its quantities stand for kReportTicks before the trial is over.
+    // A device of 125 Hz has a sample of the last one too: its quantities stand for kReportTicks before the
+    // trial is over.
     d.ticks(static_cast<int>(PalpationScene::kReportTicks) - 1);
     QVERIFY(!(d.events & bits::kTimedOut));
     d.tick();

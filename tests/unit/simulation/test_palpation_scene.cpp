@@ -108,7 +108,8 @@ void TestPalpationScene::fingersTouchEachForThemselves() {
     for (std::size_t i = 0; i < 4; ++i) {
         QCOMPARE(d.force(i).z() > 0.1, i % 2 == 0);
         QCOMPARE(d.out.display[i].normalForce_N > 0.1, i % 2 == 0);
-        QVERIFY(std::abs(d.out.quantities[q::kDepth + i] - (i % 2 == 0 ? 0.001 * (static_cast<double>(i) + 1.0) : 0.0)) < 1e-9);
+        QVERIFY(std::abs(d.out.quantities[q::kDepth + i] -
+                         (i % 2 == 0 ? 0.001 * (static_cast<double>(i) + 1.0) : 0.0)) < 1e-9);
     }
     PalpationParameters alone = flatPad();
     PalpationDriver one(alone);
@@ -162,7 +163,9 @@ void TestPalpationScene::cuesAreTheLevels() {
     QVERIFY(all.present && all.asksSize && !all.asksHardness && all.asksConfidence);
     QCOMPARE(all.lumps, 1);
     const Lump& lump = shown.trial().lump[0];
-    QVERIFY((Vec3(all.lump[0].p_W[0], all.lump[0].p_W[1], all.lump[0].p_W[2]) - Vec3(lump.place_m.x(), lump.place_m.y(), -lump.depth_m)).norm() < 1e-9);
+    QVERIFY((Vec3(all.lump[0].p_W[0], all.lump[0].p_W[1], all.lump[0].p_W[2]) -
+             Vec3(lump.place_m.x(), lump.place_m.y(), -lump.depth_m))
+                .norm() < 1e-9);
     QCOMPARE(all.lump[0].radius_m, lump.radius_m);
     QVERIFY(all.bandShown && all.coverageShown);
     QCOMPARE(all.bandHigh_N, p.bandHigh_N);

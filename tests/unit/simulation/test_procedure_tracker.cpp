@@ -13,7 +13,8 @@ using core::Vec3;
 
 namespace {
 
-/// A straight canal along z: s is z, the bladder begins at 50 mm, one landmark 60 mm straight ahead of the neck.
+/// A straight canal along z: s is z, the bladder begins at 50 mm, one landmark 60 mm straight ahead of the
+/// neck.
 ProcedurePlan straightPlan(std::size_t landmarks = 1) {
     ProcedurePlan plan;
     plan.beak_m = 0.010;
@@ -116,7 +117,8 @@ void TestProcedureTracker::startingInsideRunsThroughTheStages() {
     QCOMPARE(tracker.stage(), ProcedureStage::inspection);
 }
 
-// A tip pushed along 30 mm beside the canal is neither inserted nor at the goal, however far it goes; out is out anywhere.
+// A tip pushed along 30 mm beside the canal is neither inserted nor at the goal, however far it goes; out is
+// out anywhere.
 void TestProcedureTracker::besideTheCanalIsNotInIt() {
     ProcedureTracker tracker(straightPlan(0));
     for (const double x : {0.030, 0.0101}) {
@@ -196,7 +198,8 @@ void TestProcedureTracker::eitherOrderAndBothAtOnce() {
     QCOMPARE(hold(both, at(0.060), 600), 3u);
 }
 
-// A held hand trembles with 0.1 mm at 8 to 12 Hz (models.md §4): 6 mm/s from tick to tick, and still no movement.
+// A held hand trembles with 0.1 mm at 8 to 12 Hz (models.md §4): 6 mm/s from tick to tick, and still no
+// movement.
 void TestProcedureTracker::tremorIsNoMovement() {
     for (const double frequency_Hz : {8.0, 10.0, 12.0}) {
         ProcedureTracker tracker(straightPlan());
@@ -239,7 +242,8 @@ void TestProcedureTracker::coarserSamplesSeeTheSame() {
             if (tracker.advance(at(z), static_cast<std::uint64_t>(step_us)).seenNow != 0)
                 seen_us = t_us;
         }
-        // 61 mm are reached at 2.0333 s, the mean speed over 0.1 s falls below 5 mm/s at 2.117 s, and it is held for 0.5 s.
+        // 61 mm are reached at 2.0333 s, the mean speed over 0.1 s falls below 5 mm/s at 2.117 s, and it is
+        // held for 0.5 s.
         QVERIFY2(std::abs(seen_us - 2617000) <= 2 * step_us + 1000, qPrintable(QString::number(seen_us)));
     }
 }
@@ -267,7 +271,9 @@ void TestProcedureTracker::planPutsLandmarksOnTheWall() {
         const Vec3 landmark(plan.landmark_A[i][0], plan.landmark_A[i][1], plan.landmark_A[i][2]);
         QVERIFY(std::abs((landmark - centre).norm() - 0.035) < 1e-9);
     }
-    QVERIFY(std::abs((Vec3(plan.landmark_A[0][0], plan.landmark_A[0][1], plan.landmark_A[0][2]) - neck).norm() - 0.070) < 1e-9);
+    QVERIFY(
+        std::abs((Vec3(plan.landmark_A[0][0], plan.landmark_A[0][1], plan.landmark_A[0][2]) - neck).norm() -
+                 0.070) < 1e-9);
     QVERIFY(plan.landmark_A[1][0] > 0.029); // +x̂ is the patient's right
     const Vec3 front = Vec3(plan.landmark_A[2][0], plan.landmark_A[2][1], plan.landmark_A[2][2]) - neck;
     QVERIFY(front.dot(line.atZ(p.anatomy.zEnd_m).n_A) > 0.029); // n̂ points to the front of the patient

@@ -33,7 +33,8 @@ Vec3 randomDirection(core::Random& random, bool inPlane) {
 std::vector<double> track(const Roughness& rough, const Vec3& from, const Vec3& along) {
     std::vector<double> heights;
     for (int i = 0; i < kSamples; ++i)
-        heights.push_back(rough.sample(from + along * (i * rough.shortestWavelength_m() / kPerWave)).height_m);
+        heights.push_back(
+            rough.sample(from + along * (i * rough.shortestWavelength_m() / kPerWave)).height_m);
     return heights;
 }
 
@@ -65,8 +66,8 @@ void fft(std::vector<std::complex<double>>& x) {
 std::vector<double> periodogram(const std::vector<double>& heights) {
     std::vector<std::complex<double>> x;
     for (std::size_t i = 0; i < heights.size(); ++i)
-        x.push_back(heights[i] *
-                    (0.5 - 0.5 * std::cos(2.0 * core::kPi * static_cast<double>(i) / static_cast<double>(heights.size()))));
+        x.push_back(heights[i] * (0.5 - 0.5 * std::cos(2.0 * core::kPi * static_cast<double>(i) /
+                                                       static_cast<double>(heights.size()))));
     fft(x);
     std::vector<double> power;
     for (std::size_t i = 0; i <= heights.size() / 2; ++i)
@@ -75,8 +76,9 @@ std::vector<double> periodogram(const std::vector<double>& heights) {
 }
 
 struct Spectrum {
-    std::array<double, kBands> band_dB{}; ///< mean density in the band over the mean density up to the cut-off
-    double beyond_dB = 0.0;               ///< largest density of a bin beyond 1.02 of the cut-off, over the same mean
+    std::array<double, kBands>
+        band_dB{};          ///< mean density in the band over the mean density up to the cut-off
+    double beyond_dB = 0.0; ///< largest density of a bin beyond 1.02 of the cut-off, over the same mean
 };
 
 /// Of the mean periodogram of the tracks.
@@ -152,14 +154,16 @@ void TestRoughness::spectrumIsWhiteToTheCutOff() {
     }
 }
 
-// Not only in the mean over directions: along each single track, in quarters of the cut-off (16 of its 64 lines each).
+// Not only in the mean over directions: along each single track, in quarters of the cut-off (16 of its 64
+// lines each).
 void TestRoughness::everyTrackIsWhite() {
     core::Random random(12);
     double worst = 0.0;
     for (int t = 0; t < 60; ++t) {
         const Spectrum s = spectrum(Roughness(kRms, kWavelength, random.next()), random, 1, t % 2 == 0);
         for (std::size_t b = 0; b < kBands; b += 2) {
-            const double quarter = 0.5 * (std::pow(10.0, 0.1 * s.band_dB[b]) + std::pow(10.0, 0.1 * s.band_dB[b + 1]));
+            const double quarter =
+                0.5 * (std::pow(10.0, 0.1 * s.band_dB[b]) + std::pow(10.0, 0.1 * s.band_dB[b + 1]));
             worst = std::max(worst, std::abs(10.0 * std::log10(quarter)));
         }
         QVERIFY2(s.beyond_dB < -20.0, told(s).constData());
@@ -197,7 +201,8 @@ void TestRoughness::heightsAreNearGaussian() {
         within += std::abs(h) < 1.0 ? 1 : 0;
         fourth += h * h * h * h / kPlaces;
     }
-    QVERIFY2(std::abs(within / static_cast<double>(kPlaces) - 0.683) < 0.02, qPrintable(QString::number(within)));
+    QVERIFY2(std::abs(within / static_cast<double>(kPlaces) - 0.683) < 0.02,
+             qPrintable(QString::number(within)));
     QVERIFY2(std::abs(fourth - 3.0) < 0.25, qPrintable(QString::number(fourth)));
 }
 
@@ -224,15 +229,17 @@ void TestRoughness::gradientIsTheHeightsOwn() {
         const RoughnessSample at = rough.sample(p);
         for (int axis = 0; axis < 3; ++axis) {
             const Vec3 step = e * Vec3::Unit(axis);
-            const double slope = (rough.sample(p + step).height_m - rough.sample(p - step).height_m) / (2.0 * e);
-            QVERIFY2(std::abs(slope - at.gradient[axis]) < 1e-6, qPrintable(QString::number(slope - at.gradient[axis])));
+            const double slope =
+                (rough.sample(p + step).height_m - rough.sample(p - step).height_m) / (2.0 * e);
+            QVERIFY2(std::abs(slope - at.gradient[axis]) < 1e-6,
+                     qPrintable(QString::number(slope - at.gradient[axis])));
         }
     }
 }
 
-
 void TestRoughness::sineIsOne() {
-    // h and its Laplacian: every wave has |k| = 2π/λ, so ∇²h = −(2π/λ)² h exactly for sines; a wrong polynomial would not.
+    // h and its Laplacian: every wave has |k| = 2π/λ, so ∇²h = −(2π/λ)² h exactly for sines; a wrong
+    // polynomial would not.
     const Roughness rough(kRms, kWavelength, 22);
     core::Random random(17);
     const double e = 2e-6;
@@ -242,7 +249,8 @@ void TestRoughness::sineIsOne() {
         double laplacian = 0.0;
         for (int axis = 0; axis < 3; ++axis) {
             const Vec3 step = e * Vec3::Unit(axis);
-            laplacian += (rough.sample(p + step).gradient[axis] - rough.sample(p - step).gradient[axis]) / (2.0 * e);
+            laplacian +=
+                (rough.sample(p + step).gradient[axis] - rough.sample(p - step).gradient[axis]) / (2.0 * e);
         }
         QVERIFY2(std::abs(laplacian + k2 * rough.sample(p).height_m) < 1e-5 * k2 * kRms,
                  qPrintable(QString::number((laplacian + k2 * rough.sample(p).height_m) / (k2 * kRms))));
@@ -255,7 +263,8 @@ void TestRoughness::noPlaceIsHigherThanTheBound() {
     core::Random random(18);
     double highest = 0.0;
     for (int n = 0; n < 100000; ++n)
-        highest = std::max(highest, std::abs(rough.sample({random.uniform(), random.uniform(), 0.0}).height_m));
+        highest =
+            std::max(highest, std::abs(rough.sample({random.uniform(), random.uniform(), 0.0}).height_m));
     QVERIFY(highest < rough.bound_m() && highest > 3.0 * kRms);
 }
 
@@ -310,7 +319,8 @@ void TestRoughness::smoothIsSmooth() {
     QVERIFY(Roughness().smooth());
     QCOMPARE(Roughness().sample({1, 2, 3}).height_m, 0.0);
     QVERIFY(Roughness(0.0, 0.002, 1).smooth());
-    QCOMPARE(Roughness(1e-5, 0.0001, 1).shortestWavelength_m(), Roughness::kShortestWavelength_m); // never finer than 1 mm
+    QCOMPARE(Roughness(1e-5, 0.0001, 1).shortestWavelength_m(),
+             Roughness::kShortestWavelength_m); // never finer than 1 mm
 }
 
 QTEST_APPLESS_MAIN(TestRoughness)

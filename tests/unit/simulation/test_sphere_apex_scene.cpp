@@ -164,7 +164,8 @@ void TestSphereApexScene::notANumberTouchesNothing() {
     QCOMPARE(d.tick().tissue.count, core::kMaxTools);
 }
 
-/// A level on meshes whose mesh cannot be made is not done on the exact sphere instead: nothing is felt, and the trial runs out.
+/// A level on meshes whose mesh cannot be made is not done on the exact sphere instead: nothing is felt, and
+/// the trial runs out.
 void TestSphereApexScene::aDomeThatCannotBeMadeIsNoOther() {
     SphereApexParameters p = shortTrials();
     p.surface = ApexSurface::mesh;

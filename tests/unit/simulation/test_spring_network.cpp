@@ -41,7 +41,8 @@ Dome dome(double edge_m = 0.0015) {
 }
 
 std::unique_ptr<SpringNetwork> network(const Dome& of, const SpringNetworkParameters& parameters = {}) {
-    auto made = SpringNetwork::create({of.shape.vertices, of.shape.triangles}, of.anchored, of.apex, parameters);
+    auto made =
+        SpringNetwork::create({of.shape.vertices, of.shape.triangles}, of.anchored, of.apex, parameters);
     return made ? std::move(*made) : nullptr;
 }
 
@@ -96,7 +97,8 @@ void TestSpringNetwork::aLastingPressFeelsBothSpringsInSeries() {
         for (int step = 0; step < 300; ++step)
             force = net->step(std::span(&push, 1))[0];
         const double series = 0.003 * local * organ / (local + organ);
-        QVERIFY2(std::abs(force - series) < 1e-6 * series, qPrintable(QString("%1 N, series %2 N").arg(force).arg(series)));
+        QVERIFY2(std::abs(force - series) < 1e-6 * series,
+                 qPrintable(QString("%1 N, series %2 N").arg(force).arg(series)));
         const double givesWay = -net->displacement(of.apex).z();
         QVERIFY(std::abs(givesWay - series / organ) < 1e-6 * series / organ);
     }
@@ -245,7 +247,8 @@ void TestSpringNetwork::refusesWhatIsNoNetwork() {
     };
     QVERIFY(refused(SpringNetwork::create(surface, of.anchored, 0xffffffu, {}), "reference vertex"));
     QVERIFY(refused(SpringNetwork::create(surface, {true}, of.apex, {}), "anchors"));
-    QVERIFY(refused(SpringNetwork::create(surface, std::vector<bool>(of.anchored.size(), true), of.apex, {}), "anchored"));
+    QVERIFY(refused(SpringNetwork::create(surface, std::vector<bool>(of.anchored.size(), true), of.apex, {}),
+                    "anchored"));
     SpringNetworkParameters soft;
     soft.stiffness_N_per_m = 1.0;
     QVERIFY(refused(SpringNetwork::create(surface, of.anchored, of.apex, soft), "stiffness_N_per_m is 1"));
@@ -254,10 +257,12 @@ void TestSpringNetwork::refusesWhatIsNoNetwork() {
     QVERIFY(refused(SpringNetwork::create(surface, of.anchored, of.apex, nan), "spread_m"));
     auto vertices = of.shape.vertices;
     vertices[3].x() = std::numeric_limits<double>::infinity();
-    QVERIFY(refused(SpringNetwork::create({vertices, of.shape.triangles}, of.anchored, of.apex, {}), "vertex 3"));
+    QVERIFY(
+        refused(SpringNetwork::create({vertices, of.shape.triangles}, of.anchored, of.apex, {}), "vertex 3"));
     auto triangles = of.shape.triangles;
     triangles[5][1] = 1'000'000;
-    QVERIFY(refused(SpringNetwork::create({of.shape.vertices, triangles}, of.anchored, of.apex, {}), "triangle 5"));
+    QVERIFY(refused(SpringNetwork::create({of.shape.vertices, triangles}, of.anchored, of.apex, {}),
+                    "triangle 5"));
     const std::vector<MeshTriangle> none;
     QVERIFY(!SpringNetwork::create({of.shape.vertices, none}, of.anchored, of.apex, {}));
 }
@@ -267,13 +272,15 @@ void TestSpringNetwork::aStepIsFarBelowTenMilliseconds() {
     const Dome of = dome(0.0013);
     const auto net = network(of);
     QVERIFY(net->freeVertices() > 1300 && net->freeVertices() < 1800);
-    QVERIFY2(net->factorEntries() < 40 * net->freeVertices(), qPrintable(QString::number(net->factorEntries())));
+    QVERIFY2(net->factorEntries() < 40 * net->freeVertices(),
+             qPrintable(QString::number(net->factorEntries())));
     const std::array pushes{press(of, 0.003, 500.0), press(of, 0.002, 500.0)};
     const auto begin = std::chrono::steady_clock::now();
     for (int step = 0; step < 100; ++step)
         (void)net->step(pushes);
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    qInfo("%zu free vertices, %zu entries of L, %.3f ms a step", net->freeVertices(), net->factorEntries(), took.count() / 100);
+    qInfo("%zu free vertices, %zu entries of L, %.3f ms a step", net->freeVertices(), net->factorEntries(),
+          took.count() / 100);
 }
 
 QTEST_APPLESS_MAIN(TestSpringNetwork)

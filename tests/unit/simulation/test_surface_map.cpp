@@ -32,12 +32,17 @@ struct PlainMap {
                 }
     }
     double coverage() const {
-        return static_cast<double>(std::count_if(force_N.begin(), force_N.end(), [&](float f) { return static_cast<double>(f) >= cover_N; })) / kCells;
+        return static_cast<double>(
+                   std::count_if(force_N.begin(), force_N.end(),
+                                 [&](float f) { return static_cast<double>(f) >= cover_N; })) /
+               kCells;
     }
     bool isIn(const SurfaceMap& map) const {
         for (int row = 0; row < SurfaceMap::kRows; ++row)
             for (int column = 0; column < SurfaceMap::kColumns; ++column)
-                if (map.force_N(column, row) != static_cast<double>(force_N[static_cast<std::size_t>(row * SurfaceMap::kColumns + column)]))
+                if (map.force_N(column, row) !=
+                    static_cast<double>(
+                        force_N[static_cast<std::size_t>(row * SurfaceMap::kColumns + column)]))
                     return false;
         return map.coverage() == coverage();
     }
@@ -60,7 +65,8 @@ private slots:
 void TestSurfaceMap::cellsFillTheArea() {
     const SurfaceMap map({0.048, 0.024}, 0.004, 0.5);
     QVERIFY((map.middle_m(0, 0) - Vec2(-0.047, -0.0235)).norm() < 1e-12);
-    QVERIFY((map.middle_m(SurfaceMap::kColumns - 1, SurfaceMap::kRows - 1) - Vec2(0.047, 0.0235)).norm() < 1e-12);
+    QVERIFY((map.middle_m(SurfaceMap::kColumns - 1, SurfaceMap::kRows - 1) - Vec2(0.047, 0.0235)).norm() <
+            1e-12);
 }
 
 void TestSurfaceMap::everyPressIsWhereItWas_data() {
@@ -79,7 +85,8 @@ void TestSurfaceMap::everyPressIsWhereItWas() {
     for (int i = 0; i < 200; ++i) {
         // every second press lies within the area, the others may lie beside it
         const double beyond = i % 2 ? 1.0 : 1.3;
-        const Vec2 p(beyond * half.x() * random.uniform(-1.0, 1.0), beyond * half.y() * random.uniform(-1.0, 1.0));
+        const Vec2 p(beyond * half.x() * random.uniform(-1.0, 1.0),
+                     beyond * half.y() * random.uniform(-1.0, 1.0));
         const double force = random.uniform(0.01, 1.0);
         map.press(p, force);
         plain.press(map, p, force);
@@ -119,7 +126,8 @@ void TestSurfaceMap::aStepIsAChange() {
 }
 
 void TestSurfaceMap::whatIsNoPressChangesNothing() {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
+                     kInf = std::numeric_limits<double>::infinity();
     SurfaceMap map({0.04, 0.04}, 0.005, 0.5);
     for (const Vec2& p : {Vec2(kNan, 0.0), Vec2(0.0, kInf)})
         map.press(p, 1.0);

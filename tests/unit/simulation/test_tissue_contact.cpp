@@ -66,9 +66,11 @@ void TestTissueContact::lateralForcePointsOutward() {
         const double strength = 8.0 / core::kPi * 0.005 * std::pow(0.0075, 3) * 9.0 / 4.6;
         const double slope = -6.0 * rho * strength * H2 / std::pow(S, 4); // ∂χ/∂ρ
         const double lateral = -0.5 * k * kDepth * kDepth * slope;
-        QVERIFY(std::abs(r.force.x() - 0.6 * lateral) < 1e-12 && std::abs(r.force.y() + 0.8 * lateral) < 1e-12);
+        QVERIFY(std::abs(r.force.x() - 0.6 * lateral) < 1e-12 &&
+                std::abs(r.force.y() + 0.8 * lateral) < 1e-12);
         QVERIFY(lateral > 0.0);
-        QVERIFY(std::abs(r.energy_J - 0.5 * k * kDepth * kDepth * (1.0 + strength * H2 / std::pow(S, 3))) < 1e-15);
+        QVERIFY(std::abs(r.energy_J - 0.5 * k * kDepth * kDepth * (1.0 + strength * H2 / std::pow(S, 3))) <
+                1e-15);
         // eq. 2 and 3
         const double fn = r.force.z();
         QVERIFY(std::abs(std::cos(r.lean_rad) - fn / r.force.norm()) < 1e-9);
@@ -84,7 +86,8 @@ void TestTissueContact::voigtByHand() {
     const TissueResponse r = pressAt(contact, Vec3(0.01, 0.0, -0.003), Vec3(0.1, -0.2, -0.1));
     QVERIFY((r.force - Vec3(-0.005, 0.009, 650.0 * 0.003 + 0.0055)).norm() < 1e-12);
     // Half of the damping depth: smoothstep(½) = ½.
-    QVERIFY(std::abs(pressAt(contact, Vec3(0, 0, -0.0005), Vec3(0, 0, -0.1)).force.z() - (0.325 + 0.00275)) < 1e-12);
+    QVERIFY(std::abs(pressAt(contact, Vec3(0, 0, -0.0005), Vec3(0, 0, -0.1)).force.z() - (0.325 + 0.00275)) <
+            1e-12);
     // Leaving however fast: never pulls, and drags nothing along.
     const TissueResponse left = pressAt(contact, Vec3(0, 0, -0.003), Vec3(0.3, 0, 80.0));
     QVERIFY(left.force.norm() == 0.0 && left.inContact && left.display.normalForce_N == 0.0);
@@ -173,7 +176,8 @@ void TestTissueContact::stiffnessRisesTowardsALump() {
             double before = 0.0;
             for (int i = 30; i >= 0; --i) { // from 15 mm to the centre, pressed along the normal
                 const TissueResponse r = pressAt(contact, under(contact, Vec2(0.0005 * i, 0.0), 0.002));
-                QVERIFY(r.normalForce_N / r.depth_m > before); // as it is felt: the reported one bounds sideways changes, too
+                QVERIFY(r.normalForce_N / r.depth_m >
+                        before); // as it is felt: the reported one bounds sideways changes, too
                 before = r.normalForce_N / r.depth_m;
             }
         }
@@ -188,19 +192,22 @@ void TestTissueContact::nothingWhereThereIsNoLump() {
             std::vector<Lump> same = threeLumps();
             for (Lump& lump : same)
                 lump.ratio = 1.0;
-            const TissueContact none = contactOf(with, {}), own = contactOf(with, same), far = contactOf(with);
+            const TissueContact none = contactOf(with, {}), own = contactOf(with, same),
+                                far = contactOf(with);
             for (int n = 0; n < 500; ++n) {
                 const Vec3 place = randomUnder(random, none, 0.035, 0.005);
                 QVERIFY(pressAt(none, place).force == pressAt(own, place).force); // to the bit
                 const Vec3 aside(place.x() + 0.25, place.y(), p.shape.planeHeight_m - kDepth);
                 const Vec3 difference = pressAt(none, aside).force - pressAt(far, aside).force;
-                QVERIFY2(difference.norm() < 1e-6, qPrintable(QString::number(difference.norm()))); // 0.25 m away: under 1 µN
+                QVERIFY2(difference.norm() < 1e-6,
+                         qPrintable(QString::number(difference.norm()))); // 0.25 m away: under 1 µN
             }
         }
     // P3's second surface ends where the ball ends.
     TissueParameters p = quietPad();
     p.lumps = LumpLaw::secondSurface;
-    QVERIFY(pressAt(contactOf(p), Vec3(0.0, 0.0, -0.0045)).force == pressAt(contactOf(p, {}), Vec3(0.0, 0.0, -0.0045)).force);
+    QVERIFY(pressAt(contactOf(p), Vec3(0.0, 0.0, -0.0045)).force ==
+            pressAt(contactOf(p, {}), Vec3(0.0, 0.0, -0.0045)).force);
 }
 
 void TestTissueContact::mirrorAndRotation() {
@@ -227,8 +234,11 @@ void TestTissueContact::mirrorAndRotation() {
                 one.place_m = flat(one.place_m);
             return contactOf(q, l);
         };
-        const TissueContact here = contactOf(p), turned = moved(spin.toRotationMatrix(), 1.0, turn), mirrored = moved(mirror, -1.0, 0.0);
-        const Vec3 at = randomUnder(random, here, 0.02, 0.005), to = at + Vec3(random.uniform(-2e-4, 2e-4), random.uniform(-2e-4, 2e-4), random.uniform(-2e-4, 2e-4));
+        const TissueContact here = contactOf(p), turned = moved(spin.toRotationMatrix(), 1.0, turn),
+                            mirrored = moved(mirror, -1.0, 0.0);
+        const Vec3 at = randomUnder(random, here, 0.02, 0.005),
+                   to = at + Vec3(random.uniform(-2e-4, 2e-4), random.uniform(-2e-4, 2e-4),
+                                  random.uniform(-2e-4, 2e-4));
         TissueTouch a, b, c;
         here.respond(toolAt(at), a);
         turned.respond(toolAt(spin * at), b);
@@ -236,7 +246,8 @@ void TestTissueContact::mirrorAndRotation() {
         const Vec3 v(0.02, -0.05, -0.03);
         const TissueResponse r = here.respond(toolAt(to, v), a);
         QVERIFY((spin * r.force - turned.respond(toolAt(spin * to, spin * v), b).force).norm() < 1e-9);
-        QVERIFY((mirror * r.force - mirrored.respond(toolAt(mirror * to, mirror * v), c).force).norm() < 1e-9);
+        QVERIFY((mirror * r.force - mirrored.respond(toolAt(mirror * to, mirror * v), c).force).norm() <
+                1e-9);
     }
 }
 
@@ -271,7 +282,8 @@ void TestTissueContact::secondSurfaceByHand() {
     QVERIFY(std::abs(r.energy_J - (325.0 * 36e-6 + 600.0 * 6.25e-6)) < 1e-15);
     QVERIFY(std::abs(r.lean_rad - std::atan(1.8 / 6.3)) < 1e-12 && std::abs(r.normalForce_N - 6.3) < 1e-12);
     // In the middle of the ball nothing jumps.
-    QVERIFY((pressAt(contact, Vec3(1e-6, 0, -0.010)).force - pressAt(contact, Vec3(-1e-6, 0, -0.010)).force).norm() < 1e-3);
+    QVERIFY((pressAt(contact, Vec3(1e-6, 0, -0.010)).force - pressAt(contact, Vec3(-1e-6, 0, -0.010)).force)
+                .norm() < 1e-3);
 }
 
 void TestTissueContact::harderRegionByHand() {
@@ -282,7 +294,8 @@ void TestTissueContact::harderRegionByHand() {
     const TissueResponse r = pressAt(contact, Vec3(0.015, 0.0, -kDepth)); // t = ½ along x
     const double u = 0.75;
     QVERIFY(std::abs(r.force.z() - k * kDepth * (1.0 + 0.5 * u * u * u)) < 1e-12);
-    QVERIFY(std::abs(r.force.x() - 0.5 * k * kDepth * kDepth * 0.5 * 3.0 * u * u * 2.0 * 0.5 / 0.010) < 1e-12);
+    QVERIFY(std::abs(r.force.x() - 0.5 * k * kDepth * kDepth * 0.5 * 3.0 * u * u * 2.0 * 0.5 / 0.010) <
+            1e-12);
     QVERIFY(pressAt(contact, Vec3(0.0, 0.0051, -kDepth)).force.x() == 0.0);
 }
 
@@ -294,7 +307,8 @@ void TestTissueContact::notFinite() {
     const TissueResponse r = contact.respond(toolAt(Vec3(std::nan(""), 0, 0)), touch);
     QVERIFY(!touch.touching && !r.inContact && r.force.isZero());
     contact.respond(toolAt(under(contact, Vec2(0, 0), 0.003)), touch);
-    QVERIFY(!contact.respond(toolAt(Vec3(0, 0, 0), Vec3(0, std::nan(""), 0)), touch).inContact && !touch.touching);
+    QVERIFY(!contact.respond(toolAt(Vec3(0, 0, 0), Vec3(0, std::nan(""), 0)), touch).inContact &&
+            !touch.touching);
 }
 
 QTEST_APPLESS_MAIN(TestTissueContact)

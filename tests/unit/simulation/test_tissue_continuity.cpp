@@ -20,13 +20,14 @@ TissueParameters everything(bool curved) {
     return p;
 }
 
-/// Force per metre that the tissue answers to a small move at constant velocity `speed`, at most, to a depth of 5 mm: the potential,
-/// k (1 + gain) with at most as much again for its changes over place (the lump's rise over one of its depths, the region's over
-/// one of its radii) and over depth; the balls; the bristle; friction that follows the normal force; damping's fade-in,
-/// smoothstep's slope 1.5 over its depth.
+/// Force per metre that the tissue answers to a small move at constant velocity `speed`, at most, to a depth
+/// of 5 mm: the potential, k (1 + gain) with at most as much again for its changes over place (the lump's
+/// rise over one of its depths, the region's over one of its radii) and over depth; the balls; the bristle;
+/// friction that follows the normal force; damping's fade-in, smoothstep's slope 1.5 over its depth.
 double slopeBound(const TissueContact& contact, const TissueParameters& p, double speed) {
     const double gain = 1.9; // χ ≤ 0.4 + 0.23 + 0.25, the region 0.4, rounded up
-    const double k = 2.0 * contact.normalStiffness_N_per_m() * (1.0 + gain) + (p.lumps == LumpLaw::secondSurface ? 4.0 * 1200.0 : 0.0);
+    const double k = 2.0 * contact.normalStiffness_N_per_m() * (1.0 + gain) +
+                     (p.lumps == LumpLaw::secondSurface ? 4.0 * 1200.0 : 0.0);
     const double damping = 2.0 * speed * 1.5 / p.dampingDepth_m;
     return (k + damping) * (1.0 + p.friction) + std::max(p.tangentAlong_N_per_m, p.tangentAcross_N_per_m);
 }
@@ -43,7 +44,8 @@ Worst along(const TissueContact& contact, const Vec3& from, const Vec3& to, cons
     Vec3 before = contact.respond(toolAt(from, v), touch).force;
     const int steps = static_cast<int>((to - from).norm() / kStep);
     for (int i = 1; i <= steps; ++i) {
-        const TissueResponse r = contact.respond(toolAt(from + (to - from) * (static_cast<double>(i) / steps), v), touch);
+        const TissueResponse r =
+            contact.respond(toolAt(from + (to - from) * (static_cast<double>(i) / steps), v), touch);
         worst.perMetre = std::max(worst.perMetre, (r.force - before).norm() / kStep);
         worst.contacts += r.inContact ? 1 : 0;
         before = r.force;
@@ -72,10 +74,12 @@ void TestTissueContinuity::straightOverEveryEdge_data() {
     for (const bool curved : {false, true})
         for (const LumpLaw law : {LumpLaw::inclusion, LumpLaw::secondSurface, LumpLaw::stiffnessTimesDepth})
             for (const double speed : {0.0, 0.1})
-                QTest::addRow("%s, law %d, %.1f m/s", curved ? "dome" : "pad", static_cast<int>(law), speed) << curved << static_cast<int>(law) << speed;
+                QTest::addRow("%s, law %d, %.1f m/s", curved ? "dome" : "pad", static_cast<int>(law), speed)
+                    << curved << static_cast<int>(law) << speed;
 }
 
-// Down and up through loss of contact, across lump rims, the bump's rim (40 mm out), the furrow, the region's rim, and grazing.
+// Down and up through loss of contact, across lump rims, the bump's rim (40 mm out), the furrow, the region's
+// rim, and grazing.
 void TestTissueContinuity::straightOverEveryEdge() {
     QFETCH(bool, curved);
     QFETCH(int, law);
@@ -83,7 +87,8 @@ void TestTissueContinuity::straightOverEveryEdge() {
     TissueParameters p = everything(curved);
     p.lumps = static_cast<LumpLaw>(law);
     const TissueContact contact = contactOf(p);
-    const double bound = slopeBound(contact, p, speed) * (curved ? 1.3 : 1.0); // feet on the dome move up to 1.3 times as far as the tool
+    const double bound = slopeBound(contact, p, speed) *
+                         (curved ? 1.3 : 1.0); // feet on the dome move up to 1.3 times as far as the tool
     core::Random random(21);
     int contacts = 0;
     for (int n = 0; n < 40; ++n) {
@@ -94,12 +99,14 @@ void TestTissueContinuity::straightOverEveryEdge() {
         to = from + (to - from) * std::min(1.0, 0.02 / (to - from).norm());
         const Worst worst = along(contact, from, to, speed * (to - from).normalized());
         contacts += worst.contacts;
-        QVERIFY2(worst.perMetre <= bound, qPrintable(QString("%1 N/m, bound %2").arg(worst.perMetre).arg(bound)));
+        QVERIFY2(worst.perMetre <= bound,
+                 qPrintable(QString("%1 N/m, bound %2").arg(worst.perMetre).arg(bound)));
     }
     QVERIFY(contacts > 50000);
 }
 
-// Anywhere, at any speed, with any law: the force has no part that pulls, and the shown normal force is that part.
+// Anywhere, at any speed, with any law: the force has no part that pulls, and the shown normal force is that
+// part.
 void TestTissueContinuity::everyPushPushes() {
     core::Random random(22);
     for (int n = 0; n < 6; ++n) {
@@ -110,19 +117,21 @@ void TestTissueContinuity::everyPushPushes() {
             const TissueContact contact = contactOf(p);
             TissueTouch touch;
             for (int i = 0; i < 20000; ++i) {
-                core::ToolState tool = toolAt(randomUnder(random, contact, 0.04, 0.02), 2.0 * randomUnit(random));
+                core::ToolState tool =
+                    toolAt(randomUnder(random, contact, 0.04, 0.02), 2.0 * randomUnit(random));
                 tool.q_WT = core::Quat(Eigen::AngleAxisd(random.uniform(-1.5, 1.5), randomUnit(random)));
                 const TissueResponse r = contact.respond(tool, touch);
                 QVERIFY(r.force.allFinite() && r.force.dot(r.normal) >= -1e-12 && r.normalForce_N >= 0.0);
                 QVERIFY(std::abs(r.display.normalForce_N - std::max(0.0, r.force.dot(r.normal))) < 1e-12);
-                QVERIFY(std::abs(r.display.pitch_rad) <= core::kPi / 6 + 1e-12 && std::abs(r.display.roll_rad) <= core::kPi / 9 + 1e-12);
+                QVERIFY(std::abs(r.display.pitch_rad) <= core::kPi / 6 + 1e-12 &&
+                        std::abs(r.display.roll_rad) <= core::kPi / 9 + 1e-12);
             }
         }
     }
 }
 
-// A finger that is above the tissue in one tick and deep below a thin layer, or inside or under a lump, in the next: pushed out with
-// the elastic force of that place, never in.
+// A finger that is above the tissue in one tick and deep below a thin layer, or inside or under a lump, in
+// the next: pushed out with the elastic force of that place, never in.
 void TestTissueContinuity::jumpsThroughAThinLayer() {
     TissueParameters p;
     p.layers = {{"film", 0.0005, 40e3}, {"gland", 1.0, 17e3}};
@@ -134,12 +143,14 @@ void TestTissueContinuity::jumpsThroughAThinLayer() {
             contact.respond(toolAt(Vec3(0.001, 0, 0.002)), jumped);
             const TissueResponse a = contact.respond(toolAt(Vec3(0.001, 0, -depth)), jumped);
             QVERIFY(a.force.z() > 0.0 && a.depth_m == depth);
-            QVERIFY((a.force - pressAt(contact, Vec3(0.001, 0, -depth)).force).norm() == 0.0); // no memory of where it came from
+            QVERIFY((a.force - pressAt(contact, Vec3(0.001, 0, -depth)).force).norm() ==
+                    0.0); // no memory of where it came from
         }
     }
 }
 
-// The re-cast ray turns from the normal to flat and beyond: no jump where the ray stops to count, and no more than its 60° at most.
+// The re-cast ray turns from the normal to flat and beyond: no jump where the ray stops to count, and no more
+// than its 60° at most.
 void TestTissueContinuity::grazingRay() {
     TissueParameters p = quietPad();
     p.contact = TissueContactLaw::p3Recast;
@@ -164,7 +175,8 @@ void TestTissueContinuity::farAway() {
     for (const bool curved : {false, true}) {
         const TissueContact contact = contactOf(everything(curved));
         TissueTouch touch;
-        for (const Vec3& p : {Vec3(0, 0, 10.0), Vec3(5.0, -3.0, 0.5), Vec3(1e3, 1e3, 1e3), Vec3(0.5, 0.5, 0.001 + 0.002)}) {
+        for (const Vec3& p :
+             {Vec3(0, 0, 10.0), Vec3(5.0, -3.0, 0.5), Vec3(1e3, 1e3, 1e3), Vec3(0.5, 0.5, 0.001 + 0.002)}) {
             const TissueResponse r = contact.respond(toolAt(p), touch);
             QVERIFY(!r.inContact && r.force.isZero() && r.surfacePoint.allFinite() && !touch.touching);
         }

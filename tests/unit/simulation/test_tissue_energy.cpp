@@ -78,10 +78,13 @@ void TestTissueEnergy::forceIsMinusGradientOfEnergy() {
             continue;
         Vec3 slope;
         for (int axis = 0; axis < 3; ++axis)
-            slope[axis] = (pressAt(contact, p + h * Vec3::Unit(axis)).energy_J - pressAt(contact, p - h * Vec3::Unit(axis)).energy_J) / (2 * h);
+            slope[axis] = (pressAt(contact, p + h * Vec3::Unit(axis)).energy_J -
+                           pressAt(contact, p - h * Vec3::Unit(axis)).energy_J) /
+                          (2 * h);
         worst = std::max(worst, (here.force + slope).norm());
     }
-    // Central differences: a sixth of the third derivative times h² is far below the rounding of U, 1e-18 J / h.
+    // Central differences: a sixth of the third derivative times h² is far below the rounding of U, 1e-18 J /
+    // h.
     QVERIFY2(worst < (which < 2 ? 1e-7 : 1e-4), qPrintable(QString::number(worst)));
 }
 
@@ -121,7 +124,8 @@ void TestTissueEnergy::frictionAndDampingOnlyTake() {
     core::Random random(7);
     int costly = 0;
     for (int n = 0; n < 40; ++n) {
-        auto loop = n == 0 ? pressSlideLift(contact, kDepth, false, 4000) : randomLoop(random, randomUnder(random, contact, 0.02, 0.003), 0.005, 8000);
+        auto loop = n == 0 ? pressSlideLift(contact, kDepth, false, 4000)
+                           : randomLoop(random, randomUnder(random, contact, 0.02, 0.003), 0.005, 8000);
         for (int direction = 0; direction < 2; ++direction) {
             const PathBooks books = walk(contact, loop, 0.00025);
             QVERIFY2(books.lead_J >= -kLoopTolerance_J, qPrintable(QString::number(books.lead_J)));
@@ -132,8 +136,8 @@ void TestTissueEnergy::frictionAndDampingOnlyTake() {
     QVERIFY2(costly > 30, qPrintable(QString::number(costly)));
 }
 
-// The frame turns while the finger goes round the dome: a bristle kept in W would be cut by every projection, one kept in the frame
-// gives back what it took.
+// The frame turns while the finger goes round the dome: a bristle kept in W would be cut by every projection,
+// one kept in the frame gives back what it took.
 void TestTissueEnergy::bristleKeepsItsBooksOnTheDome() {
     TissueParameters p = quietDome();
     p.friction = 50.0; // never slips
@@ -149,7 +153,8 @@ void TestTissueEnergy::bristleKeepsItsBooksOnTheDome() {
 }
 
 void TestTissueEnergy::publishedVariantsMakeEnergy() {
-    // 400 → 1200 N/m at 4 mm as stiffness × depth: ½ · 800 N/m · (4 mm)² = 6.4 mJ a loop (models.md §0); with its potential nothing.
+    // 400 → 1200 N/m at 4 mm as stiffness × depth: ½ · 800 N/m · (4 mm)² = 6.4 mJ a loop (models.md §0); with
+    // its potential nothing.
     TissueParameters p = quietPad();
     p.stiffness_N_per_m = 400.0;
     p.regions = {{"lump", Vec2(0, 0), Vec2(0.015, 0.015), 0.0, 2.0}};
@@ -160,14 +165,16 @@ void TestTissueEnergy::publishedVariantsMakeEnergy() {
     QVERIFY(std::abs(walk(contactOf(p, {}), loop).work_J) < kLoopTolerance_J);
     p.lumps = LumpLaw::stiffnessTimesDepth;
     QVERIFY(std::abs(walk(contactOf(p, {}), loop).work_J + 0.0064) < 1e-5);
-    QVERIFY(std::abs(walk(contactOf(p, {}), reverse).work_J - 0.0064) < 1e-5); // the other way it takes as much
+    QVERIFY(std::abs(walk(contactOf(p, {}), reverse).work_J - 0.0064) <
+            1e-5); // the other way it takes as much
 
     // A ray 30° off the normal, re-cast each tick: 800 N/m · 4 mm · tan 30° over 15 mm = 27.7 mJ.
     TissueParameters q = quietPad();
     q.contact = TissueContactLaw::p3Recast;
     const TissueContact recast = contactOf(q, {});
     double work = 0.0;
-    const auto slide = polygon({Vec3(0, 0, 0), down, down + Vec3(0.015, 0, 0), Vec3(0.015, 0, 0), Vec3(0, 0, 0)}, 4000);
+    const auto slide =
+        polygon({Vec3(0, 0, 0), down, down + Vec3(0.015, 0, 0), Vec3(0.015, 0, 0), Vec3(0, 0, 0)}, 4000);
     TissueTouch touch;
     Vec3 before = Vec3::Zero();
     for (std::size_t i = 0; i < slide.size(); ++i) {

@@ -97,7 +97,8 @@ void TestTissuePinch::squeezesAsTheTissueIsStiff() {
         QCOMPARE(out.hold, Vec3(Vec3::Zero()));
         QVERIFY(!out.beyondChecked);
     }
-    QVERIFY(hand.squeeze({0.0, 0.0, -0.005}, kOpen_rad + 0.3).force_N == 0.0); // opened wider: more comes between, nothing is squeezed
+    QVERIFY(hand.squeeze({0.0, 0.0, -0.005}, kOpen_rad + 0.3).force_N ==
+            0.0); // opened wider: more comes between, nothing is squeezed
     const double half = hand.squeeze({0.0, 0.0, -0.002}, 0.4).force_N; // half of the face
     QVERIFY(std::abs(half / hand.squeeze({0.0, 0.0, -0.005}, 0.4).force_N - 0.5) < 1e-12);
 }
@@ -118,19 +119,25 @@ void TestTissuePinch::aLumpBetweenTheJawsIsFirmer() {
     const TissueContact plain = contactOf(quietPad(), {});
     Pincher hand{lumpy, {}, {}, {}, {}, {}}, without{plain, {}, {}, {}, {}, {}};
     double before = 1e9;
-    for (const double beside : {0.0, 0.004, 0.008, 0.012, 0.018, 0.030}) { // along y: the jaws straddle less and less of it
-        const double ratio = hand.squeeze({0.0, beside, -0.006}, 0.3).force_N / without.squeeze({0.0, beside, -0.006}, 0.3).force_N;
-        QVERIFY2(ratio > 1.0 && ratio < before, qPrintable(QString("%1: %2 after %3").arg(beside).arg(ratio).arg(before)));
+    for (const double beside :
+         {0.0, 0.004, 0.008, 0.012, 0.018, 0.030}) { // along y: the jaws straddle less and less of it
+        const double ratio = hand.squeeze({0.0, beside, -0.006}, 0.3).force_N /
+                             without.squeeze({0.0, beside, -0.006}, 0.3).force_N;
+        QVERIFY2(ratio > 1.0 && ratio < before,
+                 qPrintable(QString("%1: %2 after %3").arg(beside).arg(ratio).arg(before)));
         before = ratio;
     }
-    const double above = hand.squeeze({0.0, 0.0, -0.006}, 0.3).force_N / without.squeeze({0.0, 0.0, -0.006}, 0.3).force_N;
+    const double above =
+        hand.squeeze({0.0, 0.0, -0.006}, 0.3).force_N / without.squeeze({0.0, 0.0, -0.006}, 0.3).force_N;
     QVERIFY2(above > 1.1, qPrintable(QString::number(above)));
     QVERIFY(before < 1.02);
-    QVERIFY(std::abs(hand.squeeze({0.003, 0.002, -0.005}, 0.3).force_N - hand.squeeze({-0.003, -0.002, -0.005}, 0.3).force_N) < 1e-12);
+    QVERIFY(std::abs(hand.squeeze({0.003, 0.002, -0.005}, 0.3).force_N -
+                     hand.squeeze({-0.003, -0.002, -0.005}, 0.3).force_N) < 1e-12);
     // A lump of the tissue's own stiffness cannot be felt, a softer one is softer.
     const TissueContact same = contactOf(quietPad(), {{Vec2(0.0, 0.0), 0.012, 0.0075, 1.0}});
     Pincher equal{same, {}, {}, {}, {}, {}};
-    QCOMPARE(equal.squeeze({0.0, 0.0, -0.005}, 0.3).force_N, without.squeeze({0.0, 0.0, -0.005}, 0.3).force_N);
+    QCOMPARE(equal.squeeze({0.0, 0.0, -0.005}, 0.3).force_N,
+             without.squeeze({0.0, 0.0, -0.005}, 0.3).force_N);
 }
 
 // Written out once more: chi = strength H²/S³ with the squeeze's direction, both faces.
@@ -139,16 +146,19 @@ void TestTissuePinch::aFaceFeelsTheLumpsLaw() {
     const Lump lump{Vec2(0.002, -0.001), 0.012, 0.0075, 10.0};
     const TissueContact contact = contactOf(tissue, {lump});
     Pincher hand{contact, {}, {}, {}, {}, {}};
-    const double d = 0.006, jaw = 0.3, o = 0.040 * std::sin(0.5 * jaw), spread2 = 5.0 / 3.0 * tissue.contactRadius_m * tissue.contactRadius_m;
+    const double d = 0.006, jaw = 0.3, o = 0.040 * std::sin(0.5 * jaw),
+                 spread2 = 5.0 / 3.0 * tissue.contactRadius_m * tissue.contactRadius_m;
     double gain = 0.0;
     for (const double side : {0.5, -0.5}) {
         const Vec3 r = Vec3(side * o, 0.0, -d + 0.002) - contact.lumpCentre_W(0);
         const double s = r.squaredNorm() + spread2;
-        gain += 0.5 * lumpStrength(tissue.contactRadius_m, lump.radius_m, lump.ratio) * (r.x() * r.x() + spread2) / (s * s * s);
+        gain += 0.5 * lumpStrength(tissue.contactRadius_m, lump.radius_m, lump.ratio) *
+                (r.x() * r.x() + spread2) / (s * s * s);
     }
     const double c = 0.040 * (std::sin(0.5 * kOpen_rad) - std::sin(0.5 * jaw));
     const double expected = 0.5 * contact.normalStiffness_N_per_m() * c * (1.0 + gain);
-    QVERIFY2(std::abs(hand.squeeze({0.0, 0.0, -d}, jaw).force_N - expected) < 1e-12, qPrintable(QString::number(expected)));
+    QVERIFY2(std::abs(hand.squeeze({0.0, 0.0, -d}, jaw).force_N - expected) < 1e-12,
+             qPrintable(QString::number(expected)));
 }
 
 void TestTissuePinch::outOfTheTissueThereIsNothing() {
@@ -156,11 +166,14 @@ void TestTissuePinch::outOfTheTissueThereIsNothing() {
     Pincher hand{contact, {}, {}, {}, {}, {}};
     core::Random random(5);
     for (int n = 0; n < 500; ++n) {
-        const Vec3 p = contact.surface().pointAt(Vec2(random.uniform(-0.04, 0.04), random.uniform(-0.04, 0.04))) + Vec3(0.0, 0.0, random.uniform(1e-6, 0.05));
+        const Vec3 p =
+            contact.surface().pointAt(Vec2(random.uniform(-0.04, 0.04), random.uniform(-0.04, 0.04))) +
+            Vec3(0.0, 0.0, random.uniform(1e-6, 0.05));
         if (hand.contact.surface().nearest(p, p.head<2>()).depth_m > 0.0)
             continue;
         const PinchResponse out = hand.at(p, random.uniform(0.0, 1.6));
-        QVERIFY(out.force_N == 0.0 && out.hold == Vec3::Zero() && out.energy_J == 0.0 && out.stiffness_N_per_m == 0.0);
+        QVERIFY(out.force_N == 0.0 && out.hold == Vec3::Zero() && out.energy_J == 0.0 &&
+                out.stiffness_N_per_m == 0.0);
     }
 }
 
@@ -170,12 +183,14 @@ void TestTissuePinch::theHoldIsClippedByFriction() {
     const double n = hand.squeeze({0.0, 0.0, -0.006}, 0.2).force_N;
     const double k = contact.tangentStiffness_N_per_m(), most = 2.0 * hand.parameters.friction * n;
     hand.at({0.0005, 0.0, -0.006}, 0.2);
-    QVERIFY2((hand.now.hold - Vec3(-0.0005 * k, 0.0, 0.0)).norm() < 1e-12, qPrintable(QString::number(hand.now.hold.x())));
+    QVERIFY2((hand.now.hold - Vec3(-0.0005 * k, 0.0, 0.0)).norm() < 1e-12,
+             qPrintable(QString::number(hand.now.hold.x())));
     for (int i = 0; i < 50; ++i)
         hand.at({0.0005 + 0.0002 * i, 0.0, -0.006}, 0.2);
     QVERIFY(std::abs(hand.now.hold.norm() - most) < 1e-12);
     QVERIFY(hand.now.hold.x() < 0.0);
-    hand.at(toolAt({0.010, 0.0, -0.006})); // lets go: the jaw stands at 0, which squeezes more, so open it instead
+    hand.at(toolAt(
+        {0.010, 0.0, -0.006})); // lets go: the jaw stands at 0, which squeezes more, so open it instead
     hand.at({0.010, 0.0, -0.006}, kOpen_rad);
     QCOMPARE(hand.now.hold, Vec3(Vec3::Zero()));
 }
@@ -187,7 +202,8 @@ void TestTissuePinch::theHoldMakesNoEnergy() {
     for (int loop = 0; loop < 60; ++loop) {
         const TissueContact contact = contactOf(loop % 2 == 0 ? quietPad() : quietDome());
         Pincher hand{contact, {}, {}, {}, {}, {}};
-        const Vec3 start = under(contact, Vec2(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02)), 0.006);
+        const Vec3 start =
+            under(contact, Vec2(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02)), 0.006);
         hand.squeeze(start, random.uniform(0.0, 0.5));
         const double jaw = 0.3;
         hand.at(start, jaw);
@@ -197,7 +213,11 @@ void TestTissuePinch::theHoldMakesNoEnergy() {
         Vec3 goal = start;
         for (int n = 0; n < 4000; ++n) {
             if (n % 200 == 0)
-                goal = n < 3800 ? under(contact, Vec2(start.head<2>() + Vec2(random.uniform(-0.008, 0.008), random.uniform(-0.008, 0.008))), random.uniform(0.002, 0.009)) : start;
+                goal = n < 3800 ? under(contact,
+                                        Vec2(start.head<2>() + Vec2(random.uniform(-0.008, 0.008),
+                                                                    random.uniform(-0.008, 0.008))),
+                                        random.uniform(0.002, 0.009))
+                                : start;
             const Vec3 next = p + 0.02 * (goal - p);
             const PinchResponse out = hand.at(next, jaw);
             work -= 0.5 * (force + out.hold).dot(next - p);
@@ -209,7 +229,8 @@ void TestTissuePinch::theHoldMakesNoEnergy() {
     QVERIFY2(worst > -1e-6, qPrintable(QString::number(1e6 * worst) + " uJ"));
 }
 
-// A hand at up to 0.3 m/s and 3 rad/s whose jaw opens and closes at 4 rad/s, through, over and below the tissue.
+// A hand at up to 0.3 m/s and 3 rad/s whose jaw opens and closes at 4 rad/s, through, over and below the
+// tissue.
 void TestTissuePinch::nothingJumpsWhereverTheJawCloses() {
     core::Random random(32);
     double most = 0.0, overSqueeze = 0.0, overHold = 0.0;
@@ -223,7 +244,8 @@ void TestTissuePinch::nothingJumpsWhereverTheJawCloses() {
         PinchResponse before = hand.at(p, jaw, turn);
         for (int n = 0; n < 4000; ++n) {
             if (n % 150 == 0)
-                goal = Vec3(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), random.uniform(-0.02, 0.02));
+                goal = Vec3(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03),
+                            random.uniform(-0.02, 0.02));
             if (n % 250 == 0)
                 wantedJaw = random.below(2) == 0 ? 0.0 : random.uniform(0.3, 1.6);
             if (n % 300 == 0)
@@ -240,16 +262,22 @@ void TestTissuePinch::nothingJumpsWhereverTheJawCloses() {
             const double steep = std::max(now.squeezeStiffness_N_per_m, before.squeezeStiffness_N_per_m);
             // By itself the jaw moves its faces by 40 um a tick, and a turn of 3 mrad by as much again.
             const double byJaw = 0.5 * contact.normalStiffness_N_per_m() * 80e-6 * (1.0 + 6.0);
-            overSqueeze = std::max(overSqueeze, std::abs(now.force_N - before.force_N) - 2.0 * steep * step.norm() - byJaw);
-            overHold = std::max(overHold, (now.hold - before.hold).norm() - 2.0 * std::max(now.stiffness_N_per_m, before.stiffness_N_per_m) * step.norm() - 2.0 * hand.parameters.friction * byJaw);
+            overSqueeze = std::max(overSqueeze, std::abs(now.force_N - before.force_N) -
+                                                    2.0 * steep * step.norm() - byJaw);
+            overHold = std::max(
+                overHold, (now.hold - before.hold).norm() -
+                              2.0 * std::max(now.stiffness_N_per_m, before.stiffness_N_per_m) * step.norm() -
+                              2.0 * hand.parameters.friction * byJaw);
             most = std::max(most, now.force_N);
             squeezed += now.force_N > 0.5 ? 1 : 0;
             before = now;
         }
     }
-    qInfo("squeezed in %d ticks, up to %.1f N; over the bound %.3f N, the hold %.3f N", squeezed, most, overSqueeze, overHold);
+    qInfo("squeezed in %d ticks, up to %.1f N; over the bound %.3f N, the hold %.3f N", squeezed, most,
+          overSqueeze, overHold);
     QVERIFY(squeezed > 5000 && most > 2.0);
-    QVERIFY2(overSqueeze <= 0.02 && overHold <= 0.02, qPrintable(QString("%1 %2").arg(overSqueeze).arg(overHold)));
+    QVERIFY2(overSqueeze <= 0.02 && overHold <= 0.02,
+             qPrintable(QString("%1 %2").arg(overSqueeze).arg(overHold)));
 }
 
 void TestTissuePinch::whatIsNoPoseSqueezesNothing() {
@@ -283,7 +311,9 @@ void TestTissuePinch::closedJawsChangeNoBitOfTheExercise() {
         a.tick();
         b.tick();
         QVERIFY(a.force() == b.force() && a.out.display[0].normalForce_N == b.out.display[0].normalForce_N);
-        QVERIFY(a.out.storedEnergy_J == b.out.storedEnergy_J && a.out.contactStiffness_N_per_m == b.out.contactStiffness_N_per_m && a.out.contact[0] == b.out.contact[0]);
+        QVERIFY(a.out.storedEnergy_J == b.out.storedEnergy_J &&
+                a.out.contactStiffness_N_per_m == b.out.contactStiffness_N_per_m &&
+                a.out.contact[0] == b.out.contact[0]);
         QCOMPARE(a.out.quantities[q::kSqueeze], 0.0);
     }
 }
@@ -324,12 +354,16 @@ void TestTissuePinch::eachHandHasOneJaw() {
         d.in.tools.tools[i].jaw_rad = i < 2 ? 0.6 : 0.5; // both fingers of a hand report one lever
     }
     d.tick();
-    QVERIFY(d.out.quantities[q::kSqueeze] > 0.5 && d.out.quantities[q::kSqueeze + 1] > d.out.quantities[q::kSqueeze]);
-    QVERIFY(d.out.display[0].normalForce_N > pressed[0] + 0.5 && d.out.display[2].normalForce_N > pressed[2] + 0.5);
-    QVERIFY(std::abs(d.out.display[1].normalForce_N - pressed[1]) < 1e-9 && std::abs(d.out.display[3].normalForce_N - pressed[3]) < 1e-9);
+    QVERIFY(d.out.quantities[q::kSqueeze] > 0.5 &&
+            d.out.quantities[q::kSqueeze + 1] > d.out.quantities[q::kSqueeze]);
+    QVERIFY(d.out.display[0].normalForce_N > pressed[0] + 0.5 &&
+            d.out.display[2].normalForce_N > pressed[2] + 0.5);
+    QVERIFY(std::abs(d.out.display[1].normalForce_N - pressed[1]) < 1e-9 &&
+            std::abs(d.out.display[3].normalForce_N - pressed[3]) < 1e-9);
 }
 
-// Beyond the level's yield force the tissue between the jaws tears: told once, gone in the level's time, whole again once the jaws are open.
+// Beyond the level's yield force the tissue between the jaws tears: told once, gone in the level's time,
+// whole again once the jaws are open.
 void TestTissuePinch::pinchedTooHardItTears() {
     PalpationParameters p = pinchedPad();
     p.yield.force_N = 4.0;

@@ -14,15 +14,19 @@ using namespace chiron::simulation::testing;
 
 namespace {
 
-/// Two lobes and a furrow, as the content's prostate has them: the smallest radius of curvature is about 11 mm.
+/// Two lobes and a furrow, as the content's prostate has them: the smallest radius of curvature is about 11
+/// mm.
 TissueParameters lobes() {
     TissueParameters p = quietPad();
     p.shape.planeHeight_m = -0.004;
-    p.shape.bumps = {{Vec2(-0.010, 0.0), Vec2(0.020, 0.026), 0.0, 0.006}, {Vec2(0.010, 0.0), Vec2(0.020, 0.026), 0.0, 0.006}};
+    p.shape.bumps = {{Vec2(-0.010, 0.0), Vec2(0.020, 0.026), 0.0, 0.006},
+                     {Vec2(0.010, 0.0), Vec2(0.020, 0.026), 0.0, 0.006}};
     return p;
 }
 
-std::vector<Lump> lumpsOfLobes() { return {{Vec2(-0.010, 0.002), 0.010, 0.004, 10.0}, {Vec2(0.012, -0.004), 0.012, 0.005, 4.0}}; }
+std::vector<Lump> lumpsOfLobes() {
+    return {{Vec2(-0.010, 0.002), 0.010, 0.004, 10.0}, {Vec2(0.012, -0.004), 0.012, 0.005, 4.0}};
+}
 
 Vec3 somewhere(core::Random& random) {
     return {random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.015)};
@@ -30,7 +34,8 @@ Vec3 somewhere(core::Random& random) {
 
 } // namespace
 
-// Wherever a finger can be pushed, far below what content checks: bounded, continuous, and never a source of energy.
+// Wherever a finger can be pushed, far below what content checks: bounded, continuous, and never a source of
+// energy.
 class TestTissueReach : public QObject {
     Q_OBJECT
 private slots:
@@ -66,8 +71,10 @@ void TestTissueReach::pressedThroughTheCentreOfCurvature() {
     for (double d_m = 1e-5; d_m < 0.040; d_m += 1e-5) {
         const TissueResponse r = contact.respond(toolAt(above - d_m * Vec3::UnitZ()), touch);
         const double f_N = r.force.norm();
-        QVERIFY2(f_N <= 1.6 * contact.normalStiffness_N_per_m() * d_m + 1e-9, qPrintable(QString("%1 N at %2 mm").arg(f_N).arg(1e3 * d_m)));
-        QVERIFY2(f_N >= before_N - 1e-3, qPrintable(QString("%1 N after %2 N at %3 mm").arg(f_N).arg(before_N).arg(1e3 * d_m)));
+        QVERIFY2(f_N <= 1.6 * contact.normalStiffness_N_per_m() * d_m + 1e-9,
+                 qPrintable(QString("%1 N at %2 mm").arg(f_N).arg(1e3 * d_m)));
+        QVERIFY2(f_N >= before_N - 1e-3,
+                 qPrintable(QString("%1 N after %2 N at %3 mm").arg(f_N).arg(before_N).arg(1e3 * d_m)));
         QVERIFY(r.beyondChecked || !beyond);
         beyond = r.beyondChecked;
         before_N = f_N;
@@ -81,7 +88,8 @@ void TestTissueReach::pressedThroughTheLump() {
     double before_N = 0.0;
     for (double d_m = 1e-5; d_m < 0.060; d_m += 1e-5) {
         const TissueResponse r = pressAt(contact, Vec3(0.0, 0.0, -d_m));
-        QVERIFY2(r.force.z() > before_N, qPrintable(QString("%1 N at %2 mm").arg(r.force.z()).arg(1e3 * d_m)));
+        QVERIFY2(r.force.z() > before_N,
+                 qPrintable(QString("%1 N at %2 mm").arg(r.force.z()).arg(1e3 * d_m)));
         QCOMPARE(r.beyondChecked, d_m > 0.009); // λ d ≤ (h − R)/2
         QVERIFY(r.force.z() < 2.2 * contact.normalStiffness_N_per_m() * d_m);
         before_N = r.force.z();
@@ -94,8 +102,8 @@ void TestTissueReach::noPathChangesForceWithoutBound_data() {
     QTest::newRow("lobes") << true;
 }
 
-// The bound: along the normal at most twice the tissue's stiffness, across a lump ½ k g² χ'' with g ≤ 18 mm and χ'' ≤ 3·10⁴ m⁻², which is
-// 5 k; for a curved surface what the change of potentials adds over its 2 mm.
+// The bound: along the normal at most twice the tissue's stiffness, across a lump ½ k g² χ'' with g ≤ 18 mm
+// and χ'' ≤ 3·10⁴ m⁻², which is 5 k; for a curved surface what the change of potentials adds over its 2 mm.
 void TestTissueReach::noPathChangesForceWithoutBound() {
     QFETCH(bool, curved);
     const TissueContact contact = curved ? contactOf(lobes(), lumpsOfLobes()) : contactOf(quietPad());
@@ -131,12 +139,15 @@ void TestTissueReach::reportedStiffnessBoundsEveryChange_data() {
     QTest::newRow("dome with a harder region") << 2; // 1,700 N/m sideways where 380 were reported
 }
 
-// What the passivity controller credits, and the sweep allows, is what the contact reports: no direction is steeper.
+// What the passivity controller credits, and the sweep allows, is what the contact reports: no direction is
+// steeper.
 void TestTissueReach::reportedStiffnessBoundsEveryChange() {
     QFETCH(int, kind);
     TissueParameters dome = quietDome();
     dome.regions = {harderRegion()};
-    const TissueContact contact = kind == 0 ? contactOf(quietPad()) : kind == 1 ? contactOf(lobes(), lumpsOfLobes()) : contactOf(dome, {});
+    const TissueContact contact = kind == 0   ? contactOf(quietPad())
+                                  : kind == 1 ? contactOf(lobes(), lumpsOfLobes())
+                                              : contactOf(dome, {});
     core::Random random = core::Random::stream(m_seed, "stiffness " + std::to_string(kind));
     constexpr double kStep_m = 1e-6;
     double worst = 0.0;
@@ -148,14 +159,17 @@ void TestTissueReach::reportedStiffnessBoundsEveryChange() {
         if (!a.inContact || !b.inContact || a.force.norm() > 13.5) // content yields here at the latest
             continue;
         ++touched;
-        worst = std::max(worst, (b.force - a.force).norm() / kStep_m / std::max(a.stiffness_N_per_m, b.stiffness_N_per_m));
+        worst = std::max(worst, (b.force - a.force).norm() / kStep_m /
+                                    std::max(a.stiffness_N_per_m, b.stiffness_N_per_m));
     }
     qInfo("steepest change over the reported stiffness: %.3f", worst);
     QVERIFY(touched > 2000);
     QVERIFY2(worst <= 1.0 + 1e-6, qPrintable(QString::number(worst)));
 }
 
-void TestTissueReach::noLoopMakesEnergy_data() { noPathChangesForceWithoutBound_data(); }
+void TestTissueReach::noLoopMakesEnergy_data() {
+    noPathChangesForceWithoutBound_data();
+}
 
 // Out, down anywhere, across, and out again, each loop both ways: at least -1 µJ.
 void TestTissueReach::noLoopMakesEnergy() {
@@ -177,7 +191,9 @@ void TestTissueReach::noLoopMakesEnergy() {
                 const Vec3 to = places[leg];
                 const int steps = static_cast<int>((to - from).norm() / 1e-5) + 1;
                 for (int i = 1; i <= steps; ++i) {
-                    const Vec3 force = contact.respond(toolAt(from + (to - from) * (static_cast<double>(i) / steps)), touch).force;
+                    const Vec3 force =
+                        contact.respond(toolAt(from + (to - from) * (static_cast<double>(i) / steps)), touch)
+                            .force;
                     work_J -= 0.5 * (force + before).dot((to - from) / steps);
                     before = force;
                 }
@@ -190,8 +206,8 @@ void TestTissueReach::noLoopMakesEnergy() {
     QVERIFY2(worst_J >= -1e-6, qPrintable(QString::number(1e6 * worst_J)));
 }
 
-// models.md §8: the force never passes the yield force, falls over the stated time by the stated curve, and is back only after the
-// tool was outside.
+// models.md §8: the force never passes the yield force, falls over the stated time by the stated curve, and
+// is back only after the tool was outside.
 void TestTissueReach::tissueGivesWayOnce() {
     TissueYield tissue(YieldLaw{6.0, 0.020});
     QCOMPARE(tissue.step(6.0, false, 1e-3), 1.0);

@@ -64,14 +64,17 @@ void TestTissueSurface::nearestIsNearest() {
 // From below, on a known place's normal, the foot is that place, to rounding.
 void TestTissueSurface::footIsThePlaceAbove() {
     const TissueSurface surface(furrowedDome());
-    QVERIFY2(surface.deepestUnique_m() > 0.008 && surface.deepestUnique_m() < 0.025, qPrintable(QString::number(surface.deepestUnique_m())));
+    QVERIFY2(surface.deepestUnique_m() > 0.008 && surface.deepestUnique_m() < 0.025,
+             qPrintable(QString::number(surface.deepestUnique_m())));
     core::Random random(32);
     for (int n = 0; n < 5000; ++n) {
         const Vec2 xy(random.uniform(-0.045, 0.045), random.uniform(-0.045, 0.045));
-        const double depth = random.uniform(-0.9 * std::min(0.01, surface.highestUnique_m()), 0.9 * surface.deepestUnique_m());
+        const double depth =
+            random.uniform(-0.9 * std::min(0.01, surface.highestUnique_m()), 0.9 * surface.deepestUnique_m());
         const Vec3 p = surface.pointAt(xy) - depth * surface.normalAt(xy);
         const SurfaceFoot foot = surface.nearest(p, p.head<2>() + Vec2(random.uniform(-1e-3, 1e-3), 0.0));
-        QVERIFY2((foot.p_W - surface.pointAt(xy)).norm() < 1e-10, qPrintable(QString::number((foot.p_W - surface.pointAt(xy)).norm())));
+        QVERIFY2((foot.p_W - surface.pointAt(xy)).norm() < 1e-10,
+                 qPrintable(QString::number((foot.p_W - surface.pointAt(xy)).norm())));
         QVERIFY(std::abs(foot.depth_m - depth) < 1e-12);
     }
 }
@@ -81,9 +84,11 @@ void TestTissueSurface::anyGuessFindsTheSameFoot() {
     core::Random random(33);
     for (int n = 0; n < 3000; ++n) {
         const Vec2 xy(random.uniform(-0.04, 0.04), random.uniform(-0.04, 0.04));
-        const Vec3 p = surface.pointAt(xy) - random.uniform(0.0, 0.9 * surface.deepestUnique_m()) * surface.normalAt(xy);
+        const Vec3 p =
+            surface.pointAt(xy) - random.uniform(0.0, 0.9 * surface.deepestUnique_m()) * surface.normalAt(xy);
         const SurfaceFoot a = surface.nearest(p, p.head<2>());
-        const SurfaceFoot b = surface.nearest(p, Vec2(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05)));
+        const SurfaceFoot b =
+            surface.nearest(p, Vec2(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05)));
         QVERIFY2((a.p_W - b.p_W).norm() < 1e-10, qPrintable(QString::number((a.p_W - b.p_W).norm())));
     }
 }
@@ -96,9 +101,11 @@ void TestTissueSurface::derivativesByDifferences() {
         const Vec2 xy(random.uniform(-0.045, 0.045), random.uniform(-0.045, 0.045));
         const SurfaceHeight at = surface.heightAt(xy);
         for (int axis = 0; axis < 2; ++axis) {
-            const SurfaceHeight up = surface.heightAt(xy + h * Vec2::Unit(axis)), down = surface.heightAt(xy - h * Vec2::Unit(axis));
+            const SurfaceHeight up = surface.heightAt(xy + h * Vec2::Unit(axis)),
+                                down = surface.heightAt(xy - h * Vec2::Unit(axis));
             QVERIFY(std::abs((up.z_m - down.z_m) / (2 * h) - at.slope[axis]) < 1e-8);
-            QVERIFY(((up.slope - down.slope) / (2 * h) - at.curvature_per_m.col(axis)).norm() < 0.02); // third derivative · h, at rims
+            QVERIFY(((up.slope - down.slope) / (2 * h) - at.curvature_per_m.col(axis)).norm() <
+                    0.02); // third derivative · h, at rims
         }
     }
 }
@@ -112,14 +119,19 @@ void TestTissueSurface::footFollowsTheTool() {
         const Vec3 p = surface.pointAt(xy) - random.uniform(-0.004, 0.006) * surface.normalAt(xy);
         const SurfaceFoot foot = surface.nearest(p, xy);
         for (int axis = 0; axis < 3; ++axis) {
-            const Vec3 slope = (surface.nearest(p + h * Vec3::Unit(axis), xy).p_W - surface.nearest(p - h * Vec3::Unit(axis), xy).p_W) / (2 * h);
-            QVERIFY2((slope - foot.follows.col(axis)).norm() < 1e-4, qPrintable(QString::number((slope - foot.follows.col(axis)).norm())));
+            const Vec3 slope = (surface.nearest(p + h * Vec3::Unit(axis), xy).p_W -
+                                surface.nearest(p - h * Vec3::Unit(axis), xy).p_W) /
+                               (2 * h);
+            QVERIFY2((slope - foot.follows.col(axis)).norm() < 1e-4,
+                     qPrintable(QString::number((slope - foot.follows.col(axis)).norm())));
         }
-        QVERIFY((foot.follows - foot.follows.transpose()).norm() < 1e-12 && (foot.follows * foot.normal).norm() < 1e-9);
+        QVERIFY((foot.follows - foot.follows.transpose()).norm() < 1e-12 &&
+                (foot.follows * foot.normal).norm() < 1e-9);
     }
 }
 
-// A round dome h (1 − r²/R²)³ bends most at its top: 6 h/R²; a furrow of the same shape bends that much the other way.
+// A round dome h (1 − r²/R²)³ bends most at its top: 6 h/R²; a furrow of the same shape bends that much the
+// other way.
 void TestTissueSurface::deepestUniqueOfOneDome() {
     QVERIFY(TissueSurface(SurfaceShape{}).deepestUnique_m() == std::numeric_limits<double>::infinity());
     SurfaceShape dome;
@@ -133,9 +145,13 @@ void TestTissueSurface::deepestUniqueOfOneDome() {
     const TissueSurface surface(dome);
     const Vec3 top(0.01, 0.02, 0.012);
     const Vec3 deep = top - Vec3(0, 0, 1.3 * radius);
-    QVERIFY((surface.nearest(deep, Vec2(0.02, 0.02)).p_W - surface.nearest(deep, Vec2(0.0, 0.02)).p_W).norm() > 1e-3);
+    QVERIFY(
+        (surface.nearest(deep, Vec2(0.02, 0.02)).p_W - surface.nearest(deep, Vec2(0.0, 0.02)).p_W).norm() >
+        1e-3);
     const Vec3 safe = top - Vec3(0, 0, 0.95 * radius);
-    QVERIFY((surface.nearest(safe, Vec2(0.02, 0.02)).p_W - surface.nearest(safe, Vec2(0.0, 0.02)).p_W).norm() < 1e-9);
+    QVERIFY(
+        (surface.nearest(safe, Vec2(0.02, 0.02)).p_W - surface.nearest(safe, Vec2(0.0, 0.02)).p_W).norm() <
+        1e-9);
 }
 
 void TestTissueSurface::rayMeetsTheSurface() {
@@ -164,7 +180,8 @@ void TestTissueSurface::signIsRightEverywhere() {
     core::Random random(37);
     for (int n = 0; n < 50000; ++n) {
         const Vec3 p(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), random.uniform(-0.03, 0.04));
-        const SurfaceFoot foot = surface.nearest(p, Vec2(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05)));
+        const SurfaceFoot foot =
+            surface.nearest(p, Vec2(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05)));
         const double below = surface.heightAt(p.head<2>()).z_m - p.z();
         if (std::abs(below) < 1e-6)
             continue;
@@ -187,27 +204,36 @@ void TestTissueSurface::punchWeightHasItsLimits() {
 }
 
 void TestTissueSurface::layersHaveTheirLimits() {
-    const auto modulus = [](const std::vector<TissueLayer>& layers) { return layeredModulus_Pa(layers, 0.005, 0.5); };
+    const auto modulus = [](const std::vector<TissueLayer>& layers) {
+        return layeredModulus_Pa(layers, 0.005, 0.5);
+    };
     QVERIFY(std::abs(modulus({{"gland", 1.0, 17e3}}) - 17e3) < 1e-9);
     QVERIFY(std::abs(modulus({{"a", 0.002, 17e3}, {"b", 0.003, 17e3}, {"c", 1.0, 17e3}}) - 17e3) < 1e-8);
     QVERIFY(std::abs(modulus({{"thick", 5.0, 9e3}, {"below", 1.0, 30e3}}) / 9e3 - 1.0) < 1e-3);
     QVERIFY(std::abs(modulus({{"thin", 1e-7, 9e3}, {"below", 1.0, 30e3}}) / 30e3 - 1.0) < 1e-3);
     double before = 30e3;
-    for (int i = 1; i < 200; ++i) { // a softer layer growing thicker: softer and softer, always between the two
+    for (int i = 1; i < 200;
+         ++i) { // a softer layer growing thicker: softer and softer, always between the two
         const double now = modulus({{"fat", 1e-4 * i, 10e3}, {"gland", 1.0, 30e3}});
         QVERIFY(now < before && now > 10e3);
         before = now;
     }
     // Cutting a layer in two changes nothing; the order of layers does.
     const double whole = modulus({{"skin", 0.002, 40e3}, {"fat", 0.006, 8e3}, {"gland", 1.0, 17e3}});
-    QVERIFY(std::abs(modulus({{"skin", 0.002, 40e3}, {"fat", 0.001, 8e3}, {"fat", 0.005, 8e3}, {"gland", 1.0, 17e3}}) - whole) < 1e-9);
-    QVERIFY(std::abs(modulus({{"skin", 0.002, 8e3}, {"fat", 0.006, 40e3}, {"gland", 1.0, 17e3}}) - whole) > 1e3);
+    QVERIFY(
+        std::abs(
+            modulus({{"skin", 0.002, 40e3}, {"fat", 0.001, 8e3}, {"fat", 0.005, 8e3}, {"gland", 1.0, 17e3}}) -
+            whole) < 1e-9);
+    QVERIFY(std::abs(modulus({{"skin", 0.002, 8e3}, {"fat", 0.006, 40e3}, {"gland", 1.0, 17e3}}) - whole) >
+            1e3);
     // A rigid base under 5 mm: finite, 1/I₀(1) = 2.9 times the layer's own.
-    QVERIFY(std::abs(modulus({{"film", 0.005, 17e3}, {"bone", 1.0, 1e15}}) / 17e3 - 1.0 / (0.5 - 0.5 / core::kPi)) < 1e-6);
+    QVERIFY(std::abs(modulus({{"film", 0.005, 17e3}, {"bone", 1.0, 1e15}}) / 17e3 -
+                     1.0 / (0.5 - 0.5 / core::kPi)) < 1e-6);
     // The contact takes it: k = 2 a E/(1 − ν²).
     TissueParameters p;
     p.layers = {{"skin", 0.002, 40e3}, {"gland", 1.0, 17e3}};
-    QVERIFY(std::abs(TissueContact(p).normalStiffness_N_per_m() - 2.0 * 0.005 * modulus(p.layers) / 0.75) < 1e-9);
+    QVERIFY(std::abs(TissueContact(p).normalStiffness_N_per_m() - 2.0 * 0.005 * modulus(p.layers) / 0.75) <
+            1e-9);
     p.stiffness_N_per_m = 650.0;
     QCOMPARE(TissueContact(p).normalStiffness_N_per_m(), 650.0);
 }

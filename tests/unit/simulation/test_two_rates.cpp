@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two rates: when requests go and answers take effect, that nothing steps at the update, and what is felt in the end.
+// Two rates: when requests go and answers take effect, that nothing steps at the update, and what is felt in
+// the end.
 #include "core/units.h"
 #include "support/two_rate_bench.h"
 
@@ -40,13 +41,14 @@ constexpr double kAcross_m = 0.004;
 /// Presses 3 mm deep to and fro, while it slides; smooth.
 Vec3 path(double t) {
     const double press = 0.5 * kDepth_m * (1.0 - std::cos(2.0 * core::kPi * 1.5 * t));
-    return {kAcross_m * std::sin(2.0 * core::kPi * 0.4 * t), 0.002 * std::sin(2.0 * core::kPi * 0.7 * t), 0.0201 - press};
+    return {kAcross_m * std::sin(2.0 * core::kPi * 0.4 * t), 0.002 * std::sin(2.0 * core::kPi * 0.7 * t),
+            0.0201 - press};
 }
 
 struct Slide {
-    double largestStep_N = 0.0;  ///< ‖f(n) - f(n-1)‖
+    double largestStep_N = 0.0; ///< ‖f(n) - f(n-1)‖
     double largestForce_N = 0.0;
-    double fastest_m = 0.0;      ///< tool, m a tick
+    double fastest_m = 0.0; ///< tool, m a tick
     int applied = 0;
     std::uint64_t longestGap = 0;
 };
@@ -177,7 +179,8 @@ void TestTwoRates::theBlendIsContinuousAtEveryApplication() {
     }
     // |P_k - P_k-1| <= (1 + 2γ) · 2, |A(k) - A(k-1)| <= 2, B = 33 and no two requests nearer than 33 ticks.
     const double bound = 1.5 / 33.0 * (1.0 + 2.0 * 0.5) * 2.0 + 0.5 * 2.0 / 33.0;
-    QVERIFY2(largest < bound && largest > 0.1 * bound, qPrintable(QString("%1 of %2").arg(largest).arg(bound)));
+    QVERIFY2(largest < bound && largest > 0.1 * bound,
+             qPrintable(QString("%1 of %2").arg(largest).arg(bound)));
 }
 
 void TestTwoRates::weightsSumToOneAndThePredictionIsLimited() {
@@ -196,21 +199,26 @@ void TestTwoRates::weightsSumToOneAndThePredictionIsLimited() {
 }
 
 void TestTwoRates::noStepIsFelt() {
-    // What a tick can change, with k of the local model, U = x k/(k + K) the most that the organ gives way, and no friction:
-    //   k (|Δx_tool| + (1.5/B)(1 + 2γ) U + γ U/B) along the normal; the direction turns with the foot, f |Δx| kFollow/R at most;
-    //   the damper b sees at most the surface's speed, which is continuous but for the ends of the prediction: b γ U/(B T).
+    // What a tick can change, with k of the local model, U = x k/(k + K) the most that the organ gives way,
+    // and no friction:
+    //   k (|Δx_tool| + (1.5/B)(1 + 2γ) U + γ U/B) along the normal; the direction turns with the foot, f |Δx|
+    //   kFollow/R at most; the damper b sees at most the surface's speed, which is continuous but for the
+    //   ends of the prediction: b γ U/(B T).
     const SphereApexParameters p = softDome();
     const double k = p.stiffnessLow_N_per_m;
-    const double given = (kDepth_m + 0.0015) * k / (k + p.organStiffness_N_per_m); // the slide adds depth on the flank
+    const double given =
+        (kDepth_m + 0.0015) * k / (k + p.organStiffness_N_per_m); // the slide adds depth on the flank
     const double surface = (1.5 / 33.0 * 2.0 + 0.5 / 33.0) * given;
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
         const Slide shown = slide(true, seed);
-        const double bound = k * (shown.fastest_m + surface) + shown.largestForce_N * shown.fastest_m * 2.0 / p.radius_m +
+        const double bound = k * (shown.fastest_m + surface) +
+                             shown.largestForce_N * shown.fastest_m * 2.0 / p.radius_m +
                              p.damping_Ns_per_m * 0.5 * given / 0.033;
         const Slide bare = slide(false, seed);
-        qInfo("seed %d: %d answers, up to %d ticks apart; largest change a tick %.3f N (bound %.3f N), without blending %.3f N",
-              static_cast<int>(seed), shown.applied, static_cast<int>(shown.longestGap), shown.largestStep_N, bound,
-              bare.largestStep_N);
+        qInfo("seed %d: %d answers, up to %d ticks apart; largest change a tick %.3f N (bound %.3f N), "
+              "without blending %.3f N",
+              static_cast<int>(seed), shown.applied, static_cast<int>(shown.longestGap), shown.largestStep_N,
+              bound, bare.largestStep_N);
         QVERIFY(shown.applied > 100 && shown.longestGap > 100);
         QVERIFY(shown.largestForce_N > 0.5);
         QVERIFY(shown.largestStep_N < bound);
@@ -233,8 +241,10 @@ void TestTwoRates::aQuickPressIsLocalALastingOneTheSeries() {
         last = f;
     }
     QVERIFY2(std::abs(first - k * 0.002) < 1e-3 * first, qPrintable(QString::number(first)));
-    // The foot settles inside a triangle of the dent, where the network is a little stiffer than at its reference vertex.
-    QVERIFY2(std::abs(last - 0.002 * k * organ / (k + organ)) < 0.01 * last, qPrintable(QString::number(last)));
+    // The foot settles inside a triangle of the dent, where the network is a little stiffer than at its
+    // reference vertex.
+    QVERIFY2(std::abs(last - 0.002 * k * organ / (k + organ)) < 0.01 * last,
+             qPrintable(QString::number(last)));
 }
 
 void TestTwoRates::anotherTrialBeginsAtRest() {
@@ -259,15 +269,18 @@ void TestTwoRates::anotherTrialBeginsAtRest() {
         QCOMPARE(second[n], first.front()); // nothing of the old dent
 }
 
-// P2: "after a visual loop update, the haptic loop compares predicted values". Untouched there is nothing to compare; a tool that
-// rests is predicted ever better; one that presses is predicted worse than one that rests.
+// P2: "after a visual loop update, the haptic loop compares predicted values". Untouched there is nothing to
+// compare; a tool that rests is predicted ever better; one that presses is predicted worse than one that
+// rests.
 void TestTwoRates::thePredictionIsComparedWithWhatCame() {
     const SphereApexParameters p = softDome();
     auto dome = std::move(*TouchedDome::make(p, planSphereApexTrials(p, 1)));
     dome->begin(0, 0);
     std::vector<double> pressing, held, resting;
     for (std::uint64_t n = 0; n < 4000; ++n) {
-        const double depth = n < 200 ? -0.01 : n < 1500 ? 0.004 * static_cast<double>(n - 200) / 1300.0 : 0.004;
+        const double depth = n < 200    ? -0.01
+                             : n < 1500 ? 0.004 * static_cast<double>(n - 200) / 1300.0
+                                        : 0.004;
         const bool applied = dome->update(n, SlowUpdate::asDue);
         const PredictionError error = dome->organ()->predictionError();
         if (n < 200)
@@ -281,12 +294,17 @@ void TestTwoRates::thePredictionIsComparedWithWhatCame() {
         dome->respond(0, Vec3(0.0, 0.0, 0.020 - depth), Vec3::Zero());
         dome->ask(n);
     }
-    const auto mean = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0) / static_cast<double>(v.size()); };
+    const auto mean = [](const std::vector<double>& v) {
+        return std::accumulate(v.begin(), v.end(), 0.0) / static_cast<double>(v.size());
+    };
     QVERIFY(pressing.size() > 10 && resting.size() > 5);
     QVERIFY2(mean(pressing) > 1e-6 && mean(pressing) < 1e-3, qPrintable(QString::number(mean(pressing))));
     QVERIFY2(mean(resting) < 0.05 * mean(pressing), qPrintable(QString::number(mean(resting))));
-    QVERIFY2(mean(pressing) < mean(held), qPrintable(QStringLiteral("%1 of %2").arg(mean(pressing)).arg(mean(held)))); // what prediction is for
-    std::printf("pressing: predicted %.1f µm, held %.1f µm; resting %.2f µm\n", 1e6 * mean(pressing), 1e6 * mean(held), 1e6 * mean(resting));
+    QVERIFY2(
+        mean(pressing) < mean(held),
+        qPrintable(QStringLiteral("%1 of %2").arg(mean(pressing)).arg(mean(held)))); // what prediction is for
+    std::printf("pressing: predicted %.1f µm, held %.1f µm; resting %.2f µm\n", 1e6 * mean(pressing),
+                1e6 * mean(held), 1e6 * mean(resting));
     dome->begin(0, 4000);
     QCOMPARE(dome->organ()->predictionError().predicted_m, 0.0);
 }
@@ -307,7 +325,9 @@ void TestTwoRates::settingsAreTakenUpToTheirBounds() {
         settings.blend_ticks = 33;
         change(settings);
         const auto made = DeformableOrgan::create(mesh, anchored, highest, settings);
-        return made || made.error().code != core::ErrorCode::badInput ? QStringLiteral("taken") : QString::fromStdString(made.error().message);
+        return made || made.error().code != core::ErrorCode::badInput
+                   ? QStringLiteral("taken")
+                   : QString::fromStdString(made.error().message);
     };
     using Settings = DeformableOrgan::Settings;
     const QString taken = QStringLiteral("taken");
@@ -315,11 +335,15 @@ void TestTwoRates::settingsAreTakenUpToTheirBounds() {
     for (const double prediction : {0.0, 1.0})
         QCOMPARE(takes([=](Settings& s) { s.prediction = prediction; }), taken);
     for (const double prediction : {-1e-9, 1.0 + 1e-9, double(NAN)})
-        QVERIFY(takes([=](Settings& s) { s.prediction = prediction; }).contains(QStringLiteral("prediction of 0 to 1")));
+        QVERIFY(takes([=](Settings& s) {
+                    s.prediction = prediction;
+                }).contains(QStringLiteral("prediction of 0 to 1")));
     QCOMPARE(takes([](Settings& s) { s.blend_ticks = 1; }), taken);
     QCOMPARE(takes([](Settings& s) { s.timing.period_ticks = 1; }), taken);
     QVERIFY(takes([](Settings& s) { s.blend_ticks = 0; }) != taken);
-    QVERIFY(takes([](Settings& s) { s.blend_ticks = 34; }).contains(QStringLiteral("a blend of 34 ticks at a latency of 33")));
+    QVERIFY(takes([](Settings& s) {
+                s.blend_ticks = 34;
+            }).contains(QStringLiteral("a blend of 34 ticks at a latency of 33")));
     QVERIFY(takes([](Settings& s) { s.timing.period_ticks = 0; }) != taken);
 }
 

@@ -30,13 +30,13 @@ double difference(double a, double b) {
 
 /// The largest relative difference (1 N, 1 N·m, 1 J … as the unit where values are small) of any component.
 double disagreement(const UrethraResponse& r, const chiron::testing::ReferenceResponse& p) {
-    return std::max({difference(r.foot.at.s_m, p.s), difference(r.foot.ex_m, p.ex), difference(r.foot.en_m, p.en),
-                     difference(r.phiX_rad, p.phiX), difference(r.phiY_rad, p.phiY), difference(r.normal_N, p.N),
-                     difference(r.friction_N, p.F1), difference(r.viscous_N, p.F2), difference(r.elastic_N, p.elastic),
-                     difference(r.torqueX_Nm, p.Tx), difference(r.torqueY_Nm, p.Ty), difference(r.torqueZ_Nm, p.Tz),
-                     difference(r.energy_J, p.U), difference(r.wallDamped_N, p.wall),
-                     difference(r.lateral_A, p.lateral),
-                     difference(r.wrench_A.force, p.force), difference(r.wrench_A.torque, p.torque)});
+    return std::max(
+        {difference(r.foot.at.s_m, p.s), difference(r.foot.ex_m, p.ex), difference(r.foot.en_m, p.en),
+         difference(r.phiX_rad, p.phiX), difference(r.phiY_rad, p.phiY), difference(r.normal_N, p.N),
+         difference(r.friction_N, p.F1), difference(r.viscous_N, p.F2), difference(r.elastic_N, p.elastic),
+         difference(r.torqueX_Nm, p.Tx), difference(r.torqueY_Nm, p.Ty), difference(r.torqueZ_Nm, p.Tz),
+         difference(r.energy_J, p.U), difference(r.wallDamped_N, p.wall), difference(r.lateral_A, p.lateral),
+         difference(r.wrench_A.force, p.force), difference(r.wrench_A.torque, p.torque)});
 }
 
 } // namespace
@@ -67,11 +67,13 @@ void TestUrethraForces::agreesWithThePlainReference() {
         double worst = 0.0;
         for (int n = 0; n < 30000; ++n) {
             const double offset = n % 4 == 1 ? 0.025 : 0.006; // the free part is held only beyond 10 mm
-            const auto motion = n % 4 == 0 ? randomInBladder(random, forces) : randomMotion(random, forces.centreline(), offset);
+            const auto motion = n % 4 == 0 ? randomInBladder(random, forces)
+                                           : randomMotion(random, forces.centreline(), offset);
             worst = std::max(worst, disagreement(forces.respond(motion), reference.respond(motion)));
         }
         QVERIFY2(worst < 1e-9, qPrintable(QString("%1: %2").arg(v.name).arg(worst)));
-        QVERIFY2(worst < 1e-12, qPrintable(QString("%1: %2").arg(v.name).arg(worst))); // both kinds of section sums
+        QVERIFY2(worst < 1e-12,
+                 qPrintable(QString("%1: %2").arg(v.name).arg(worst))); // both kinds of section sums
     }
 }
 
@@ -86,7 +88,8 @@ void TestUrethraForces::meetsTheTableOfTheModel() {
     QVERIFY(printsAs(-forces.respond(fast).friction_N, 1.03, 0.01));
     const double expected[3][2] = {{0.001, 0.74}, {0.003, 2.05}, {0.005, 3.56}};
     for (const auto& [offset, force] : expected) {
-        const double lateral = forces.respond(motionAt(line, {.s_m = 0.100, .ex_m = offset})).lateral_A.norm();
+        const double lateral =
+            forces.respond(motionAt(line, {.s_m = 0.100, .ex_m = offset})).lateral_A.norm();
         QVERIFY2(printsAs(lateral, force, 0.01), qPrintable(QString::number(lateral)));
     }
     const double torque = forces.respond(motionAt(line, {.s_m = L, .pitch_rad = core::kPi / 6.0})).torqueX_Nm;
@@ -113,10 +116,11 @@ void TestUrethraForces::spinMeetsItsClosedForm() {
             motion.w_A = spin * motion.axis_A;
             motion.v_A = speed * motion.axis_A;
             const double around = spin * scope.radius_m;
-            const double v0 = std::max({0.001, 25e-6 / 0.015, 0.1 * N / UrethraForceSettings{}.maximumDamping_Ns_per_m});
-            const double closed =
-                -anatomy.friction * N * scope.radius_m * around / std::sqrt(around * around + speed * speed + v0 * v0) -
-                anatomy.viscosity_Ns_per_m2 * L * scope.radius_m * scope.radius_m * spin;
+            const double v0 =
+                std::max({0.001, 25e-6 / 0.015, 0.1 * N / UrethraForceSettings{}.maximumDamping_Ns_per_m});
+            const double closed = -anatomy.friction * N * scope.radius_m * around /
+                                      std::sqrt(around * around + speed * speed + v0 * v0) -
+                                  anatomy.viscosity_Ns_per_m2 * L * scope.radius_m * scope.radius_m * spin;
             const UrethraResponse r = forces.respond(motion);
             QVERIFY(std::abs(r.torqueZ_Nm - closed) < 1e-12);
             QVERIFY(std::abs(r.wrench_A.torque.dot(motion.axis_A) - closed) < 1e-12);
@@ -125,12 +129,13 @@ void TestUrethraForces::spinMeetsItsClosedForm() {
 
 void TestUrethraForces::mirroredPosesGiveMirroredForces() {
     core::Random random(12);
-    const Vec3 mirror(-1.0, 1.0, 1.0);   // x → −x for vectors
+    const Vec3 mirror(-1.0, 1.0, 1.0);  // x → −x for vectors
     const Vec3 pseudo(1.0, -1.0, -1.0); // and what that does to turns
     for (const Variant& v : variants()) {
         const UrethraForces forces(v.anatomy, v.endoscope, v.settings);
         for (int n = 0; n < 5000; ++n) {
-            const auto here = n % 4 == 0 ? randomInBladder(random, forces) : randomMotion(random, forces.centreline());
+            const auto here =
+                n % 4 == 0 ? randomInBladder(random, forces) : randomMotion(random, forces.centreline());
             EndoscopeMotion there;
             there.p_A = here.p_A.cwiseProduct(mirror);
             there.axis_A = here.axis_A.cwiseProduct(mirror);
@@ -176,7 +181,8 @@ void TestUrethraForces::outsideTheBodyIsNothing() {
         core::Random random(15);
         for (int n = 0; n < 20000; ++n) {
             EndoscopeMotion motion = randomMotion(random, forces.centreline());
-            motion.p_A = Vec3(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.0));
+            motion.p_A =
+                Vec3(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.0));
             motion.axis_A = randomVector(random, 1.0).normalized();
             const UrethraResponse r = forces.respond(motion);
             if (r.foot.at.s_m > -v.endoscope.beak_m)
@@ -188,7 +194,8 @@ void TestUrethraForces::outsideTheBodyIsNothing() {
     }
 }
 
-// The shortest free part that is allowed, s_B as long as its rounded corner: up to A no torque and no jump, beyond it both grow.
+// The shortest free part that is allowed, s_B as long as its rounded corner: up to A no torque and no jump,
+// beyond it both grow.
 void TestUrethraForces::aShortFreePartBeginsAtTheEntrance() {
     UrethraAnatomy anatomy;
     anatomy.freeLength_m = anatomy.freeBlend_m = anatomy.angularCorner_m = 0.005;
@@ -205,13 +212,16 @@ void TestUrethraForces::aShortFreePartBeginsAtTheEntrance() {
     for (double s = -0.0105; s < 0.012; s += step * 50) {
         const UrethraResponse here = at(s), there = at(s + step);
         QVERIFY2((there.wrench_A.force - here.wrench_A.force).norm() < 0.002, qPrintable(QString::number(s)));
-        QVERIFY2((there.wrench_A.torque - here.wrench_A.torque).norm() < 1e-4, qPrintable(QString::number(s)));
+        QVERIFY2((there.wrench_A.torque - here.wrench_A.torque).norm() < 1e-4,
+                 qPrintable(QString::number(s)));
     }
     QVERIFY(at(0.010).wrench_A.torque.norm() > 1e-3);
-    UrethraAnatomy impossible = anatomy; // refused by content; even so there is nothing to feel before the beak is in
+    UrethraAnatomy impossible =
+        anatomy; // refused by content; even so there is nothing to feel before the beak is in
     impossible.angularCorner_m = 0.030;
     const UrethraForces wrong(impossible, {});
-    QVERIFY(wrong.respond(motionAt(wrong.centreline(), {.s_m = -0.011, .pitch_rad = 0.5})).wrench_A.torque == Vec3::Zero());
+    QVERIFY(wrong.respond(motionAt(wrong.centreline(), {.s_m = -0.011, .pitch_rad = 0.5})).wrench_A.torque ==
+            Vec3::Zero());
 }
 
 void TestUrethraForces::oddStatesStayFinite() {
@@ -226,7 +236,8 @@ void TestUrethraForces::oddStatesStayFinite() {
             motion.w_A = randomVector(random, 1000.0);
             const UrethraResponse r = forces.respond(motion);
             QVERIFY(r.wrench_A.force.allFinite() && r.wrench_A.torque.allFinite() && r.lateral_A.allFinite());
-            QVERIFY(std::isfinite(r.energy_J + r.normal_N + r.elastic_N + r.stiffness_N_per_m + r.torqueZ_Nm));
+            QVERIFY(
+                std::isfinite(r.energy_J + r.normal_N + r.elastic_N + r.stiffness_N_per_m + r.torqueZ_Nm));
         }
     }
 }
@@ -255,8 +266,11 @@ void TestUrethraForces::neverPullsInHarderThanFrictionHolds() {
             QVERIFY2(centred.elastic_N < 1e-9, qPrintable(QString("%1 at %2").arg(centred.elastic_N).arg(s)));
             if (v.endoscope.radius_m < v.anatomy.radius_m)
                 continue; // a thin endoscope may be squeezed nowhere
-            // in the stricture springs 15 times as stiff win beyond 5 mm, and so does a shaft that the pelvic floor turns in
-            const double offset = v.anatomy.changeCount > 0 ? 0.0035 : v.anatomy.pivotSpan_m > 0.0 ? 0.005 : 0.006;
+            // in the stricture springs 15 times as stiff win beyond 5 mm, and so does a shaft that the pelvic
+            // floor turns in
+            const double offset = v.anatomy.changeCount > 0     ? 0.0035
+                                  : v.anatomy.pivotSpan_m > 0.0 ? 0.005
+                                                                : 0.006;
             const UrethraResponse r = forces.respond(randomMotion(random, forces.centreline(), offset));
             const double held = v.anatomy.friction * r.normal_N; // at least
             QVERIFY2(r.elastic_N < held + 1e-9, qPrintable(QString("%1, %2 N").arg(r.elastic_N).arg(held)));
@@ -264,27 +278,33 @@ void TestUrethraForces::neverPullsInHarderThanFrictionHolds() {
     }
 }
 
-// A tip that is aside has tilted the shaft about the floor: that costs no torque. On the line a tilt costs P1's torque, and force across.
+// A tip that is aside has tilted the shaft about the floor: that costs no torque. On the line a tilt costs
+// P1's torque, and force across.
 void TestUrethraForces::theShaftPivotsAtThePelvicFloor() {
     UrethraAnatomy free = bentAtB();
     free.pivotSpan_m = 0.0;
     const UrethraForces held(bentAtB(), {}), loose(free, {});
     for (const double s : {0.060, 0.090, 0.120}) {
         const double lever = s - 0.040, turn = lever / (lever * lever + 0.020 * 0.020); // s_B, ℓ₀
-        const UrethraResponse aside = held.respond(
-            motionAt(held.centreline(), {.s_m = s, .ex_m = 0.002, .en_m = -0.003, .pitch_rad = -0.003 * turn, .yaw_rad = 0.002 * turn}));
-        QVERIFY2(std::abs(aside.torqueX_Nm) < 1e-12 && std::abs(aside.torqueY_Nm) < 1e-12, qPrintable(QString::number(aside.torqueX_Nm)));
-        const UrethraResponse upright = held.respond(motionAt(held.centreline(), {.s_m = s, .ex_m = 0.002, .en_m = -0.003}));
+        const UrethraResponse aside = held.respond(motionAt(
+            held.centreline(),
+            {.s_m = s, .ex_m = 0.002, .en_m = -0.003, .pitch_rad = -0.003 * turn, .yaw_rad = 0.002 * turn}));
+        QVERIFY2(std::abs(aside.torqueX_Nm) < 1e-12 && std::abs(aside.torqueY_Nm) < 1e-12,
+                 qPrintable(QString::number(aside.torqueX_Nm)));
+        const UrethraResponse upright =
+            held.respond(motionAt(held.centreline(), {.s_m = s, .ex_m = 0.002, .en_m = -0.003}));
         QVERIFY(upright.torqueX_Nm > 1e-4 && upright.torqueY_Nm > 1e-4 && upright.energy_J > aside.energy_J);
         const Placement tilted{.s_m = s, .pitch_rad = 0.3};
-        const UrethraResponse with = held.respond(motionAt(held.centreline(), tilted)), without = loose.respond(motionAt(loose.centreline(), tilted));
+        const UrethraResponse with = held.respond(motionAt(held.centreline(), tilted)),
+                              without = loose.respond(motionAt(loose.centreline(), tilted));
         QVERIFY(with.torqueX_Nm == without.torqueX_Nm && with.torqueX_Nm > 0.0);
-        QVERIFY(without.lateral_A == Vec3::Zero() && std::abs(with.lateral_A.dot(with.foot.at.n_A) - with.torqueX_Nm * turn) < 1e-12);
+        QVERIFY(without.lateral_A == Vec3::Zero() &&
+                std::abs(with.lateral_A.dot(with.foot.at.n_A) - with.torqueX_Nm * turn) < 1e-12);
     }
 }
 
-// In whatever direction the tip moves. The bound is no looser than it has to be: within 1.2 of the steepest place across, where the
-// wall's springs alone say it, and within 1.7 of the steepest place in any direction.
+// In whatever direction the tip moves. The bound is no looser than it has to be: within 1.2 of the steepest
+// place across, where the wall's springs alone say it, and within 1.7 of the steepest place in any direction.
 void TestUrethraForces::stiffnessBoundsEverySlope() {
     core::Random random(18);
     for (const Variant& v : variants()) {
@@ -293,7 +313,8 @@ void TestUrethraForces::stiffnessBoundsEverySlope() {
         double most = 0.0, mostAcross = 0.0, steepest = 0.0, across = 0.0;
         for (int n = 0; n < 40000; ++n) {
             const bool wall = n % 4 == 0, lateral = n / 4 % 2 == 1;
-            EndoscopeMotion motion = wall ? randomInBladder(random, forces) : randomMotion(random, forces.centreline(), 0.0035);
+            EndoscopeMotion motion =
+                wall ? randomInBladder(random, forces) : randomMotion(random, forces.centreline(), 0.0035);
             motion.v_A.setZero();
             const UrethraResponse here = forces.respond(motion);
             const double turn = random.uniform(0.0, 2.0 * core::kPi);
@@ -306,18 +327,21 @@ void TestUrethraForces::stiffnessBoundsEverySlope() {
             const UrethraResponse there = forces.respond(moved);
             const double slope = (there.wrench_A.force - here.wrench_A.force).norm() / step;
             const double bound = std::max(here.stiffness_N_per_m, there.stiffness_N_per_m);
-            QVERIFY2(slope <= bound * 1.0001 + 0.01, qPrintable(QString("%1: %2 > %3").arg(v.name).arg(slope).arg(bound)));
+            QVERIFY2(slope <= bound * 1.0001 + 0.01,
+                     qPrintable(QString("%1: %2 > %3").arg(v.name).arg(slope).arg(bound)));
             if (here.bladder_A == Vec3::Zero() && there.bladder_A == Vec3::Zero()) {
                 most = std::max(most, here.stiffness_N_per_m);
                 mostAcross = std::max(
-                    mostAcross, sumUrethraSections(tables, here.foot.at.s_m, here.foot.ex_m, here.foot.en_m).stiffness_N_per_m);
+                    mostAcross, sumUrethraSections(tables, here.foot.at.s_m, here.foot.ex_m, here.foot.en_m)
+                                    .stiffness_N_per_m);
                 steepest = std::max(steepest, slope);
                 if (lateral)
                     across = std::max(across, (there.lateral_A - here.lateral_A).norm() / step);
             }
         }
         if (QString(v.name) == "normal") {
-            QVERIFY2(across <= 1120.0 && mostAcross < 1.2 * across, qPrintable(QString("%1, %2").arg(across).arg(mostAcross)));
+            QVERIFY2(across <= 1120.0 && mostAcross < 1.2 * across,
+                     qPrintable(QString("%1, %2").arg(across).arg(mostAcross)));
             QVERIFY2(most < 1.7 * steepest, qPrintable(QString("%1, %2").arg(steepest).arg(most)));
         }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every component is a continuous function of pose: across the entrance, the bend, section boundaries, the edges of the moving
-// windows, springs that go slack, the neck and the bladder's wall.
+// Every component is a continuous function of pose: across the entrance, the bend, section boundaries, the
+// edges of the moving windows, springs that go slack, the neck and the bladder's wall.
 #include "core/fp_environment.h"
 #include "urethra_states.h"
 
@@ -16,21 +16,24 @@ using core::Vec3;
 namespace {
 
 constexpr std::size_t kComponents = 17;
-constexpr std::array<const char*, kComponents> kNames{"N",  "F1", "F2", "F3",  "T_x", "T_y", "T_z", "U", "lateral x",
-                                                      "lateral y", "lateral z", "force x", "force y", "force z",
-                                                      "torque x", "torque y", "torque z"};
+constexpr std::array<const char*, kComponents> kNames{
+    "N",         "F1",        "F2",      "F3",      "T_x",     "T_y",      "T_z",      "U",       "lateral x",
+    "lateral y", "lateral z", "force x", "force y", "force z", "torque x", "torque y", "torque z"};
 
 std::array<double, kComponents> componentsOf(const UrethraResponse& r) {
-    return {r.normal_N,        r.friction_N,      r.viscous_N,       r.elastic_N,        r.torqueX_Nm,        r.torqueY_Nm,
-            r.torqueZ_Nm,      r.energy_J,        r.lateral_A.x(),   r.lateral_A.y(),    r.lateral_A.z(),     r.wrench_A.force.x(),
-            r.wrench_A.force.y(), r.wrench_A.force.z(), r.wrench_A.torque.x(), r.wrench_A.torque.y(), r.wrench_A.torque.z()};
+    return {r.normal_N,           r.friction_N,         r.viscous_N,           r.elastic_N,
+            r.torqueX_Nm,         r.torqueY_Nm,         r.torqueZ_Nm,          r.energy_J,
+            r.lateral_A.x(),      r.lateral_A.y(),      r.lateral_A.z(),       r.wrench_A.force.x(),
+            r.wrench_A.force.y(), r.wrench_A.force.z(), r.wrench_A.torque.x(), r.wrench_A.torque.y(),
+            r.wrench_A.torque.z()};
 }
 
 /// A path x ↦ pose, x in metres of tip travel.
 using Path = std::function<EndoscopeMotion(double)>;
 
 /// The largest change of each component from one step to the next.
-std::array<double, kComponents> largestChange(const UrethraForces& forces, const Path& path, double length_m, double step_m) {
+std::array<double, kComponents> largestChange(const UrethraForces& forces, const Path& path, double length_m,
+                                              double step_m) {
     std::array<double, kComponents> largest{};
     auto before = componentsOf(forces.respond(path(0.0)));
     const int steps = static_cast<int>(length_m / step_m);
@@ -43,14 +46,16 @@ std::array<double, kComponents> largestChange(const UrethraForces& forces, const
     return largest;
 }
 
-/// Largest changes must halve when the step is halved (a jump would keep its height): at most 0.6, where not all is zero.
+/// Largest changes must halve when the step is halved (a jump would keep its height): at most 0.6, where not
+/// all is zero.
 void verifyContinuous(const UrethraForces& forces, const Path& path, double length_m, const char* what) {
     const double step = 1e-5; // 0.01 mm
     const auto whole = largestChange(forces, path, length_m, step);
     const auto half = largestChange(forces, path, length_m, 0.5 * step);
     const auto quarter = largestChange(forces, path, length_m, 0.25 * step);
     for (std::size_t k = 0; k < kComponents; ++k) {
-        const QString found = QString("%1, %2: %3, %4, %5").arg(what, kNames[k]).arg(whole[k]).arg(half[k]).arg(quarter[k]);
+        const QString found =
+            QString("%1, %2: %3, %4, %5").arg(what, kNames[k]).arg(whole[k]).arg(half[k]).arg(quarter[k]);
         QVERIFY2(half[k] <= 0.6 * whole[k] + 1e-11, qPrintable(found));
         QVERIFY2(quarter[k] <= 0.35 * whole[k] + 1e-11, qPrintable(found));
     }
@@ -66,8 +71,8 @@ Path insertion(core::Random& random, const UrethraForces& forces, double offset_
     const Vec3 v = randomVector(random, 0.05), w = randomVector(random, 1.0);
     return [=, &forces](double x) {
         const auto wave = [&](std::size_t k) { return std::sin(frequency[k] * x + phase[k]); };
-        EndoscopeMotion m = motionAt(forces.centreline(),
-                                     {-0.015 + x, offset_m * wave(0), offset_m * wave(1), 0.4 * wave(2), 0.4 * wave(3)});
+        EndoscopeMotion m = motionAt(forces.centreline(), {-0.015 + x, offset_m * wave(0), offset_m * wave(1),
+                                                           0.4 * wave(2), 0.4 * wave(3)});
         m.v_A = v;
         m.w_A = w;
         return m;
@@ -128,7 +133,8 @@ void TestUrethraForcesContinuity::overTheBladdersWall() {
     const CentrelinePoint neck = forces.centreline().at(forces.centreline().length_m());
     const Vec3 centre = neck.p_A + 0.035 * neck.t_A;
     core::Random random(33);
-    for (int n = 0; n < 10; ++n) { // great circles through the opening, from free space to 5 mm into the wall and back
+    for (int n = 0; n < 10;
+         ++n) { // great circles through the opening, from free space to 5 mm into the wall and back
         const double turn = random.uniform(0.0, 2.0 * core::kPi);
         const Vec3 side = std::cos(turn) * Vec3::UnitX() + std::sin(turn) * neck.n_A;
         const auto path = [&](double x) {

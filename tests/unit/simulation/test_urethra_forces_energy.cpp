@@ -16,13 +16,15 @@ namespace {
 
 constexpr double kLoopTolerance_J = 1e-6; // models.md §0: every loop and its reverse ≥ −1 µJ
 
-/// A smooth closed path in position and orientation: place ± reach·Σ of three harmonics in each of its five numbers.
+/// A smooth closed path in position and orientation: place ± reach·Σ of three harmonics in each of its five
+/// numbers.
 struct Loop {
     Placement place;
     Placement reach;
     std::array<std::array<double, 3>, 5> amplitude{}, phase{};
 
-    Loop(core::Random& random, const Placement& centre, const Placement& width) : place(centre), reach(width) {
+    Loop(core::Random& random, const Placement& centre, const Placement& width)
+        : place(centre), reach(width) {
         for (std::size_t k = 0; k < 5; ++k)
             for (std::size_t h = 0; h < 3; ++h) {
                 amplitude[k][h] = random.uniform(-1.0, 1.0) / 3.0;
@@ -36,9 +38,10 @@ struct Loop {
         return sum;
     }
     EndoscopeMotion at(const UrethraCentreline& line, double x) const {
-        return motionAt(line, {place.s_m + reach.s_m * wave(0, x), place.ex_m + reach.ex_m * wave(1, x),
-                               place.en_m + reach.en_m * wave(2, x), place.pitch_rad + reach.pitch_rad * wave(3, x),
-                               place.yaw_rad + reach.yaw_rad * wave(4, x)});
+        return motionAt(line,
+                        {place.s_m + reach.s_m * wave(0, x), place.ex_m + reach.ex_m * wave(1, x),
+                         place.en_m + reach.en_m * wave(2, x), place.pitch_rad + reach.pitch_rad * wave(3, x),
+                         place.yaw_rad + reach.yaw_rad * wave(4, x)});
     }
 };
 
@@ -47,15 +50,18 @@ struct Work {
     double exchanged_J = 0.0; ///< Σ of the magnitudes
 };
 
-/// −∮ f·dp + τ·dθ by the trapezoid rule, at rest (elastic terms alone). `lateralOnly`: without the parts along t, to show
-/// that the loops can tell.
-Work workOf(const UrethraForces& forces, const Loop& loop, int steps, bool reversed, bool lateralOnly = false) {
+/// −∮ f·dp + τ·dθ by the trapezoid rule, at rest (elastic terms alone). `lateralOnly`: without the parts
+/// along t, to show that the loops can tell.
+Work workOf(const UrethraForces& forces, const Loop& loop, int steps, bool reversed,
+            bool lateralOnly = false) {
     const auto respond = [&](int i) {
         const double x = static_cast<double>(i % steps) / steps;
         const EndoscopeMotion m = loop.at(forces.centreline(), reversed ? 1.0 - x : x);
         return std::pair(m, forces.respond(m));
     };
-    const auto forceOf = [&](const UrethraResponse& r) { return lateralOnly ? r.lateral_A : r.wrench_A.force; };
+    const auto forceOf = [&](const UrethraResponse& r) {
+        return lateralOnly ? r.lateral_A : r.wrench_A.force;
+    };
     Work work;
     auto [before, felt] = respond(0);
     for (int i = 1; i <= steps; ++i) {
@@ -86,7 +92,8 @@ private slots:
 
 void TestUrethraForcesEnergy::wrenchIsMinusGradientOfEnergy() {
     core::Random random(21);
-    const double h = 1e-8;    // m: a spring that goes slack within it bends −∂U by at most ½k h, 0.3 µN in the stricture
+    const double h =
+        1e-8; // m: a spring that goes slack within it bends −∂U by at most ½k h, 0.3 µN in the stricture
     const double turn = 1e-6; // rad
     for (const Variant& v : variants()) {
         const UrethraForces forces(v.anatomy, v.endoscope, v.settings);
@@ -109,7 +116,8 @@ void TestUrethraForcesEnergy::wrenchIsMinusGradientOfEnergy() {
                 torque[axis] = -(energy(up) - energy(down)) / (2.0 * turn);
             }
             const double wrong = (force - here.wrench_A.force).norm() / (1.0 + here.wrench_A.force.norm());
-            QVERIFY2(wrong < 1e-6, qPrintable(QString("%1 %2 at s = %3").arg(v.name).arg(wrong).arg(here.foot.at.s_m)));
+            QVERIFY2(wrong < 1e-6,
+                     qPrintable(QString("%1 %2 at s = %3").arg(v.name).arg(wrong).arg(here.foot.at.s_m)));
             QVERIFY((torque - here.wrench_A.torque).norm() < 1e-6 * here.wrench_A.torque.norm() + 1e-9);
         }
     }
@@ -138,8 +146,9 @@ void TestUrethraForcesEnergy::loopsMakeNoEnergy() {
             for (const bool reversed : {false, true}) {
                 const Work rough = workOf(forces, loop, 1000, reversed);
                 const Work work = workOf(forces, loop, 4000, reversed);
-                QVERIFY2(work.net_J >= -kLoopTolerance_J,
-                         qPrintable(QString("%1: %2 of %3 J").arg(v.name).arg(work.net_J).arg(work.exchanged_J)));
+                QVERIFY2(
+                    work.net_J >= -kLoopTolerance_J,
+                    qPrintable(QString("%1: %2 of %3 J").arg(v.name).arg(work.net_J).arg(work.exchanged_J)));
                 exchanged = std::max(exchanged, work.exchanged_J);
                 coarse += std::abs(rough.net_J);
                 fine += std::abs(work.net_J);
@@ -147,7 +156,8 @@ void TestUrethraForcesEnergy::loopsMakeNoEnergy() {
             }
         }
         // what is left over is the rule's error: it falls with the square of the step
-        QVERIFY2(fine < 0.25 * coarse + 1e-12, qPrintable(QString("%1: %2, %3").arg(v.name).arg(coarse).arg(fine)));
+        QVERIFY2(fine < 0.25 * coarse + 1e-12,
+                 qPrintable(QString("%1: %2, %3").arg(v.name).arg(coarse).arg(fine)));
         if (reach[1] > 0.0)
             QVERIFY2(exchanged > 1e-3, qPrintable(QString::number(exchanged)));
         if (reach[0] > 0.0 && reach[1] > 0.0)
@@ -187,10 +197,12 @@ void TestUrethraForcesEnergy::frictionAndViscosityNeverDoWork() {
         const UrethraResponse r = forces.respond(motion);
         const double along = v.dot(motion.axis_A), spin = w.dot(motion.axis_A);
         QVERIFY(r.friction_N * along <= 0.0 && r.viscous_N * along <= 0.0 && r.torqueZ_Nm * spin <= 0.0);
-        const Vec3 damped_A = r.wrench_A.force - r.lateral_A - r.elastic_N / r.foot.gradientOfS_A.dot(r.foot.at.t_A) * r.foot.gradientOfS_A -
+        const Vec3 damped_A = r.wrench_A.force - r.lateral_A -
+                              r.elastic_N / r.foot.gradientOfS_A.dot(r.foot.at.t_A) * r.foot.gradientOfS_A -
                               (r.friction_N + r.viscous_N) * motion.axis_A;
         const Vec3 across = v - along * motion.axis_A;
-        QVERIFY((damped_A * across.norm() + r.wallDamped_N * across).norm() <= 1e-9); // straight against what is left of the motion
+        QVERIFY((damped_A * across.norm() + r.wallDamped_N * across).norm() <=
+                1e-9); // straight against what is left of the motion
         byTheWall += r.wallDamped_N * across.norm() * dt;
         absorbed -= (r.friction_N + r.viscous_N) * along * dt + r.torqueZ_Nm * spin * dt;
     }

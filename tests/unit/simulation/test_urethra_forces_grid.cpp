@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the drawn and the force sections have to do with what is felt: the first nothing, the second less than 1 %, everywhere.
+// What the drawn and the force sections have to do with what is felt: the first nothing, the second less than
+// 1 %, everywhere.
 #include "core/fp_environment.h"
 #include "support/urethra_reference_forces.h"
 #include "urethra_states.h"
@@ -28,7 +29,8 @@ struct Difference {
     double force = 0.0, torque = 0.0;
 };
 
-Difference differenceOf(const UrethraForces& usual, const chiron::testing::UrethraReferenceForces& finer, double offset_m) {
+Difference differenceOf(const UrethraForces& usual, const chiron::testing::UrethraReferenceForces& finer,
+                        double offset_m) {
     core::Random random(14);
     std::vector<EndoscopeMotion> motions;
     double force = 0.0, torque = 0.0;
@@ -88,12 +90,15 @@ void TestUrethraForcesGrid::twiceAsManySectionsAndSprings_data() {
 void TestUrethraForcesGrid::twiceAsManySectionsAndSprings() {
     QFETCH(int, which);
     QFETCH(int, springs);
-    const UrethraAnatomy anatomy = which == 0 ? UrethraAnatomy{} : which == 1 ? strictured() : steepStricture();
+    const UrethraAnatomy anatomy = which == 0   ? UrethraAnatomy{}
+                                   : which == 1 ? strictured()
+                                                : steepStricture();
     UrethraForceSettings halved;
     halved.maximumStep_m = (which == 2 ? kSteepEdge_m / 3.2 : UrethraForceSettings{}.maximumStep_m) / 2.0;
-    const Difference d = differenceOf(UrethraForces(anatomy, {}),
-                                      chiron::testing::UrethraReferenceForces(anatomy, {}, halved, static_cast<std::size_t>(springs)),
-                                      0.004);
+    const Difference d = differenceOf(
+        UrethraForces(anatomy, {}),
+        chiron::testing::UrethraReferenceForces(anatomy, {}, halved, static_cast<std::size_t>(springs)),
+        0.004);
     QVERIFY2(d.force < 0.01 && d.torque < 0.01, qPrintable(QString("%1, %2").arg(d.force).arg(d.torque)));
 }
 
@@ -101,7 +106,8 @@ void TestUrethraForcesGrid::twiceAsManySectionsAndSprings() {
 void TestUrethraForcesGrid::theOldGridWouldFail() {
     UrethraForceSettings coarse;
     coarse.maximumStep_m = 0.0025;
-    const Difference d = differenceOf(UrethraForces({}, {}, coarse), chiron::testing::UrethraReferenceForces({}, {}), 0.004);
+    const Difference d =
+        differenceOf(UrethraForces({}, {}, coarse), chiron::testing::UrethraReferenceForces({}, {}), 0.004);
     QVERIFY(d.force > 0.02);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulation/evaluate_laws.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_forces_law.h"
+#include "simulation/evaluate_laws.h"
 #include "urethra_states.h"
 
 #include <QtTest>
@@ -69,8 +69,8 @@ void TestUrethraForcesLaw::rowsAreTheModel() {
     }
 }
 
-/// Turning any knob within its range changes some output of one of these poses: deep in the canal, in the bladder's wall, or with the
-/// free part pulled aside.
+/// Turning any knob within its range changes some output of one of these poses: deep in the canal, in the
+/// bladder's wall, or with the free part pulled aside.
 void TestUrethraForcesLaw::everyParameterReachesTheModel() {
     const UrethraCentreline line{UrethraAnatomy{}};
     core::Random random(42);
@@ -85,7 +85,9 @@ void TestUrethraForcesLaw::everyParameterReachesTheModel() {
     poses.back().p_A = neck.p_A + 0.034 * (neck.t_A - std::cos(0.3) * neck.t_A + std::sin(0.3) * neck.n_A);
     poses.push_back(motionAt(line, {.s_m = 0.020, .ex_m = 0.015}));
     for (const auto& parameter : urethraForceLaw().parameters) {
-        Values usual{{"change_length_m", 0.012}, {"maximum_damping_Ns_per_m", 1000.0}, {"count_m", 5e-5}}; // V₀ by the count
+        Values usual{{"change_length_m", 0.012},
+                     {"maximum_damping_Ns_per_m", 1000.0},
+                     {"count_m", 5e-5}}; // V₀ by the count
         const std::string name(parameter.name);
         Values turned = usual;
         const double from = usual.count(name) > 0 ? usual[name] : parameter.defaultValue;
@@ -119,20 +121,22 @@ void TestUrethraForcesLaw::axisMayHaveAnyLengthButNone() {
 void TestUrethraForcesLaw::impossibleUrethrasAreRefused() {
     const UrethraForces forces({}, {});
     const EndoscopeMotion motion = motionAt(forces.centreline(), {0.080, 0.001, 0.0, 0.3, 0.0});
-    const std::vector<Values> impossible{{{"change_length_m", 0.005}},
-                                         {{"change_length_m", 0.012}, {"change_edge_m", 0.020}},
-                                         {{"change_length_m", 0.012}, {"change_centre_m", 0.250}},
-                                         {{"free_length_m", 0.200}},
-                                         {{"free_length_m", 0.004}, {"free_blend_m", 0.004}, {"angular_corner_m", 0.005}},
-                                         {{"free_length_m", 0.030}, {"free_blend_m", 0.031}},
-                                         {{"bladder_opening_rad", 0.02}},
-                                         {{"straight_m", 0.036}},
-                                         {{"straight_m", 0.095}, {"free_length_m", 0.1}},
-                                         {{"radius_m", 0.006}, {"curvature_per_m", 100.0}}};
+    const std::vector<Values> impossible{
+        {{"change_length_m", 0.005}},
+        {{"change_length_m", 0.012}, {"change_edge_m", 0.020}},
+        {{"change_length_m", 0.012}, {"change_centre_m", 0.250}},
+        {{"free_length_m", 0.200}},
+        {{"free_length_m", 0.004}, {"free_blend_m", 0.004}, {"angular_corner_m", 0.005}},
+        {{"free_length_m", 0.030}, {"free_blend_m", 0.031}},
+        {{"bladder_opening_rad", 0.02}},
+        {{"straight_m", 0.036}},
+        {{"straight_m", 0.095}, {"free_length_m", 0.1}},
+        {{"radius_m", 0.006}, {"curvature_per_m", 100.0}}};
     for (const Values& values : impossible)
         for (const auto& [name, value] : rowOf(values, motion))
             QVERIFY2(std::isnan(value), (values.begin()->first + ": " + name).c_str());
-    for (const auto& [name, value] : rowOf({{"free_length_m", 0.005}, {"free_blend_m", 0.005}, {"angular_corner_m", 0.005}}, motion))
+    for (const auto& [name, value] :
+         rowOf({{"free_length_m", 0.005}, {"free_blend_m", 0.005}, {"angular_corner_m", 0.005}}, motion))
         QVERIFY2(std::isfinite(value), name.c_str());
 }
 

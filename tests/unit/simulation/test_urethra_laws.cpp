@@ -49,21 +49,15 @@ struct Other {
     const char* name;
     double value;
 };
-constexpr Other kOfTheWall[] = {{"radius_m", 0.0026},
-                                {"beak_m", 0.012},
-                                {"endoscope_radius_m", 0.004},
-                                {"behind_m", 0.03},
-                                {"change_length_m", 0.013},
-                                {"change_centre_m", 0.05},
-                                {"change_edge_m", 0.005},
-                                {"change_radius_m", 0.001},
-                                {"tip_s_m", 0.0455}};
-constexpr Other kOfTheProfile[] = {{"wall_stiffness_N_per_m3", 2e6},
-                                   {"friction", 0.2},
-                                   {"free_length_m", 0.05}, // where offsets cost force; drawn they are everywhere
-                                   {"free_blend_m", 0.02},
-                                   {"change_stiffness_factor", 3.0},
-                                   {"change_friction_factor", 3.0}};
+constexpr Other kOfTheWall[] = {
+    {"radius_m", 0.0026},     {"beak_m", 0.012},          {"endoscope_radius_m", 0.004},
+    {"behind_m", 0.03},       {"change_length_m", 0.013}, {"change_centre_m", 0.05},
+    {"change_edge_m", 0.005}, {"change_radius_m", 0.001}, {"tip_s_m", 0.0455}};
+constexpr Other kOfTheProfile[] = {
+    {"wall_stiffness_N_per_m3", 2e6}, {"friction", 0.2},
+    {"free_length_m", 0.05}, // where offsets cost force; drawn they are everywhere
+    {"free_blend_m", 0.02},           {"change_stiffness_factor", 3.0},
+    {"change_friction_factor", 3.0}};
 constexpr Other kOfTheSurface[] = {{"curvature_per_m", 12.0},
                                    {"z_end_m", 0.09},
                                    {"straight_m", 0.02},
@@ -103,11 +97,13 @@ void TestUrethraLaws::centrelineByHand() {
     QVERIFY(evaluated(line, {0.0}, {{"z_end_m", 0.1}})["to_neck_m"] > 0.16);
     const Values bent{{"straight_m", 0.035}, {"z_end_m", 0.1}};
     row = evaluated(line, {0.0349}, bent); // straight up to B …
-    QVERIFY(row["z_m"] == 0.0349 && row["y_m"] == 0.0 && row["psi_rad"] == 0.0 && row["curvature_per_m"] == 0.0);
+    QVERIFY(row["z_m"] == 0.0349 && row["y_m"] == 0.0 && row["psi_rad"] == 0.0 &&
+            row["curvature_per_m"] == 0.0);
     row = evaluated(line, {0.035}, bent); // … and sharpest there
     QVERIFY(near(row["curvature_per_m"], 26.0, 1e-12) && row["psi_rad"] == 0.0);
     row = evaluated(line, {0.035 + s}, bent);
-    QVERIFY(near(row["z_m"], 0.035 + z, 1e-15) && near(row["y_m"], 13.0 * z * z, 1e-15) && near(row["psi_rad"], std::atan(1.3), 1e-14));
+    QVERIFY(near(row["z_m"], 0.035 + z, 1e-15) && near(row["y_m"], 13.0 * z * z, 1e-15) &&
+            near(row["psi_rad"], std::atan(1.3), 1e-14));
     QVERIFY(std::isnan(evaluated(line, {0.0}, {{"straight_m", 0.1}, {"z_end_m", 0.1}})["z_m"]));
 }
 

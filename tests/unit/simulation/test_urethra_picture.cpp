@@ -55,7 +55,8 @@ void TestUrethraPicture::tipIsDrawnInside() {
         QVERIFY(std::abs((d.p.pose.pointToA(d.out.p_WProxy[0]) - at.p_A).norm() - drawn) < 1e-4);
 }
 
-// Over the whole neighbourhood the drawn tip lies in the canal or in the bladder, and moves no faster than a hand would.
+// Over the whole neighbourhood the drawn tip lies in the canal or in the bladder, and moves no faster than a
+// hand would.
 void TestUrethraPicture::drawnTipMovesWithoutJumps() {
     const UrethraInsertionParameters p = wholeProcedure();
     const DrawnTip tip(p);
@@ -68,8 +69,10 @@ void TestUrethraPicture::drawnTipMovesWithoutJumps() {
             const Vec3 p_A = at.p_A + x * Vec3::UnitX();
             const Vec3 drawn_A = p.pose.pointToA(tip.inW(p.pose.pointToW(p_A)));
             const CentrelineFoot foot = line.foot(drawn_A);
-            const bool inCanal = foot.at.s_m <= line.length_m() + 0.0282 && std::hypot(foot.ex_m, foot.en_m) <= 0.0081;
-            const bool inBladder = (drawn_A - centre).norm() <= p.anatomy.bladderRadius_m - p.endoscope.radius_m + 1e-9;
+            const bool inCanal =
+                foot.at.s_m <= line.length_m() + 0.0282 && std::hypot(foot.ex_m, foot.en_m) <= 0.0081;
+            const bool inBladder =
+                (drawn_A - centre).norm() <= p.anatomy.bladderRadius_m - p.endoscope.radius_m + 1e-9;
             QVERIFY2(inCanal || inBladder, qPrintable(QStringLiteral("x %1, s %2").arg(x).arg(s)));
             farthest_m = std::max(farthest_m, (drawn_A - p_A).norm());
         }
@@ -102,10 +105,13 @@ void TestUrethraPicture::lumenIsSeenAhead() {
         const CentrelineFoot foot = line.foot(d.p.pose.pointToA(seen_W));
         QVERIFY(std::hypot(foot.ex_m, foot.en_m) < 1e-6);
     }
-    // A canal of constant curvature κ and radius r is seen as far as a chord stays in it: √(8 r/κ), here 28 mm and a step.
+    // A canal of constant curvature κ and radius r is seen as far as a chord stays in it: √(8 r/κ), here 28
+    // mm and a step.
     d.at(0.0101, 9);
-    QVERIFY2(d.out.cues.exercise.of<simulation::EndoscopeCues>().lumenDistance_m > 0.020 && d.out.cues.exercise.of<simulation::EndoscopeCues>().lumenDistance_m < 0.040,
-             qPrintable(QString::number(d.out.cues.exercise.of<simulation::EndoscopeCues>().lumenDistance_m)));
+    QVERIFY2(
+        d.out.cues.exercise.of<simulation::EndoscopeCues>().lumenDistance_m > 0.020 &&
+            d.out.cues.exercise.of<simulation::EndoscopeCues>().lumenDistance_m < 0.040,
+        qPrintable(QString::number(d.out.cues.exercise.of<simulation::EndoscopeCues>().lumenDistance_m)));
 }
 
 void TestUrethraPicture::lumenIsNotSeenThroughTheWall() {
@@ -113,15 +119,18 @@ void TestUrethraPicture::lumenIsNotSeenThroughTheWall() {
     d.startRunning();
     const UrethraCentreline line(d.p.anatomy);
     const CentrelinePoint at = line.at(0.060);
-    d.tool() = endoscopeAt(d.p.pose, at.p_A, at.t_A + 1.2 * Vec3::UnitX()); // 50° aside, the picture is 35° wide
+    d.tool() =
+        endoscopeAt(d.p.pose, at.p_A, at.t_A + 1.2 * Vec3::UnitX()); // 50° aside, the picture is 35° wide
     d.ticks(9);
     QVERIFY(d.out.cues.exercise.of<simulation::EndoscopeCues>().pictureShown);
     QCOMPARE(vectorOf(d.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T).norm(), 0.0);
     QCOMPARE(d.out.cues.exercise.of<simulation::EndoscopeCues>().lumenDistance_m, 0.0);
-    d.tool() = endoscopeAt(d.p.pose, at.p_A, at.t_A + 0.5 * Vec3::UnitX()); // 27° aside: at the picture's edge, to the left
+    d.tool() = endoscopeAt(d.p.pose, at.p_A,
+                           at.t_A + 0.5 * Vec3::UnitX()); // 27° aside: at the picture's edge, to the left
     d.ticks(9);
     QVERIFY(vectorOf(d.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T).norm() > 0.99);
-    QVERIFY(d.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T[0] > 0.3); // x̂ is to the patient's right, the picture's left
+    QVERIFY(d.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T[0] >
+            0.3); // x̂ is to the patient's right, the picture's left
 }
 
 void TestUrethraPicture::cuesFollowTheLevel() {
@@ -132,13 +141,15 @@ void TestUrethraPicture::cuesFollowTheLevel() {
     blind.at(0.160, 10);
     const simulation::EndoscopeCues& none = blind.out.cues.exercise.of<simulation::EndoscopeCues>();
     QVERIFY(none.present && !none.pictureShown && !none.guided && !none.landmarkShown);
-    QCOMPARE(vectorOf(none.toLumen_T).norm() + vectorOf(none.toLandmark_T).norm() + none.lumenDistance_m, 0.0);
+    QCOMPARE(vectorOf(none.toLumen_T).norm() + vectorOf(none.toLandmark_T).norm() + none.lumenDistance_m,
+             0.0);
     QVERIFY(std::abs(none.depth_m - 0.160) < 1e-6); // the marks on the shaft are there
     p.cues = {"object"};
     Driver seeing(p);
     seeing.startRunning();
     seeing.at(0.160, 10);
-    QVERIFY(seeing.out.cues.exercise.of<simulation::EndoscopeCues>().pictureShown && !seeing.out.cues.exercise.of<simulation::EndoscopeCues>().guided);
+    QVERIFY(seeing.out.cues.exercise.of<simulation::EndoscopeCues>().pictureShown &&
+            !seeing.out.cues.exercise.of<simulation::EndoscopeCues>().guided);
     QVERIFY(!seeing.out.cues.objectShown);
 }
 
@@ -147,10 +158,13 @@ void TestUrethraPicture::landmarkCueIsWhereTheLandmarkIs() {
     d.startRunning();
     d.at(0.160, 10);
     QVERIFY(d.out.cues.exercise.of<simulation::EndoscopeCues>().landmarkShown);
-    const Vec3 seen_W = d.tool().p_WT + d.tool().q_WT * vectorOf(d.out.cues.exercise.of<simulation::EndoscopeCues>().toLandmark_T);
+    const Vec3 seen_W =
+        d.tool().p_WT +
+        d.tool().q_WT * vectorOf(d.out.cues.exercise.of<simulation::EndoscopeCues>().toLandmark_T);
     const std::array<double, 3> landmark = procedurePlan(d.p).landmark_A[0];
     QVERIFY((d.p.pose.pointToA(seen_W) - vectorOf(landmark)).norm() < 1e-9);
-    QVERIFY(d.out.cues.exercise.of<simulation::EndoscopeCues>().toLandmark_T[0] < 0.0); // the patient's right lies to the left in the picture
+    QVERIFY(d.out.cues.exercise.of<simulation::EndoscopeCues>().toLandmark_T[0] <
+            0.0); // the patient's right lies to the left in the picture
     d.at(0.120, 10);
     QVERIFY(!d.out.cues.exercise.of<simulation::EndoscopeCues>().landmarkShown); // back in the canal
 }

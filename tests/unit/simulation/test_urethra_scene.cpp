@@ -43,7 +43,8 @@ void TestUrethraScene::waitsForStartAndForce() {
     d.at(0.060, 50);
     QCOMPARE(d.out.phase, TrialPhase::idle);
     QCOMPARE(norm(d.out.tissue.tools[0]), 0.0); // no patient before the start
-    QVERIFY(d.out.cues.exercise.of<simulation::EndoscopeCues>().present && !d.out.cues.exercise.of<simulation::EndoscopeCues>().pictureShown);
+    QVERIFY(d.out.cues.exercise.of<simulation::EndoscopeCues>().present &&
+            !d.out.cues.exercise.of<simulation::EndoscopeCues>().pictureShown);
     d.in.started = true;
     d.tick();
     QCOMPARE(d.out.phase, TrialPhase::ready);
@@ -70,7 +71,8 @@ void TestUrethraScene::idealPathWalksThroughTheStages() {
     double deepest_m = 0.0;
     while ((d.out.events & (bits::kCompleted | bits::kTimedOut)) == 0) {
         QVERIFY(d.source.executed() < 60'000);
-        d.tool() = hand.next(d.out.cues.exercise.of<simulation::EndoscopeCues>().stage, d.scene.procedure().nextLandmark());
+        d.tool() = hand.next(d.out.cues.exercise.of<simulation::EndoscopeCues>().stage,
+                             d.scene.procedure().nextLandmark());
         d.tick();
         if ((d.out.events & bits::kStageChanged) != 0) {
             ++changed;
@@ -82,8 +84,9 @@ void TestUrethraScene::idealPathWalksThroughTheStages() {
     }
     QVERIFY((d.out.events & bits::kCompleted) != 0);
     QCOMPARE(changed, 4);
-    QVERIFY((stages == std::vector{ProcedureStage::outside, ProcedureStage::insertion, ProcedureStage::inspection,
-                                   ProcedureStage::withdrawal, ProcedureStage::completed}));
+    QVERIFY(
+        (stages == std::vector{ProcedureStage::outside, ProcedureStage::insertion, ProcedureStage::inspection,
+                               ProcedureStage::withdrawal, ProcedureStage::completed}));
     QCOMPARE(seen, 2);
     QCOMPARE(d.out.cues.exercise.of<simulation::EndoscopeCues>().landmarksSeen, 3u);
     QVERIFY(std::abs(deepest_m - procedurePlan(d.p).goal_m) < 1e-4);
@@ -130,7 +133,8 @@ void TestUrethraScene::pauseStopsClockAndProcedure() {
     d.at(0.060, 98); // 99 ticks of the trial
     d.in.paused = true;
     d.at(0.155, 1000);
-    QCOMPARE(d.out.cues.exercise.of<simulation::EndoscopeCues>().stage, ProcedureStage::insertion); // moved while paused: no progress
+    QCOMPARE(d.out.cues.exercise.of<simulation::EndoscopeCues>().stage,
+             ProcedureStage::insertion); // moved while paused: no progress
     QVERIFY(std::abs(d.out.cues.timeLeft_s - 0.401) < 1e-12);
     QVERIFY(d.out.storedEnergy_J > 0.0); // contact answers; the supervisor ramps
     QCOMPARE(d.out.events, 0u);
@@ -182,8 +186,10 @@ void TestUrethraScene::rotatedSceneIsTheSame() {
         const double s = -0.015 + 0.0001 * n;
         const UrethraCentreline line(p.anatomy);
         const CentrelinePoint at = line.at(s);
-        const Vec3 p_A = at.p_A + 0.002 * std::sin(0.01 * n) * Vec3::UnitX() + 0.0015 * std::cos(0.013 * n) * at.n_A;
-        const Vec3 axis_A = at.t_A + 0.2 * std::sin(0.007 * n) * Vec3::UnitX() + 0.1 * std::cos(0.009 * n) * at.n_A;
+        const Vec3 p_A =
+            at.p_A + 0.002 * std::sin(0.01 * n) * Vec3::UnitX() + 0.0015 * std::cos(0.013 * n) * at.n_A;
+        const Vec3 axis_A =
+            at.t_A + 0.2 * std::sin(0.007 * n) * Vec3::UnitX() + 0.1 * std::cos(0.009 * n) * at.n_A;
         for (Driver* d : {&a, &b}) {
             d->tool() = endoscopeAt(d->p.pose, p_A, axis_A);
             d->tool().v_WT = d->p.pose.vectorToW(Vec3(0.002, -0.001, 0.03));
@@ -196,8 +202,11 @@ void TestUrethraScene::rotatedSceneIsTheSame() {
         const Vec3 t_B = b.p.pose.vectorToA(b.out.tissue.tools[0].torque);
         QVERIFY((f_A - f_B).norm() < 1e-9 && (t_A - t_B).norm() < 1e-11);
         QCOMPARE(a.out.events, b.out.events);
-        // Which point of the lumen is the farthest is a choice between points: now and then rounding makes another one.
-        otherChoice += (vectorOf(a.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T) - vectorOf(b.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T)).norm() > 1e-9;
+        // Which point of the lumen is the farthest is a choice between points: now and then rounding makes
+        // another one.
+        otherChoice += (vectorOf(a.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T) -
+                        vectorOf(b.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T))
+                           .norm() > 1e-9;
     }
     QVERIFY2(otherChoice < 40, qPrintable(QString::number(otherChoice)));
     QVERIFY(a.out.cues.exercise.of<simulation::EndoscopeCues>().depth_m > 0.15);
@@ -226,7 +235,8 @@ void TestUrethraScene::mirroredSceneIsMirrored() {
         const Vec3 f = p.pose.vectorToA(left.out.tissue.tools[0].force);
         const Vec3 t = p.pose.vectorToA(left.out.tissue.tools[0].torque);
         QVERIFY((f.cwiseProduct(mirror) - p.pose.vectorToA(right.out.tissue.tools[0].force)).norm() < 1e-9);
-        QVERIFY((-t.cwiseProduct(mirror) - p.pose.vectorToA(right.out.tissue.tools[0].torque)).norm() < 1e-11); // an axial vector
+        QVERIFY((-t.cwiseProduct(mirror) - p.pose.vectorToA(right.out.tissue.tools[0].torque)).norm() <
+                1e-11); // an axial vector
         largest_N = std::max(largest_N, std::abs(f.x()));
     }
     QVERIFY(largest_N > 0.1);
@@ -269,14 +279,17 @@ void TestUrethraScene::sameInputsSameOutputs() {
     IdealProcedure first(a.p, 0.050);
     IdealProcedure second(b.p, 0.050);
     for (int n = 0; n < 9000; ++n) {
-        a.tool() = first.next(a.out.cues.exercise.of<simulation::EndoscopeCues>().stage, a.scene.procedure().nextLandmark());
-        b.tool() = second.next(b.out.cues.exercise.of<simulation::EndoscopeCues>().stage, b.scene.procedure().nextLandmark());
+        a.tool() = first.next(a.out.cues.exercise.of<simulation::EndoscopeCues>().stage,
+                              a.scene.procedure().nextLandmark());
+        b.tool() = second.next(b.out.cues.exercise.of<simulation::EndoscopeCues>().stage,
+                               b.scene.procedure().nextLandmark());
         a.tick();
         b.tick();
         QCOMPARE(a.out.events, b.out.events);
         QVERIFY(a.out.tissue.tools[0].force == b.out.tissue.tools[0].force);
         QVERIFY(a.out.tissue.tools[0].torque == b.out.tissue.tools[0].torque);
-        QVERIFY(a.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T == b.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T);
+        QVERIFY(a.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T ==
+                b.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T);
     }
 }
 

@@ -84,7 +84,8 @@ void addChangesAndTheRest() {
     row("endoscope.behind_m", "more than 0", [](Urethra& u) { u.endoscope.behind_m = 0.0; });
     row("endoscope.fieldOfView_rad", "below pi", [](Urethra& u) { u.endoscope.fieldOfView_rad = 4.0; });
     row("mesh.n", "is 3", [](Urethra& u) { u.mesh.n = 3; });
-    row("mesh.n", "is 4", [](Urethra& u) { u.mesh.n = 4; }); // three distinct points: the first one counts twice
+    row("mesh.n", "is 4",
+        [](Urethra& u) { u.mesh.n = 4; }); // three distinct points: the first one counts twice
     row("mesh.n", "at most 129", [](Urethra& u) { u.mesh.n = 200; });
     row("mesh.w", "at least 4", [](Urethra& u) { u.mesh.w = 3; });
     row("mesh.perPatch", "at least 1", [](Urethra& u) { u.mesh.perPatch = 0; });
@@ -110,7 +111,8 @@ void TestUrethraValidity::goodOnesPass() {
     u.anatomy.changes[1].centre_m = 0.0661; // just not over the first: 16 mm apart at least
     u.mesh = {5, 4, 1, 3};
     QVERIFY(problems(u).empty());
-    u.anatomy.freeLength_m = u.anatomy.freeBlend_m = u.anatomy.angularCorner_m = 0.005; // as short as its corners allow
+    u.anatomy.freeLength_m = u.anatomy.freeBlend_m = u.anatomy.angularCorner_m =
+        0.005; // as short as its corners allow
     QVERIFY(problems(u).empty());
     u.mesh = {129, 401, 32, 33};
     u.anatomy.wallStiffness_N_per_m3 = 0.0;

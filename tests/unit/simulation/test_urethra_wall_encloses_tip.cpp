@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn fits together: the wall is round the endoscope's tip wherever the tip is drawn, in the canal's free part too.
+// What is drawn fits together: the wall is round the endoscope's tip wherever the tip is drawn, in the
+// canal's free part too.
 #include "core/units.h"
 #include "modules/exercises/urethra_insertion/simulation/drawn_tip.h"
 #include "simulation/geometry/urethra/urethra_curve_net.h"
@@ -15,7 +16,7 @@ namespace {
 
 /// The drawn ring at the tip as the tip sees it.
 struct Ring {
-    double nearest_m = 1.0; ///< distance of its nearest point
+    double nearest_m = 1.0;  ///< distance of its nearest point
     double turned_rad = 0.0; ///< how far a look along it turns: 2π round the tip, 0 beside it
 };
 
@@ -68,12 +69,14 @@ void TestUrethraWallEnclosesTip::atEveryDepthAndOffset() {
         for (const double offset : {0.0, 0.001, 0.003, 0.006, 0.008, 0.020, 0.030})
             for (int way = 0; way < 8; ++way) {
                 const CentrelinePoint at = line.at(s);
-                const Vec3 out = std::cos(way * core::kPi / 4.0) * Vec3::UnitX() + std::sin(way * core::kPi / 4.0) * at.n_A;
+                const Vec3 out = std::cos(way * core::kPi / 4.0) * Vec3::UnitX() +
+                                 std::sin(way * core::kPi / 4.0) * at.n_A;
                 const Vec3 p_A = at.p_A + offset * out;
                 const CentrelineFoot foot = line.foot(drawn.at(p_A, line.foot(p_A)));
                 net.deform({true, foot.at.s_m, foot.ex_m, foot.en_m});
                 const Ring ring = ringRound(net, foot, std::clamp(foot.at.s_m, 0.0, line.length_m()));
-                const QString where = QStringLiteral("s %1 mm, offset %2 mm, way %3").arg(1e3 * s).arg(1e3 * offset).arg(way);
+                const QString where =
+                    QStringLiteral("s %1 mm, offset %2 mm, way %3").arg(1e3 * s).arg(1e3 * offset).arg(way);
                 // What the curves may lose to a circle of 17 points, and along a change of radius.
                 QVERIFY2(ring.nearest_m > p.endoscope.radius_m - 25e-6, qPrintable(where));
                 QVERIFY2(std::abs(std::abs(ring.turned_rad) - 2.0 * core::kPi) < 1e-6, qPrintable(where));

@@ -26,7 +26,8 @@ inline TissueParameters quietPad() {
 inline SurfaceShape furrowedDome() {
     SurfaceShape shape;
     shape.planeHeight_m = 0.002;
-    shape.bumps = {{Vec2(0.002, -0.001), Vec2(0.040, 0.034), 0.3, 0.011}, {Vec2(0.004, 0.003), Vec2(0.011, 0.030), 0.7, -0.0015}};
+    shape.bumps = {{Vec2(0.002, -0.001), Vec2(0.040, 0.034), 0.3, 0.011},
+                   {Vec2(0.004, 0.003), Vec2(0.011, 0.030), 0.7, -0.0015}};
     return shape;
 }
 
@@ -38,12 +39,17 @@ inline TissueParameters quietDome() {
 
 /// models.md §3's three, side by side.
 inline std::vector<Lump> threeLumps() {
-    return {{Vec2(0.0, 0.0), 0.012, 0.0075, 10.0}, {Vec2(0.020, 0.004), 0.012, 0.0075, 3.0}, {Vec2(-0.014, 0.012), 0.010, 0.005, 10.0}};
+    return {{Vec2(0.0, 0.0), 0.012, 0.0075, 10.0},
+            {Vec2(0.020, 0.004), 0.012, 0.0075, 3.0},
+            {Vec2(-0.014, 0.012), 0.010, 0.005, 10.0}};
 }
 
-inline StiffRegion harderRegion() { return {"ridge", Vec2(-0.012, -0.010), Vec2(0.012, 0.007), 0.5, 0.4}; }
+inline StiffRegion harderRegion() {
+    return {"ridge", Vec2(-0.012, -0.010), Vec2(0.012, 0.007), 0.5, 0.4};
+}
 
-inline TissueContact contactOf(const TissueParameters& parameters, const std::vector<Lump>& lumps = threeLumps()) {
+inline TissueContact contactOf(const TissueParameters& parameters,
+                               const std::vector<Lump>& lumps = threeLumps()) {
     TissueContact contact(parameters);
     contact.setLumps(lumps);
     return contact;
@@ -67,17 +73,20 @@ inline Vec3 under(const TissueContact& contact, const Vec2& xy_m, double depth_m
     return contact.surface().pointAt(xy_m) - depth_m * contact.surface().normalAt(xy_m);
 }
 
-inline Vec3 randomUnder(core::Random& random, const TissueContact& contact, double reach_m, double deepest_m) {
-    return under(contact, Vec2(random.uniform(-reach_m, reach_m), random.uniform(-reach_m, reach_m)), random.uniform(0.0, deepest_m));
+inline Vec3 randomUnder(core::Random& random, const TissueContact& contact, double reach_m,
+                        double deepest_m) {
+    return under(contact, Vec2(random.uniform(-reach_m, reach_m), random.uniform(-reach_m, reach_m)),
+                 random.uniform(0.0, deepest_m));
 }
 
 inline Vec3 randomUnit(core::Random& random) {
-    const double z = random.uniform(-1.0, 1.0), angle = random.uniform(0.0, 2.0 * core::kPi), r = std::sqrt(1.0 - z * z);
+    const double z = random.uniform(-1.0, 1.0), angle = random.uniform(0.0, 2.0 * core::kPi),
+                 r = std::sqrt(1.0 - z * z);
     return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-/// Work (J) that the hand puts in along a path in ticks of 1 ms, by the trapezoid rule, with the least by which it ever led the
-/// change of what the tissue holds: < 0 when the tissue made energy.
+/// Work (J) that the hand puts in along a path in ticks of 1 ms, by the trapezoid rule, with the least by
+/// which it ever led the change of what the tissue holds: < 0 when the tissue made energy.
 struct PathBooks {
     double work_J = 0.0;
     double lead_J = 0.0;

@@ -23,11 +23,13 @@ inline ElasticTubeParameters tubeExercise(TubeTask task) {
     return p;
 }
 
-/// Steps a scene as the loop does, with ideal hands: a tip moves straight to where it is wanted at a speed, velocity and all.
+/// Steps a scene as the loop does, with ideal hands: a tip moves straight to where it is wanted at a speed,
+/// velocity and all.
 struct TubeDriver {
     static constexpr double kOpen_rad = 0.7;
 
-    explicit TubeDriver(const ElasticTubeParameters& parameters, std::uint64_t seed = 42) : p(parameters), scene(parameters, seed) {
+    explicit TubeDriver(const ElasticTubeParameters& parameters, std::uint64_t seed = 42)
+        : p(parameters), scene(parameters, seed) {
         in.tools.count = parameters.tools();
         for (core::ToolState& tool : in.tools.tools) {
             tool.p_WT = Vec3(0.0, 0.0, 0.09);
@@ -41,7 +43,8 @@ struct TubeDriver {
         events |= out.events;
         for (int i = 0; i < in.tools.count; ++i)
             largestStep_N = std::max(largestStep_N, (out.tissue.tools[static_cast<std::size_t>(i)].force -
-                                                     before.tissue.tools[static_cast<std::size_t>(i)].force).norm());
+                                                     before.tissue.tools[static_cast<std::size_t>(i)].force)
+                                                        .norm());
         return out;
     }
     void ticks(int n) {
@@ -55,18 +58,22 @@ struct TubeDriver {
     }
     core::ToolState& tool(int i) { return in.tools.tools[static_cast<std::size_t>(i)]; }
     Vec3 place(int node) const {
-        const auto& at = out.cues.exercise.of<core::LaparoscopyCues>().p_WGrip[static_cast<std::size_t>(node)];
+        const auto& at =
+            out.cues.exercise.of<core::LaparoscopyCues>().p_WGrip[static_cast<std::size_t>(node)];
         return {at[0], at[1], at[2]};
     }
     Vec3 force(int i) const { return out.tissue.tools[static_cast<std::size_t>(i)].force; }
     double quantity(TubeQuantity which) const { return out.quantities[static_cast<std::size_t>(which)]; }
-    core::LaparoscopyStep step() const { return static_cast<core::LaparoscopyStep>(quantity(TubeQuantity::step)); }
+    core::LaparoscopyStep step() const {
+        return static_cast<core::LaparoscopyStep>(quantity(TubeQuantity::step));
+    }
 
     /// Straight there at `speed_m_per_s`, then still.
     void moveTo(int i, const Vec3& goal, double speed_m_per_s = 0.05) {
         core::ToolState& moved = tool(i);
         const Vec3 way = goal - moved.p_WT;
-        const int n = std::max(1, static_cast<int>(std::ceil(way.norm() / (speed_m_per_s * core::kTickSeconds))));
+        const int n =
+            std::max(1, static_cast<int>(std::ceil(way.norm() / (speed_m_per_s * core::kTickSeconds))));
         for (int k = 0; k < n; ++k) {
             moved.p_WT += way / n;
             moved.v_WT = way / (n * core::kTickSeconds);
@@ -75,8 +82,14 @@ struct TubeDriver {
         moved.v_WT.setZero();
         tick();
     }
-    void close(int i) { tool(i).jaw_rad = 0.05; tick(); }
-    void open(int i) { tool(i).jaw_rad = kOpen_rad; tick(); }
+    void close(int i) {
+        tool(i).jaw_rad = 0.05;
+        tick();
+    }
+    void open(int i) {
+        tool(i).jaw_rad = kOpen_rad;
+        tick();
+    }
     /// Goes to a place of the tube (by `off` beside it) and closes on it.
     void grasp(int i, int node, const Vec3& off = Vec3::Zero()) {
         tool(i).p_WT = place(node) + off;

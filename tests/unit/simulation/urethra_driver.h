@@ -39,8 +39,12 @@ struct UrethraDriver {
     SceneOutput out;
 };
 
-inline double norm(const core::Wrench& w) { return w.force.norm() + w.torque.norm(); }
+inline double norm(const core::Wrench& w) {
+    return w.force.norm() + w.torque.norm();
+}
 
-inline core::Vec3 vectorOf(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+inline core::Vec3 vectorOf(const std::array<double, 3>& a) {
+    return {a[0], a[1], a[2]};
+}
 
 } // namespace chiron::simulation::testing

@@ -12,7 +12,8 @@
 /// Poses of the endoscope that the tests of the urethra's forces share.
 namespace chiron::simulation::testing {
 
-/// A pose by arc length, offset in the section and tilt of the axis from the centre-line in and out of the plane of symmetry.
+/// A pose by arc length, offset in the section and tilt of the axis from the centre-line in and out of the
+/// plane of symmetry.
 struct Placement {
     double s_m = 0.0, ex_m = 0.0, en_m = 0.0;
     double pitch_rad = 0.0, yaw_rad = 0.0;
@@ -32,12 +33,15 @@ inline core::Vec3 randomVector(core::Random& random, double reach) {
     return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
 }
 
-/// Anywhere from before the entrance to deep in the bladder, up to `offset_m` (each way) off and 30° tilted, moving.
-inline EndoscopeMotion randomMotion(core::Random& random, const UrethraCentreline& line, double offset_m = 0.006) {
+/// Anywhere from before the entrance to deep in the bladder, up to `offset_m` (each way) off and 30° tilted,
+/// moving.
+inline EndoscopeMotion randomMotion(core::Random& random, const UrethraCentreline& line,
+                                    double offset_m = 0.006) {
     const double tilt = core::kPi / 6.0;
-    EndoscopeMotion motion = motionAt(
-        line, {random.uniform(-0.015, line.length_m() + 0.045), random.uniform(-offset_m, offset_m),
-               random.uniform(-offset_m, offset_m), random.uniform(-tilt, tilt), random.uniform(-tilt, tilt)});
+    EndoscopeMotion motion =
+        motionAt(line, {random.uniform(-0.015, line.length_m() + 0.045), random.uniform(-offset_m, offset_m),
+                        random.uniform(-offset_m, offset_m), random.uniform(-tilt, tilt),
+                        random.uniform(-tilt, tilt)});
     motion.v_A = randomVector(random, 0.1);
     motion.w_A = randomVector(random, 3.0);
     return motion;

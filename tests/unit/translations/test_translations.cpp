@@ -170,7 +170,8 @@ private slots:
         QHash<QString, QStringList> terms;
         for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))) {
             const QStringList cells = line.split(QLatin1Char('|')).mid(1, 3);
-            if (cells.size() == 3 && !line.startsWith(QLatin1String("|---")) && cells[0].trimmed() != QLatin1String("English"))
+            if (cells.size() == 3 && !line.startsWith(QLatin1String("|---")) &&
+                cells[0].trimmed() != QLatin1String("English"))
                 for (const QString& term : formsIn(cells[0]))
                     terms[term] << formsIn(cells[cell]);
         }
@@ -185,7 +186,9 @@ private slots:
                 continue;
             ++checked;
             if (!found->contains(message.translations.value(0).trimmed().toLower()))
-                others << QStringLiteral("%1: \"%2\", in the glossary \"%3\"").arg(message.key(), message.translations.value(0), found->join(QStringLiteral(", ")));
+                others << QStringLiteral("%1: \"%2\", in the glossary \"%3\"")
+                              .arg(message.key(), message.translations.value(0),
+                                   found->join(QStringLiteral(", ")));
         }
         QVERIFY2(others.isEmpty(), qPrintable(report(others)));
         QVERIFY(checked > 20);

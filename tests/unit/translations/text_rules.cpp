@@ -23,7 +23,8 @@ qsizetype mnemonics(const QString& text) {
 
 /// The sign that ends a text, behind closing quotation marks and brackets; nothing for a letter or a digit.
 QString ending(const QString& text) {
-    static const QRegularExpression closing(QStringLiteral("[\\s\\x{00A0}\\x{202F}\"')\\]“”»’]+$")); // also spaces that do not break
+    static const QRegularExpression closing(
+        QStringLiteral("[\\s\\x{00A0}\\x{202F}\"')\\]“”»’]+$")); // also spaces that do not break
     static const QString signs = QStringLiteral(".…:!?,;");
     const QString bare = QString(text).remove(closing);
     if (bare.isEmpty() || !signs.contains(bare.back()))

@@ -7,9 +7,13 @@
 
 namespace chiron::scene3d {
 
-QRectF FlatFloor::rangeAbove_mm() { return {-kReach_mm, -kReach_mm, 2.0 * kReach_mm, 2.0 * kReach_mm}; }
+QRectF FlatFloor::rangeAbove_mm() {
+    return {-kReach_mm, -kReach_mm, 2.0 * kReach_mm, 2.0 * kReach_mm};
+}
 
-QRectF FlatFloor::rangeSide_mm(double room_mm) { return {-kReach_mm, -8.0, 2.0 * kReach_mm, 8.0 + room_mm}; }
+QRectF FlatFloor::rangeSide_mm(double room_mm) {
+    return {-kReach_mm, -8.0, 2.0 * kReach_mm, 8.0 + room_mm};
+}
 
 void FlatFloor::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup) {
     const bool above = panel.side() == FlatPanel::Side::above;
@@ -26,7 +30,8 @@ void FlatFloor::paint(QPainter& painter, const FlatPanel& panel, const SceneSetu
         return;
     }
     const double floor = panel.at(0.0, 0.0).y();
-    const QRectF ground(panel.plot().left(), floor, panel.plot().width(), std::max(0.0, panel.plot().bottom() - floor));
+    const QRectF ground(panel.plot().left(), floor, panel.plot().width(),
+                        std::max(0.0, panel.plot().bottom() - floor));
     QLinearGradient depth(ground.topLeft(), ground.bottomLeft());
     depth.setColorAt(0.0, flat_tissue::kLight);
     depth.setColorAt(1.0, flat_tissue::kDeep);
@@ -35,8 +40,8 @@ void FlatFloor::paint(QPainter& painter, const FlatPanel& panel, const SceneSetu
     painter.drawLine(ground.topLeft(), ground.topRight());
 }
 
-void FlatFloor::paintTarget(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const core::Vec3& p_W, double radius_m,
-                            double dwell) {
+void FlatFloor::paintTarget(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                            const core::Vec3& p_W, double radius_m, double dwell) {
     const QPointF at = panel.project(p_W);
     const double radius = panel.pixels(radius_m * 1e3);
     const bool floor = panel.side() == FlatPanel::Side::side && p_W.z() < 0.004; // a dish seen from the side
@@ -54,7 +59,8 @@ void FlatFloor::paintTarget(QPainter& painter, const FlatPanel& panel, const Sce
     painter.drawEllipse(at, radius, high);
     painter.setPen(QPen(setup.colours.ink, 2.5 * panel.unit()));
     for (const QPointF& out : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-        painter.drawLine(at + QPointF(out.x() * radius, out.y() * high), at + 0.7 * QPointF(out.x() * radius, out.y() * high));
+        painter.drawLine(at + QPointF(out.x() * radius, out.y() * high),
+                         at + 0.7 * QPointF(out.x() * radius, out.y() * high));
 }
 
 } // namespace chiron::scene3d

@@ -14,8 +14,8 @@ public:
     static void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup);
     /// Draws the place that an object is to be brought to: a dashed outline with ticks, filled in proportion
     /// to the time that the object has been held there.
-    static void paintTarget(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const core::Vec3& p_W, double radius_m,
-                            double dwell);
+    static void paintTarget(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                            const core::Vec3& p_W, double radius_m, double dwell);
 
     static constexpr double kReach_mm = 62.0; ///< half the width of the field
 };

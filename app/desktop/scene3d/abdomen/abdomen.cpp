@@ -3,8 +3,8 @@
 
 #include "desktop/scene3d/abdomen/abdomen_mesh.h"
 #include "desktop/scene3d/drawn_tool.h"
-#include "desktop/scene3d/plugin/skin_texture.h"
 #include "desktop/scene3d/parts/dent.h"
+#include "desktop/scene3d/plugin/skin_texture.h"
 
 #include <QMatrix4x4>
 #include <algorithm>
@@ -20,7 +20,9 @@ const OrganLook kUterus{{0.90F, 0.55F, 0.52F, 0.5F}, {0.80F, 0.43F, 0.42F, 0.6F}
 
 } // namespace
 
-Abdomen::Abdomen(SharedLight& light, double workspace_m, Qt3DCore::QNode* parent) : QEntity(parent), m_light(light), m_ground(new Qt3DCore::QEntity(this)), m_height(new Qt3DCore::QTransform(m_ground)) {
+Abdomen::Abdomen(SharedLight& light, double workspace_m, Qt3DCore::QNode* parent)
+    : QEntity(parent), m_light(light), m_ground(new Qt3DCore::QEntity(this)),
+      m_height(new Qt3DCore::QTransform(m_ground)) {
     m_ground->addComponent(m_height);
     m_skin = parameter("skin", QVariant::fromValue(makeSkinTexture(this)));
     m_dentPlace = parameter("dentPlace", QMatrix4x4() * 0.0F);
@@ -28,7 +30,8 @@ Abdomen::Abdomen(SharedLight& light, double workspace_m, Qt3DCore::QNode* parent
     m_tips = parameter("tips", QMatrix4x4() * 0.0F);
     auto* presses = parameter("presses", QMatrix4x4() * 0.0F);
     auto* floor = new Qt3DRender::QMaterial(this);
-    for (Qt3DRender::QParameter* p : {light.lamp, light.lens, m_dentPlace, m_dentNormal, m_tips, presses, m_skin})
+    for (Qt3DRender::QParameter* p :
+         {light.lamp, light.lens, m_dentPlace, m_dentNormal, m_tips, presses, m_skin})
         floor->addParameter(p);
     const double workspace_mm = workspace_m * 1e3;
     m_floor = new Part(peritoneumMesh(workspace_mm), floor, m_ground);
@@ -43,21 +46,25 @@ Qt3DRender::QParameter* Abdomen::parameter(const char* name, const QVariant& val
 }
 
 Qt3DRender::QMaterial* Abdomen::organ(const OrganLook& look, Qt3DCore::QNode* parent) {
-    return m_light.effects.material(
-        "organ.vert", "organ.frag",
-        {m_light.lamp, m_light.lens, m_light.outlined, m_skin, parameter("pale", look.pale), parameter("deep", look.deep)},
-        Blend::opaque, parent);
+    return m_light.effects.material("organ.vert", "organ.frag",
+                                    {m_light.lamp, m_light.lens, m_light.outlined, m_skin,
+                                     parameter("pale", look.pale), parameter("deep", look.deep)},
+                                    Blend::opaque, parent);
 }
 
 Qt3DRender::QMaterial* Abdomen::shade(Qt3DCore::QNode* parent) {
-    return m_light.effects.material("organ.vert", "shade.frag", {m_light.lamp, m_light.lens}, Blend::translucent, parent);
+    return m_light.effects.material("organ.vert", "shade.frag", {m_light.lamp, m_light.lens},
+                                    Blend::translucent, parent);
 }
 
-void Abdomen::lower(double by_m) { m_height->setTranslation({0.0F, 0.0F, -float(by_m * 1e3)}); }
+void Abdomen::lower(double by_m) {
+    m_height->setTranslation({0.0F, 0.0F, -float(by_m * 1e3)});
+}
 
 void Abdomen::chooseLook() {
-    Qt3DRender::QEffect* effect = m_light.effects.effect(
-        "tissue.vert", m_setup.colours.highContrast ? "outlined.frag" : "tissue.frag", Blend::opaque, std::max(1, m_tools));
+    Qt3DRender::QEffect* effect =
+        m_light.effects.effect("tissue.vert", m_setup.colours.highContrast ? "outlined.frag" : "tissue.frag",
+                               Blend::opaque, std::max(1, m_tools));
     if (m_floor->material()->effect() != effect)
         m_floor->material()->setEffect(effect);
 }
@@ -81,7 +88,9 @@ void Abdomen::show(const SceneState& state) {
         tips.setColumn(column, QVector4D(toMillimetres(tip), 1.0F));
         const double depth_m = std::clamp(-tip.z(), 0.0, 0.012);
         places.setColumn(column, QVector4D(toMillimetres({tip.x(), tip.y(), 0.0}), float(depth_m * 1e3)));
-        normals.setColumn(column, QVector4D(0.0F, 0.0F, 1.0F, float(1e3 * (Dent::kBaseReach_m + Dent::kReachPerDepth * depth_m))));
+        normals.setColumn(
+            column,
+            QVector4D(0.0F, 0.0F, 1.0F, float(1e3 * (Dent::kBaseReach_m + Dent::kReachPerDepth * depth_m))));
     }
     m_dentPlace->setValue(places);
     m_dentNormal->setValue(normals);

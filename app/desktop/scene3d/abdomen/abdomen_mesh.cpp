@@ -21,7 +21,8 @@ constexpr int kOuterRings = 22;
 double floorHeight_mm(double flat_mm, double angle, double r_mm) {
     const double out = std::max(0.0, r_mm - flat_mm);
     const double grown = std::min(1.0, out / 70.0);
-    const double fold = 3.4 * std::sin(3.0 * angle + 0.045 * r_mm) + 2.2 * std::sin(7.0 * angle - 0.06 * r_mm + 1.3) +
+    const double fold = 3.4 * std::sin(3.0 * angle + 0.045 * r_mm) +
+                        2.2 * std::sin(7.0 * angle - 0.06 * r_mm + 1.3) +
                         1.4 * std::sin(12.0 * angle + 0.09 * r_mm + 0.4);
     return 0.0022 * out * out * std::min(1.0, 160.0 / (out + 1.0)) + grown * grown * fold;
 }
@@ -38,14 +39,16 @@ double ringRadius_mm(double flat_mm, int ring) {
 }
 
 /// Adds a loop of bowel along an arc round the field, pinched every 22 mm.
-void addLoop(TriangleMesh& mesh, double flat_mm, double away_mm, double thick_mm, double from_deg, double to_deg, double phase) {
+void addLoop(TriangleMesh& mesh, double flat_mm, double away_mm, double thick_mm, double from_deg,
+             double to_deg, double phase) {
     constexpr int kRings = 64;
     std::vector<SweepRing> rings;
     double way_mm = 0.0;
     for (int i = 0; i <= kRings; ++i) {
         const double t = static_cast<double>(i) / kRings;
         const double angle = (from_deg + (to_deg - from_deg) * t) * core::kPi / 180.0;
-        const double r = flat_mm + away_mm + 7.0 * std::sin(6.0 * angle + phase) + 4.0 * std::sin(11.0 * angle + 2.0 * phase);
+        const double r = flat_mm + away_mm + 7.0 * std::sin(6.0 * angle + phase) +
+                         4.0 * std::sin(11.0 * angle + 2.0 * phase);
         core::Vec3 p = floorPoint(flat_mm, angle, r);
         p.z() += 0.55 * thick_mm + 2.5 * std::sin(5.0 * angle + 1.7 * phase);
         if (!rings.empty())
@@ -68,9 +71,12 @@ TriangleMesh peritoneumMesh(double workspace_mm) {
             const double r = ringRadius_mm(flat_mm, ring);
             const double angle = 2.0 * core::kPi * i / kSpokes;
             const core::Vec3 p = floorPoint(flat_mm, angle, r);
-            const core::Vec3 out = floorPoint(flat_mm, angle, r + 1.0) - floorPoint(flat_mm, angle, std::max(0.01, r - 1.0));
-            const core::Vec3 round = floorPoint(flat_mm, angle + 0.01, std::max(0.1, r)) - floorPoint(flat_mm, angle - 0.01, std::max(0.1, r));
-            const core::Vec3 n = r <= flat_mm ? core::Vec3(core::Vec3::UnitZ()) : core::Vec3(out.cross(round).normalized());
+            const core::Vec3 out =
+                floorPoint(flat_mm, angle, r + 1.0) - floorPoint(flat_mm, angle, std::max(0.01, r - 1.0));
+            const core::Vec3 round = floorPoint(flat_mm, angle + 0.01, std::max(0.1, r)) -
+                                     floorPoint(flat_mm, angle - 0.01, std::max(0.1, r));
+            const core::Vec3 n =
+                r <= flat_mm ? core::Vec3(core::Vec3::UnitZ()) : core::Vec3(out.cross(round).normalized());
             MeshVertex v;
             for (int k = 0; k < 3; ++k) {
                 v.position_mm[k] = static_cast<float>(p[k]);
@@ -79,7 +85,8 @@ TriangleMesh peritoneumMesh(double workspace_mm) {
             v.texture[0] = v.position_mm[0];
             v.texture[1] = v.position_mm[1];
             const double beyond = std::clamp((r - flat_mm) / 190.0, 0.0, 1.0);
-            v.light = static_cast<float>(1.0 - 0.62 * beyond * (2.0 - beyond)); // the lamp is at the laparoscope
+            v.light =
+                static_cast<float>(1.0 - 0.62 * beyond * (2.0 - beyond)); // the lamp is at the laparoscope
             mesh.vertices.push_back(v);
         }
     for (std::uint32_t ring = 0; ring < kRings; ++ring)
@@ -114,7 +121,8 @@ TriangleMesh fatMesh(double workspace_mm) {
                 const double r = flat_mm + 9.0 + 8.5 * row + 3.0 * std::sin(2.7 * i + 1.3 * row + side);
                 const core::Vec3 p = floorPoint(flat_mm, angle, r);
                 const double size = 6.2 + 1.4 * row + 1.5 * std::sin(1.9 * i + 2.3 * row + 2.0 * side);
-                addLobe(mesh, p - core::Vec3(0.0, 0.0, 0.30 * size), {1.2 * size, 1.1 * size, 0.72 * size}, 0.10, seed++, 7);
+                addLobe(mesh, p - core::Vec3(0.0, 0.0, 0.30 * size), {1.2 * size, 1.1 * size, 0.72 * size},
+                        0.10, seed++, 7);
             }
     return mesh;
 }
@@ -128,8 +136,10 @@ TriangleMesh uterusMesh(double workspace_mm) {
         std::vector<SweepRing> rings;
         for (int i = 0; i <= 24; ++i) {
             const double t = i / 24.0;
-            rings.push_back({{2.0 + side * (22.0 + 62.0 * t), y - 6.0 - 14.0 * t * t, 17.0 - 8.0 * std::sin(2.4 * t) - 6.0 * t},
-                             4.4 - 1.4 * t, 0.9});
+            rings.push_back({{2.0 + side * (22.0 + 62.0 * t), y - 6.0 - 14.0 * t * t,
+                              17.0 - 8.0 * std::sin(2.4 * t) - 6.0 * t},
+                             4.4 - 1.4 * t,
+                             0.9});
         }
         addSweep(mesh, rings, SweepEnd::round, SweepEnd::round, 12);
     }

@@ -28,7 +28,9 @@ TriangleMesh disc() {
 } // namespace
 
 TargetRing::TargetRing(SharedLight& light, Qt3DCore::QNode* parent) : QEntity(parent) {
-    const auto tint = [this] { return new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this); };
+    const auto tint = [this] {
+        return new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this);
+    };
     m_tint = tint();
     m_edgeTint = tint();
     m_fillTint = tint();
@@ -44,15 +46,19 @@ TargetRing::TargetRing(SharedLight& light, Qt3DCore::QNode* parent) : QEntity(pa
     setEnabled(false);
 }
 
-void TargetRing::putTranslucent(Qt3DRender::QLayer* layer) { m_fill->addComponent(layer); }
+void TargetRing::putTranslucent(Qt3DRender::QLayer* layer) {
+    m_fill->addComponent(layer);
+}
 
 void TargetRing::change(const SceneSetup& setup) {
     m_tint->setValue(toTint(setup.colours.highContrast ? setup.colours.arrow : QColor(120, 236, 255)));
     m_edgeTint->setValue(QVector4D(0.04F, 0.05F, 0.06F, 1.0F));
-    m_fillTint->setValue(toTint(setup.colours.highContrast ? setup.colours.arrow : QColor(120, 236, 255), 0.42F));
+    m_fillTint->setValue(
+        toTint(setup.colours.highContrast ? setup.colours.arrow : QColor(120, 236, 255), 0.42F));
 }
 
-void TargetRing::show(const core::Vec3& p_W, const core::Vec3& along, double radius_m, bool foot, double dwell) {
+void TargetRing::show(const core::Vec3& p_W, const core::Vec3& along, double radius_m, bool foot,
+                      double dwell) {
     setEnabled(true);
     const QVector3D at = toMillimetres(p_W);
     const QQuaternion turned = QQuaternion::rotationTo(QVector3D(0, 0, 1), toVector(along.normalized()));
@@ -70,7 +76,8 @@ void TargetRing::show(const core::Vec3& p_W, const core::Vec3& along, double rad
     for (int i = 0; i < 4; ++i) { // short ticks inwards
         const QQuaternion outwards = turned * QQuaternion::fromAxisAndAngle(0, 0, 1, 90.0F * float(i)) *
                                      QQuaternion::rotationTo(QVector3D(0, 0, 1), QVector3D(-1, 0, 0));
-        m_ticks[i]->at().setTranslation(at + turned * QQuaternion::fromAxisAndAngle(0, 0, 1, 90.0F * float(i)) *
+        m_ticks[i]->at().setTranslation(at + turned *
+                                                 QQuaternion::fromAxisAndAngle(0, 0, 1, 90.0F * float(i)) *
                                                  QVector3D(float(radius_m * 1e3), 0, 0));
         m_ticks[i]->at().setRotation(outwards);
         m_ticks[i]->at().setScale3D({1.0F, 1.0F, 2.4F});

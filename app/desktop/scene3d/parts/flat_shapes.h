@@ -7,8 +7,8 @@ namespace chiron::scene3d {
 
 /// Flat triangles in the picture's own coordinates (−1..1, y up), facing +z. Texture coordinates run 0..1
 /// over the picture.
-TriangleMesh roundPicture();          ///< the disc that the camera's picture fills
-TriangleMesh roundWindow();           ///< the rest of the square outside the disc, in front of everything
+TriangleMesh roundPicture();           ///< the disc that the camera's picture fills
+TriangleMesh roundWindow();            ///< the rest of the square outside the disc, in front of everything
 TriangleMesh flatSquare(double depth); ///< −1..1, at this depth (−1 near .. 1 far)
 
 /// Shapes for marks, about the origin. On round shapes texture x is the share of a turn.

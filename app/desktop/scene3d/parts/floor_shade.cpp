@@ -14,7 +14,9 @@ constexpr double kAboveFloor_mm = 0.12; // so that shadow and floor do not z-fig
 
 } // namespace
 
-double shadeOf(double above_m) { return 0.62 / (1.0 + 45.0 * std::max(0.0, above_m)); }
+double shadeOf(double above_m) {
+    return 0.62 / (1.0 + 45.0 * std::max(0.0, above_m));
+}
 
 MeshVertex shadeVertex(const core::Vec2& p_m, double floor_m, double dark) {
     MeshVertex v;
@@ -35,15 +37,15 @@ void addShade(TriangleMesh& mesh, const core::Vec3& p_W, double radius_m, double
         for (int i = 0; i < kSides; ++i) {
             const double angle = 2.0 * core::kPi * i / kSides;
             const core::Vec2 out(std::cos(angle), std::sin(angle));
-            mesh.vertices.push_back(shadeVertex(p_W.head<2>() + (ring == 0 ? 0.6 : 1.0) * wide_m * out, floor_m,
-                                                ring == 0 ? 0.7 * shadeOf(above_m) : 0.0));
+            mesh.vertices.push_back(shadeVertex(p_W.head<2>() + (ring == 0 ? 0.6 : 1.0) * wide_m * out,
+                                                floor_m, ring == 0 ? 0.7 * shadeOf(above_m) : 0.0));
         }
     for (std::uint32_t i = 0; i < kSides; ++i) {
         const std::uint32_t next = (i + 1) % kSides;
         const std::uint32_t inner = first + 1;
         const std::uint32_t outer = inner + kSides;
-        for (std::uint32_t index :
-             {first, inner + i, inner + next, inner + i, outer + i, outer + next, inner + i, outer + next, inner + next})
+        for (std::uint32_t index : {first, inner + i, inner + next, inner + i, outer + i, outer + next,
+                                    inner + i, outer + next, inner + next})
             mesh.indices.push_back(index);
     }
 }

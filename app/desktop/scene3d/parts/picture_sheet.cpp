@@ -53,7 +53,8 @@ void growVessel(Sheet& sheet, Dice& dice, Vessel vessel) {
     const float thinning = vessel.radius * 0.55F / float(std::max(1, vessel.left));
     while (vessel.left-- > 0) {
         bend = 0.90F * bend + 0.010F * dice.around();
-        vessel.heading += bend + 0.05F * dice.around() + vessel.keeping * std::sin(2.0F * (vessel.axis - vessel.heading));
+        vessel.heading +=
+            bend + 0.05F * dice.around() + vessel.keeping * std::sin(2.0F * (vessel.axis - vessel.heading));
         vessel.x += std::cos(vessel.heading);
         vessel.y += std::sin(vessel.heading);
         vessel.radius = std::max(0.25F, vessel.radius - thinning);
@@ -63,8 +64,8 @@ void growVessel(Sheet& sheet, Dice& dice, Vessel vessel) {
             growVessel(sheet, dice,
                        {vessel.x, vessel.y, vessel.heading + side * (0.5F + 0.5F * dice.next()),
                         vessel.radius * 0.66F, vessel.strength * 0.80F,
-                        int(float(vessel.left) * (0.35F + 0.4F * dice.next())) + 12, vessel.generation + 1, vessel.axis,
-                        vessel.keeping});
+                        int(float(vessel.left) * (0.35F + 0.4F * dice.next())) + 12, vessel.generation + 1,
+                        vessel.axis, vessel.keeping});
         }
     }
 }

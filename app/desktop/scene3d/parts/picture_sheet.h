@@ -25,7 +25,8 @@ private:
 /// A grid of numbers that is periodic in both directions. Both sides are powers of two.
 class Sheet {
 public:
-    Sheet(int wide, int high) : m_wide(wide), m_high(high), m_values(std::size_t(wide) * std::size_t(high), 0.0F) {}
+    Sheet(int wide, int high)
+        : m_wide(wide), m_high(high), m_values(std::size_t(wide) * std::size_t(high), 0.0F) {}
     explicit Sheet(int side) : Sheet(side, side) {}
     int wide() const { return m_wide; }
     int high() const { return m_high; }
@@ -58,7 +59,7 @@ struct Vessel {
     float x, y, heading, radius, strength;
     int left; ///< remaining steps
     int generation;
-    float axis = 0.0F; ///< preferred heading, in either direction along it
+    float axis = 0.0F;    ///< preferred heading, in either direction along it
     float keeping = 0.0F; ///< how strongly it keeps to `axis`; 0: not at all
 };
 void growVessel(Sheet& sheet, Dice& dice, Vessel vessel);

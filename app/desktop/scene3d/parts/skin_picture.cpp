@@ -16,8 +16,9 @@ Sheet vessels(int side) {
     const float unit = float(side) / 512.0F;
     for (int i = 0; i < 7; ++i)
         growVessel(sheet, dice,
-                   {dice.next() * float(side), dice.next() * float(side), dice.next() * 2.0F * float(core::kPi),
-              (1.5F + 1.3F * dice.next()) * unit, 0.42F + 0.25F * dice.next(), int(420.0F * unit), 0});
+                   {dice.next() * float(side), dice.next() * float(side),
+                    dice.next() * 2.0F * float(core::kPi), (1.5F + 1.3F * dice.next()) * unit,
+                    0.42F + 0.25F * dice.next(), int(420.0F * unit), 0});
     return sheet;
 }
 

@@ -12,7 +12,8 @@ namespace chiron::scene3d {
 
 namespace {
 
-MeshVertex vertexOf(const core::Vec3& p_mm, const core::Vec3& normal, double u_mm, double v_mm, double light) {
+MeshVertex vertexOf(const core::Vec3& p_mm, const core::Vec3& normal, double u_mm, double v_mm,
+                    double light) {
     MeshVertex v;
     for (int k = 0; k < 3; ++k) {
         v.position_mm[k] = static_cast<float>(p_mm[k]);
@@ -44,14 +45,16 @@ public:
     Skin(TriangleMesh& mesh, int sides) : m_mesh(mesh), m_sides(sides) {}
 
     /// `tilt` inclines the normal along the line; 0 = perpendicular to it.
-    void row(const core::Vec3& p_mm, const std::array<core::Vec3, 3>& frame, double radius_mm, double tilt, double along_mm,
-             double light, double fringe_mm = 0.0) {
+    void row(const core::Vec3& p_mm, const std::array<core::Vec3, 3>& frame, double radius_mm, double tilt,
+             double along_mm, double light, double fringe_mm = 0.0) {
         const auto first = static_cast<std::uint32_t>(m_mesh.vertices.size());
         for (int i = 0; i <= m_sides; ++i) {
             const double angle = 2.0 * core::kPi * i / m_sides;
             const core::Vec3 out = std::cos(angle) * frame[0] + std::sin(angle) * frame[1];
-            const core::Vec3 normal = (out * std::sqrt(std::max(0.0, 1.0 - tilt * tilt)) + tilt * frame[2]).normalized();
-            const double reach_mm = fringe_mm * (0.5 + 0.5 * std::sin(5.0 * angle + 0.7) * std::cos(2.0 * angle));
+            const core::Vec3 normal =
+                (out * std::sqrt(std::max(0.0, 1.0 - tilt * tilt)) + tilt * frame[2]).normalized();
+            const double reach_mm =
+                fringe_mm * (0.5 + 0.5 * std::sin(5.0 * angle + 0.7) * std::cos(2.0 * angle));
             m_mesh.vertices.push_back(vertexOf(p_mm + radius_mm * out + reach_mm * frame[2], normal, along_mm,
                                                angle * std::max(1.0, m_round_mm), light));
         }
@@ -64,7 +67,8 @@ public:
 private:
     void join(std::uint32_t below, std::uint32_t above) {
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(m_sides); ++i)
-            for (std::uint32_t index : {below + i, below + i + 1, above + i + 1, below + i, above + i + 1, above + i})
+            for (std::uint32_t index :
+                 {below + i, below + i + 1, above + i + 1, below + i, above + i + 1, above + i})
                 m_mesh.indices.push_back(index);
     }
 
@@ -77,22 +81,27 @@ private:
 
 constexpr int kCapRows = 4;
 
-void addCap(Skin& skin, const SweepRing& ring, const std::array<core::Vec3, 3>& frame, double along_mm, SweepEnd end, bool first) {
+void addCap(Skin& skin, const SweepRing& ring, const std::array<core::Vec3, 3>& frame, double along_mm,
+            SweepEnd end, bool first) {
     const double way = first ? -1.0 : 1.0;
     for (int i = first ? kCapRows : 1; first ? i >= 1 : i <= kCapRows; i += first ? -1 : 1) {
         const double angle = 0.5 * core::kPi * i / kCapRows;
         const double share = static_cast<double>(i) / kCapRows;
         const bool torn = end == SweepEnd::ragged;
-        const double radius = torn ? ring.radius_mm * (1.12 - 1.1 * share * share) : ring.radius_mm * std::cos(angle);
-        const double out = torn ? 0.9 * ring.radius_mm * std::sin(core::kPi * share) : ring.radius_mm * std::sin(angle);
-        skin.row(ring.p_mm + way * out * frame[2], frame, std::max(0.01, radius), way * std::sin(angle), along_mm + way * out,
-                 torn ? -0.9 : ring.light, torn ? way * 1.3 * std::sin(core::kPi * share) : 0.0);
+        const double radius =
+            torn ? ring.radius_mm * (1.12 - 1.1 * share * share) : ring.radius_mm * std::cos(angle);
+        const double out =
+            torn ? 0.9 * ring.radius_mm * std::sin(core::kPi * share) : ring.radius_mm * std::sin(angle);
+        skin.row(ring.p_mm + way * out * frame[2], frame, std::max(0.01, radius), way * std::sin(angle),
+                 along_mm + way * out, torn ? -0.9 : ring.light,
+                 torn ? way * 1.3 * std::sin(core::kPi * share) : 0.0);
     }
 }
 
 } // namespace
 
-void addSweep(TriangleMesh& mesh, const std::vector<SweepRing>& rings, SweepEnd first, SweepEnd last, int sides) {
+void addSweep(TriangleMesh& mesh, const std::vector<SweepRing>& rings, SweepEnd first, SweepEnd last,
+              int sides) {
     if (rings.size() < 2)
         return;
     const std::vector<core::Vec3> along = tangents(rings);
@@ -115,7 +124,8 @@ void addSweep(TriangleMesh& mesh, const std::vector<SweepRing>& rings, SweepEnd 
     }
 }
 
-void addLobe(TriangleMesh& mesh, const core::Vec3& centre_mm, const core::Vec3& halfAxes_mm, double lobes, std::uint32_t seed, int rows) {
+void addLobe(TriangleMesh& mesh, const core::Vec3& centre_mm, const core::Vec3& halfAxes_mm, double lobes,
+             std::uint32_t seed, int rows) {
     Dice dice(seed);
     std::array<core::Vec3, 5> bump;
     std::array<double, 5> phase{};
@@ -125,7 +135,8 @@ void addLobe(TriangleMesh& mesh, const core::Vec3& centre_mm, const core::Vec3& 
         phase[k] = 6.3 * static_cast<double>(dice.next());
     }
     const auto pointOf = [&](double polar, double azimuth) -> core::Vec3 {
-        const core::Vec3 u(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar));
+        const core::Vec3 u(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+                           std::cos(polar));
         double out = 1.0;
         for (std::size_t k = 0; k < bump.size(); ++k)
             out += lobes * std::sin(2.0 * bump[k].dot(u) + phase[k]) / 2.5;
@@ -144,7 +155,8 @@ void addLobe(TriangleMesh& mesh, const core::Vec3& centre_mm, const core::Vec3& 
             const core::Vec3 round = pointOf(inside, azimuth + kStep) - pointOf(inside, azimuth - kStep);
             const core::Vec3 p = pointOf(polar, azimuth);
             // The texture is projected from above and the front, which gives no poles and no visible seam.
-            mesh.vertices.push_back(vertexOf(p, down.cross(round).normalized(), p.x() + 0.35 * p.z(), p.y() - 0.8 * p.z(),
+            mesh.vertices.push_back(vertexOf(p, down.cross(round).normalized(), p.x() + 0.35 * p.z(),
+                                             p.y() - 0.8 * p.z(),
                                              0.66 + 0.34 * (0.5 + 0.5 * std::cos(polar))));
         }
     const auto wide = static_cast<std::uint32_t>(sides + 1);

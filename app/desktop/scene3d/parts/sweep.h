@@ -28,11 +28,12 @@ enum class SweepEnd {
 
 /// Adds a surface round a bent line, with frames that are transported without twist. Texture coordinates are
 /// in millimetres along and round the body. Fewer than two rings add nothing. Pure; allocates.
-void addSweep(TriangleMesh& mesh, const std::vector<SweepRing>& rings, SweepEnd first, SweepEnd last, int sides = 16);
+void addSweep(TriangleMesh& mesh, const std::vector<SweepRing>& rings, SweepEnd first, SweepEnd last,
+              int sides = 16);
 
 /// Adds a lobed ellipsoid round `centre_mm`. `lobes` is the relative height of the lobes; each seed gives
 /// another shape.
-void addLobe(TriangleMesh& mesh, const core::Vec3& centre_mm, const core::Vec3& halfAxes_mm, double lobes, std::uint32_t seed,
-             int rows = 18);
+void addLobe(TriangleMesh& mesh, const core::Vec3& centre_mm, const core::Vec3& halfAxes_mm, double lobes,
+             std::uint32_t seed, int rows = 18);
 
 } // namespace chiron::scene3d

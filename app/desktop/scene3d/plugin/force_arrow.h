@@ -21,7 +21,7 @@ public:
     static constexpr double kLimit_mm = 40.0; ///< length at the limit
     /// Multiple of the limit's length; beyond that only the bar shows the force.
     static constexpr double kLongest = 1.75;
-    static constexpr double kLeast_N = 0.02;  ///< no arrow below this force
+    static constexpr double kLeast_N = 0.02; ///< no arrow below this force
 
 private:
     SceneSetup m_setup;

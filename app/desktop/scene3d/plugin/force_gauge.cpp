@@ -20,7 +20,8 @@ TriangleMesh unitSquare() {
 
 } // namespace
 
-ForceGauge::ForceGauge(SharedLight& light, Side side, Qt3DCore::QNode* parent) : QEntity(parent), m_side(side) {
+ForceGauge::ForceGauge(SharedLight& light, Side side, Qt3DCore::QNode* parent)
+    : QEntity(parent), m_side(side) {
     const auto parameter = [this](const char* name, const QVariant& value) {
         return new Qt3DRender::QParameter(QLatin1String(name), value, this);
     };
@@ -69,9 +70,10 @@ void ForceGauge::place() {
     const double height_px = std::ceil(GaugePainter::kHeight * unit);
     m_face->change(m_setup, m_dial, std::max(0.2, unit));
     m_widthShare = m_shown ? (width_px + margin) / wide : 0.0;
-    const double left = m_side == Side::right ? 1.0 - 2.0 * (width_px + margin) / wide : -1.0 + 2.0 * margin / wide;
-    m_spot->setValue(QVector4D(float(left), float(-height_px / high),
-                               float(2.0 * width_px / wide), float(2.0 * height_px / high)));
+    const double left =
+        m_side == Side::right ? 1.0 - 2.0 * (width_px + margin) / wide : -1.0 + 2.0 * margin / wide;
+    m_spot->setValue(QVector4D(float(left), float(-height_px / high), float(2.0 * width_px / wide),
+                               float(2.0 * height_px / high)));
     const QRectF hollow = GaugePainter::hollow(); // measured from the top; the shader counts from the bottom
     m_column->setValue(QVector4D(
         float(hollow.left() / GaugePainter::kWidth), float(1.0 - hollow.bottom() / GaugePainter::kHeight),
@@ -85,7 +87,8 @@ void ForceGauge::show(double force_N) {
         return;
     const bool over = m_dial.limit_N > 0.0 && force_N > m_dial.limit_N;
     m_over->setValue(over ? 1.0F : 0.0F);
-    m_fill->setValue(toTint(over ? m_setup.colours.over : m_setup.colours.arrow, float(std::clamp(force_N / m_dial.range_N, 0.0, 1.0))));
+    m_fill->setValue(toTint(over ? m_setup.colours.over : m_setup.colours.arrow,
+                            float(std::clamp(force_N / m_dial.range_N, 0.0, 1.0))));
 }
 
 } // namespace chiron::scene3d

@@ -30,7 +30,9 @@ void Instrument::addRings(SharedLight& light) {
         m_rings[i]->setEnabled(false);
     }
     auto* tint = new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(1, 1, 1, 1), this);
-    m_collar = new Part(instrumentCollar(), light.effects.material("solid.vert", "signal.frag", {tint}, Blend::opaque, this), this);
+    m_collar =
+        new Part(instrumentCollar(),
+                 light.effects.material("solid.vert", "signal.frag", {tint}, Blend::opaque, this), this);
     m_collar->setEnabled(false);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene3d/plugin/note_card.h"
 
+#include "desktop/scene3d/parts/flat_shapes.h"
 #include "desktop/scene3d/plugin/qt3d_parts.h"
 #include "desktop/scene3d/scene_note_painter.h"
-#include "desktop/scene3d/parts/flat_shapes.h"
 
 #include <QPainter>
 
@@ -13,9 +13,12 @@ namespace {
 constexpr double kInFront = -0.9996; // in front of the bar and of every mark
 }
 
-NoteCard::NoteCard(SharedLight& light, Qt3DCore::QNode* parent) : QEntity(parent), m_face(new PaintedFace(this)) {
-    auto* face = new Qt3DRender::QParameter(QStringLiteral("face"), QVariant::fromValue<Qt3DRender::QAbstractTexture*>(m_face->texture()), this);
-    new Part(flatSquare(kInFront), light.effects.material("screen.vert", "face.frag", {face}, Blend::premultiplied, this), this);
+NoteCard::NoteCard(SharedLight& light, Qt3DCore::QNode* parent)
+    : QEntity(parent), m_face(new PaintedFace(this)) {
+    auto* face = new Qt3DRender::QParameter(
+        QStringLiteral("face"), QVariant::fromValue<Qt3DRender::QAbstractTexture*>(m_face->texture()), this);
+    new Part(flatSquare(kInFront),
+             light.effects.material("screen.vert", "face.frag", {face}, Blend::premultiplied, this), this);
     setEnabled(false);
 }
 

@@ -36,7 +36,8 @@ public:
         data->setFaces(1);
         data->setLayers(1);
         data->setMipLevels(1);
-        data->setData(QByteArray(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())), 4, false);
+        data->setData(QByteArray(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())), 4,
+                      false);
         return data;
     }
     bool operator==(const Qt3DRender::QTextureImageDataGenerator& other) const override {

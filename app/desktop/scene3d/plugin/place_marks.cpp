@@ -34,8 +34,8 @@ PlaceMarks::PlaceMarks(SharedLight& light, Qt3DCore::QNode* parent)
     : QEntity(parent),
       m_lineTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)),
       m_pinTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)),
-      m_pin(new Qt3DCore::QEntity(this)), m_pinAt(new Qt3DCore::QTransform(m_pin)), m_answer(new Qt3DCore::QEntity(this)),
-      m_answerAt(new Qt3DCore::QTransform(m_answer)) {
+      m_pin(new Qt3DCore::QEntity(this)), m_pinAt(new Qt3DCore::QTransform(m_pin)),
+      m_answer(new Qt3DCore::QEntity(this)), m_answerAt(new Qt3DCore::QTransform(m_answer)) {
     auto* line = light.effects.material("solid.vert", "signal.frag", {m_lineTint}, Blend::opaque, this);
     auto* pin = light.effects.material("solid.vert", "signal.frag", {m_pinTint}, Blend::opaque, this);
     for (int i = 0; i < core::kMaxTools; ++i) {

@@ -87,11 +87,14 @@ QByteArray source(const char* name) {
 Qt3DRender::QEffect* EffectShelf::effect(const char* vertexShader, const char* fragmentShader, Blend blend,
                                          int tools, const QByteArray& defines) {
     return made(vertexShader, fragmentShader, blend,
-                tools >= 0 ? defines + "#define TOOLS " + QByteArray::number(tools) + '\n' + source("shadow.glsl") : defines);
+                tools >= 0
+                    ? defines + "#define TOOLS " + QByteArray::number(tools) + '\n' + source("shadow.glsl")
+                    : defines);
 }
 
-void EffectShelf::addPass(Qt3DRender::QTechnique* technique, const char* vertexShader, const char* fragmentShader,
-                          Blend blend, const QByteArray& head, const std::vector<const char*>& looks) const {
+void EffectShelf::addPass(Qt3DRender::QTechnique* technique, const char* vertexShader,
+                          const char* fragmentShader, Blend blend, const QByteArray& head,
+                          const std::vector<const char*>& looks) const {
     auto* pass = new Qt3DRender::QRenderPass(technique);
     auto* program = new Qt3DRender::QShaderProgram(pass);
     QByteArray vertex = source(vertexShader);

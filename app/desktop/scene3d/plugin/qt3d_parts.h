@@ -62,15 +62,17 @@ public:
     /// file serves several looks. With BOTH_SIDES the triangles are drawn from both sides. With LAMP the
     /// vertex shader gets lamp.glsl, and a second pass with FOCUS defined serves kLookFocus; every other pass
     /// serves both looks.
-    Qt3DRender::QMaterial* materialWith(const char* defines, const char* vertexShader, const char* fragmentShader,
+    Qt3DRender::QMaterial* materialWith(const char* defines, const char* vertexShader,
+                                        const char* fragmentShader,
                                         const std::vector<Qt3DRender::QParameter*>& parameters, Blend blend,
                                         Qt3DCore::QNode* parent);
 
 private:
     Qt3DCore::QNode* m_owner;
-    void addPass(Qt3DRender::QTechnique* technique, const char* vertexShader, const char* fragmentShader, Blend blend,
-                 const QByteArray& head, const std::vector<const char*>& looks) const;
-    Qt3DRender::QEffect* made(const char* vertexShader, const char* fragmentShader, Blend blend, const QByteArray& head);
+    void addPass(Qt3DRender::QTechnique* technique, const char* vertexShader, const char* fragmentShader,
+                 Blend blend, const QByteArray& head, const std::vector<const char*>& looks) const;
+    Qt3DRender::QEffect* made(const char* vertexShader, const char* fragmentShader, Blend blend,
+                              const QByteArray& head);
     std::map<std::tuple<std::string, std::string, Blend, QByteArray>, Qt3DRender::QEffect*> m_effects;
 };
 

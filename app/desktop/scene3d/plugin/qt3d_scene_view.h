@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene3d/plugin/stage.h"
 #include "desktop/scene3d/plugin/scene_window.h"
+#include "desktop/scene3d/plugin/stage.h"
 #include "desktop/scene3d/scene_view.h"
 
 #include <QPointer>

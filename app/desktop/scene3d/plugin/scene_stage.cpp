@@ -17,7 +17,7 @@ namespace chiron::scene3d {
 
 namespace {
 
-const QColor kCavity(24, 8, 10); // where the lamp of the laparoscope does not reach
+const QColor kCavity(24, 8, 10);           // where the lamp of the laparoscope does not reach
 constexpr double kOpeningBeyond_m = 0.010; // radius of the drape's opening beyond the workspace
 
 Qt3DRender::QLayer* makeLayer(Qt3DCore::QNode* parent) {
@@ -121,7 +121,8 @@ void SceneStage::show(const SceneState& state) {
         ToolView tool = state.tool[i];
         m_arrows[i]->show(tool);
         tool.present = tool.present && m_setup.cues.tool && !m_content->drawsTools();
-        m_instruments[i]->wear(several ? static_cast<int>(i) + 1 : 0, several && state.activeTool == static_cast<int>(i));
+        m_instruments[i]->wear(several ? static_cast<int>(i) + 1 : 0,
+                               several && state.activeTool == static_cast<int>(i));
         m_instruments[i]->show(tool, entersLeft(static_cast<int>(i), several, m_setup.leftHanded));
     }
     ToolView ghost = state.ghost;
@@ -173,7 +174,8 @@ void SceneStage::aim() {
     const double aspect = double(std::max(1, m_size_px.width())) / std::max(1, m_size_px.height());
     const CameraFit fit =
         fitCamera(m_content->fieldRadius_m() + 1.2 * kOpeningBeyond_m, m_content->planeHeight_m(),
-                  m_content->roomAbove_m(), aspect, m_gauge->widthShare() + m_second->widthShare(), m_content->elevation_rad());
+                  m_content->roomAbove_m(), aspect, m_gauge->widthShare() + m_second->widthShare(),
+                  m_content->elevation_rad());
     QMatrix4x4 projection;
     // The projection is centred in the area that the bars leave free.
     projection.translate(float(m_second->widthShare() - m_gauge->widthShare()), 0.0F);

@@ -56,7 +56,7 @@ private:
     ForceGauge* m_gauge = nullptr;
     NoteCard* m_note = nullptr;
     ForceGauge* m_second = nullptr; ///< shows tension or squeeze
-    GaugeDial m_forceDial; ///< includes the band, if there is one
+    GaugeDial m_forceDial;          ///< includes the band, if there is one
     std::optional<GaugeDial> m_dial;
     bool m_dialShown = false;
 };

@@ -11,7 +11,8 @@ constexpr int kSide_px = 512;
 }
 
 Qt3DRender::QAbstractTexture* makeSkinTexture(Qt3DCore::QNode* parent) {
-    return makePictureTexture("skin", QSize(kSide_px, kSide_px), [] { return skinPicture(kSide_px); }, parent);
+    return makePictureTexture(
+        "skin", QSize(kSide_px, kSide_px), [] { return skinPicture(kSide_px); }, parent);
 }
 
 } // namespace chiron::scene3d

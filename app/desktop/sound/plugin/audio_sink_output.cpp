@@ -32,7 +32,8 @@ AudioSinkOutput::AudioSinkOutput(const QAudioDevice& device) {
         sink.start(&source);
         m_works.store(sink.error() == QAudio::NoError, std::memory_order_relaxed);
         QObject::connect(&sink, &QAudioSink::stateChanged, &sink, [&](QAudio::State) {
-            if (sink.error() == QAudio::OpenError || sink.error() == QAudio::FatalError || sink.error() == QAudio::IOError)
+            if (sink.error() == QAudio::OpenError || sink.error() == QAudio::FatalError ||
+                sink.error() == QAudio::IOError)
                 m_works.store(false, std::memory_order_relaxed);
         });
         QEventLoop().exec();

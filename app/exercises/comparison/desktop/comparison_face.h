@@ -8,13 +8,17 @@ namespace chiron::desktop {
 class ComparisonFace final : public ExerciseFace {
 public:
     std::string_view id() const noexcept override { return "comparison"; }
-    std::unique_ptr<LevelPicture> picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const override;
+    std::unique_ptr<LevelPicture> picture(const catalogue::ExerciseLevel& level,
+                                          const PictureFrame& frame) const override;
     QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const override;
-    std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const override;
+    std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level,
+                                       LiveSurroundings around) const override;
     QString debriefTitle() const override;
     QString debriefEmpty() const override;
-    DebriefReading readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const override;
-    std::unique_ptr<PlaybackLayer> playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace& trace) const override;
+    DebriefReading readDebrief(const catalogue::ExerciseLevel& level,
+                               const scoring::SessionTrace& trace) const override;
+    std::unique_ptr<PlaybackLayer> playbackLayer(const session::SessionSetup& setup,
+                                                 const scoring::SessionTrace& trace) const override;
 };
 
 } // namespace chiron::desktop

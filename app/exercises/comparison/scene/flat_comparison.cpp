@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/comparison/scene/flat_comparison.h"
 
+#include "core/laparoscopy_cues.h"
 #include "desktop/scene2d/laparoscopy/flat_floor.h"
 #include "modules/exercises/comparison/simulation/comparison_parameters.h"
-#include "core/laparoscopy_cues.h"
 
 #include <QPainter>
 #include <QRadialGradient>
@@ -13,7 +13,8 @@ namespace chiron::scene3d {
 
 namespace {
 
-void paintNumber(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const QPointF& at, int number) {
+void paintNumber(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const QPointF& at,
+                 int number) {
     constexpr double kHigh = 16.0;
     QFont font = painter.font();
     font.setPixelSize(std::max(1, static_cast<int>(0.8 * kHigh * panel.unit())));
@@ -21,17 +22,24 @@ void paintNumber(QPainter& painter, const FlatPanel& panel, const SceneSetup& se
     painter.save();
     painter.setFont(font);
     painter.setPen(setup.colours.ink);
-    painter.drawText(QRectF(at.x() - kHigh * panel.unit(), at.y() - 0.5 * kHigh * panel.unit(), 2.0 * kHigh * panel.unit(), kHigh * panel.unit()), Qt::AlignCenter, QString::number(number));
+    painter.drawText(QRectF(at.x() - kHigh * panel.unit(), at.y() - 0.5 * kHigh * panel.unit(),
+                            2.0 * kHigh * panel.unit(), kHigh * panel.unit()),
+                     Qt::AlignCenter, QString::number(number));
     painter.restore();
 }
 
 } // namespace
 
-QRectF FlatComparison::rangeAbove_mm() const { return FlatFloor::rangeAbove_mm(); }
+QRectF FlatComparison::rangeAbove_mm() const {
+    return FlatFloor::rangeAbove_mm();
+}
 
-QRectF FlatComparison::rangeSide_mm() const { return FlatFloor::rangeSide_mm(84.0); }
+QRectF FlatComparison::rangeSide_mm() const {
+    return FlatFloor::rangeSide_mm(84.0);
+}
 
-void FlatComparison::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const {
+void FlatComparison::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                           const SceneState& state) const {
     FlatFloor::paint(painter, panel, setup);
     const core::LaparoscopyCues& cues = state.exercise.of<core::LaparoscopyCues>();
     if (!cues.present || !cues.objectShown)
@@ -56,7 +64,8 @@ void FlatComparison::paint(QPainter& painter, const FlatPanel& panel, const Scen
     }
 }
 
-std::vector<std::string> FlatComparison::marks(const simulation::ComparisonParameters&, const MarkedScene& scene) {
+std::vector<std::string> FlatComparison::marks(const simulation::ComparisonParameters&,
+                                               const MarkedScene& scene) {
     return stageMarks(scene.setup, 1);
 }
 

@@ -19,12 +19,16 @@ public:
     explicit FlatComparison(const simulation::ComparisonParameters& parameters) : m_parameters(parameters) {}
     /// Names of the marks that it draws in addition to the objects (marksOf), the same in 3D and flat. Pure
     /// function.
-    static std::vector<std::string> marks(const simulation::ComparisonParameters& parameters, const MarkedScene& scene);
+    static std::vector<std::string> marks(const simulation::ComparisonParameters& parameters,
+                                          const MarkedScene& scene);
 
-    QString name() const override { return tr("Objects side by side and instrument, from above and from the side"); }
+    QString name() const override {
+        return tr("Objects side by side and instrument, from above and from the side");
+    }
     QRectF rangeAbove_mm() const override;
     QRectF rangeSide_mm() const override;
-    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const override;
+    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+               const SceneState& state) const override;
     double groundHeight_m(const SceneState&, double, double) const override { return 0.0; }
 
 private:

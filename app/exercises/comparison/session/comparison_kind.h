@@ -27,8 +27,10 @@ public:
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
     /// attribute, places, candidate, arrangement, answer, and value_<i> (SI) for each position, as in the
     /// recorded quantities.
-    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
-    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                  scoring::TrialTrace& trial) const override;
+    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                std::uint64_t seed) const override;
 };
 
 } // namespace chiron::session

@@ -4,8 +4,10 @@
 namespace chiron::session_report {
 
 EndWords comparisonEnds() {
-    return {MarkTexts::tr("Answered"), MarkTexts::tr("The comparison was completed"), MarkTexts::tr("Time was up without an answer"),
-            MarkTexts::tr("The comparison could no longer be completed"), MarkTexts::tr("The object was damaged")};
+    return {MarkTexts::tr("Answered"), MarkTexts::tr("The comparison was completed"),
+            MarkTexts::tr("Time was up without an answer"),
+            MarkTexts::tr("The comparison could no longer be completed"),
+            MarkTexts::tr("The object was damaged")};
 }
 
 } // namespace chiron::session_report

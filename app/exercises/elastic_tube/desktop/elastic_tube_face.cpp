@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/elastic_tube/desktop/elastic_tube_face.h"
 
-#include "app/exercises/elastic_tube/desktop/tube_picture.h"
 #include "app/exercises/elastic_tube/desktop/tube_grasping.h"
 #include "app/exercises/elastic_tube/desktop/tube_layer.h"
+#include "app/exercises/elastic_tube/desktop/tube_picture.h"
 #include "app/exercises/elastic_tube/session_report/tube_report_of.h"
 #include "desktop/debrief/part_widgets.h"
 #include "desktop/exercise_setup/level_facts.h"
@@ -42,19 +42,22 @@ QString tubeGoalText(const simulation::ElasticTubeParameters& p, const QLocale& 
     case simulation::TubeTask::hold:
     case simulation::TubeTask::twoHanded:
         return LevelFactTexts::tr("Goal: a tension between %1 and %2 N, held within ±%3 N for %4 s")
-            .arg(factNumber(p.targetLow_N, locale), factNumber(p.targetHigh_N, locale), factNumber(p.band_N, locale), hold_s);
+            .arg(factNumber(p.targetLow_N, locale), factNumber(p.targetHigh_N, locale),
+                 factNumber(p.band_N, locale), hold_s);
     case simulation::TubeTask::stretch:
         return LevelFactTexts::tr("Goal: stretch the tube to %1 times its length and hold it for %2 s")
             .arg(locale.toString(p.markRatio, 'g', 3), hold_s);
     case simulation::TubeTask::transfer:
-        return LevelFactTexts::tr("Goal: hand over the end of the tube and hold it in the target for %1 s").arg(hold_s);
+        return LevelFactTexts::tr("Goal: hand over the end of the tube and hold it in the target for %1 s")
+            .arg(hold_s);
     }
     return {};
 }
 
 QStringList tubeFacts(const simulation::ElasticTubeParameters& p, const QLocale& locale) {
     QStringList facts{tubeGoalText(p, locale)};
-    facts << (p.hasFold()     ? LevelFactTexts::tr("Instruments: three, one in each hand and one that holds tissue back")
+    facts << (p.hasFold()
+                  ? LevelFactTexts::tr("Instruments: three, one in each hand and one that holds tissue back")
               : p.tools() > 1 ? LevelFactTexts::tr("Instruments: two, one in each hand")
                               : LevelFactTexts::tr("Instruments: one"));
     if (p.hasFold())
@@ -62,15 +65,19 @@ QStringList tubeFacts(const simulation::ElasticTubeParameters& p, const QLocale&
                      .arg(factNumber(p.retractionLow_N, locale), factNumber(p.retractionHigh_N, locale));
     const QString length_mm = locale.toString(qRound(p.restLength_m * 1e3));
     const QString tears = locale.toString(p.tearRatio, 'g', 3);
-    facts << (p.tube.stiffening_per_m > 0.0
-                  ? LevelFactTexts::tr("Tube: %1 mm long, gets stiffer as it stretches, tears at %2 times its length").arg(length_mm, tears)
-                  : LevelFactTexts::tr("Tube: %1 mm long, tears at %2 times its length").arg(length_mm, tears));
+    facts
+        << (p.tube.stiffening_per_m > 0.0
+                ? LevelFactTexts::tr(
+                      "Tube: %1 mm long, gets stiffer as it stretches, tears at %2 times its length")
+                      .arg(length_mm, tears)
+                : LevelFactTexts::tr("Tube: %1 mm long, tears at %2 times its length").arg(length_mm, tears));
     return facts << trialsFact(p.trials, p.trialLimit_s, locale);
 }
 
 } // namespace
 
-std::unique_ptr<LevelPicture> ElasticTubeFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
+std::unique_ptr<LevelPicture> ElasticTubeFace::picture(const catalogue::ExerciseLevel& level,
+                                                       const PictureFrame& frame) const {
     return std::make_unique<TubePicture>(level.parameters.as<simulation::ElasticTubeParameters>(), frame);
 }
 
@@ -78,23 +85,30 @@ QStringList ElasticTubeFace::levelFacts(const catalogue::ExerciseLevel& level, c
     return tubeFacts(level.parameters.as<simulation::ElasticTubeParameters>(), locale);
 }
 
-std::unique_ptr<LivePart> ElasticTubeFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
+std::unique_ptr<LivePart> ElasticTubeFace::livePart(const catalogue::ExerciseLevel& level,
+                                                    LiveSurroundings around) const {
     const auto& p = level.parameters.as<simulation::ElasticTubeParameters>();
-    return std::make_unique<GraspPart>(tubeGrasping(p, session::levelLimits(level)), level.feedback, std::move(around));
+    return std::make_unique<GraspPart>(tubeGrasping(p, session::levelLimits(level)), level.feedback,
+                                       std::move(around));
 }
 
-QString ElasticTubeFace::debriefTitle() const { return DebriefPartTexts::tr("How the tube was held and stretched"); }
+QString ElasticTubeFace::debriefTitle() const {
+    return DebriefPartTexts::tr("How the tube was held and stretched");
+}
 
 QString ElasticTubeFace::debriefEmpty() const {
     return DebriefPartTexts::tr("There is no tension to show. The session is kept and listed.");
 }
 
-DebriefReading ElasticTubeFace::readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const {
+DebriefReading ElasticTubeFace::readDebrief(const catalogue::ExerciseLevel& level,
+                                            const scoring::SessionTrace& trace) const {
     return std::make_unique<TubeDebrief>(session_report::tubeReportOf(trace, level));
 }
 
-std::unique_ptr<PlaybackLayer> ElasticTubeFace::playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace&) const {
-    return std::make_unique<TubeLayer>(setup.level.parameters.as<simulation::ElasticTubeParameters>(), setup.seed);
+std::unique_ptr<PlaybackLayer> ElasticTubeFace::playbackLayer(const session::SessionSetup& setup,
+                                                              const scoring::SessionTrace&) const {
+    return std::make_unique<TubeLayer>(setup.level.parameters.as<simulation::ElasticTubeParameters>(),
+                                       setup.seed);
 }
 
 } // namespace chiron::desktop

@@ -17,8 +17,12 @@ using simulation::TubeTask;
 
 namespace {
 
-std::array<double, 3> arrayOf(const core::Vec3& v) { return {v.x(), v.y(), v.z()}; }
-core::Vec3 vecOf(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+std::array<double, 3> arrayOf(const core::Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+core::Vec3 vecOf(const std::array<double, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
 
 /// The tip of the tool that holds a grip; empty if nobody holds it.
 std::optional<core::Vec3> holderOf(const session::PlaybackView& view, std::uint8_t mask) {
@@ -66,14 +70,16 @@ TubeLayer::Band TubeLayer::bandOf(int trial) const {
     return {m_trials[i].target_N - m_level.band_N, m_trials[i].target_N + m_level.band_N};
 }
 
-core::LaparoscopyCues TubeLayer::cuesAt(const session::PlaybackTrack& track, const session::PlaybackView& view) const {
+core::LaparoscopyCues TubeLayer::cuesAt(const session::PlaybackTrack& track,
+                                        const session::PlaybackView& view) const {
     core::LaparoscopyCues cues = graspCuesAt(track, view);
     if (cues.present && view.moment.trial < m_trials.size())
         fillTube(track, view, cues);
     return cues;
 }
 
-void TubeLayer::fillTube(const session::PlaybackTrack& track, const session::PlaybackView& view, core::LaparoscopyCues& cues) const {
+void TubeLayer::fillTube(const session::PlaybackTrack& track, const session::PlaybackView& view,
+                         core::LaparoscopyCues& cues) const {
     const simulation::ElasticTubeTrial& trial = m_trials[view.moment.trial];
     const bool anchored = m_level.task != TubeTask::twoHanded;
     cues.tube = true;
@@ -82,7 +88,8 @@ void TubeLayer::fillTube(const session::PlaybackTrack& track, const session::Pla
     cues.gripAt = {0.0, cues.grips == 3 ? m_level.gripShare : 1.0, 1.0};
     cues.gripAnchored[0] = anchored;
     for (std::size_t i = 0; i < 3; ++i)
-        cues.gripHeldBy[i] = static_cast<std::uint8_t>(std::lround(quantityAt(track, view, "grip_" + std::to_string(i))));
+        cues.gripHeldBy[i] =
+            static_cast<std::uint8_t>(std::lround(quantityAt(track, view, "grip_" + std::to_string(i))));
     const auto last = static_cast<std::size_t>(cues.grips - 1);
     const core::Vec3 base(trial.base_m.x(), trial.base_m.y(), 0.0);
     const core::Vec3 end = vecOf(placeAt(track, view, "free_end"));
@@ -95,7 +102,8 @@ void TubeLayer::fillTube(const session::PlaybackTrack& track, const session::Pla
     if (cues.grips == 3)
         cues.p_WGrip[1] =
             arrayOf(holderOf(view, cues.gripHeldBy[1])
-                        .value_or(simulation::tubePlace(vecOf(cues.p_WGrip[0]), end, m_level.restLength_m, m_level.gripShare)));
+                        .value_or(simulation::tubePlace(vecOf(cues.p_WGrip[0]), end, m_level.restLength_m,
+                                                        m_level.gripShare)));
     cues.stretch_m = quantityAt(track, view, "stretch_m");
     if (m_level.hasFold())
         fillFold(track, view, cues);
@@ -112,24 +120,31 @@ void TubeLayer::fillTube(const session::PlaybackTrack& track, const session::Pla
     cues.targetShown = cues.targetShown || m_level.task == TubeTask::stretch;
 }
 
-void TubeLayer::fillFold(const session::PlaybackTrack& track, const session::PlaybackView& view, core::LaparoscopyCues& cues) const {
+void TubeLayer::fillFold(const session::PlaybackTrack& track, const session::PlaybackView& view,
+                         core::LaparoscopyCues& cues) const {
     cues.fold = cues.retractionShown = true;
     cues.p_WFoldEdge = placeAt(track, view, "fold_edge");
     cues.p_WFoldBase = arrayOf(simulation::tissueFoldShape(m_level, m_trials[view.moment.trial]).base);
     cues.foldOpen = quantityAt(track, view, "fold_open") > 0.5;
     cues.retraction_N = quantityAt(track, view, "retraction_N");
-    cues.foldHeldBy = static_cast<std::uint8_t>(cues.retraction_N > 0.0 ? 1U << static_cast<unsigned>(m_level.retractor()) : 0U);
+    cues.foldHeldBy = static_cast<std::uint8_t>(
+        cues.retraction_N > 0.0 ? 1U << static_cast<unsigned>(m_level.retractor()) : 0U);
     cues.retractionLow_N = m_level.retractionLow_N;
     cues.retractionHigh_N = m_level.retractionHigh_N;
 }
 
-void TubeLayer::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view, double) {
+void TubeLayer::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track,
+                       const session::PlaybackView& view, double) {
     showGrasp(state, cuesAt(track, view));
 }
 
-QString TubeLayer::readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double, const QLocale& locale) const {
+QString TubeLayer::readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double,
+                           const QLocale& locale) const {
     const double tension_N = cuesAt(track, view).tension_N;
-    return graspReadout(view, PlaybackTexts::tr("tension %1").arg(report::formatValue(tension_N, QStringLiteral("N"), locale)), locale);
+    return graspReadout(
+        view,
+        PlaybackTexts::tr("tension %1").arg(report::formatValue(tension_N, QStringLiteral("N"), locale)),
+        locale);
 }
 
 void TubeLayer::addPlots(PlaybackPlots& plots) const {
@@ -148,9 +163,11 @@ void TubeLayer::addTension(PlaybackPlots& plots) const {
         view->addLine(PlaybackPlots::tr("band, from"), steps.t_s, steps.low, report::PlotStyle::dashedB);
         view->addLine(PlaybackPlots::tr("band, to"), steps.t_s, steps.high, report::PlotStyle::dashedB);
     }
-    view->addLine(PlaybackPlots::tr("tension"), plots.series().t_s, tension->values, report::PlotStyle::solidA);
+    view->addLine(PlaybackPlots::tr("tension"), plots.series().t_s, tension->values,
+                  report::PlotStyle::solidA);
     view->addHatchedSpans(PlaybackPlots::tr("paused"), plots.series().paused);
-    plots.add(std::move(view), "playback.grasp_plot", {PlaybackPlots::tr("Tension (N), dashed: target band")});
+    plots.add(std::move(view), "playback.grasp_plot",
+              {PlaybackPlots::tr("Tension (N), dashed: target band")});
 }
 
 void TubeLayer::addRetraction(PlaybackPlots& plots) const {
@@ -161,11 +178,14 @@ void TubeLayer::addRetraction(PlaybackPlots& plots) const {
     auto view = plots.empty(PlaybackPlots::tr("Pull on the fold of tissue"));
     const Band band = retractionBand();
     const std::vector<double> ends{t_s.empty() ? 0.0 : t_s.front(), t_s.empty() ? 0.0 : t_s.back()};
-    view->addLine(PlaybackPlots::tr("band, from"), ends, std::vector<double>(2, band.low_N), report::PlotStyle::dashedB);
-    view->addLine(PlaybackPlots::tr("band, to"), ends, std::vector<double>(2, band.high_N), report::PlotStyle::dashedB);
+    view->addLine(PlaybackPlots::tr("band, from"), ends, std::vector<double>(2, band.low_N),
+                  report::PlotStyle::dashedB);
+    view->addLine(PlaybackPlots::tr("band, to"), ends, std::vector<double>(2, band.high_N),
+                  report::PlotStyle::dashedB);
     view->addLine(PlaybackPlots::tr("pull"), t_s, pull->values, report::PlotStyle::solidA);
     view->addHatchedSpans(PlaybackPlots::tr("paused"), plots.series().paused);
-    plots.add(std::move(view), "playback.retraction_plot", {PlaybackPlots::tr("Pull on the fold (N), dashed: target band")});
+    plots.add(std::move(view), "playback.retraction_plot",
+              {PlaybackPlots::tr("Pull on the fold (N), dashed: target band")});
 }
 
 } // namespace chiron::desktop

@@ -18,7 +18,8 @@ public:
     TubeLayer(const simulation::ElasticTubeParameters& level, std::uint64_t seed);
 
     /// The state of the tube at a moment of the track; not present between trials.
-    core::LaparoscopyCues cuesAt(const session::PlaybackTrack& track, const session::PlaybackView& view) const;
+    core::LaparoscopyCues cuesAt(const session::PlaybackTrack& track,
+                                 const session::PlaybackView& view) const;
 
     /// The range of the target tension of a trial, N; 0 if the task has none.
     struct Band {
@@ -26,16 +27,21 @@ public:
         double high_N = 0.0;
     };
     Band bandOf(int trial) const;
-    Band retractionBand() const { return m_level.hasFold() ? Band{m_level.retractionLow_N, m_level.retractionHigh_N} : Band{}; }
+    Band retractionBand() const {
+        return m_level.hasFold() ? Band{m_level.retractionLow_N, m_level.retractionHigh_N} : Band{};
+    }
 
-    void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) override;
+    void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track,
+                const session::PlaybackView& view, double t_s) override;
     QString readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s,
                     const QLocale& locale) const override;
     void addPlots(PlaybackPlots& plots) const override;
 
 private:
-    void fillTube(const session::PlaybackTrack& track, const session::PlaybackView& view, core::LaparoscopyCues& cues) const;
-    void fillFold(const session::PlaybackTrack& track, const session::PlaybackView& view, core::LaparoscopyCues& cues) const;
+    void fillTube(const session::PlaybackTrack& track, const session::PlaybackView& view,
+                  core::LaparoscopyCues& cues) const;
+    void fillFold(const session::PlaybackTrack& track, const session::PlaybackView& view,
+                  core::LaparoscopyCues& cues) const;
     void addTension(PlaybackPlots& plots) const;
     void addRetraction(PlaybackPlots& plots) const;
 

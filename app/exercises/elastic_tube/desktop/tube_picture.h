@@ -9,7 +9,8 @@ namespace chiron::desktop {
 /// The tube with the instruments that hold it.
 class TubePicture final : public GraspPicture {
 public:
-    TubePicture(const simulation::ElasticTubeParameters& level, const PictureFrame& frame) : GraspPicture(frame), m_level(level) {}
+    TubePicture(const simulation::ElasticTubeParameters& level, const PictureFrame& frame)
+        : GraspPicture(frame), m_level(level) {}
     void paint(QPainter& painter) const override;
 
 private:

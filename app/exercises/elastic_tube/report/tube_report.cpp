@@ -16,7 +16,8 @@ bool anyNumber(const std::vector<double>& values) {
     return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
-std::unique_ptr<PlotView> overTime(const QString& title, const QString& quantity, const TubeReport& tube, const PlotTheme& theme) {
+std::unique_ptr<PlotView> overTime(const QString& title, const QString& quantity, const TubeReport& tube,
+                                   const PlotTheme& theme) {
     auto view = std::make_unique<PlotView>(theme);
     view->setTitle(title);
     PlotAxis time{Words::tr("Time (s)"), std::nullopt, std::nullopt};
@@ -67,7 +68,8 @@ std::unique_ptr<PlotView> retractionPlot(const TubeReport& tube, const PlotTheme
     if (!(tube.retractionHigh_N > 0.0))
         return nullptr;
     auto view = overTime(Words::tr("Pull on the fold of tissue"), Words::tr("Pull (N)"), tube, theme);
-    const std::vector<double> low(tube.t_s.size(), tube.retractionLow_N), high(tube.t_s.size(), tube.retractionHigh_N);
+    const std::vector<double> low(tube.t_s.size(), tube.retractionLow_N),
+        high(tube.t_s.size(), tube.retractionHigh_N);
     view->addLine(Words::tr("band, from"), tube.t_s, low, PlotStyle::dashedB);
     view->addLine(Words::tr("band, to"), tube.t_s, high, PlotStyle::dashedB);
     view->addLine(Words::tr("pull"), tube.t_s, tube.retraction_N, PlotStyle::solidA);
@@ -83,8 +85,9 @@ std::unique_ptr<PlotView> stretchPlot(const TubeReport& tube, const PlotTheme& t
     }
     if (tube.overStretch_mm > 0.0) {
         view->shadeAbove(Words::tr("over-stretched"), tube.t_s, tube.stretch_mm, tube.overStretch_mm);
-        view->addLimit(Words::tr("limit %1").arg(formatValue(tube.overStretch_mm, QStringLiteral("mm"), theme.locale)),
-                       tube.overStretch_mm);
+        view->addLimit(
+            Words::tr("limit %1").arg(formatValue(tube.overStretch_mm, QStringLiteral("mm"), theme.locale)),
+            tube.overStretch_mm);
     }
     view->addLine(Words::tr("stretch"), tube.t_s, tube.stretch_mm, PlotStyle::solidA);
     finishTube(*view, tube);
@@ -92,15 +95,17 @@ std::unique_ptr<PlotView> stretchPlot(const TubeReport& tube, const PlotTheme& t
 }
 
 WordTable tubeTable(const TubeReport& tube, const QLocale& locale) {
-    WordTable table{{Words::tr("Trial"), Words::tr("Outcome"), Words::tr("Target"), Words::tr("Tension error"), Words::tr("In the band"),
-                     Words::tr("Largest stretch"), Words::tr("Over-stretches"), Words::tr("Drops")},
+    WordTable table{{Words::tr("Trial"), Words::tr("Outcome"), Words::tr("Target"),
+                     Words::tr("Tension error"), Words::tr("In the band"), Words::tr("Largest stretch"),
+                     Words::tr("Over-stretches"), Words::tr("Drops")},
                     {}};
     const bool fold = tube.retractionHigh_N > 0.0;
     if (fold)
         table.head.push_back(Words::tr("Retraction in the band"));
     for (const TubeTrialRow& row : tube.rows) {
-        table.rows.push_back({locale.toString(row.trial + 1), trialOutcomeWords(row.outcome, true), inUnit(row.target_N, "N", locale),
-                              inUnit(row.error_N, "N", locale), inUnit(row.inBand_s, "s", locale), inUnit(row.stretchMax_mm, "mm", locale),
+        table.rows.push_back({locale.toString(row.trial + 1), trialOutcomeWords(row.outcome, true),
+                              inUnit(row.target_N, "N", locale), inUnit(row.error_N, "N", locale),
+                              inUnit(row.inBand_s, "s", locale), inUnit(row.stretchMax_mm, "mm", locale),
                               count(row.overStretches, locale), count(row.drops, locale)});
         if (fold)
             table.rows.back().push_back(inUnit(row.retractionInBand_percent, "%", locale));

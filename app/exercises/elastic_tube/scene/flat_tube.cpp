@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/elastic_tube/scene/flat_tube.h"
 
-#include "desktop/scene2d/laparoscopy/flat_floor.h"
 #include "app/exercises/elastic_tube/scene/fold_sheet.h"
 #include "app/exercises/elastic_tube/scene/mark_ring.h"
 #include "app/exercises/elastic_tube/scene/tube_curve.h"
+#include "desktop/scene2d/laparoscopy/flat_floor.h"
 
 #include <QPainter>
 #include <algorithm>
@@ -15,25 +15,31 @@ namespace chiron::scene3d {
 namespace {
 
 QColor mixed(const QColor& a, const QColor& b, double t) {
-    return QColor::fromRgbF(float(a.redF() + t * (b.redF() - a.redF())), float(a.greenF() + t * (b.greenF() - a.greenF())),
+    return QColor::fromRgbF(float(a.redF() + t * (b.redF() - a.redF())),
+                            float(a.greenF() + t * (b.greenF() - a.greenF())),
                             float(a.blueF() + t * (b.blueF() - a.blueF())));
 }
 
-void paintPiece(QPainter& painter, const FlatPanel& panel, const TubePiece& piece, double more, const QColor* edge) {
+void paintPiece(QPainter& painter, const FlatPanel& panel, const TubePiece& piece, double more,
+                const QColor* edge) {
     for (std::size_t k = 1; k < piece.rings.size(); ++k) {
         const TubeRing& a = piece.rings[k - 1];
         const TubeRing& b = piece.rings[k];
         const double wide = panel.pixels(1e3 * (a.radius_m + b.radius_m)) + more;
-        const bool torn = (k == 1 && piece.first == SweepEnd::ragged) || (k + 1 == piece.rings.size() && piece.last == SweepEnd::ragged);
-        const QColor own = torn ? flat_tissue::kDeep : mixed(QColor(238, 168, 158), flat_tissue::kBlanched, b.pale);
-        painter.setPen(QPen(edge ? *edge : own, std::max(2.0, wide), Qt::SolidLine, torn ? Qt::FlatCap : Qt::RoundCap));
+        const bool torn = (k == 1 && piece.first == SweepEnd::ragged) ||
+                          (k + 1 == piece.rings.size() && piece.last == SweepEnd::ragged);
+        const QColor own =
+            torn ? flat_tissue::kDeep : mixed(QColor(238, 168, 158), flat_tissue::kBlanched, b.pale);
+        painter.setPen(
+            QPen(edge ? *edge : own, std::max(2.0, wide), Qt::SolidLine, torn ? Qt::FlatCap : Qt::RoundCap));
         painter.drawLine(panel.project(a.p_W), panel.project(b.p_W));
     }
 }
 
 /// Draws the fold's outline, translucent so that the tube under it stays visible; its edge is a line with the
 /// position to grip.
-void paintFold(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const core::LaparoscopyCues& cues) {
+void paintFold(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+               const core::LaparoscopyCues& cues) {
     const FoldSheet sheet = FoldSheet::of(cues);
     if (sheet.rows.empty())
         return;
@@ -73,7 +79,8 @@ void paintMark(QPainter& painter, const FlatPanel& panel, const TubeCurve& curve
                 return;
             const QPointF middle = from + (share - a.share) / (b.share - a.share) * way;
             const QPointF beside = QPointF(-way.y(), way.x()) / length * panel.pixels(1e3 * a.radius_m);
-            painter.setPen(QPen(QColor(44, 26, 96), std::max(1.5, panel.pixels(1.6)), Qt::SolidLine, Qt::FlatCap));
+            painter.setPen(
+                QPen(QColor(44, 26, 96), std::max(1.5, panel.pixels(1.6)), Qt::SolidLine, Qt::FlatCap));
             painter.drawLine(middle - beside, middle + beside);
             return;
         }
@@ -81,13 +88,17 @@ void paintMark(QPainter& painter, const FlatPanel& panel, const TubeCurve& curve
 
 } // namespace
 
-QRectF FlatTube::rangeAbove_mm() const { return FlatFloor::rangeAbove_mm(); }
-
-QRectF FlatTube::rangeSide_mm() const {
-    return FlatFloor::rangeSide_mm(std::min(110.0, 1e3 * m_parameters.restLength_m * m_parameters.tearRatio + 14.0));
+QRectF FlatTube::rangeAbove_mm() const {
+    return FlatFloor::rangeAbove_mm();
 }
 
-void FlatTube::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const {
+QRectF FlatTube::rangeSide_mm() const {
+    return FlatFloor::rangeSide_mm(
+        std::min(110.0, 1e3 * m_parameters.restLength_m * m_parameters.tearRatio + 14.0));
+}
+
+void FlatTube::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                     const SceneState& state) const {
     FlatFloor::paint(painter, panel, setup);
     const core::LaparoscopyCues& cues = state.exercise.of<core::LaparoscopyCues>();
     if (!cues.present || !cues.objectShown)
@@ -118,7 +129,8 @@ void FlatTube::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup
         FlatFloor::paintTarget(painter, panel, setup, ring->p_W, ring->radius_m, cues.dwell);
 }
 
-std::vector<std::string> FlatTube::marks(const simulation::ElasticTubeParameters& parameters, const MarkedScene& scene) {
+std::vector<std::string> FlatTube::marks(const simulation::ElasticTubeParameters& parameters,
+                                         const MarkedScene& scene) {
     std::vector<std::string> marks = stageMarks(scene.setup, parameters.tools());
     if (!scene.setup.cues.object)
         return marks;

@@ -18,12 +18,14 @@ public:
     explicit FlatTube(const simulation::ElasticTubeParameters& parameters) : m_parameters(parameters) {}
     /// Names of the marks that it draws in addition to the objects (marksOf), the same in 3D and flat. Pure
     /// function.
-    static std::vector<std::string> marks(const simulation::ElasticTubeParameters& parameters, const MarkedScene& scene);
+    static std::vector<std::string> marks(const simulation::ElasticTubeParameters& parameters,
+                                          const MarkedScene& scene);
 
     QString name() const override { return tr("Elastic tube and instruments, from above and from the side"); }
     QRectF rangeAbove_mm() const override;
     QRectF rangeSide_mm() const override;
-    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const override;
+    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+               const SceneState& state) const override;
     std::optional<SecondBar> secondBar(const SceneState& state) const override {
         return tensionBar(m_parameters, state.exercise.of<core::LaparoscopyCues>());
     }

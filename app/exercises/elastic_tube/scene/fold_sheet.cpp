@@ -13,14 +13,16 @@ namespace {
 using core::Vec3;
 
 constexpr int kRows = FoldSheet::kEdgeRow; // number of rows from the root to the edge
-constexpr double kRootBehind_m = 0.042; // distance behind the point over which the edge hangs
-constexpr double kRootHalf_m = 0.040; // half the width at the root …
-constexpr double kEdgeHalf_m = 0.032; // … and at the edge
-constexpr double kHem_m = 0.012;      // length of the hem that hangs down beyond the edge
-constexpr double kWave_m = 0.0012;    // amplitude of the waves in the sheet
-constexpr double kLow_m = 0.0012;     // smallest height over the floor
+constexpr double kRootBehind_m = 0.042;    // distance behind the point over which the edge hangs
+constexpr double kRootHalf_m = 0.040;      // half the width at the root …
+constexpr double kEdgeHalf_m = 0.032;      // … and at the edge
+constexpr double kHem_m = 0.012;           // length of the hem that hangs down beyond the edge
+constexpr double kWave_m = 0.0012;         // amplitude of the waves in the sheet
+constexpr double kLow_m = 0.0012;          // smallest height over the floor
 
-Vec3 vecOf(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
+Vec3 vecOf(const std::array<double, 3>& p) {
+    return {p[0], p[1], p[2]};
+}
 
 } // namespace
 
@@ -32,7 +34,9 @@ FoldSheet FoldSheet::of(const core::LaparoscopyCues& cues) {
     const Vec3 root(base.x(), base.y() + kRootBehind_m, kLow_m);
     const Vec3 way = edge - root;
     const bool held = cues.foldHeldBy != 0;
-    const Vec3 forward = Vec3(way.x(), way.y(), 0.0).norm() > 1e-6 ? Vec3(Vec3(way.x(), way.y(), 0.0).normalized()) : Vec3(-Vec3::UnitY());
+    const Vec3 forward = Vec3(way.x(), way.y(), 0.0).norm() > 1e-6
+                             ? Vec3(Vec3(way.x(), way.y(), 0.0).normalized())
+                             : Vec3(-Vec3::UnitY());
     for (int k = 0; k <= kRows + kRows / 3; ++k) {
         const double along = static_cast<double>(k) / kRows; // 1 at the edge
         const double hem = std::max(0.0, along - 1.0) * 3.0; // 0..1
@@ -65,7 +69,8 @@ TriangleMesh foldMesh(const FoldSheet& sheet, double pale) {
         for (std::size_t r = 0; r < sheet.rows.size(); ++r)
             for (std::size_t c = 0; c < FoldSheet::kColumns; ++c) {
                 const Vec3 down = at(std::min(r + 1, sheet.rows.size() - 1), c) - at(r > 0 ? r - 1 : 0, c);
-                const Vec3 wide = at(r, std::min<std::size_t>(c + 1, FoldSheet::kColumns - 1)) - at(r, c > 0 ? c - 1 : 0);
+                const Vec3 wide =
+                    at(r, std::min<std::size_t>(c + 1, FoldSheet::kColumns - 1)) - at(r, c > 0 ? c - 1 : 0);
                 // Rows come forward and columns go right, so this vector points up.
                 const Vec3 across = down.cross(wide);
                 const Vec3 n = side * (across.norm() > 0.0 ? Vec3(across.normalized()) : Vec3(Vec3::UnitZ()));

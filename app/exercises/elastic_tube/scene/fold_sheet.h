@@ -17,8 +17,8 @@ namespace chiron::scene3d {
 /// Unit: m.
 /// Frame: W.
 struct FoldSheet {
-    static constexpr int kColumns = 13;          ///< across, in x
-    static constexpr std::size_t kEdgeRow = 12;  ///< the rows after this one are the hem
+    static constexpr int kColumns = 13;         ///< across, in x
+    static constexpr std::size_t kEdgeRow = 12; ///< the rows after this one are the hem
     std::vector<std::array<core::Vec3, kColumns>> rows;
 
     static FoldSheet of(const core::LaparoscopyCues& cues); ///< no rows if the screen shows no fold

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry.h"
 #include "core/laparoscopy_cues.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
-#include "core/geometry.h"
 
 #include <optional>
 
@@ -20,7 +20,8 @@ struct MarkRing {
 /// The target's place from the cues. In the task "to the mark" the ring follows the tube's direction at the
 /// distance from the base that the mark specifies, and is twice as thick as the tube. Empty if the level
 /// shows no mark. Pure function.
-inline std::optional<MarkRing> markRing(const simulation::ElasticTubeParameters& parameters, const core::LaparoscopyCues& cues) {
+inline std::optional<MarkRing> markRing(const simulation::ElasticTubeParameters& parameters,
+                                        const core::LaparoscopyCues& cues) {
     if (!cues.present || !cues.objectShown)
         return std::nullopt;
     MarkRing ring;
@@ -37,10 +38,12 @@ inline std::optional<MarkRing> markRing(const simulation::ElasticTubeParameters&
         return std::nullopt;
     const auto last = static_cast<std::size_t>(cues.grips - 1);
     const core::Vec3 base(cues.p_WGrip[0][0], cues.p_WGrip[0][1], cues.p_WGrip[0][2]);
-    const core::Vec3 way = core::Vec3(cues.p_WGrip[last][0], cues.p_WGrip[last][1], cues.p_WGrip[last][2]) - base;
+    const core::Vec3 way =
+        core::Vec3(cues.p_WGrip[last][0], cues.p_WGrip[last][1], cues.p_WGrip[last][2]) - base;
     // While nobody holds the end, the mark is vertically above the base.
-    ring.along = cues.gripHeldBy[last] != 0 && way.norm() > 0.3 * cues.restLength_m ? core::Vec3(way.normalized())
-                                                                                   : core::Vec3(core::Vec3::UnitZ());
+    ring.along = cues.gripHeldBy[last] != 0 && way.norm() > 0.3 * cues.restLength_m
+                     ? core::Vec3(way.normalized())
+                     : core::Vec3(core::Vec3::UnitZ());
     ring.p_W = base + parameters.markRatio * cues.restLength_m * ring.along;
     ring.radius_m = 2.0 * parameters.radius_m;
     return ring;

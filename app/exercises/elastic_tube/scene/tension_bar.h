@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/laparoscopy_cues.h"
 #include "desktop/scene3d/gauge_painter.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
-#include "core/laparoscopy_cues.h"
 
 namespace chiron::scene3d {
 
@@ -15,7 +15,8 @@ inline double tensionEnd_N(const simulation::ElasticTubeParameters& tube) {
 
 /// The bar of the tube's tension with its band. The scale comes from the level, the band from the cues. Pure
 /// function.
-inline SecondBar tensionBar(const simulation::ElasticTubeParameters& tube, const core::LaparoscopyCues& cues) {
+inline SecondBar tensionBar(const simulation::ElasticTubeParameters& tube,
+                            const core::LaparoscopyCues& cues) {
     SecondBar bar;
     bar.dial.title = GaugeTexts::tr("Tension (N)");
     bar.dial.range_N = endOfScale_N(tensionEnd_N(tube));

@@ -12,22 +12,27 @@ namespace chiron::scene3d {
 namespace {
 const OrganLook kFold{{0.98F, 0.86F, 0.66F, 0.75F}, {0.93F, 0.70F, 0.50F, 0.85F}}; // peritoneum over fat
 const OrganLook kTube{{1.0F, 0.80F, 0.72F, 0.65F}, {0.97F, 0.66F, 0.60F, 0.9F}};
-}
+} // namespace
 
 TubeContent::TubeContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent)
     : m_parameters(setup.parameters.as<simulation::ElasticTubeParameters>()),
       m_abdomen(new Abdomen(light, fieldRadius_m(), parent)) {
     m_tube = new Part({}, m_abdomen->organ(kTube, m_abdomen), m_abdomen);
     m_fold = new Part({}, m_abdomen->organ(kFold, m_abdomen), m_abdomen);
-    m_ink = new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0.16F, 0.10F, 0.38F, 1.0F), m_abdomen);
-    m_marks = new Part({}, light.effects.material("solid.vert", "signal.frag", {m_ink}, Blend::opaque, m_abdomen), m_abdomen);
+    m_ink =
+        new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0.16F, 0.10F, 0.38F, 1.0F), m_abdomen);
+    m_marks =
+        new Part({}, light.effects.material("solid.vert", "signal.frag", {m_ink}, Blend::opaque, m_abdomen),
+                 m_abdomen);
     m_shade = new Part({}, m_abdomen->shade(m_abdomen), m_abdomen);
     m_target = new TargetRing(light, m_abdomen);
     for (Part* part : {m_tube, m_marks, m_shade, m_fold})
         part->setEnabled(false);
 }
 
-double TubeContent::fieldRadius_m() const { return 0.052; }
+double TubeContent::fieldRadius_m() const {
+    return 0.052;
+}
 
 double TubeContent::roomAbove_m() const {
     // The tube can reach this high before it tears, plus the jaws on it.
@@ -60,7 +65,8 @@ void TubeContent::show(const SceneState& state) {
     m_fold->setEnabled(shown && cues.fold);
     if (shown && cues.fold) {
         const double most_N = m_parameters.retractionHigh_N;
-        m_fold->mesh().setMesh(foldMesh(FoldSheet::of(cues), std::clamp(cues.retraction_N / most_N - 1.0, 0.0, 1.0)));
+        m_fold->mesh().setMesh(
+            foldMesh(FoldSheet::of(cues), std::clamp(cues.retraction_N / most_N - 1.0, 0.0, 1.0)));
     }
     showTarget(cues);
 }

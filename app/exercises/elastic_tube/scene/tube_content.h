@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene3d/abdomen/abdomen.h"
-#include "desktop/scene3d/abdomen/target_marks.h"
 #include "app/exercises/elastic_tube/scene/tension_bar.h"
 #include "app/exercises/elastic_tube/scene/tube_curve.h"
+#include "desktop/scene3d/abdomen/abdomen.h"
+#include "desktop/scene3d/abdomen/target_marks.h"
 #include "desktop/scene3d/plugin/scene_content.h"
 
 namespace chiron::scene3d {

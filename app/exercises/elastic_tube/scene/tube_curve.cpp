@@ -10,11 +10,11 @@ namespace chiron::scene3d {
 
 namespace {
 
-constexpr int kSteps = 26;          // rings of a part between two grips
-constexpr double kPinch = 0.80;     // factor of the radius between the jaws
-constexpr double kPinch_m = 0.004;  // length of the pinch to either side of the jaws
-constexpr double kFlare_m = 0.004;  // height over the floor up to which the base is wider
-constexpr double kPaleAt = 0.55;    // stretch at which the tube is fully pale
+constexpr int kSteps = 26;         // rings of a part between two grips
+constexpr double kPinch = 0.80;    // factor of the radius between the jaws
+constexpr double kPinch_m = 0.004; // length of the pinch to either side of the jaws
+constexpr double kFlare_m = 0.004; // height over the floor up to which the base is wider
+constexpr double kPaleAt = 0.55;   // stretch at which the tube is fully pale
 
 core::Vec3 placeOf(const core::LaparoscopyCues& cues, int i) {
     const auto& p = cues.p_WGrip[static_cast<std::size_t>(i)];
@@ -42,10 +42,12 @@ core::Vec3 sagged(const Part& part, double sag_m, double t) {
     const double down = sag_m > 1e-9 ? std::clamp((middle_m - part.clear_m) / sag_m, 0.0, 1.0) : 1.0;
     // Sideways relative to the direction of the part; if the part is vertical, towards a fixed side.
     const double length_m = std::max(1e-6, way.norm());
-    core::Vec3 side = core::Vec3(-way.y(), way.x(), 0.0) / length_m + std::abs(way.z()) / length_m * core::Vec3(0.8, -0.6, 0.0);
+    core::Vec3 side = core::Vec3(-way.y(), way.x(), 0.0) / length_m +
+                      std::abs(way.z()) / length_m * core::Vec3(0.8, -0.6, 0.0);
     side = side.norm() > 1e-6 ? core::Vec3(side.normalized()) : core::Vec3(core::Vec3::UnitX());
     const double bow = 4.0 * sag_m * t * (1.0 - t);
-    core::Vec3 p = line + bow * (std::sqrt(std::max(0.0, 1.0 - down * down)) * side - down * core::Vec3::UnitZ());
+    core::Vec3 p =
+        line + bow * (std::sqrt(std::max(0.0, 1.0 - down * down)) * side - down * core::Vec3::UnitZ());
     p.z() = std::max(p.z(), std::min(part.clear_m, line.z()));
     return p;
 }
@@ -85,10 +87,12 @@ double sagOf(const Part& part) {
 }
 
 /// The loose end of a torn tube: from the floor it rises and bends over, from the jaws it hangs down.
-core::Vec3 limp(const core::Vec3& from, const core::Vec3& away, bool anchored, double length_m, double clear_m, double t) {
+core::Vec3 limp(const core::Vec3& from, const core::Vec3& away, bool anchored, double length_m,
+                double clear_m, double t) {
     const double along_m = t * length_m;
     if (anchored)
-        return from + away * (0.72 * along_m) + core::Vec3::UnitZ() * (0.42 * length_m * std::sin(0.85 * core::kPi * t));
+        return from + away * (0.72 * along_m) +
+               core::Vec3::UnitZ() * (0.42 * length_m * std::sin(0.85 * core::kPi * t));
     const double room_m = std::max(0.0, from.z() - clear_m);
     const double down_m = std::min(along_m, room_m);
     return from + away * (0.12 * down_m + (along_m - down_m)) - core::Vec3::UnitZ() * down_m;
@@ -146,7 +150,8 @@ private:
         part.clear_m = m_clear_m;
         if (to == from + 1)
             return part;
-        part.viaAt = std::clamp((m_cues.gripAt[part.first + 1] - m_cues.gripAt[part.first]) / std::max(1e-6, share), 0.05, 0.95);
+        part.viaAt = std::clamp(
+            (m_cues.gripAt[part.first + 1] - m_cues.gripAt[part.first]) / std::max(1e-6, share), 0.05, 0.95);
         part.via = placeOf(m_cues, from + 1) - sagged(part, sagOf(part), part.viaAt);
         return part;
     }
@@ -188,7 +193,9 @@ private:
         constexpr int kHalf = kSteps / 2;
         for (int k = 0; k <= kHalf; ++k) {
             const double t = static_cast<double>(first ? k : kHalf - k) / kHalf; // counted from the held grip
-            addRing(piece, i, limp(first ? part.from : part.to, away, m_cues.gripAnchored[place], 0.5 * part.rest_m, m_clear_m, t),
+            addRing(piece, i,
+                    limp(first ? part.from : part.to, away, m_cues.gripAnchored[place], 0.5 * part.rest_m,
+                         m_clear_m, t),
                     first ? 0.5 * t : 1.0 - 0.5 * t);
         }
     }
@@ -199,7 +206,8 @@ private:
         for (int pass = 0; pass < 3; ++pass) {
             const std::vector<TubeRing> was = rings;
             for (std::size_t k = 1; k + 1 < rings.size(); ++k) {
-                rings[k].radius_m = 0.25 * was[k - 1].radius_m + 0.5 * was[k].radius_m + 0.25 * was[k + 1].radius_m;
+                rings[k].radius_m =
+                    0.25 * was[k - 1].radius_m + 0.5 * was[k].radius_m + 0.25 * was[k + 1].radius_m;
                 rings[k].pale = 0.25 * was[k - 1].pale + 0.5 * was[k].pale + 0.25 * was[k + 1].pale;
             }
         }
@@ -207,7 +215,8 @@ private:
             for (int i = 0; i < m_cues.grips; ++i) {
                 const auto k = static_cast<std::size_t>(i);
                 const double off_m = (ring.p_W - placeOf(m_cues, i)).norm();
-                const double near = std::max(0.0, 1.0 - off_m / (m_cues.gripAnchored[k] ? kFlare_m : kPinch_m));
+                const double near =
+                    std::max(0.0, 1.0 - off_m / (m_cues.gripAnchored[k] ? kFlare_m : kPinch_m));
                 if (m_cues.gripAnchored[k])
                     ring.radius_m += 0.9 * m_radius_m * near * near;
                 else if (m_cues.gripHeldBy[k] != 0)

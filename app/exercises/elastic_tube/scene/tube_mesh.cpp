@@ -25,8 +25,9 @@ void addSleeve(TriangleMesh& mesh, const TubeCurve& curve, double share, double 
             const core::Vec3 middle = a.p_W + t * (b.p_W - a.p_W);
             const core::Vec3 along = (b.p_W - a.p_W).normalized() * half_m;
             const double radius_mm = 1e3 * (a.radius_m + t * (b.radius_m - a.radius_m)) + 0.18;
-            addSweep(mesh, {{1e3 * (middle - along), radius_mm, 1.0}, {1e3 * (middle + along), radius_mm, 1.0}}, SweepEnd::open,
-                     SweepEnd::open, kTubeSides);
+            addSweep(mesh,
+                     {{1e3 * (middle - along), radius_mm, 1.0}, {1e3 * (middle + along), radius_mm, 1.0}},
+                     SweepEnd::open, SweepEnd::open, kTubeSides);
             return;
         }
     }
@@ -56,7 +57,8 @@ TriangleMesh tubeMarks(const TubeCurve& curve, const core::LaparoscopyCues& cues
         const auto k = static_cast<std::size_t>(i);
         if (cues.gripAnchored[k])
             continue;
-        const double aside = cues.restLength_m > 0.0 ? 0.006 / cues.restLength_m : 0.0; // beside the jaws, not under them
+        const double aside =
+            cues.restLength_m > 0.0 ? 0.006 / cues.restLength_m : 0.0; // beside the jaws, not under them
         for (const double share : {cues.gripAt[k] - aside, cues.gripAt[k] + aside})
             if (share > 0.02 && share < 0.98)
                 addSleeve(mesh, curve, share, kMark_m);
@@ -70,8 +72,10 @@ TriangleMesh tubeShade(const TubeCurve& curve, double floor_m) {
         const std::vector<TubeRing>& rings = piece.rings;
         for (std::size_t k = 0; k < rings.size(); ++k) {
             const core::Vec2 at = rings[k].p_W.head<2>();
-            const core::Vec2 way = (rings[std::min(k + 1, rings.size() - 1)].p_W - rings[k == 0 ? 0 : k - 1].p_W).head<2>();
-            const core::Vec2 side = way.norm() > 1e-6 ? core::Vec2(core::Vec2(-way.y(), way.x()).normalized()) : core::Vec2(1.0, 0.0);
+            const core::Vec2 way =
+                (rings[std::min(k + 1, rings.size() - 1)].p_W - rings[k == 0 ? 0 : k - 1].p_W).head<2>();
+            const core::Vec2 side = way.norm() > 1e-6 ? core::Vec2(core::Vec2(-way.y(), way.x()).normalized())
+                                                      : core::Vec2(1.0, 0.0);
             const double above_m = rings[k].p_W.z() - rings[k].radius_m - floor_m;
             const double wide_m = 1.5 * rings[k].radius_m + 0.10 * std::max(0.0, above_m);
             const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -80,8 +84,8 @@ TriangleMesh tubeShade(const TubeCurve& curve, double floor_m) {
             mesh.vertices.push_back(shadeVertex(at + wide_m * side, floor_m, 0.0));
             if (k == 0)
                 continue;
-            for (std::uint32_t i : {first - 3, first - 2, first + 1, first - 3, first + 1, first, first - 2, first - 1, first + 2,
-                                    first - 2, first + 2, first + 1})
+            for (std::uint32_t i : {first - 3, first - 2, first + 1, first - 3, first + 1, first, first - 2,
+                                    first - 1, first + 2, first - 2, first + 2, first + 1})
                 mesh.indices.push_back(i);
         }
     }

@@ -2,10 +2,10 @@
 #include "app/exercises/elastic_tube/session/elastic_tube_kind.h"
 
 #include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
-#include "session/moment_rule.h"
-#include "session/session_setup.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_plan.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_scene.h"
+#include "session/moment_rule.h"
+#include "session/session_setup.h"
 
 #include <cmath>
 
@@ -28,7 +28,8 @@ constexpr double kRetractorBehind_m = 0.040;
 
 class ElasticTubeSurfaces final : public TrialSurfaces {
 public:
-    ElasticTubeSurfaces(const simulation::ElasticTubeParameters& p, std::uint64_t seed) : m_radius_m(p.radius_m) {
+    ElasticTubeSurfaces(const simulation::ElasticTubeParameters& p, std::uint64_t seed)
+        : m_radius_m(p.radius_m) {
         for (const simulation::ElasticTubeTrial& trial : simulation::planElasticTubeTrials(p, seed))
             m_bases.emplace_back(trial.base_m.x(), trial.base_m.y(), 0.0);
     }
@@ -47,7 +48,9 @@ private:
 
 } // namespace
 
-int ElasticTubeKind::toolCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).tools(); }
+int ElasticTubeKind::toolCount(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).tools();
+}
 
 devices::WorkspaceMapping ElasticTubeKind::toolPlace(const catalogue::ExerciseLevel& level, int tool) const {
     const auto& p = parametersOf(level);
@@ -59,13 +62,19 @@ devices::WorkspaceMapping ElasticTubeKind::toolPlace(const catalogue::ExerciseLe
     return place;
 }
 
-std::vector<core::QuantityDescription> ElasticTubeKind::quantities(const catalogue::ExerciseLevel& level) const {
-    std::vector<core::QuantityDescription> out{{"tension_N", "N", 1e-3}, {"stretch_m", "m", 1e-6},    {"grip_0", "1", 1.0},       {"grip_1", "1", 1.0},
-            {"grip_2", "1", 1.0},     {"free_end_x_m", "m", 1e-6}, {"free_end_y_m", "m", 1e-6}, {"free_end_z_m", "m", 1e-6},
-            {"step", "1", 1.0},       {"dwell", "1", 1e-3}};
+std::vector<core::QuantityDescription>
+ElasticTubeKind::quantities(const catalogue::ExerciseLevel& level) const {
+    std::vector<core::QuantityDescription> out{{"tension_N", "N", 1e-3},    {"stretch_m", "m", 1e-6},
+                                               {"grip_0", "1", 1.0},        {"grip_1", "1", 1.0},
+                                               {"grip_2", "1", 1.0},        {"free_end_x_m", "m", 1e-6},
+                                               {"free_end_y_m", "m", 1e-6}, {"free_end_z_m", "m", 1e-6},
+                                               {"step", "1", 1.0},          {"dwell", "1", 1e-3}};
     if (parametersOf(level).hasFold())
-        for (const core::QuantityDescription& one : {core::QuantityDescription{"retraction_N", "N", 1e-3}, {"fold_open", "1", 1.0}, {"fold_edge_x_m", "m", 1e-6},
-                                                     {"fold_edge_y_m", "m", 1e-6}, {"fold_edge_z_m", "m", 1e-6}})
+        for (const core::QuantityDescription& one : {core::QuantityDescription{"retraction_N", "N", 1e-3},
+                                                     {"fold_open", "1", 1.0},
+                                                     {"fold_edge_x_m", "m", 1e-6},
+                                                     {"fold_edge_y_m", "m", 1e-6},
+                                                     {"fold_edge_z_m", "m", 1e-6}})
             out.push_back(one);
     return out;
 }
@@ -74,16 +83,20 @@ std::unique_ptr<simulation::IScene> ElasticTubeKind::makeScene(const SessionSetu
     return std::make_unique<simulation::ElasticTubeScene>(parametersOf(setup.level), setup.seed);
 }
 
-simulation::YieldLaw ElasticTubeKind::yieldLaw(const catalogue::ExerciseLevel& level) const { return parametersOf(level).yield; }
+simulation::YieldLaw ElasticTubeKind::yieldLaw(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).yield;
+}
 
-core::Result<ScriptedTrainee> ElasticTubeKind::makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
+core::Result<ScriptedTrainee> ElasticTubeKind::makeOperator(const catalogue::ExerciseLevel& level,
+                                                            const std::string& name,
                                                             std::uint64_t seed) const {
     return makeOperatorAt(usualPlaces(*this, level), mechanism(), level, name, seed);
 }
 
-core::Result<ScriptedTrainee> ElasticTubeKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view,
-                                                             const catalogue::ExerciseLevel& level, const std::string& name,
-                                                             std::uint64_t seed) const {
+core::Result<ScriptedTrainee>
+ElasticTubeKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view,
+                                const catalogue::ExerciseLevel& level, const std::string& name,
+                                std::uint64_t seed) const {
     auto settings = operators::elasticTubeOperatorSettings(name);
     CHIRON_TRY(settings);
     const auto& p = parametersOf(level);
@@ -105,16 +118,22 @@ std::vector<std::string> ElasticTubeKind::operatorNames() const {
     return {names.begin(), names.end()};
 }
 
-int ElasticTubeKind::trialCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).trials; }
+int ElasticTubeKind::trialCount(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).trials;
+}
 
-double ElasticTubeKind::forceLimit_N(const catalogue::ExerciseLevel& level) const { return parametersOf(level).maximumForce_N; }
+double ElasticTubeKind::forceLimit_N(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).maximumForce_N;
+}
 
 std::uint64_t ElasticTubeKind::tickLimit(const catalogue::ExerciseLevel& level) const {
     const auto& p = parametersOf(level);
-    return static_cast<std::uint64_t>(std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));
+    return static_cast<std::uint64_t>(
+        std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));
 }
 
-void ElasticTubeKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const {
+void ElasticTubeKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                               scoring::TrialTrace& trial) const {
     const auto& p = parametersOf(level);
     const auto plan = simulation::planElasticTubeTrials(p, seed);
     const auto index = static_cast<std::size_t>(trial.trial);
@@ -138,19 +157,26 @@ void ElasticTubeKind::addTruth(const catalogue::ExerciseLevel& level, std::uint6
     trial.truth.push_back({"task", static_cast<double>(p.task)});
 }
 
-std::unique_ptr<TrialSurfaces> ElasticTubeKind::makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const {
+std::unique_ptr<TrialSurfaces> ElasticTubeKind::makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                             std::uint64_t seed) const {
     return std::make_unique<ElasticTubeSurfaces>(parametersOf(level), seed);
 }
 
 Demonstration ElasticTubeKind::demonstration() const {
-    return {.columns = {{">error N", "tension_error_rms", 2}, {">in band %", "retraction_time_in_band", 0}, {">over", "over_stretches", 0}, {">drops", "drops", 0}},
-            .legend = "error: RMS distance of the tension from its target; in band: share of the time, once the fold was held back, in\n"
-                      "which its pull was in its band; over: times the tube was stretched too far; drops: times it was let go\n"};
+    return {.columns = {{">error N", "tension_error_rms", 2},
+                        {">in band %", "retraction_time_in_band", 0},
+                        {">over", "over_stretches", 0},
+                        {">drops", "drops", 0}},
+            .legend = "error: RMS distance of the tension from its target; in band: share of the time, once "
+                      "the fold was held back, in\n"
+                      "which its pull was in its band; over: times the tube was stretched too far; drops: "
+                      "times it was let go\n"};
 }
 
 std::vector<MomentRule> ElasticTubeKind::momentRules() const {
     using enum PlaybackMarkKind;
-    return {{.metric = "over_stretches", .marks = {damaged, failed}}, {.metric = "drops", .marks = {slipped}}};
+    return {{.metric = "over_stretches", .marks = {damaged, failed}},
+            {.metric = "drops", .marks = {slipped}}};
 }
 
 } // namespace chiron::session

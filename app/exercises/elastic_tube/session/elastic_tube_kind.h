@@ -21,9 +21,10 @@ public:
     simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                std::uint64_t seed) const override;
-    core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view mechanism,
-                                                 const catalogue::ExerciseLevel& level, const std::string& name,
-                                                 std::uint64_t seed) const override;
+    core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping> places,
+                                                 std::string_view mechanism,
+                                                 const catalogue::ExerciseLevel& level,
+                                                 const std::string& name, std::uint64_t seed) const override;
     bool operatorsKnowTheirPlace() const noexcept override { return true; }
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;
@@ -32,9 +33,11 @@ public:
     /// The values that the metrics of tension, stretch and drops need: target_N and band_N (if the task has a
     /// target tension), mark_m and mark_tolerance_m (if it has a mark; stretch beyond the rest length),
     /// over_stretch_m, tear_m, hold_s and task (simulation::TubeTask).
-    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
+    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                  scoring::TrialTrace& trial) const override;
     /// The base is the object of the trial; the surface point of a tool is its own position.
-    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                std::uint64_t seed) const override;
     /// The skilled trainee also does the level that takes two hands (level 4).
     DemoPart demoPart(int level) const override { return {level == 1, level <= 2 || level == 4, level <= 2}; }
     Demonstration demonstration() const override;

@@ -61,7 +61,8 @@ private:
     /// Adds a gap, so that no line joins one trial to the next.
     void gap(double t_s) {
         point(t_s, kNothing, kNothing);
-        for (auto* values : {&m_tube.retraction_N, &m_tube.bandLow_N, &m_tube.bandHigh_N, &m_tube.markLow_mm, &m_tube.markHigh_mm})
+        for (auto* values : {&m_tube.retraction_N, &m_tube.bandLow_N, &m_tube.bandHigh_N, &m_tube.markLow_mm,
+                             &m_tube.markHigh_mm})
             values->push_back(kNothing);
     }
     void notePauses(const scoring::ToolTrace& tool) {
@@ -87,15 +88,18 @@ double largestOf(const std::vector<double>* values) {
 
 report::TubeReport tubeReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
     report::TubeReport tube;
-    const TrialScores scores(trace, level, {"tension_error_rms", "time_in_band", "over_stretches", "drops", "retraction_time_in_band"});
+    const TrialScores scores(
+        trace, level,
+        {"tension_error_rms", "time_in_band", "over_stretches", "drops", "retraction_time_in_band"});
     TubeSeries series(tube);
     for (std::size_t i = 0; i < trace.trials.size(); ++i) {
         const scoring::TrialTrace& trial = trace.trials[i];
         if (trial.tools.empty() || trial.tools.front().t_s.empty())
             continue;
         tube.trialStart_s.push_back(trial.tools.front().t_s.front());
-        tube.rows.push_back({trial.trial, outcomeOf(trial), truthIn(trial, "target_N"), scores.of(i, "tension_error_rms"),
-                             scores.of(i, "time_in_band"), 1e3 * largestOf(quantityIn(trial, "stretch_m")), scores.of(i, "over_stretches"),
+        tube.rows.push_back({trial.trial, outcomeOf(trial), truthIn(trial, "target_N"),
+                             scores.of(i, "tension_error_rms"), scores.of(i, "time_in_band"),
+                             1e3 * largestOf(quantityIn(trial, "stretch_m")), scores.of(i, "over_stretches"),
                              scores.of(i, "drops"), scores.of(i, "retraction_time_in_band")});
         tube.retractionLow_N = truthIn(trial, "retraction_low_N").value_or(0.0);
         tube.retractionHigh_N = truthIn(trial, "retraction_high_N").value_or(0.0);
@@ -105,13 +109,16 @@ report::TubeReport tubeReportOf(const scoring::SessionTrace& trace, const catalo
     return tube;
 }
 
-std::shared_ptr<const report::ReportSection> tubeSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
+std::shared_ptr<const report::ReportSection> tubeSectionOf(const scoring::SessionTrace& trace,
+                                                           const catalogue::ExerciseLevel& level) {
     return std::make_shared<report::TubeSection>(tubeReportOf(trace, level));
 }
 
 EndWords tubeEnds() {
-    return {MarkTexts::tr("Ended"), MarkTexts::tr("The tube was held as asked"), MarkTexts::tr("Time was up before the tube was held as asked"),
-            MarkTexts::tr("The tube tore: the trial could no longer be completed"), MarkTexts::tr("The tube was stretched too far")};
+    return {MarkTexts::tr("Ended"), MarkTexts::tr("The tube was held as asked"),
+            MarkTexts::tr("Time was up before the tube was held as asked"),
+            MarkTexts::tr("The tube tore: the trial could no longer be completed"),
+            MarkTexts::tr("The tube was stretched too far")};
 }
 
 } // namespace chiron::session_report

@@ -16,7 +16,8 @@ namespace chiron::session_report {
 report::TubeReport tubeReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
 
 /// The section of a report. Pure function.
-std::shared_ptr<const report::ReportSection> tubeSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
+std::shared_ptr<const report::ReportSection> tubeSectionOf(const scoring::SessionTrace& trace,
+                                                           const catalogue::ExerciseLevel& level);
 
 /// The words for the end of a trial and for damage.
 EndWords tubeEnds();

@@ -7,6 +7,7 @@
 namespace chiron::desktop {
 
 /// The parameters that the training screen needs for a level with objects. Pure function.
-Grasping handlingGrasping(const simulation::ObjectHandlingParameters& level, const session::LevelLimits& limits);
+Grasping handlingGrasping(const simulation::ObjectHandlingParameters& level,
+                          const session::LevelLimits& limits);
 
 } // namespace chiron::desktop

@@ -14,14 +14,16 @@ namespace chiron::desktop {
 HandlingLayer::HandlingLayer(const simulation::ObjectHandlingParameters& level, std::uint64_t seed)
     : m_level(level), m_trials(simulation::planObjectHandlingTrials(level, seed)) {}
 
-core::LaparoscopyCues HandlingLayer::cuesAt(const session::PlaybackTrack& track, const session::PlaybackView& view) const {
+core::LaparoscopyCues HandlingLayer::cuesAt(const session::PlaybackTrack& track,
+                                            const session::PlaybackView& view) const {
     core::LaparoscopyCues cues = graspCuesAt(track, view);
     if (cues.present && view.moment.trial < m_trials.size())
         fillObjects(track, view, cues);
     return cues;
 }
 
-void HandlingLayer::fillObjects(const session::PlaybackTrack& track, const session::PlaybackView& view, core::LaparoscopyCues& cues) const {
+void HandlingLayer::fillObjects(const session::PlaybackTrack& track, const session::PlaybackView& view,
+                                core::LaparoscopyCues& cues) const {
     const simulation::ObjectHandlingTrial& trial = m_trials[view.moment.trial];
     const int held = static_cast<int>(std::lround(quantityAt(track, view, "held"))) - 1;
     cues.squeezeShown = true;
@@ -36,7 +38,8 @@ void HandlingLayer::fillObjects(const session::PlaybackTrack& track, const sessi
             continue;
         body.heldBy = 1;
         // The opening of the jaws equals the remaining thickness of the object.
-        const double opening_m = 2.0 * m_level.jawLength_m * std::sin(0.5 * (view.tools.empty() ? 0.0 : view.tools[0].jaw_rad));
+        const double opening_m =
+            2.0 * m_level.jawLength_m * std::sin(0.5 * (view.tools.empty() ? 0.0 : view.tools[0].jaw_rad));
         body.squeeze_m = std::max(0.0, 2.0 * m_level.radius_m - opening_m);
     }
     cues.targetShown = true;
@@ -44,7 +47,8 @@ void HandlingLayer::fillObjects(const session::PlaybackTrack& track, const sessi
     cues.targetRadius_m = m_level.targetRadius_m;
 }
 
-void HandlingLayer::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view, double) {
+void HandlingLayer::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track,
+                           const session::PlaybackView& view, double) {
     showGrasp(state, cuesAt(track, view));
 }
 
@@ -52,16 +56,21 @@ QString HandlingLayer::readout(const session::PlaybackTrack& track, const sessio
                                const QLocale& locale) const {
     const core::LaparoscopyCues cues = cuesAt(track, view);
     const QString held = report::formatValue(cues.squeeze_N[0], QStringLiteral("N"), locale);
-    return graspReadout(view, cues.squeezeShown ? PlaybackTexts::tr("squeeze %1").arg(held) : PlaybackTexts::tr("tension %1").arg(held),
+    return graspReadout(view,
+                        cues.squeezeShown ? PlaybackTexts::tr("squeeze %1").arg(held)
+                                          : PlaybackTexts::tr("tension %1").arg(held),
                         locale);
 }
 
 void HandlingLayer::addPlots(PlaybackPlots& plots) const {
-    if (const session::PlaybackQuantity* squeeze = plots.track().quantity("squeeze_N"); squeeze && !squeeze->values.empty()) {
+    if (const session::PlaybackQuantity* squeeze = plots.track().quantity("squeeze_N");
+        squeeze && !squeeze->values.empty()) {
         auto view = plots.empty(PlaybackPlots::tr("Squeeze of the jaws"));
-        view->shadeAbove(PlaybackPlots::tr("over the limit"), plots.series().t_s, squeeze->values, m_level.squeezeLimit_N);
+        view->shadeAbove(PlaybackPlots::tr("over the limit"), plots.series().t_s, squeeze->values,
+                         m_level.squeezeLimit_N);
         view->addLimit(PlaybackPlots::tr("limit"), m_level.squeezeLimit_N);
-        view->addLine(PlaybackPlots::tr("squeeze"), plots.series().t_s, squeeze->values, report::PlotStyle::solidA);
+        view->addLine(PlaybackPlots::tr("squeeze"), plots.series().t_s, squeeze->values,
+                      report::PlotStyle::solidA);
         view->addHatchedSpans(PlaybackPlots::tr("paused"), plots.series().paused);
         plots.add(std::move(view), "playback.grasp_plot", {PlaybackPlots::tr("Squeeze (N)")});
     }

@@ -19,15 +19,18 @@ public:
     HandlingLayer(const simulation::ObjectHandlingParameters& level, std::uint64_t seed);
 
     /// The state of the objects at a moment of the track; not present between trials.
-    core::LaparoscopyCues cuesAt(const session::PlaybackTrack& track, const session::PlaybackView& view) const;
+    core::LaparoscopyCues cuesAt(const session::PlaybackTrack& track,
+                                 const session::PlaybackView& view) const;
 
-    void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) override;
+    void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track,
+                const session::PlaybackView& view, double t_s) override;
     QString readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s,
                     const QLocale& locale) const override;
     void addPlots(PlaybackPlots& plots) const override;
 
 private:
-    void fillObjects(const session::PlaybackTrack& track, const session::PlaybackView& view, core::LaparoscopyCues& cues) const;
+    void fillObjects(const session::PlaybackTrack& track, const session::PlaybackView& view,
+                     core::LaparoscopyCues& cues) const;
 
     simulation::ObjectHandlingParameters m_level;
     std::vector<simulation::ObjectHandlingTrial> m_trials;

@@ -29,8 +29,8 @@ void HandlingPicture::paint(QPainter& painter) const {
         light.setColorAt(0.6, white);
         light.setColorAt(1.0, white.darker(140));
         painter.setBrush(m_visible ? QBrush(light) : QBrush(Qt::NoBrush));
-        painter.setPen(QPen(m_visible ? white.darker(190) : m_theme.color(Colour::text), std::max(1.2, width() * 0.008),
-                            m_visible ? Qt::SolidLine : Qt::DashLine));
+        painter.setPen(QPen(m_visible ? white.darker(190) : m_theme.color(Colour::text),
+                            std::max(1.2, width() * 0.008), m_visible ? Qt::SolidLine : Qt::DashLine));
         painter.drawEllipse(centre, radius / flat, radius * flat);
     };
     for (int i = 1; i < m_level.objects; ++i)
@@ -38,7 +38,8 @@ void HandlingPicture::paint(QPainter& painter) const {
     if (m_level.organBed) { // the organ under it
         painter.setPen(QPen(m_theme.color(Colour::seriesB).darker(150), std::max(1.2, width() * 0.008)));
         painter.setBrush(m_theme.color(Colour::seriesB));
-        painter.drawEllipse(QPointF(width() * 0.62, floor + height() * 0.06), width() * 0.22, height() * 0.13);
+        painter.drawEllipse(QPointF(width() * 0.62, floor + height() * 0.06), width() * 0.22,
+                            height() * 0.13);
     }
     const QPointF lifted(width() * 0.50, floor - height() * 0.36);
     ovary(lifted, 0.92);

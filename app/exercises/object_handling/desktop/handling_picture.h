@@ -9,7 +9,8 @@ namespace chiron::desktop {
 /// The objects, their dish and a grasper.
 class HandlingPicture final : public GraspPicture {
 public:
-    HandlingPicture(const simulation::ObjectHandlingParameters& level, const PictureFrame& frame) : GraspPicture(frame), m_level(level) {}
+    HandlingPicture(const simulation::ObjectHandlingParameters& level, const PictureFrame& frame)
+        : GraspPicture(frame), m_level(level) {}
     void paint(QPainter& painter) const override;
 
 private:

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/object_handling/desktop/object_handling_face.h"
 
-#include "app/exercises/object_handling/desktop/handling_picture.h"
 #include "app/exercises/object_handling/desktop/handling_grasping.h"
 #include "app/exercises/object_handling/desktop/handling_layer.h"
+#include "app/exercises/object_handling/desktop/handling_picture.h"
 #include "app/exercises/object_handling/session_report/handling_report_of.h"
 #include "desktop/debrief/part_widgets.h"
-#include "desktop/plots/responsive_row.h"
 #include "desktop/exercise_setup/level_facts.h"
+#include "desktop/plots/responsive_row.h"
 #include "desktop/training/grasp_part.h"
 
 #include <QVBoxLayout>
@@ -29,7 +29,8 @@ public:
         row->add(partPlot(theme, report::squeezePlot(m_handling, look), "debrief.squeeze", 280), 3);
         row->add(partPlot(theme, report::placePlot(m_handling, look), "debrief.place", 280), 2);
         column.layout->addWidget(row);
-        column.layout->addWidget(trialTable(theme, report::handlingTable(m_handling, locale), "debrief.handling_trials"));
+        column.layout->addWidget(
+            trialTable(theme, report::handlingTable(m_handling, locale), "debrief.handling_trials"));
         return std::move(column.holder);
     }
 
@@ -40,8 +41,8 @@ private:
 QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const QLocale& locale) {
     QStringList facts;
     if (p.task == simulation::HandlingTask::weigh)
-        facts
-            << LevelFactTexts::tr("Goal: put the heaviest of %1 identical-looking objects inside the ring").arg(locale.toString(p.objects));
+        facts << LevelFactTexts::tr("Goal: put the heaviest of %1 identical-looking objects inside the ring")
+                     .arg(locale.toString(p.objects));
     else
         facts << LevelFactTexts::tr("Goal: lift the object by %1 mm and put it inside the ring")
                      .arg(locale.toString(qRound(p.liftHeight_m * 1e3)));
@@ -52,31 +53,41 @@ QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const Q
 
 } // namespace
 
-std::unique_ptr<LevelPicture> ObjectHandlingFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
-    return std::make_unique<HandlingPicture>(level.parameters.as<simulation::ObjectHandlingParameters>(), frame);
+std::unique_ptr<LevelPicture> ObjectHandlingFace::picture(const catalogue::ExerciseLevel& level,
+                                                          const PictureFrame& frame) const {
+    return std::make_unique<HandlingPicture>(level.parameters.as<simulation::ObjectHandlingParameters>(),
+                                             frame);
 }
 
-QStringList ObjectHandlingFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
+QStringList ObjectHandlingFace::levelFacts(const catalogue::ExerciseLevel& level,
+                                           const QLocale& locale) const {
     return handlingFacts(level.parameters.as<simulation::ObjectHandlingParameters>(), locale);
 }
 
-std::unique_ptr<LivePart> ObjectHandlingFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
+std::unique_ptr<LivePart> ObjectHandlingFace::livePart(const catalogue::ExerciseLevel& level,
+                                                       LiveSurroundings around) const {
     const auto& p = level.parameters.as<simulation::ObjectHandlingParameters>();
-    return std::make_unique<GraspPart>(handlingGrasping(p, session::levelLimits(level)), level.feedback, std::move(around));
+    return std::make_unique<GraspPart>(handlingGrasping(p, session::levelLimits(level)), level.feedback,
+                                       std::move(around));
 }
 
-QString ObjectHandlingFace::debriefTitle() const { return DebriefPartTexts::tr("How each object was held and set down"); }
+QString ObjectHandlingFace::debriefTitle() const {
+    return DebriefPartTexts::tr("How each object was held and set down");
+}
 
 QString ObjectHandlingFace::debriefEmpty() const {
     return DebriefPartTexts::tr("There is no object to show. The session is kept and listed.");
 }
 
-DebriefReading ObjectHandlingFace::readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const {
+DebriefReading ObjectHandlingFace::readDebrief(const catalogue::ExerciseLevel& level,
+                                               const scoring::SessionTrace& trace) const {
     return std::make_unique<HandlingDebrief>(session_report::handlingReportOf(trace, level));
 }
 
-std::unique_ptr<PlaybackLayer> ObjectHandlingFace::playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace&) const {
-    return std::make_unique<HandlingLayer>(setup.level.parameters.as<simulation::ObjectHandlingParameters>(), setup.seed);
+std::unique_ptr<PlaybackLayer> ObjectHandlingFace::playbackLayer(const session::SessionSetup& setup,
+                                                                 const scoring::SessionTrace&) const {
+    return std::make_unique<HandlingLayer>(setup.level.parameters.as<simulation::ObjectHandlingParameters>(),
+                                           setup.seed);
 }
 
 } // namespace chiron::desktop

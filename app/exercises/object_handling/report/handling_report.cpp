@@ -33,11 +33,13 @@ std::unique_ptr<PlotView> squeezePlot(const HandlingReport& handling, const Plot
     }
     view->addBars(Words::tr("squeeze"), bars, PlotStyle::solidA, 0, 1);
     if (handling.squeezeLimit_N > 0.0)
-        view->addLimit(Words::tr("limit %1").arg(formatValue(handling.squeezeLimit_N, QStringLiteral("N"), theme.locale)),
+        view->addLimit(Words::tr("limit %1")
+                           .arg(formatValue(handling.squeezeLimit_N, QStringLiteral("N"), theme.locale)),
                        handling.squeezeLimit_N);
     view->setXCategories(names);
     if (bars.empty())
-        view->setNote(handling.rows.empty() ? Words::tr("No trial was started") : Words::tr("No trial was finished"));
+        view->setNote(handling.rows.empty() ? Words::tr("No trial was started")
+                                            : Words::tr("No trial was finished"));
     return view;
 }
 
@@ -57,24 +59,28 @@ std::unique_ptr<PlotView> placePlot(const HandlingReport& handling, const PlotTh
     if (!left.empty())
         view->addMarkers(Words::tr("not done"), left, PlotStyle::solidA, true);
     if (placed.empty() && left.empty())
-        view->setNote(handling.rows.empty() ? Words::tr("No trial was started") : Words::tr("No trial was finished"));
+        view->setNote(handling.rows.empty() ? Words::tr("No trial was started")
+                                            : Words::tr("No trial was finished"));
     return view;
 }
 
 WordTable handlingTable(const HandlingReport& handling, const QLocale& locale) {
-    const bool weighing = std::any_of(handling.rows.begin(), handling.rows.end(), [](const auto& row) { return row.heaviest.has_value(); });
-    WordTable table{{Words::tr("Trial"), Words::tr("Outcome"), Words::tr("Largest squeeze"), Words::tr("Squeezed too hard"),
-                     Words::tr("Target distance"), Words::tr("x, y (mm)")},
+    const bool weighing = std::any_of(handling.rows.begin(), handling.rows.end(),
+                                      [](const auto& row) { return row.heaviest.has_value(); });
+    WordTable table{{Words::tr("Trial"), Words::tr("Outcome"), Words::tr("Largest squeeze"),
+                     Words::tr("Squeezed too hard"), Words::tr("Target distance"), Words::tr("x, y (mm)")},
                     {}};
     if (weighing)
         table.head.push_back(Words::tr("Chosen"));
     for (const HandlingTrialRow& row : handling.rows) {
         const QString place = row.x_mm && row.y_mm
-                                  ? QStringLiteral("%1, %2").arg(locale.toString(*row.x_mm, 'f', 1), locale.toString(*row.y_mm, 'f', 1))
+                                  ? QStringLiteral("%1, %2").arg(locale.toString(*row.x_mm, 'f', 1),
+                                                                 locale.toString(*row.y_mm, 'f', 1))
                                   : kNothing;
-        table.rows.push_back({locale.toString(row.trial + 1), trialOutcomeWords(row.outcome, false), inUnit(row.squeezeMax_N, "N", locale),
-                              inUnit(row.overLimit_s, "s", locale),
-                              row.taken ? inUnit(row.fromTarget_mm, "mm", locale) : Words::tr("never held"), place});
+        table.rows.push_back({locale.toString(row.trial + 1), trialOutcomeWords(row.outcome, false),
+                              inUnit(row.squeezeMax_N, "N", locale), inUnit(row.overLimit_s, "s", locale),
+                              row.taken ? inUnit(row.fromTarget_mm, "mm", locale) : Words::tr("never held"),
+                              place});
         if (weighing)
             table.rows.back().push_back(!row.heaviest   ? kNothing
                                         : *row.heaviest ? Words::tr("✓ the heaviest")

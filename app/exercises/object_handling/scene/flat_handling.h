@@ -15,15 +15,20 @@ class FlatHandling final : public IFlatContent {
     Q_DECLARE_TR_FUNCTIONS(chiron::scene3d::FlatHandling)
 
 public:
-    explicit FlatHandling(const simulation::ObjectHandlingParameters& parameters) : m_parameters(parameters) {}
+    explicit FlatHandling(const simulation::ObjectHandlingParameters& parameters)
+        : m_parameters(parameters) {}
     /// Names of the marks that it draws in addition to the objects (marksOf), the same in 3D and flat. Pure
     /// function.
-    static std::vector<std::string> marks(const simulation::ObjectHandlingParameters& parameters, const MarkedScene& scene);
+    static std::vector<std::string> marks(const simulation::ObjectHandlingParameters& parameters,
+                                          const MarkedScene& scene);
 
-    QString name() const override { return tr("Objects, target and instrument, from above and from the side"); }
+    QString name() const override {
+        return tr("Objects, target and instrument, from above and from the side");
+    }
     QRectF rangeAbove_mm() const override;
     QRectF rangeSide_mm() const override;
-    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const override;
+    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+               const SceneState& state) const override;
     std::optional<SecondBar> secondBar(const SceneState& state) const override {
         return squeezeBar(m_parameters, state.exercise.of<core::LaparoscopyCues>());
     }

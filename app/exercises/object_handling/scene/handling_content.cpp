@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/object_handling/scene/handling_content.h"
 
+#include "app/exercises/object_handling/scene/squeezed.h"
 #include "desktop/scene3d/drawn_tool.h"
 #include "desktop/scene3d/parts/floor_shade.h"
-#include "app/exercises/object_handling/scene/squeezed.h"
 #include "desktop/scene3d/parts/loft.h"
 #include "desktop/scene3d/parts/sweep.h"
 
@@ -64,7 +64,9 @@ HandlingContent::HandlingContent(const SceneSetup& setup, SharedLight& light, Qt
     }
     m_shade = new Part({}, m_abdomen->shade(m_abdomen), m_abdomen);
     auto* steel = new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(1, 1, 1, 1), m_abdomen);
-    m_dish = new Part({}, light.effects.material("solid.vert", "instrument.frag", {light.lamp, light.outlined, steel}, Blend::opaque, m_abdomen),
+    m_dish = new Part({},
+                      light.effects.material("solid.vert", "instrument.frag",
+                                             {light.lamp, light.outlined, steel}, Blend::opaque, m_abdomen),
                       m_abdomen);
     m_target = new TargetRing(light, m_abdomen);
     m_shade->setEnabled(false);
@@ -86,7 +88,9 @@ void HandlingContent::showOrgan(const SceneState& state) {
     m_organ->mesh().setMesh(dented(m_organAtRest, dents));
 }
 
-double HandlingContent::fieldRadius_m() const { return 0.056; }
+double HandlingContent::fieldRadius_m() const {
+    return 0.056;
+}
 
 void HandlingContent::putTranslucent(Qt3DRender::QLayer* layer) {
     m_shade->addComponent(layer);
@@ -145,7 +149,8 @@ void HandlingContent::showDish(const core::LaparoscopyCues& cues) {
     }
     const core::Vec3 p_W(cues.p_WTarget[0], cues.p_WTarget[1], cues.p_WTarget[2]);
     m_dish->at().setTranslation(toMillimetres({p_W.x(), p_W.y(), 0.0}));
-    m_target->show({p_W.x(), p_W.y(), groundHeight_m(p_W.x(), p_W.y()) + 0.0012}, core::Vec3::UnitZ(), m_dishRadius_m - 0.001, false, cues.dwell);
+    m_target->show({p_W.x(), p_W.y(), groundHeight_m(p_W.x(), p_W.y()) + 0.0012}, core::Vec3::UnitZ(),
+                   m_dishRadius_m - 0.001, false, cues.dwell);
 }
 
 } // namespace chiron::scene3d

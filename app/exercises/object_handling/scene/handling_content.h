@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene3d/abdomen/abdomen.h"
-#include "desktop/scene3d/abdomen/target_marks.h"
 #include "app/exercises/object_handling/scene/organ_bed.h"
 #include "app/exercises/object_handling/scene/squeeze_bar.h"
+#include "desktop/scene3d/abdomen/abdomen.h"
+#include "desktop/scene3d/abdomen/target_marks.h"
 #include "desktop/scene3d/plugin/scene_content.h"
 
 #include <array>
@@ -19,7 +19,9 @@ public:
     void change(const SceneSetup& setup) override;
     void show(const SceneState& state) override;
     void warm() override {}
-    double groundHeight_m(double x_m, double y_m) const override { return organHeight_m(m_parameters, x_m, y_m); }
+    double groundHeight_m(double x_m, double y_m) const override {
+        return organHeight_m(m_parameters, x_m, y_m);
+    }
     double fieldRadius_m() const override;
     double planeHeight_m() const override { return 0.0; }
     double roomAbove_m() const override { return 0.070; }

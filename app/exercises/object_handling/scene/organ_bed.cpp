@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/object_handling/scene/organ_bed.h"
 
+#include "core/laparoscopy_cues.h"
 #include "desktop/scene3d/drawn_tool.h"
 #include "simulation/geometry/mesh/make_mesh.h"
-#include "core/laparoscopy_cues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,8 @@ namespace chiron::scene3d {
 namespace {
 
 /// Adds a dent under an object with this lowest point; does nothing if the point is above the organ.
-void addDent(std::vector<Dent>& dents, const simulation::ObjectHandlingParameters& parameters, const core::Vec3& lowest, double wide_m) {
+void addDent(std::vector<Dent>& dents, const simulation::ObjectHandlingParameters& parameters,
+             const core::Vec3& lowest, double wide_m) {
     const double height_m = organHeight_m(parameters, lowest.x(), lowest.y());
     if (!lowest.allFinite() || lowest.z() >= height_m)
         return;
@@ -36,7 +37,8 @@ TriangleMesh organMesh(const simulation::ObjectHandlingParameters& parameters) {
         highest_m = std::max(highest_m, p.z());
     std::vector<core::Vec3> normals(shape->vertices.size(), core::Vec3::Zero());
     for (const auto& t : shape->triangles) {
-        const core::Vec3 across = (shape->vertices[t[1]] - shape->vertices[t[0]]).cross(shape->vertices[t[2]] - shape->vertices[t[0]]);
+        const core::Vec3 across = (shape->vertices[t[1]] - shape->vertices[t[0]])
+                                      .cross(shape->vertices[t[2]] - shape->vertices[t[0]]);
         for (const std::uint32_t i : t) {
             normals[i] += across;
             mesh.indices.push_back(i);
@@ -44,7 +46,8 @@ TriangleMesh organMesh(const simulation::ObjectHandlingParameters& parameters) {
     }
     for (std::size_t i = 0; i < shape->vertices.size(); ++i) {
         const core::Vec3 p_mm = 1e3 * (shape->vertices[i] - core::Vec3(0.0, 0.0, highest_m));
-        const core::Vec3 n = normals[i].norm() > 0.0 ? core::Vec3(normals[i].normalized()) : core::Vec3(core::Vec3::UnitZ());
+        const core::Vec3 n =
+            normals[i].norm() > 0.0 ? core::Vec3(normals[i].normalized()) : core::Vec3(core::Vec3::UnitZ());
         MeshVertex v;
         for (int k = 0; k < 3; ++k) {
             v.position_mm[k] = static_cast<float>(p_mm[k]);
@@ -66,7 +69,8 @@ double organHeight_m(const simulation::ObjectHandlingParameters& parameters, dou
     return mesh.halfAxisZ_m * (std::sqrt(std::max(0.0, 1.0 - x * x - y * y)) - 1.0);
 }
 
-std::vector<Dent> organDents(const simulation::ObjectHandlingParameters& parameters, const SceneState& state) {
+std::vector<Dent> organDents(const simulation::ObjectHandlingParameters& parameters,
+                             const SceneState& state) {
     std::vector<Dent> dents;
     for (const ToolView& tool : state.tool)
         if (tool.present)
@@ -74,14 +78,16 @@ std::vector<Dent> organDents(const simulation::ObjectHandlingParameters& paramet
     const core::LaparoscopyCues& cues = state.exercise.of<core::LaparoscopyCues>();
     for (int i = 0; i < cues.bodies && cues.objectShown; ++i) {
         const core::BodyCue& body = cues.body[static_cast<std::size_t>(i)];
-        addDent(dents, parameters, {body.p_W[0], body.p_W[1], body.p_W[2] - body.radius_m}, 1.4 * body.radius_m);
+        addDent(dents, parameters, {body.p_W[0], body.p_W[1], body.p_W[2] - body.radius_m},
+                1.4 * body.radius_m);
     }
     return dents;
 }
 
 TriangleMesh dented(TriangleMesh mesh, const std::vector<Dent>& dents) {
     for (MeshVertex& v : mesh.vertices) {
-        core::Vec3 p_W(1e-3 * double(v.position_mm[0]), 1e-3 * double(v.position_mm[1]), 1e-3 * double(v.position_mm[2]));
+        core::Vec3 p_W(1e-3 * double(v.position_mm[0]), 1e-3 * double(v.position_mm[1]),
+                       1e-3 * double(v.position_mm[2]));
         for (const Dent& dent : dents)
             p_W = dent.displaced(p_W);
         for (int k = 0; k < 3; ++k)

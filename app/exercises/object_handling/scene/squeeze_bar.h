@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/laparoscopy_cues.h"
 #include "desktop/scene3d/gauge_painter.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
-#include "core/laparoscopy_cues.h"
 
 #include <algorithm>
 
@@ -11,7 +11,8 @@ namespace chiron::scene3d {
 
 /// The bar of the jaws' squeeze with its limit. The scale comes from the level, the limit from the cues. Pure
 /// function.
-inline SecondBar squeezeBar(const simulation::ObjectHandlingParameters& level, const core::LaparoscopyCues& cues) {
+inline SecondBar squeezeBar(const simulation::ObjectHandlingParameters& level,
+                            const core::LaparoscopyCues& cues) {
     SecondBar bar;
     bar.dial.title = GaugeTexts::tr("Squeeze (N)");
     bar.dial.limit_N = cues.squeezeLimit_N;

@@ -17,7 +17,8 @@ inline core::Mat3 squeezed(const core::BodyCue& body, const core::Vec3& jaws) {
     const core::Mat3 across = jaws * jaws.transpose();
     const core::Mat3 flat = wide * core::Mat3::Identity() + (thin - wide) * across;
     const core::Quat q(body.q_W[0], body.q_W[1], body.q_W[2], body.q_W[3]);
-    return body.radius_m * flat * (q.norm() > 0.5 ? q.normalized() : core::Quat::Identity()).toRotationMatrix();
+    return body.radius_m * flat *
+           (q.norm() > 0.5 ? q.normalized() : core::Quat::Identity()).toRotationMatrix();
 }
 
 } // namespace chiron::scene3d

@@ -2,11 +2,11 @@
 #include "app/exercises/object_handling/session/object_handling_kind.h"
 
 #include "modules/exercises/object_handling/operators/object_handling_operator.h"
+#include "modules/exercises/object_handling/simulation/object_handling_plan.h"
+#include "modules/exercises/object_handling/simulation/object_handling_scene.h"
 #include "session/level_cues.h"
 #include "session/moment_rule.h"
 #include "session/session_setup.h"
-#include "modules/exercises/object_handling/simulation/object_handling_plan.h"
-#include "modules/exercises/object_handling/simulation/object_handling_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,8 +46,10 @@ private:
 
 } // namespace
 
-std::vector<core::QuantityDescription> ObjectHandlingKind::quantities(const catalogue::ExerciseLevel& level) const {
-    std::vector<core::QuantityDescription> out{{"step", "1", 1.0}, {"dwell", "1", 0.001}, {"squeeze_N", "N", 0.001}, {"held", "1", 1.0}};
+std::vector<core::QuantityDescription>
+ObjectHandlingKind::quantities(const catalogue::ExerciseLevel& level) const {
+    std::vector<core::QuantityDescription> out{
+        {"step", "1", 1.0}, {"dwell", "1", 0.001}, {"squeeze_N", "N", 0.001}, {"held", "1", 1.0}};
     for (std::size_t i = 0; i < simulation::ObjectHandlingTrial::kMaxObjects; ++i)
         for (const char* axis : {"x", "y", "z"})
             out.push_back({"body_" + std::to_string(i) + "_" + axis + "_m", "m", 1e-6});
@@ -65,16 +67,20 @@ std::unique_ptr<simulation::IScene> ObjectHandlingKind::makeScene(const SessionS
     return std::make_unique<simulation::ObjectHandlingScene>(parameters, setup.seed);
 }
 
-simulation::YieldLaw ObjectHandlingKind::yieldLaw(const catalogue::ExerciseLevel& level) const { return parametersOf(level).yield; }
+simulation::YieldLaw ObjectHandlingKind::yieldLaw(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).yield;
+}
 
-core::Result<ScriptedTrainee> ObjectHandlingKind::makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
-                                                              std::uint64_t seed) const {
+core::Result<ScriptedTrainee> ObjectHandlingKind::makeOperator(const catalogue::ExerciseLevel& level,
+                                                               const std::string& name,
+                                                               std::uint64_t seed) const {
     return makeOperatorAt(usualPlaces(*this, level), mechanism(), level, name, seed);
 }
 
-core::Result<ScriptedTrainee> ObjectHandlingKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view,
-                                                                const catalogue::ExerciseLevel& level, const std::string& name,
-                                                                std::uint64_t seed) const {
+core::Result<ScriptedTrainee>
+ObjectHandlingKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view,
+                                   const catalogue::ExerciseLevel& level, const std::string& name,
+                                   std::uint64_t seed) const {
     auto settings = operators::objectHandlingOperatorSettings(name);
     CHIRON_TRY(settings);
     const auto& p = parametersOf(level);
@@ -96,20 +102,27 @@ std::vector<std::string> ObjectHandlingKind::operatorNames() const {
     return {names.begin(), names.end()};
 }
 
-int ObjectHandlingKind::trialCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).trials; }
+int ObjectHandlingKind::trialCount(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).trials;
+}
 
-double ObjectHandlingKind::forceLimit_N(const catalogue::ExerciseLevel& level) const { return parametersOf(level).maximumForce_N; }
+double ObjectHandlingKind::forceLimit_N(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).maximumForce_N;
+}
 
-std::vector<std::pair<std::string_view, double>> ObjectHandlingKind::otherLimits_N(const catalogue::ExerciseLevel& level) const {
+std::vector<std::pair<std::string_view, double>>
+ObjectHandlingKind::otherLimits_N(const catalogue::ExerciseLevel& level) const {
     return {{"squeeze_max", parametersOf(level).squeezeLimit_N}};
 }
 
 std::uint64_t ObjectHandlingKind::tickLimit(const catalogue::ExerciseLevel& level) const {
     const auto& p = parametersOf(level);
-    return static_cast<std::uint64_t>(std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));
+    return static_cast<std::uint64_t>(
+        std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));
 }
 
-void ObjectHandlingKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const {
+void ObjectHandlingKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                                  scoring::TrialTrace& trial) const {
     const auto& p = parametersOf(level);
     const auto plan = simulation::planObjectHandlingTrials(p, seed);
     const auto index = static_cast<std::size_t>(trial.trial);
@@ -124,21 +137,28 @@ void ObjectHandlingKind::addTruth(const catalogue::ExerciseLevel& level, std::ui
                    {"objects", static_cast<double>(planned.objects)},
                    {"heaviest", static_cast<double>(planned.heaviest)}};
     for (int i = 0; i < planned.objects; ++i)
-        trial.truth.push_back({"mass_" + std::to_string(i) + "_kg", planned.mass_kg[static_cast<std::size_t>(i)]});
+        trial.truth.push_back(
+            {"mass_" + std::to_string(i) + "_kg", planned.mass_kg[static_cast<std::size_t>(i)]});
 }
 
-std::unique_ptr<TrialSurfaces> ObjectHandlingKind::makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const {
+std::unique_ptr<TrialSurfaces> ObjectHandlingKind::makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                                std::uint64_t seed) const {
     return std::make_unique<ObjectHandlingSurfaces>(parametersOf(level), seed);
 }
 
 Demonstration ObjectHandlingKind::demonstration() const {
-    return {.columns = {{">squeeze N", "squeeze_max", 2}, {">too hard s", "squeeze_time_over_limit", 1}, {">placed mm", "placement_error", 1}, {">weighed %", "weighing_correct", 0}},
-            .legend = "squeeze: the largest; too hard: time over the squeeze that the object bears; placed: mean distance from the middle of the\n"
+    return {.columns = {{">squeeze N", "squeeze_max", 2},
+                        {">too hard s", "squeeze_time_over_limit", 1},
+                        {">placed mm", "placement_error", 1},
+                        {">weighed %", "weighing_correct", 0}},
+            .legend = "squeeze: the largest; too hard: time over the squeeze that the object bears; placed: "
+                      "mean distance from the middle of the\n"
                       "target; weighed: weighings that were answered rightly\n"};
 }
 
 std::vector<MomentRule> ObjectHandlingKind::momentRules() const {
-    return {{.metric = "squeeze_*", .by = MomentRule::By::largestQuantity, .quantity = "squeeze_N", .unit = "N"}};
+    return {
+        {.metric = "squeeze_*", .by = MomentRule::By::largestQuantity, .quantity = "squeeze_N", .unit = "N"}};
 }
 
 } // namespace chiron::session

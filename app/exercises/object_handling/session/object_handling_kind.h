@@ -16,20 +16,24 @@ public:
     simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                std::uint64_t seed) const override;
-    core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view mechanism,
-                                                 const catalogue::ExerciseLevel& level, const std::string& name,
-                                                 std::uint64_t seed) const override;
+    core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping> places,
+                                                 std::string_view mechanism,
+                                                 const catalogue::ExerciseLevel& level,
+                                                 const std::string& name, std::uint64_t seed) const override;
     bool operatorsKnowTheirPlace() const noexcept override { return true; }
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
-    std::vector<std::pair<std::string_view, double>> otherLimits_N(const catalogue::ExerciseLevel& level) const override;
+    std::vector<std::pair<std::string_view, double>>
+    otherLimits_N(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
     /// target_x_m, target_y_m, target_radius_m, squeeze_limit_N, task (simulation::HandlingTask), objects,
     /// heaviest (object number, from 0) and mass_<i>_kg of each object.
-    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
+    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                  scoring::TrialTrace& trial) const override;
     /// The object of a trial is its target on the bed; the moving objects are in the recorded quantities.
-    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                std::uint64_t seed) const override;
     Demonstration demonstration() const override;
     std::vector<MomentRule> momentRules() const override;
 };

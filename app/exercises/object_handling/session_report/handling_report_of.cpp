@@ -2,8 +2,8 @@
 #include "app/exercises/object_handling/session_report/handling_report_of.h"
 
 #include "curriculum/exercises/object_handling/scoring/handling_samples.h"
-#include "session_report/trial_values.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "session_report/trial_values.h"
 
 #include <string>
 
@@ -32,14 +32,16 @@ void addPlace(const scoring::TrialTrace& trial, report::HandlingTrialRow& row) {
     row.fromTarget_mm = 1e3 * answer->fromTarget_m;
     const auto task = truthIn(trial, "task");
     const auto heaviest = truthIn(trial, "heaviest");
-    if (task && heaviest && static_cast<simulation::HandlingTask>(static_cast<int>(*task)) == simulation::HandlingTask::weigh &&
+    if (task && heaviest &&
+        static_cast<simulation::HandlingTask>(static_cast<int>(*task)) == simulation::HandlingTask::weigh &&
         trial.completed)
         row.heaviest = answer->number == static_cast<int>(*heaviest);
 }
 
 } // namespace
 
-report::HandlingReport handlingReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
+report::HandlingReport handlingReportOf(const scoring::SessionTrace& trace,
+                                        const catalogue::ExerciseLevel& level) {
     report::HandlingReport handling;
     const TrialScores scores(trace, level, {"squeeze_max", "squeeze_time_over_limit"});
     for (std::size_t i = 0; i < trace.trials.size(); ++i) {
@@ -59,13 +61,16 @@ report::HandlingReport handlingReportOf(const scoring::SessionTrace& trace, cons
     return handling;
 }
 
-std::shared_ptr<const report::ReportSection> handlingSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
+std::shared_ptr<const report::ReportSection> handlingSectionOf(const scoring::SessionTrace& trace,
+                                                               const catalogue::ExerciseLevel& level) {
     return std::make_shared<report::HandlingSection>(handlingReportOf(trace, level));
 }
 
 EndWords handlingEnds() {
-    return {MarkTexts::tr("Ended"), MarkTexts::tr("An object was set down in the target"), MarkTexts::tr("Time was up before an object was set down in the target"),
-            MarkTexts::tr("The trial could no longer be completed"), MarkTexts::tr("The object was squeezed too hard")};
+    return {MarkTexts::tr("Ended"), MarkTexts::tr("An object was set down in the target"),
+            MarkTexts::tr("Time was up before an object was set down in the target"),
+            MarkTexts::tr("The trial could no longer be completed"),
+            MarkTexts::tr("The object was squeezed too hard")};
 }
 
 } // namespace chiron::session_report

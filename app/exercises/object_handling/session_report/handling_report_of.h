@@ -13,10 +13,12 @@ namespace chiron::session_report {
 
 /// The results of a session of object handling: squeeze and position in each trial, and each trial's own
 /// metrics, as the scores compute them. A trial that was stopped is included as not finished. Pure function.
-report::HandlingReport handlingReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
+report::HandlingReport handlingReportOf(const scoring::SessionTrace& trace,
+                                        const catalogue::ExerciseLevel& level);
 
 /// The section of a report. Pure function.
-std::shared_ptr<const report::ReportSection> handlingSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
+std::shared_ptr<const report::ReportSection> handlingSectionOf(const scoring::SessionTrace& trace,
+                                                               const catalogue::ExerciseLevel& level);
 
 /// The words for the end of a trial and for damage.
 EndWords handlingEnds();

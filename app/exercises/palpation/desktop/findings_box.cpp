@@ -4,9 +4,9 @@
 #include "app/exercises/palpation/desktop/palpation_words.h"
 #include "app/exercises/palpation/desktop/rating_row.h"
 #include "app/exercises/palpation/desktop/size_row.h"
+#include "core/report_word.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
-#include "core/report_word.h"
 
 #include <QHBoxLayout>
 #include <algorithm>
@@ -15,13 +15,15 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr std::array<int, 13> kKeys{Qt::Key_1,    Qt::Key_2,     Qt::Key_3, Qt::Key_4, Qt::Key_5,      Qt::Key_Plus, Qt::Key_Equal,
-                                    Qt::Key_Minus, Qt::Key_V, Qt::Key_N, Qt::Key_Delete, Qt::Key_Backspace, Qt::Key_D};
+constexpr std::array<int, 13> kKeys{Qt::Key_1,      Qt::Key_2,         Qt::Key_3,     Qt::Key_4, Qt::Key_5,
+                                    Qt::Key_Plus,   Qt::Key_Equal,     Qt::Key_Minus, Qt::Key_V, Qt::Key_N,
+                                    Qt::Key_Delete, Qt::Key_Backspace, Qt::Key_D};
 
 bool same(const simulation::PalpationCues& a, const simulation::PalpationCues& b) {
     for (std::size_t i = 0; i < a.finding.size(); ++i) {
         const simulation::Finding &x = a.finding[i], &y = b.finding[i];
-        if (x.present != y.present || x.radius_m != y.radius_m || x.hardness != y.hardness || x.confidence != y.confidence)
+        if (x.present != y.present || x.radius_m != y.radius_m || x.hardness != y.hardness ||
+            x.confidence != y.confidence)
             return false;
     }
     return a.selected == b.selected;
@@ -29,9 +31,12 @@ bool same(const simulation::PalpationCues& a, const simulation::PalpationCues& b
 
 } // namespace
 
-std::span<const int> FindingsBox::keys() { return kKeys; }
+std::span<const int> FindingsBox::keys() {
+    return kKeys;
+}
 
-FindingsBox::FindingsBox(const Theme& theme, const QLocale& locale, const simulation::PalpationCues& asks, double padRadius_m, QWidget* parent)
+FindingsBox::FindingsBox(const Theme& theme, const QLocale& locale, const simulation::PalpationCues& asks,
+                         double padRadius_m, QWidget* parent)
     : QWidget(parent), m_locale(locale), m_cues(asks) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -52,7 +57,8 @@ FindingsBox::FindingsBox(const Theme& theme, const QLocale& locale, const simula
 void FindingsBox::addFindings(const Theme& theme) {
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->addWidget(kit::label(theme, tr("Findings"), TextStyle::strong));
-    m_none = kit::label(theme, tr("None yet. Press where you feel something, then click or press Enter."), TextStyle::small, "muted");
+    m_none = kit::label(theme, tr("None yet. Press where you feel something, then click or press Enter."),
+                        TextStyle::small, "muted");
     m_none->setObjectName(QStringLiteral("training.no_findings"));
     column->addWidget(m_none);
     auto* chips = new FlowLayout(theme.px(4));
@@ -84,10 +90,12 @@ void FindingsBox::addRatings(const Theme& theme, double padRadius_m) {
     if (m_cues.asksSize) {
         m_size = new SizeRow(theme, m_locale, padRadius_m);
         m_size->setObjectName(QStringLiteral("training.size"));
-        connect(m_size, &SizeRow::sized, this, [this](unsigned tenths_mm) { emit reported(core::ReportField::size, tenths_mm); });
+        connect(m_size, &SizeRow::sized, this,
+                [this](unsigned tenths_mm) { emit reported(core::ReportField::size, tenths_mm); });
         layout()->addWidget(m_size);
     }
-    const auto add = [&](bool asked, const QString& name, RatingRow::Word word, const char* id, core::ReportField field) -> RatingRow* {
+    const auto add = [&](bool asked, const QString& name, RatingRow::Word word, const char* id,
+                         core::ReportField field) -> RatingRow* {
         if (!asked)
             return nullptr;
         auto* row = new RatingRow(theme, name, word);
@@ -100,8 +108,10 @@ void FindingsBox::addRatings(const Theme& theme, double padRadius_m) {
         layout()->addWidget(row);
         return row;
     };
-    m_hardness = add(m_cues.asksHardness, tr("Hardness"), &hardnessWord, "training.hardness", core::ReportField::hardness);
-    m_confidence = add(m_cues.asksConfidence, tr("Confidence"), &confidenceWord, "training.confidence", core::ReportField::confidence);
+    m_hardness = add(m_cues.asksHardness, tr("Hardness"), &hardnessWord, "training.hardness",
+                     core::ReportField::hardness);
+    m_confidence = add(m_cues.asksConfidence, tr("Confidence"), &confidenceWord, "training.confidence",
+                       core::ReportField::confidence);
 }
 
 void FindingsBox::addEnd(const Theme& theme) {
@@ -142,8 +152,11 @@ void FindingsBox::show(const simulation::PalpationCues& cues) {
 
 void FindingsBox::showSelected() {
     const bool any = anySelected();
-    const simulation::Finding said = any ? m_cues.finding[static_cast<std::size_t>(m_cues.selected)] : simulation::Finding{};
-    m_about->setText(any ? findingText(m_cues.selected, m_cues, m_locale) : findingCount(m_cues) > 0 ? tr("No finding is selected.") : QString());
+    const simulation::Finding said =
+        any ? m_cues.finding[static_cast<std::size_t>(m_cues.selected)] : simulation::Finding{};
+    m_about->setText(any                        ? findingText(m_cues.selected, m_cues, m_locale)
+                     : findingCount(m_cues) > 0 ? tr("No finding is selected.")
+                                                : QString());
     m_takeBack->setVisible(any);
     if (m_size)
         m_size->setRadius(said.radius_m);
@@ -159,7 +172,8 @@ void FindingsBox::setRunning(bool running) {
         chip->setEnabled(running);
     m_takeBack->setEnabled(running && anySelected());
     m_done->setEnabled(running);
-    for (QWidget* row : {static_cast<QWidget*>(m_size), static_cast<QWidget*>(m_hardness), static_cast<QWidget*>(m_confidence)})
+    for (QWidget* row : {static_cast<QWidget*>(m_size), static_cast<QWidget*>(m_hardness),
+                         static_cast<QWidget*>(m_confidence)})
         if (row)
             row->setEnabled(running && anySelected());
 }
@@ -189,7 +203,8 @@ void FindingsBox::rate(int rating) {
     if (!anySelected() || (!m_hardness && !m_confidence))
         return;
     const bool hardness = m_digitsRateHardness;
-    emit reported(hardness ? core::ReportField::hardness : core::ReportField::confidence, static_cast<unsigned>(rating));
+    emit reported(hardness ? core::ReportField::hardness : core::ReportField::confidence,
+                  static_cast<unsigned>(rating));
     if (hardness)
         keysTo(false); // the digits then set the next row
 }
@@ -226,7 +241,8 @@ void FindingsBox::done() {
         return;
     }
     m_asked = true;
-    m_missingText->setText(tr("Still missing:\n%1\nPress again to end the trial without it.").arg(missing.join(QLatin1Char('\n'))));
+    m_missingText->setText(tr("Still missing:\n%1\nPress again to end the trial without it.")
+                               .arg(missing.join(QLatin1Char('\n'))));
     m_missing->show();
 }
 

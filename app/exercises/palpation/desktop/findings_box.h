@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/palpation/cues/palpation_cues.h"
-#include "desktop/theme/theme.h"
 #include "core/report_word.h"
+#include "desktop/theme/theme.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 
 #include <QLocale>
 #include <QWidget>
@@ -26,7 +26,8 @@ class SizeRow;
 class FindingsBox final : public QWidget {
     Q_OBJECT
 public:
-    FindingsBox(const Theme& theme, const QLocale& locale, const simulation::PalpationCues& asks, double padRadius_m, QWidget* parent = nullptr);
+    FindingsBox(const Theme& theme, const QLocale& locale, const simulation::PalpationCues& asks,
+                double padRadius_m, QWidget* parent = nullptr);
 
     void show(const simulation::PalpationCues& cues);
     void setRunning(bool running); ///< false between trials, while paused and after the end: the session then

@@ -14,7 +14,8 @@ void FoundLumps::follow(const haptics::DisplayState& state) {
 }
 
 // Matches findings to lumps in the same way as the scoring does.
-std::vector<scoring::FindingMatch> FoundLumps::matches(const session::TrialObject& object, const Findings& findings) {
+std::vector<scoring::FindingMatch> FoundLumps::matches(const session::TrialObject& object,
+                                                       const Findings& findings) {
     scoring::PalpationTruth truth;
     truth.hitRadius_m = 0.0; // here `radius_m` of each lump is already its reach
     for (const session::TrialLump& lump : object.lumps)
@@ -28,23 +29,27 @@ std::vector<scoring::FindingMatch> FoundLumps::matches(const session::TrialObjec
 
 QString FoundLumps::words(const session::TrialObject& truth, const QLocale& locale) const {
     const std::vector<scoring::FindingMatch> matches = this->matches(truth, m_findings);
-    const auto hits =
-        static_cast<int>(std::count_if(matches.begin(), matches.end(), [](const scoring::FindingMatch& match) { return match.hit(); }));
+    const auto hits = static_cast<int>(std::count_if(
+        matches.begin(), matches.end(), [](const scoring::FindingMatch& match) { return match.hit(); }));
     const int wrong = static_cast<int>(matches.size()) - hits;
     const auto lumps = static_cast<int>(truth.lumps.size());
     QString words;
     if (lumps == 0)
-        words = wrong == 0 ? AnswerTexts::tr("Right: there was no lump") : AnswerTexts::tr("There was no lump");
+        words =
+            wrong == 0 ? AnswerTexts::tr("Right: there was no lump") : AnswerTexts::tr("There was no lump");
     else if (lumps > 1)
         words = AnswerTexts::tr("%1 of %2 lumps found").arg(locale.toString(hits), locale.toString(lumps));
     else if (hits == 0)
         words = AnswerTexts::tr("The lump was missed");
     else
-        words =
-            AnswerTexts::tr("Lump found, %1 mm off")
-                .arg(locale.toString(
-                    1e3 * std::find_if(matches.begin(), matches.end(), [](const auto& match) { return match.hit(); })->distance_m, 'f', 1));
-    return wrong == 0 ? words : AnswerTexts::tr("%1, %2").arg(words, AnswerTexts::tr("%n false alarm(s)", nullptr, wrong));
+        words = AnswerTexts::tr("Lump found, %1 mm off")
+                    .arg(locale.toString(1e3 * std::find_if(matches.begin(), matches.end(),
+                                                            [](const auto& match) { return match.hit(); })
+                                                   ->distance_m,
+                                         'f', 1));
+    return wrong == 0
+               ? words
+               : AnswerTexts::tr("%1, %2").arg(words, AnswerTexts::tr("%n false alarm(s)", nullptr, wrong));
 }
 
 /// Shows the result as playback does: each lump, whether it was found, and the outcome of each finding.
@@ -65,7 +70,8 @@ void FoundLumps::show(const session::TrialObject& truth, scene3d::SceneState& dr
             overlay.lumpsMissed = static_cast<std::uint8_t>(overlay.lumpsMissed | 1U << i);
     }
     for (const scoring::FindingMatch& match : matches)
-        overlay.outcome[static_cast<std::size_t>(match.finding)] = match.hit() ? simulation::FindingOutcome::hit : simulation::FindingOutcome::falseAlarm;
+        overlay.outcome[static_cast<std::size_t>(match.finding)] =
+            match.hit() ? simulation::FindingOutcome::hit : simulation::FindingOutcome::falseAlarm;
 }
 
 } // namespace chiron::desktop

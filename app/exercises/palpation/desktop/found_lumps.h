@@ -22,7 +22,8 @@ public:
 private:
     using Findings = std::array<simulation::Finding, simulation::kMaxFindings>;
 
-    static std::vector<scoring::FindingMatch> matches(const session::TrialObject& object, const Findings& findings);
+    static std::vector<scoring::FindingMatch> matches(const session::TrialObject& object,
+                                                      const Findings& findings);
 
     bool m_palpates = false;
     Findings m_findings{}; ///< in the newest state of the trial

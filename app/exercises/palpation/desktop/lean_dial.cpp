@@ -16,10 +16,13 @@ constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 constexpr double kSide_px = 84;
 } // namespace
 
-double LeanDial::Lean::angle_deg() const { return kDegreesPerRadian * std::hypot(pitch_rad, roll_rad); }
+double LeanDial::Lean::angle_deg() const {
+    return kDegreesPerRadian * std::hypot(pitch_rad, roll_rad);
+}
 
 LeanDial::LeanDial(const Theme& theme, const QLocale& locale, int fingers, QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_fingers(std::clamp(fingers, 1, static_cast<int>(kMost))) {
+    : QWidget(parent), m_theme(theme), m_locale(locale),
+      m_fingers(std::clamp(fingers, 1, static_cast<int>(kMost))) {
     setAccessibleName(tr("Tilt of the fingertip platform"));
     setToolTip(accessibleName());
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -27,17 +30,21 @@ LeanDial::LeanDial(const Theme& theme, const QLocale& locale, int fingers, QWidg
 
 QPointF LeanDial::dotOf(double pitch_rad, double roll_rad) {
     const double all_rad = std::hypot(pitch_rad, roll_rad);
-    const double share = std::max({1.0, all_rad / haptics::kMaximumPitch_rad, std::abs(roll_rad) / haptics::kMaximumRoll_rad});
+    const double share =
+        std::max({1.0, all_rad / haptics::kMaximumPitch_rad, std::abs(roll_rad) / haptics::kMaximumRoll_rad});
     return {roll_rad / share, pitch_rad / share};
 }
 
-QSize LeanDial::sizeHint() const { return {m_theme.px(200), m_theme.px(kSide_px)}; }
+QSize LeanDial::sizeHint() const {
+    return {m_theme.px(200), m_theme.px(kSide_px)};
+}
 
 void LeanDial::setLean(int finger, double pitch_rad, double roll_rad, bool saturated) {
     if (finger < 0 || finger >= m_fingers || !std::isfinite(pitch_rad) || !std::isfinite(roll_rad))
         return;
     Lean& lean = m_lean[static_cast<std::size_t>(finger)];
-    const bool said = lean.saturated != saturated || qRound(lean.angle_deg()) != qRound(Lean{pitch_rad, roll_rad, saturated}.angle_deg());
+    const bool said = lean.saturated != saturated ||
+                      qRound(lean.angle_deg()) != qRound(Lean{pitch_rad, roll_rad, saturated}.angle_deg());
     lean = {pitch_rad, roll_rad, saturated};
     if (said)
         setAccessibleDescription(words());
@@ -84,7 +91,8 @@ void LeanDial::paintEvent(QPaintEvent*) {
     painter.setFont(m_theme.font(TextStyle::small));
     for (int i = 0; i < m_fingers; ++i) {
         const Lean& lean = m_lean[static_cast<std::size_t>(i)];
-        const QPointF at = field.center() + half / haptics::kMaximumPitch_rad * dotOf(lean.pitch_rad, lean.roll_rad);
+        const QPointF at =
+            field.center() + half / haptics::kMaximumPitch_rad * dotOf(lean.pitch_rad, lean.roll_rad);
         const double r = m_theme.px(5);
         painter.setPen(QPen(m_theme.color(Colour::surface), m_theme.px(1)));
         painter.setBrush(m_theme.color(lean.saturated ? Colour::warning : Colour::seriesA));
@@ -97,14 +105,16 @@ void LeanDial::paintEvent(QPaintEvent*) {
             // The dots of fingers that lean equally coincide, but their numbers do not: they are to the right
             // and left, and below for the second hand.
             const double wide = 3.0 * r;
-            const QRectF number(i % 2 == 0 ? at.x() + r : at.x() - r - wide, i < 2 ? at.y() - wide : at.y(), wide, wide);
+            const QRectF number(i % 2 == 0 ? at.x() + r : at.x() - r - wide, i < 2 ? at.y() - wide : at.y(),
+                                wide, wide);
             painter.drawText(number, Qt::AlignCenter | Qt::TextDontClip, m_locale.toString(i + 1));
         }
     }
     painter.setPen(m_theme.color(Colour::text));
     painter.setFont(m_theme.font(TextStyle::label));
     const QRectF text(field.right() + m_theme.px(12), 0, width() - field.right() - m_theme.px(12), height());
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, tr("Tilt").append(QLatin1Char('\n')).append(words()));
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
+                     tr("Tilt").append(QLatin1Char('\n')).append(words()));
 }
 
 } // namespace chiron::desktop

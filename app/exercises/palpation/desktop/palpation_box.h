@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/theme/theme.h"
 #include "app/exercises/palpation/session/palpation_record.h"
+#include "desktop/theme/theme.h"
 
 #include <QLocale>
 #include <QWidget>
@@ -42,6 +42,7 @@ private:
 /// "2 of 3 lumps found, 1 finding was none, 84 % searched." Pure function.
 QString palpationSummary(const session::PalpationTrialRecord& record, const QLocale& locale);
 /// Each lump with its reported finding, then each finding that matched no lump. Pure function.
-QStringList palpationLines(const session::PalpationTrialRecord& record, const simulation::PalpationParameters& level, const QLocale& locale);
+QStringList palpationLines(const session::PalpationTrialRecord& record,
+                           const simulation::PalpationParameters& level, const QLocale& locale);
 
 } // namespace chiron::desktop

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/desktop/palpation_face.h"
 
-#include "app/exercises/palpation/desktop/palpation_picture.h"
 #include "app/exercises/palpation/desktop/found_lumps.h"
 #include "app/exercises/palpation/desktop/palpating.h"
 #include "app/exercises/palpation/desktop/palpation_box.h"
 #include "app/exercises/palpation/desktop/palpation_layer.h"
 #include "app/exercises/palpation/desktop/palpation_part.h"
+#include "app/exercises/palpation/desktop/palpation_picture.h"
 #include "app/exercises/palpation/desktop/roc_box.h"
 #include "app/exercises/palpation/session/palpation_record.h"
 #include "desktop/exercise_setup/level_facts.h"
@@ -17,11 +17,13 @@ namespace {
 
 class PalpationDebrief final : public DebriefPart {
 public:
-    PalpationDebrief(const simulation::PalpationParameters& level, std::vector<session::PalpationTrialRecord> records)
+    PalpationDebrief(const simulation::PalpationParameters& level,
+                     std::vector<session::PalpationTrialRecord> records)
         : m_level(level), m_records(std::move(records)) {}
 
     std::unique_ptr<QWidget> widget(const Theme& theme, const QLocale& locale) const override {
-        return m_records.empty() ? nullptr : std::make_unique<PalpationBox>(theme, locale, m_level, m_records);
+        return m_records.empty() ? nullptr
+                                 : std::make_unique<PalpationBox>(theme, locale, m_level, m_records);
     }
 
 private:
@@ -31,8 +33,10 @@ private:
 
 QString handsText(const simulation::PalpationParameters& p) {
     if (p.hands > 1)
-        return p.fingers > 1 ? LevelFactTexts::tr("Hands: two, two fingers each") : LevelFactTexts::tr("Hands: two, one finger each");
-    return p.fingers > 1 ? LevelFactTexts::tr("Hands: one, two fingers side by side") : LevelFactTexts::tr("Hands: one, one finger");
+        return p.fingers > 1 ? LevelFactTexts::tr("Hands: two, two fingers each")
+                             : LevelFactTexts::tr("Hands: two, one finger each");
+    return p.fingers > 1 ? LevelFactTexts::tr("Hands: one, two fingers side by side")
+                         : LevelFactTexts::tr("Hands: one, one finger");
 }
 
 QString lumpsText(const simulation::PalpationParameters& p, const QLocale& locale) {
@@ -42,7 +46,8 @@ QString lumpsText(const simulation::PalpationParameters& p, const QLocale& local
     if (least == 0 && p.lumpsHigh == 1)
         return LevelFactTexts::tr("Lumps per trial: one or none");
     return least == 0 ? LevelFactTexts::tr("Lumps per trial: 0 to %1").arg(locale.toString(p.lumpsHigh))
-                      : LevelFactTexts::tr("Lumps per trial: %1 to %2").arg(locale.toString(least), locale.toString(p.lumpsHigh));
+                      : LevelFactTexts::tr("Lumps per trial: %1 to %2")
+                            .arg(locale.toString(least), locale.toString(p.lumpsHigh));
 }
 
 QString reportedText(const simulation::PalpationParameters& p) {
@@ -58,13 +63,15 @@ QString reportedText(const simulation::PalpationParameters& p) {
 
 QStringList palpationFacts(const simulation::PalpationParameters& p, const QLocale& locale) {
     QStringList facts{handsText(p), lumpsText(p, locale), reportedText(p)};
-    facts << LevelFactTexts::tr("Press with %1 to %2 N").arg(factNumber(p.bandLow_N, locale), factNumber(p.bandHigh_N, locale));
+    facts << LevelFactTexts::tr("Press with %1 to %2 N")
+                 .arg(factNumber(p.bandLow_N, locale), factNumber(p.bandHigh_N, locale));
     return facts << trialsFact(p.trials, p.trialLimit_s, locale);
 }
 
 } // namespace
 
-std::unique_ptr<LevelPicture> PalpationFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
+std::unique_ptr<LevelPicture> PalpationFace::picture(const catalogue::ExerciseLevel& level,
+                                                     const PictureFrame& frame) const {
     return std::make_unique<PalpationPicture>(*palpationOf(level), frame);
 }
 
@@ -72,29 +79,38 @@ QStringList PalpationFace::levelFacts(const catalogue::ExerciseLevel& level, con
     return palpationFacts(*palpationOf(level), locale);
 }
 
-std::unique_ptr<FoundAnswer> PalpationFace::foundAnswer() const { return std::make_unique<FoundLumps>(); }
+std::unique_ptr<FoundAnswer> PalpationFace::foundAnswer() const {
+    return std::make_unique<FoundLumps>();
+}
 
-std::unique_ptr<LivePart> PalpationFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
+std::unique_ptr<LivePart> PalpationFace::livePart(const catalogue::ExerciseLevel& level,
+                                                  LiveSurroundings around) const {
     return std::make_unique<PalpationPart>(*palpationOf(level), std::move(around));
 }
 
-QString PalpationFace::debriefTitle() const { return DebriefPartTexts::tr("What was searched and what was found"); }
+QString PalpationFace::debriefTitle() const {
+    return DebriefPartTexts::tr("What was searched and what was found");
+}
 
-QString PalpationFace::debriefEmpty() const { return DebriefPartTexts::tr("There is no search to show. The session is kept and listed."); }
+QString PalpationFace::debriefEmpty() const {
+    return DebriefPartTexts::tr("There is no search to show. The session is kept and listed.");
+}
 
-DebriefReading PalpationFace::readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const {
+DebriefReading PalpationFace::readDebrief(const catalogue::ExerciseLevel& level,
+                                          const scoring::SessionTrace& trace) const {
     const simulation::PalpationParameters& parameters = *palpationOf(level);
     auto records = session::palpationRecord(trace, parameters);
     if (!records)
-        return tl::unexpected(
-            DebriefPartLost{QCoreApplication::translate(
-                                "chiron::desktop::DebriefScreen",
-                                "Findings and maps could not be read from the recording. The scores above are as they were stored."),
-                            std::move(records.error())});
+        return tl::unexpected(DebriefPartLost{
+            QCoreApplication::translate("chiron::desktop::DebriefScreen",
+                                        "Findings and maps could not be read from the recording. The scores "
+                                        "above are as they were stored."),
+            std::move(records.error())});
     return std::make_unique<PalpationDebrief>(parameters, std::move(*records));
 }
 
-std::unique_ptr<PlaybackLayer> PalpationFace::playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace& trace) const {
+std::unique_ptr<PlaybackLayer> PalpationFace::playbackLayer(const session::SessionSetup& setup,
+                                                            const scoring::SessionTrace& trace) const {
     const simulation::PalpationParameters& level = *palpationOf(setup.level);
     auto records = session::palpationRecord(trace, level);
     if (!records)

@@ -12,7 +12,8 @@ void PalpationMap::take(int trial, std::span<const session::LiveSample> samples)
             continue;
         for (const auto& press : sample.press)
             if (press[2] > 0.0f)
-                m_map.press({static_cast<double>(press[0]), static_cast<double>(press[1])}, static_cast<double>(press[2]));
+                m_map.press({static_cast<double>(press[0]), static_cast<double>(press[1])},
+                            static_cast<double>(press[2]));
     }
 }
 

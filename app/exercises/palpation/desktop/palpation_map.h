@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "session/live_sample.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
+#include "session/live_sample.h"
 #include "simulation/palpation/surface_map.h"
 
 #include <span>

@@ -10,7 +10,8 @@
 namespace chiron::desktop {
 
 /// The overlay of a recorded trial's map: truth, and findings with their outcomes. Pure function.
-report::PalpationMapView mapViewOf(const session::PalpationTrialRecord& record, const simulation::PalpationParameters& level,
+report::PalpationMapView mapViewOf(const session::PalpationTrialRecord& record,
+                                   const simulation::PalpationParameters& level,
                                    simulation::SurfaceMapKind kind);
 
 /// A map of the searched surface on the screen, with a description for screen readers.

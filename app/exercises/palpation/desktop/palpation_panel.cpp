@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/desktop/palpation_panel.h"
 
-#include "desktop/training/info_panel.h"
 #include "app/exercises/palpation/desktop/lean_dial.h"
-#include "desktop/training/live_plot.h"
 #include "app/exercises/palpation/desktop/palpation_words.h"
+#include "app/exercises/palpation/session_report/finger_words.h"
+#include "desktop/training/info_panel.h"
+#include "desktop/training/live_plot.h"
 #include "desktop/training/target_bar.h"
 #include "desktop/widgets/kit.h"
-#include "app/exercises/palpation/session_report/finger_words.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -37,7 +37,8 @@ simulation::PalpationCues asksOf(const simulation::PalpationParameters& level) {
 
 PalpationPanel::PalpationPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues,
                                const simulation::PalpationParameters& level, QWidget* parent)
-    : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_level(level), m_column(new QVBoxLayout(this)) {
+    : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_level(level),
+      m_column(new QVBoxLayout(this)) {
     setProperty("kind", QStringLiteral("card"));
     m_column->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
     m_column->setSpacing(theme.px(8));
@@ -72,16 +73,20 @@ void PalpationPanel::addHead() {
 void PalpationPanel::addBars() {
     for (int tool = 0; tool < tools(); ++tool) {
         const QString name = tr("%1: force").arg(fingerName(tool, m_level.hands, m_level.fingers));
-        auto* bar = new TargetBar(m_theme, m_locale, {name, tr("N"), 1.25 * m_level.maximumForce_N, 2}, m_cues.numbers);
+        auto* bar = new TargetBar(m_theme, m_locale, {name, tr("N"), 1.25 * m_level.maximumForce_N, 2},
+                                  m_cues.numbers);
         bar->setObjectName(QStringLiteral("training.force_bar_%1").arg(tool));
         bar->setLimit(m_level.maximumForce_N);
         m_force.push_back(bar);
         m_column->addWidget(bar);
     }
     for (int hand = 0; m_level.pinch && hand < m_level.hands; ++hand) {
-        const QString name = m_level.hands > 1 ? tr("%1: squeeze of the jaw").arg(fingerName(hand * m_level.fingers, m_level.hands, m_level.fingers))
-                                               : tr("Squeeze of the jaw");
-        auto* bar = new TargetBar(m_theme, m_locale, {name, tr("N"), 1.25 * m_level.maximumForce_N, 2}, m_cues.numbers);
+        const QString name =
+            m_level.hands > 1 ? tr("%1: squeeze of the jaw")
+                                    .arg(fingerName(hand * m_level.fingers, m_level.hands, m_level.fingers))
+                              : tr("Squeeze of the jaw");
+        auto* bar = new TargetBar(m_theme, m_locale, {name, tr("N"), 1.25 * m_level.maximumForce_N, 2},
+                                  m_cues.numbers);
         bar->setObjectName(QStringLiteral("training.squeeze_bar_%1").arg(hand));
         bar->setLimit(m_level.maximumForce_N);
         m_squeeze.push_back(bar);
@@ -98,11 +103,14 @@ void PalpationPanel::addCoverage() {
     m_column->addWidget(m_coverage);
     m_forceMap = new QCheckBox(tr("Force map (M)"));
     m_forceMap->setObjectName(QStringLiteral("training.force_map"));
-    m_forceMap->setToolTip(tr("On: the map shows how hard the tissue was pressed. Off: it shows where the tissue was searched."));
+    m_forceMap->setToolTip(tr(
+        "On: the map shows how hard the tissue was pressed. Off: it shows where the tissue was searched."));
     m_column->addWidget(m_forceMap);
 }
 
-bool PalpationPanel::showsForceMap() const { return m_forceMap && m_forceMap->isChecked(); }
+bool PalpationPanel::showsForceMap() const {
+    return m_forceMap && m_forceMap->isChecked();
+}
 
 void PalpationPanel::switchMap() {
     if (m_forceMap)
@@ -117,7 +125,8 @@ void PalpationPanel::addNumbers() {
     grid->setVerticalSpacing(0);
     const std::array<QString, 3> heads{tr("rendered force (N)"), tr("tilt (°)"), tr("depth (mm)")};
     for (int c = 0; c < 3; ++c) {
-        grid->addWidget(kit::label(m_theme, heads[static_cast<std::size_t>(c)], TextStyle::small, "muted"), 0, c, Qt::AlignBottom);
+        grid->addWidget(kit::label(m_theme, heads[static_cast<std::size_t>(c)], TextStyle::small, "muted"), 0,
+                        c, Qt::AlignBottom);
         grid->setColumnStretch(c, 1);
     }
     for (int tool = 0; tool < tools(); ++tool) {
@@ -148,10 +157,11 @@ LivePlot* PalpationPanel::plot(const char* name, const QString& title, double to
 }
 
 void PalpationPanel::addPlots() {
-    m_forcePlot = plot("training.force_plot", tools() > 1 ? tr("Force, first finger (N)") : tr("Force (N)"), 1.25 * m_level.maximumForce_N,
-                       m_level.maximumForce_N);
+    m_forcePlot = plot("training.force_plot", tools() > 1 ? tr("Force, first finger (N)") : tr("Force (N)"),
+                       1.25 * m_level.maximumForce_N, m_level.maximumForce_N);
     if (m_cues.bars)
-        m_leanPlot = plot("training.lean_plot", tools() > 1 ? tr("Tilt, first finger (°)") : tr("Tilt (°)"), kLeanAxis_deg, kLeanLimit_deg);
+        m_leanPlot = plot("training.lean_plot", tools() > 1 ? tr("Tilt, first finger (°)") : tr("Tilt (°)"),
+                          kLeanAxis_deg, kLeanLimit_deg);
     if (m_leanPlot)
         addDetail(m_leanPlot); // a detail only, because the dial shows the lean as well
 }
@@ -171,7 +181,8 @@ void PalpationPanel::show(const haptics::DisplayState& state, std::span<const se
     if (m_cues.numbers)
         showNumbers(state);
     if (m_coverage)
-        m_coverage->setText(tr("Searched: %1 %").arg(m_locale.toString(static_cast<int>(100.0 * cues.coverage))));
+        m_coverage->setText(
+            tr("Searched: %1 %").arg(m_locale.toString(static_cast<int>(100.0 * cues.coverage))));
     showLoop(state);
     m_elapsed->setText(InfoPanel::elapsedText(m_worked_ms / 1000));
 }
@@ -180,7 +191,8 @@ void PalpationPanel::showFingers(const haptics::DisplayState& state) {
     const simulation::PalpationCues& cues = state.exercise.of<simulation::PalpationCues>();
     for (std::size_t i = 0; i < m_force.size(); ++i) {
         m_force[i]->setBand(cues.bandShown ? cues.bandLow_N : 0.0, cues.bandShown ? cues.bandHigh_N : 0.0);
-        m_force[i]->setValue(std::hypot(state.tool[i].tissue[0], state.tool[i].tissue[1], state.tool[i].tissue[2]));
+        m_force[i]->setValue(
+            std::hypot(state.tool[i].tissue[0], state.tool[i].tissue[1], state.tool[i].tissue[2]));
     }
     for (std::size_t hand = 0; hand < m_squeeze.size(); ++hand)
         m_squeeze[hand]->setValue(cues.squeezeShown ? cues.squeeze_N[hand] : 0.0);
@@ -192,7 +204,9 @@ void PalpationPanel::showFingers(const haptics::DisplayState& state) {
 
 void PalpationPanel::showNumbers(const haptics::DisplayState& state) {
     const simulation::PalpationCues& cues = state.exercise.of<simulation::PalpationCues>();
-    const auto text = [this](double value, int decimals) { return m_locale.toString(value + 0.0, 'f', decimals); };
+    const auto text = [this](double value, int decimals) {
+        return m_locale.toString(value + 0.0, 'f', decimals);
+    };
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         m_rows[i].number[0]->setText(text(state.tool[i].displayPose[0], 2));
         if (!m_cues.bars)
@@ -202,7 +216,8 @@ void PalpationPanel::showNumbers(const haptics::DisplayState& state) {
     }
 }
 
-void PalpationPanel::addSamples(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
+void PalpationPanel::addSamples(const haptics::DisplayState& state,
+                                std::span<const session::LiveSample> samples) {
     const auto& cues = state.exercise.of<simulation::PalpationCues>();
     for (const session::LiveSample& sample : samples)
         m_forcePlot->add(sample.t_s, static_cast<double>(sample.tissueNorm_N));

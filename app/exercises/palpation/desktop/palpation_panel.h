@@ -25,8 +25,8 @@ class TargetBar;
 class PalpationPanel final : public InfoView {
     Q_OBJECT
 public:
-    PalpationPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, const simulation::PalpationParameters& level,
-                   QWidget* parent = nullptr);
+    PalpationPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues,
+                   const simulation::PalpationParameters& level, QWidget* parent = nullptr);
 
     void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) override;
     FindingsBox& findings() { return *m_findings; }

@@ -29,27 +29,33 @@ PalpationPart::PalpationPart(const simulation::PalpationParameters& level, LiveS
 InfoView* PalpationPart::makePanel() {
     m_panel = new PalpationPanel(around().theme, around().locale, around().cues, m_level);
     m_panel->findings().setEnabled(around().ownHand); // a person who only watches reports nothing
-    QObject::connect(&m_panel->findings(), &FindingsBox::reported, m_panel,
-                     [report = around().report](core::ReportField field, unsigned value) { report(field, value); });
+    QObject::connect(
+        &m_panel->findings(), &FindingsBox::reported, m_panel,
+        [report = around().report](core::ReportField field, unsigned value) { report(field, value); });
     return m_panel;
 }
 
-std::unique_ptr<HandControl> PalpationPart::takeHand(session::LiveTraining& training, std::function<void(int)> chosen) const {
+std::unique_ptr<HandControl> PalpationPart::takeHand(session::LiveTraining& training,
+                                                     std::function<void(int)> chosen) const {
     const std::vector<devices::PointerMailbox*> mailboxes = training.pointers();
     if (mailboxes.empty())
         return nullptr; // somebody else's hand moves the tool
-    auto fingers =
-        std::make_unique<FingerControl>(mailboxes, m_level.fingers, around().theme.scale(), around().leftHanded, m_level.pinch.has_value());
+    auto fingers = std::make_unique<FingerControl>(mailboxes, m_level.fingers, around().theme.scale(),
+                                                   around().leftHanded, m_level.pinch.has_value());
     fingers->onChosen(std::move(chosen));
     return fingers;
 }
 
-QString PalpationPart::activeText(int tool) const { return m_level.hands > 1 ? activeHandInWords(tool / m_level.fingers) : QString(); }
+QString PalpationPart::activeText(int tool) const {
+    return m_level.hands > 1 ? activeHandInWords(tool / m_level.fingers) : QString();
+}
 
 std::vector<ControlHint> PalpationPart::controls() const {
-    return {{Pictogram::moveMouse, GuideTexts::tr("Move"), GuideTexts::tr("Move the mouse, or use the arrow keys.")},
+    return {{Pictogram::moveMouse, GuideTexts::tr("Move"),
+             GuideTexts::tr("Move the mouse, or use the arrow keys.")},
             {Pictogram::wheelTowards, GuideTexts::tr("Press"),
-             GuideTexts::tr("Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.")},
+             GuideTexts::tr("Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, "
+                            "or hold Page Up.")},
             {Pictogram::leftClick, GuideTexts::tr("Mark a finding"),
              GuideTexts::tr("Click, or press Enter. When nothing is left to report, press D.")}};
 }
@@ -88,14 +94,16 @@ std::vector<LiveCommand> PalpationPart::commands() const {
     return list;
 }
 
-void PalpationPart::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples, scene3d::SceneState& drawn) {
+void PalpationPart::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples,
+                         scene3d::SceneState& drawn) {
     if (!m_map)
         return;
     m_map->take(state.trial, samples);
     auto& overlay = drawn.overlay.own<scene3d::PalpationOverlay>();
     overlay.map = &m_map->map();
     overlay.mapStep = m_map->map().step();
-    overlay.mapKind = m_panel->showsForceMap() ? simulation::SurfaceMapKind::force : simulation::SurfaceMapKind::coverage;
+    overlay.mapKind =
+        m_panel->showsForceMap() ? simulation::SurfaceMapKind::force : simulation::SurfaceMapKind::coverage;
 }
 
 double PalpationPart::lean_rad(const haptics::DisplayState& state, std::size_t tool) const {

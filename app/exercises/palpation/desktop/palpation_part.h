@@ -20,7 +20,8 @@ public:
 
     InfoView* makePanel() override;
     double panelWidth_px() const override { return kWidePanel_px; }
-    std::unique_ptr<HandControl> takeHand(session::LiveTraining& training, std::function<void(int)> chosen) const override;
+    std::unique_ptr<HandControl> takeHand(session::LiveTraining& training,
+                                          std::function<void(int)> chosen) const override;
     QString activeText(int tool) const override;
     // With several fingers, a mark belongs to the hand that is moved.
     bool handMarks() const override { return true; }
@@ -29,7 +30,8 @@ public:
     std::vector<int> keys() const override;
     bool key(int key) override;
     std::vector<LiveCommand> commands() const override;
-    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples, scene3d::SceneState& drawn) override;
+    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples,
+              scene3d::SceneState& drawn) override;
     double lean_rad(const haptics::DisplayState& state, std::size_t tool) const override;
 
 private:

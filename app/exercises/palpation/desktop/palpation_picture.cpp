@@ -19,7 +19,8 @@ void PalpationPicture::paint(QPainter& painter) const {
     const simulation::TissueSurface surface(m_level.tissue.shape);
     const double half_m = m_level.areaHalf_m.x() + 0.012;
     const double perMetre = width() / (2.0 * half_m);
-    const double base = height() * 0.62 + 0.6 * (surface.highest_m() - m_level.tissue.shape.planeHeight_m) * perMetre;
+    const double base =
+        height() * 0.62 + 0.6 * (surface.highest_m() - m_level.tissue.shape.planeHeight_m) * perMetre;
     const bool two = m_level.hands > 1;
     const double finger_m = two ? 0.40 * half_m : 0.0;
     const auto dent_m = [&](double x_m) {
@@ -31,7 +32,8 @@ void PalpationPicture::paint(QPainter& painter) const {
         return depth_m;
     };
     const auto at = [&](double x_m) {
-        const double z_m = surface.heightAt({x_m, 0.0}).z_m - m_level.tissue.shape.planeHeight_m - dent_m(x_m);
+        const double z_m =
+            surface.heightAt({x_m, 0.0}).z_m - m_level.tissue.shape.planeHeight_m - dent_m(x_m);
         return QPointF(0.5 * width() + x_m * perMetre, base - z_m * perMetre);
     };
     QPolygonF edge;
@@ -56,8 +58,8 @@ void PalpationPicture::paint(QPainter& painter) const {
         const double radius = kind.radius_m * perMetre;
         const QPointF lump = at(0.55 * half_m) + QPointF(0.0, kind.depth_m * perMetre);
         painter.setBrush(m_visible ? QBrush(tissue.darker(200)) : QBrush(Qt::NoBrush));
-        painter.setPen(QPen(m_visible ? tissue.darker(260) : m_theme.color(Colour::text), std::max(1.5, width() * 0.009),
-                            m_visible ? Qt::SolidLine : Qt::DashLine));
+        painter.setPen(QPen(m_visible ? tissue.darker(260) : m_theme.color(Colour::text),
+                            std::max(1.5, width() * 0.009), m_visible ? Qt::SolidLine : Qt::DashLine));
         painter.drawEllipse(lump, radius, radius);
     }
     paintFinger(painter, at(finger_m), false, perMetre);
@@ -77,7 +79,8 @@ void PalpationPicture::paintFinger(QPainter& painter, QPointF tip, bool fromLeft
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(glove.darker(150), wide, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(line);
-    painter.setPen(QPen(glove.lighter(115), std::max(1.0, wide - edge), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(
+        QPen(glove.lighter(115), std::max(1.0, wide - edge), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(line);
 }
 

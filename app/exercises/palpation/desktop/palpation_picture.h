@@ -12,7 +12,8 @@ namespace chiron::desktop {
 /// shows it.
 class PalpationPicture final : public LevelPicture {
 public:
-    PalpationPicture(const simulation::PalpationParameters& level, const PictureFrame& frame) : LevelPicture(frame), m_level(level) {}
+    PalpationPicture(const simulation::PalpationParameters& level, const PictureFrame& frame)
+        : LevelPicture(frame), m_level(level) {}
     void paint(QPainter& painter) const override;
 
 private:

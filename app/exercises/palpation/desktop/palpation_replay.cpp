@@ -19,15 +19,18 @@ double valueOf(const session::PlaybackTrack& track, const std::string& id, std::
 
 } // namespace
 
-PalpationReplay::PalpationReplay(simulation::PalpationParameters level, std::vector<session::PalpationTrialRecord> records)
+PalpationReplay::PalpationReplay(simulation::PalpationParameters level,
+                                 std::vector<session::PalpationTrialRecord> records)
     : m_level(std::move(level)), m_surface(m_level.tissue.shape), m_records(std::move(records)) {}
 
 const session::PalpationTrialRecord* PalpationReplay::record(int trial) const {
-    const auto found = std::find_if(m_records.begin(), m_records.end(), [trial](const auto& record) { return record.trial == trial; });
+    const auto found = std::find_if(m_records.begin(), m_records.end(),
+                                    [trial](const auto& record) { return record.trial == trial; });
     return found == m_records.end() ? nullptr : &*found;
 }
 
-simulation::PalpationCues PalpationReplay::cuesAt(const session::PlaybackTrack& track, double t_s, bool truth) const {
+simulation::PalpationCues PalpationReplay::cuesAt(const session::PlaybackTrack& track, double t_s,
+                                                  bool truth) const {
     simulation::PalpationCues cues;
     cues.present = true;
     cues.asksSize = m_level.asksSize;
@@ -57,12 +60,14 @@ simulation::PalpationCues PalpationReplay::cuesAt(const session::PlaybackTrack& 
     return cues;
 }
 
-void PalpationReplay::addTruth(const session::PalpationTrialRecord& record, simulation::PalpationCues& cues) const {
+void PalpationReplay::addTruth(const session::PalpationTrialRecord& record,
+                               simulation::PalpationCues& cues) const {
     for (const scoring::LumpTruth& lump : record.answer.truth.lumps) {
         if (cues.lumps >= static_cast<int>(cues.lump.size()))
             return;
         const core::Vec3 centre = lump.place_W - lump.depth_m * m_surface.normalAt(lump.place_W.head<2>());
-        cues.lump[static_cast<std::size_t>(cues.lumps++)] = {{centre.x(), centre.y(), centre.z()}, lump.radius_m};
+        cues.lump[static_cast<std::size_t>(cues.lumps++)] = {{centre.x(), centre.y(), centre.z()},
+                                                             lump.radius_m};
     }
 }
 
@@ -72,15 +77,18 @@ void PalpationReplay::addOutcomes(const session::PalpationTrialRecord& record, s
     auto& overlay = state.overlay.own<scene3d::PalpationOverlay>();
     for (const scoring::FindingMatch& match : record.answer.matches) {
         const auto i = static_cast<std::size_t>(match.finding);
-        if (i < overlay.outcome.size() && cues.finding[i].present && cues.finding[i].p_W == record.answer.findings.list()[i].p_W)
-            overlay.outcome[i] = match.hit() ? simulation::FindingOutcome::hit : simulation::FindingOutcome::falseAlarm;
+        if (i < overlay.outcome.size() && cues.finding[i].present &&
+            cues.finding[i].p_W == record.answer.findings.list()[i].p_W)
+            overlay.outcome[i] =
+                match.hit() ? simulation::FindingOutcome::hit : simulation::FindingOutcome::falseAlarm;
     }
     for (int lump = 0; lump < cues.lumps; ++lump)
         if (!scoring::foundBy(record.answer.matches, lump))
             overlay.lumpsMissed = static_cast<std::uint8_t>(overlay.lumpsMissed | (1U << lump));
 }
 
-const simulation::SurfaceMap& PalpationReplay::mapAt(const session::PlaybackTrack& track, int trial, double t_s) {
+const simulation::SurfaceMap& PalpationReplay::mapAt(const session::PlaybackTrack& track, int trial,
+                                                     double t_s) {
     const session::PlaybackTrial* wanted = track.trial(trial);
     const std::size_t upTo = track.indexAt(t_s) + 1;
     if (!m_presses || trial != m_trial || upTo < m_next) {
@@ -94,12 +102,14 @@ const simulation::SurfaceMap& PalpationReplay::mapAt(const session::PlaybackTrac
         if (moment.paused || moment.t_s < wanted->start_s || moment.t_s > wanted->end_s)
             continue;
         for (int k = 0; k < track.toolCount; ++k)
-            m_presses->press(static_cast<std::size_t>(k), track.tool(m_next, k).p_WT, track.tool(m_next, k).tissue_N);
+            m_presses->press(static_cast<std::size_t>(k), track.tool(m_next, k).p_WT,
+                             track.tool(m_next, k).tissue_N);
     }
     return m_presses->map();
 }
 
-void PalpationReplay::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, double t_s, const PalpationLook& look) {
+void PalpationReplay::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, double t_s,
+                             const PalpationLook& look) {
     state.exercise.own<simulation::PalpationCues>() = cuesAt(track, t_s, look.truth);
     auto& overlay = state.overlay.own<scene3d::PalpationOverlay>();
     overlay.mapKind = look.map;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/palpation/cues/palpation_cues.h"
-#include "desktop/scene3d/scene_state.h"
 #include "app/exercises/palpation/session/palpation_presses.h"
 #include "app/exercises/palpation/session/palpation_record.h"
-#include "session/playback_track.h"
+#include "desktop/scene3d/scene_state.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
+#include "session/playback_track.h"
 
 #include <memory>
 #include <optional>
@@ -16,7 +16,7 @@ namespace chiron::desktop {
 
 /// The display options of a palpation in playback.
 struct PalpationLook {
-    bool truth = true;      ///< show the lumps and the outcomes of the findings
+    bool truth = true;       ///< show the lumps and the outcomes of the findings
     bool wholeTrial = false; ///< show the map of the whole trial instead of the map up to this moment
     simulation::SurfaceMapKind map = simulation::SurfaceMapKind::coverage;
 };
@@ -26,14 +26,16 @@ struct PalpationLook {
 /// Thread: GUI after construction.
 class PalpationReplay {
 public:
-    PalpationReplay(simulation::PalpationParameters level, std::vector<session::PalpationTrialRecord> records);
+    PalpationReplay(simulation::PalpationParameters level,
+                    std::vector<session::PalpationTrialRecord> records);
 
     const session::PalpationTrialRecord* record(int trial) const; ///< null: no such trial was started
     /// The cues at a moment as the training screen would show them with every cue on; with `truth`, also the
     /// lumps.
     simulation::PalpationCues cuesAt(const session::PlaybackTrack& track, double t_s, bool truth) const;
     /// Adds the same to the scene; the map stays valid until the next call.
-    void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, double t_s, const PalpationLook& look);
+    void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, double t_s,
+                const PalpationLook& look);
     const simulation::PalpationParameters& level() const { return m_level; }
 
 private:

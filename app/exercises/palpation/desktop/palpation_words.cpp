@@ -33,28 +33,41 @@ QStringList missingOf(const simulation::Finding& finding, const simulation::Palp
 
 QString hardnessWord(int rating) {
     switch (rating) {
-    case 1: return Words::tr("soft");
-    case 2: return Words::tr("rather soft");
-    case 3: return Words::tr("medium");
-    case 4: return Words::tr("firm");
-    case 5: return Words::tr("stony hard");
-    default: return Words::tr("not given");
+    case 1:
+        return Words::tr("soft");
+    case 2:
+        return Words::tr("rather soft");
+    case 3:
+        return Words::tr("medium");
+    case 4:
+        return Words::tr("firm");
+    case 5:
+        return Words::tr("stony hard");
+    default:
+        return Words::tr("not given");
     }
 }
 
 QString confidenceWord(int rating) {
     switch (rating) {
-    case 1: return Words::tr("a guess");
-    case 2: return Words::tr("unsure");
-    case 3: return Words::tr("fairly sure");
-    case 4: return Words::tr("sure");
-    case 5: return Words::tr("certain");
-    default: return Words::tr("not given");
+    case 1:
+        return Words::tr("a guess");
+    case 2:
+        return Words::tr("unsure");
+    case 3:
+        return Words::tr("fairly sure");
+    case 4:
+        return Words::tr("sure");
+    case 5:
+        return Words::tr("certain");
+    default:
+        return Words::tr("not given");
     }
 }
 
 QString sizeText(double radius_m, const QLocale& locale) {
-    return radius_m > 0.0 ? Words::tr("%1 mm across").arg(locale.toString(qRound(2e3 * radius_m))) : Words::tr("not given");
+    return radius_m > 0.0 ? Words::tr("%1 mm across").arg(locale.toString(qRound(2e3 * radius_m)))
+                          : Words::tr("not given");
 }
 
 QString findingText(int finding, const simulation::PalpationCues& cues, const QLocale& locale) {
@@ -67,7 +80,8 @@ QString findingText(int finding, const simulation::PalpationCues& cues, const QL
     if (cues.asksConfidence)
         parts << (said.confidence > 0 ? confidenceWord(said.confidence) : Words::tr("confidence not given"));
     const QString number = locale.toString(finding + 1);
-    return parts.isEmpty() ? Words::tr("Finding %1").arg(number) : Words::tr("Finding %1: %2").arg(number, parts.join(QStringLiteral(", ")));
+    return parts.isEmpty() ? Words::tr("Finding %1").arg(number)
+                           : Words::tr("Finding %1: %2").arg(number, parts.join(QStringLiteral(", ")));
 }
 
 QStringList missingRatings(const simulation::PalpationCues& cues, const QLocale& locale) {
@@ -77,24 +91,28 @@ QStringList missingRatings(const simulation::PalpationCues& cues, const QLocale&
             continue;
         const QStringList missing = missingOf(cues.finding[i], cues);
         if (!missing.isEmpty())
-            all << Words::tr("Finding %1: %2").arg(locale.toString(static_cast<int>(i) + 1), missing.join(QStringLiteral(", ")));
+            all << Words::tr("Finding %1: %2")
+                       .arg(locale.toString(static_cast<int>(i) + 1), missing.join(QStringLiteral(", ")));
     }
     return all;
 }
 
 int findingCount(const simulation::PalpationCues& cues) {
-    return static_cast<int>(std::count_if(cues.finding.begin(), cues.finding.end(), [](const simulation::Finding& one) { return one.present; }));
+    return static_cast<int>(std::count_if(cues.finding.begin(), cues.finding.end(),
+                                          [](const simulation::Finding& one) { return one.present; }));
 }
 
 QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches) {
     if (!ownHand)
         return keysInWords(false);
-    QStringList all{KeyWords::tr("Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. "
-                                 "Mark a finding: click or Enter.")};
+    QStringList all{KeyWords::tr(
+        "Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. "
+        "Mark a finding: click or Enter.")};
     if (rates)
         all << KeyWords::tr("Rate the finding: 1 to 5, V for the other rating, + and − for the size.");
     if (pinches)
-        all << KeyWords::tr("Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.");
+        all << KeyWords::tr(
+            "Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.");
     all << KeyWords::tr("Next finding: N. Take it back: Delete. Nothing more to report: D.");
     all << KeyWords::tr("Use the mouse in the panel: T. A click in the scene brings it back.");
     if (hands > 1)
@@ -104,7 +122,8 @@ QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches) 
 }
 
 QString activeHandInWords(int hand) {
-    return hand == 0 ? KeyWords::tr("You move the right hand (H for the left)") : KeyWords::tr("You move the left hand (H for the right)");
+    return hand == 0 ? KeyWords::tr("You move the right hand (H for the left)")
+                     : KeyWords::tr("You move the left hand (H for the right)");
 }
 
 } // namespace chiron::desktop

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/exercises/palpation/session_report/finger_words.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "session_report/tool_words.h"
-#include "app/exercises/palpation/session_report/finger_words.h"
 
 #include <QLocale>
 #include <QString>
@@ -12,8 +12,8 @@
 namespace chiron::desktop {
 
 /// The words for findings, the same in training, playback and debrief. All functions of this header are pure.
-QString hardnessWord(int rating);   ///< 1 "soft" .. 5 "stony"; 0: "not said"
-QString confidenceWord(int rating); ///< 1 "a guess" .. 5 "certain"; 0: "not said"
+QString hardnessWord(int rating);                         ///< 1 "soft" .. 5 "stony"; 0: "not said"
+QString confidenceWord(int rating);                       ///< 1 "a guess" .. 5 "certain"; 0: "not said"
 QString sizeText(double radius_m, const QLocale& locale); ///< "14 mm across"; 0: "not said"
 /// "Finding 2: 14 mm across, firm, sure": the ratings that the level asks for. Missing ratings are named as
 /// such.

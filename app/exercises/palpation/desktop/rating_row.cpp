@@ -52,8 +52,12 @@ void RatingRow::setRating(int rating) {
     setAccessibleName(words());
 }
 
-void RatingRow::setKeysHere(bool here) { m_keys->setVisible(here); }
+void RatingRow::setKeysHere(bool here) {
+    m_keys->setVisible(here);
+}
 
-QString RatingRow::words() const { return tr("%1: %2").arg(m_name, m_word(std::max(m_rating, 0))); }
+QString RatingRow::words() const {
+    return tr("%1: %2").arg(m_name, m_word(std::max(m_rating, 0)));
+}
 
 } // namespace chiron::desktop

@@ -23,15 +23,18 @@ constexpr int kHeight_px = 340;
 
 } // namespace
 
-QString rocSummary(const session::PooledDetection& pooled, bool felt, const scoring::RocCurve& curve, const QLocale& locale) {
+QString rocSummary(const session::PooledDetection& pooled, bool felt, const scoring::RocCurve& curve,
+                   const QLocale& locale) {
     const core::DetectionCounts counts = pooled.counts();
-    return Words::tr(
-               "Area under the curve: %1, where 0.5 is chance and 1 is perfect. Sessions: %2 (%3). Places with a lump: %4, without: %5.")
+    return Words::tr("Area under the curve: %1, where 0.5 is chance and 1 is perfect. Sessions: %2 (%3). "
+                     "Places with a lump: %4, without: %5.")
         .arg(locale.toString(curve.area, 'f', 2), locale.toString(pooled.sessions),
-             felt ? Words::tr("force felt") : Words::tr("force shown"), locale.toString(counts.ofSignal), locale.toString(counts.ofNoise));
+             felt ? Words::tr("force felt") : Words::tr("force shown"), locale.toString(counts.ofSignal),
+             locale.toString(counts.ofNoise));
 }
 
-std::unique_ptr<report::PlotView> rocPlot(const scoring::RocCurve& curve, const Theme& theme, const QLocale& locale) {
+std::unique_ptr<report::PlotView> rocPlot(const scoring::RocCurve& curve, const Theme& theme,
+                                          const QLocale& locale) {
     auto view = std::make_unique<report::PlotView>(plotThemeOf(theme, locale));
     view->setTitle(Words::tr("Hits against false alarms, from certain to a guess"));
     view->setAccessibleName(Words::tr("Hits against false alarms, from certain to a guess"));
@@ -66,7 +69,8 @@ RocBox::~RocBox() {
         m_work->cancel();
 }
 
-void RocBox::ask(Background& background, database::Database& database, const database::Actor& actor, const ResultsQuestion& question) {
+void RocBox::ask(Background& background, database::Database& database, const database::Actor& actor,
+                 const ResultsQuestion& question) {
     if (m_level == question.level)
         return;
     m_level = question.level;
@@ -99,9 +103,10 @@ void RocBox::show(const session::PooledDetection& pooled, bool felt) {
     const auto curve = core::isUsable(counts) ? scoring::rocOf(pooled.ratings) : std::nullopt;
     if (!curve) {
         m_panel->showEmpty(tr("Not enough answers yet"),
-                           tr("A curve needs at least %1 places with a lump and as many without. So far: %2 with, %3 without.")
-                               .arg(m_locale.toString(core::kUsableCounts), m_locale.toString(counts.ofSignal),
-                                    m_locale.toString(counts.ofNoise)));
+                           tr("A curve needs at least %1 places with a lump and as many without. So far: %2 "
+                              "with, %3 without.")
+                               .arg(m_locale.toString(core::kUsableCounts),
+                                    m_locale.toString(counts.ofSignal), m_locale.toString(counts.ofNoise)));
         return;
     }
     auto* holder = new QWidget;

@@ -28,7 +28,8 @@ public:
     RocBox(const Theme& theme, const QLocale& locale, QWidget* parent = nullptr);
     ~RocBox() override;
 
-    void ask(Background& background, database::Database& database, const database::Actor& actor, const ResultsQuestion& question) override;
+    void ask(Background& background, database::Database& database, const database::Actor& actor,
+             const ResultsQuestion& question) override;
     /// `felt`: the device class of the sessions; the two classes are never pooled.
     void show(const session::PooledDetection& pooled, bool felt);
     using QWidget::show;
@@ -43,9 +44,11 @@ private:
 };
 
 /// "Area under the curve: 0.84 ... Sessions: 6. Places with a lump: 24, without: 70." Pure function.
-QString rocSummary(const session::PooledDetection& pooled, bool felt, const scoring::RocCurve& curve, const QLocale& locale);
+QString rocSummary(const session::PooledDetection& pooled, bool felt, const scoring::RocCurve& curve,
+                   const QLocale& locale);
 /// The curve with the line of chance.
 /// Thread: GUI.
-std::unique_ptr<report::PlotView> rocPlot(const scoring::RocCurve& curve, const Theme& theme, const QLocale& locale);
+std::unique_ptr<report::PlotView> rocPlot(const scoring::RocCurve& curve, const Theme& theme,
+                                          const QLocale& locale);
 
 } // namespace chiron::desktop

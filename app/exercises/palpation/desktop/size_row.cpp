@@ -51,7 +51,8 @@ private:
 } // namespace
 
 SizeRow::SizeRow(const Theme& theme, const QLocale& locale, double padRadius_m, QWidget* parent)
-    : QWidget(parent), m_locale(locale), m_title(kit::label(theme, {}, TextStyle::label)), m_circle(new ToScale(theme, 1e3 * padRadius_m)) {
+    : QWidget(parent), m_locale(locale), m_title(kit::label(theme, {}, TextStyle::label)),
+      m_circle(new ToScale(theme, 1e3 * padRadius_m)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme.px(8));
@@ -63,7 +64,8 @@ SizeRow::SizeRow(const Theme& theme, const QLocale& locale, double padRadius_m, 
     for (const int by_mm : {-1, 1}) {
         auto* button = kit::button(theme, by_mm < 0 ? QStringLiteral("−") : QStringLiteral("+"));
         button->setObjectName(by_mm < 0 ? QStringLiteral("smaller") : QStringLiteral("larger"));
-        button->setAccessibleName(by_mm < 0 ? tr("Size: one millimetre smaller") : tr("Size: one millimetre larger"));
+        button->setAccessibleName(by_mm < 0 ? tr("Size: one millimetre smaller")
+                                            : tr("Size: one millimetre larger"));
         button->setToolTip(button->accessibleName());
         button->setAutoRepeat(true);
         button->setMinimumWidth(theme.px(40));
@@ -71,7 +73,8 @@ SizeRow::SizeRow(const Theme& theme, const QLocale& locale, double padRadius_m, 
         buttons->addWidget(button, 1);
     }
     column->addLayout(buttons);
-    column->addWidget(kit::label(theme, tr("Dashed: the pad of the finger. Keys + and −"), TextStyle::small, "muted"));
+    column->addWidget(
+        kit::label(theme, tr("Dashed: the pad of the finger. Keys + and −"), TextStyle::small, "muted"));
     column->addStretch();
     row->addLayout(column, 1);
     row->addWidget(m_circle, 0, Qt::AlignVCenter);
@@ -96,7 +99,9 @@ void SizeRow::step(int by_mm) {
     emit sized(static_cast<unsigned>(5 * next_mm));
 }
 
-QString SizeRow::words() const { return tr("Size: %1").arg(sizeText(std::max(m_radius_m, 0.0), m_locale)); }
+QString SizeRow::words() const {
+    return tr("Size: %1").arg(sizeText(std::max(m_radius_m, 0.0), m_locale));
+}
 
 void SizeRow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::EnabledChange)

@@ -11,8 +11,8 @@
 namespace chiron::report {
 
 using simulation::FindingOutcome;
-using simulation::SurfaceMapKind;
 using simulation::MapBand;
+using simulation::SurfaceMapKind;
 
 namespace {
 constexpr double kRow = 26.0; // logical pixels at scale 1
@@ -22,18 +22,21 @@ constexpr double kSign = 34.0;
 QString PalpationMapPainter::title() const {
     if (m_view.kind == SurfaceMapKind::force)
         return Words::tr("Largest force at each place");
-    return Words::tr("Coverage: %1 % searched").arg(m_theme.locale.toString(static_cast<int>(100.0 * m_map.coverage())));
+    return Words::tr("Coverage: %1 % searched")
+        .arg(m_theme.locale.toString(static_cast<int>(100.0 * m_map.coverage())));
 }
 
 QString PalpationMapPainter::words() const {
     QStringList said{title()};
     if (!m_view.lumps.empty()) {
-        const auto found = std::count_if(m_view.lumps.begin(), m_view.lumps.end(), [](const auto& lump) { return lump.found; });
+        const auto found = std::count_if(m_view.lumps.begin(), m_view.lumps.end(),
+                                         [](const auto& lump) { return lump.found; });
         said << Words::tr("Lumps found: %1 of %2").arg(found).arg(m_view.lumps.size());
     }
     said << Words::tr("Findings reported: %1").arg(m_view.findings.size());
-    const auto wrong = std::count_if(m_view.findings.begin(), m_view.findings.end(),
-                                     [](const auto& finding) { return finding.outcome == FindingOutcome::falseAlarm; });
+    const auto wrong = std::count_if(m_view.findings.begin(), m_view.findings.end(), [](const auto& finding) {
+        return finding.outcome == FindingOutcome::falseAlarm;
+    });
     if (wrong > 0)
         said << Words::tr("False alarms: %1").arg(wrong);
     return said.join(QStringLiteral(". ")) + QLatin1Char('.');
@@ -44,28 +47,36 @@ std::vector<PalpationMapPainter::LegendRow> PalpationMapPainter::legend() const 
     std::vector<LegendRow> rows;
     const simulation::MapBands& b = m_view.bands;
     const auto number = [this](double force_N) { return m_theme.locale.toString(force_N, 'f', 1); };
-    const auto band = [&rows](MapBand step, const QString& words) { rows.push_back({Sign::band, step, FindingOutcome::open, words}); };
+    const auto band = [&rows](MapBand step, const QString& words) {
+        rows.push_back({Sign::band, step, FindingOutcome::open, words});
+    };
     band(MapBand::untouched, Words::tr("not touched"));
     band(MapBand::light, Words::tr("under %1 N: not searched").arg(number(b.cover_N)));
     if (m_view.kind == SurfaceMapKind::coverage) {
         band(MapBand::inBand, Words::tr("%1 N or more: searched").arg(number(b.cover_N)));
     } else {
         if (b.low_N > b.cover_N)
-            band(MapBand::gentle, Words::tr("%1 to %2 N: below the band").arg(number(b.cover_N), number(b.low_N)));
-        band(MapBand::inBand, Words::tr("%1 to %2 N: in the band").arg(number(std::max(b.cover_N, b.low_N)), number(b.high_N)));
+            band(MapBand::gentle,
+                 Words::tr("%1 to %2 N: below the band").arg(number(b.cover_N), number(b.low_N)));
+        band(
+            MapBand::inBand,
+            Words::tr("%1 to %2 N: in the band").arg(number(std::max(b.cover_N, b.low_N)), number(b.high_N)));
         band(MapBand::hard, Words::tr("%1 to %2 N: above the band").arg(number(b.high_N), number(b.limit_N)));
         band(MapBand::over, Words::tr("over %1 N: too hard").arg(number(b.limit_N)));
     }
     const auto anyLump = [this](bool found) {
-        return std::any_of(m_view.lumps.begin(), m_view.lumps.end(), [found](const auto& lump) { return lump.found == found; });
+        return std::any_of(m_view.lumps.begin(), m_view.lumps.end(),
+                           [found](const auto& lump) { return lump.found == found; });
     };
     if (anyLump(true))
         rows.push_back({Sign::lumpFound, {}, {}, Words::tr("lump, found (to scale)")});
     if (anyLump(false))
         rows.push_back({Sign::lumpMissed, {}, {}, Words::tr("lump, missed (to scale)")});
-    for (const auto& [outcome, words] : {std::pair{FindingOutcome::open, Words::tr("finding")}, {FindingOutcome::hit, Words::tr("finding: hit")},
+    for (const auto& [outcome, words] : {std::pair{FindingOutcome::open, Words::tr("finding")},
+                                         {FindingOutcome::hit, Words::tr("finding: hit")},
                                          {FindingOutcome::falseAlarm, Words::tr("finding: false alarm")}})
-        if (std::any_of(m_view.findings.begin(), m_view.findings.end(), [o = outcome](const auto& finding) { return finding.outcome == o; }))
+        if (std::any_of(m_view.findings.begin(), m_view.findings.end(),
+                        [o = outcome](const auto& finding) { return finding.outcome == o; }))
             rows.push_back({Sign::finding, {}, outcome, words});
     return rows;
 }
@@ -101,7 +112,8 @@ void PalpationMapPainter::paintSwatch(QPainter& painter, const QRectF& box, cons
     if (over || !simulation::isSearched(row.band)) {
         painter.setPen(QPen(over ? m_theme.paper : m_theme.muted, (over ? 1.6 : 0.8) * u));
         for (double x = box.left() - box.height(); x < box.right(); x += 7.0 * u)
-            painter.drawLine(QPointF(x, over ? box.top() : box.bottom()), QPointF(x + box.height(), over ? box.bottom() : box.top()));
+            painter.drawLine(QPointF(x, over ? box.top() : box.bottom()),
+                             QPointF(x + box.height(), over ? box.bottom() : box.top()));
     }
     painter.restore();
     painter.setBrush(Qt::NoBrush);
@@ -117,8 +129,9 @@ void PalpationMapPainter::paintLegend(QPainter& painter, const QRectF& room) con
         paintSwatch(painter, box, row);
         painter.setPen(m_theme.ink);
         painter.setFont(m_theme.font(12));
-        painter.drawText(QRectF(room.left() + kSign * u, top, std::max(1.0, room.width() - kSign * u), kRow * u),
-                         Qt::AlignLeft | Qt::AlignVCenter, row.words);
+        painter.drawText(
+            QRectF(room.left() + kSign * u, top, std::max(1.0, room.width() - kSign * u), kRow * u),
+            Qt::AlignLeft | Qt::AlignVCenter, row.words);
         top += kRow * u;
     }
 }
@@ -137,12 +150,14 @@ void PalpationMapPainter::paintScale(QPainter& painter, const QRectF& plot) cons
     for (const double x : {left, left + bar_mm * perMm})
         painter.drawLine(QPointF(x, y - 4.0 * u), QPointF(x, y + 4.0 * u));
     painter.setFont(m_theme.font(12));
-    painter.drawText(QRectF(left + bar_mm * perMm + 6.0 * u, y - 10.0 * u, plot.width(), 20.0 * u), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(QRectF(left + bar_mm * perMm + 6.0 * u, y - 10.0 * u, plot.width(), 20.0 * u),
+                     Qt::AlignLeft | Qt::AlignVCenter,
                      Words::tr("%1 mm").arg(m_theme.locale.toString(bar_mm, 'f', 0)));
     const QString near = Words::tr("near side");
     if (QFontMetricsF(painter.font()).horizontalAdvance(near) < 0.45 * plot.width()) {
         painter.setPen(m_theme.muted);
-        painter.drawText(QRectF(left, y - 10.0 * u, plot.width(), 20.0 * u), Qt::AlignRight | Qt::AlignVCenter, near);
+        painter.drawText(QRectF(left, y - 10.0 * u, plot.width(), 20.0 * u),
+                         Qt::AlignRight | Qt::AlignVCenter, near);
     }
 }
 

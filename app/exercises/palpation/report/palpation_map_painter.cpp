@@ -9,9 +9,9 @@
 namespace chiron::report {
 
 using simulation::FindingOutcome;
-using simulation::SurfaceMapKind;
 using simulation::MapBand;
 using simulation::SurfaceMap;
+using simulation::SurfaceMapKind;
 
 namespace {
 
@@ -53,7 +53,8 @@ QColor PalpationMapPainter::colourOf(MapBand band) const {
 }
 
 QPointF PalpationMapPainter::at(const QRectF& plot, double x_m, double y_m) const {
-    return {plot.center().x() + 0.5 * plot.width() * x_m / m_map.half_m().x(), plot.center().y() - 0.5 * plot.height() * y_m / m_map.half_m().y()};
+    return {plot.center().x() + 0.5 * plot.width() * x_m / m_map.half_m().x(),
+            plot.center().y() - 0.5 * plot.height() * y_m / m_map.half_m().y()};
 }
 
 PalpationMapPainter::Layout PalpationMapPainter::layOut(const QRectF& room) const {
@@ -66,8 +67,10 @@ PalpationMapPainter::Layout PalpationMapPainter::layOut(const QRectF& room) cons
         rest.setRight(rest.right() - legend.width() - kGap * u);
     else
         rest.setBottom(rest.bottom() - legend.height() - kGap * u);
-    const double perMetre = 0.5 * std::max(1.0, std::min(rest.width() / m_map.half_m().x(), rest.height() / m_map.half_m().y()));
-    const QRectF plot(rest.left(), rest.top(), 2.0 * perMetre * m_map.half_m().x(), 2.0 * perMetre * m_map.half_m().y());
+    const double perMetre =
+        0.5 * std::max(1.0, std::min(rest.width() / m_map.half_m().x(), rest.height() / m_map.half_m().y()));
+    const QRectF plot(rest.left(), rest.top(), 2.0 * perMetre * m_map.half_m().x(),
+                      2.0 * perMetre * m_map.half_m().y());
     if (beside)
         words.setLeft(plot.right() + kGap * u);
     else
@@ -81,7 +84,8 @@ void PalpationMapPainter::paint(QPainter& painter, const QRectF& room) const {
     painter.fillRect(room, m_theme.paper);
     painter.setPen(m_theme.ink);
     painter.setFont(m_theme.font(14, true));
-    painter.drawText(QRectF(room.left(), room.top(), room.width(), kTitle * m_theme.scale), Qt::AlignLeft | Qt::AlignVCenter, title());
+    painter.drawText(QRectF(room.left(), room.top(), room.width(), kTitle * m_theme.scale),
+                     Qt::AlignLeft | Qt::AlignVCenter, title());
     const auto [plot, legend] = layOut(room);
     paintCells(painter, plot);
     paintHatch(painter, plot);
@@ -120,7 +124,8 @@ void PalpationMapPainter::paintCells(QPainter& painter, const QRectF& plot) cons
     QImage cells(SurfaceMap::kColumns, SurfaceMap::kRows, QImage::Format_RGB32);
     for (int row = 0; row < SurfaceMap::kRows; ++row)
         for (int column = 0; column < SurfaceMap::kColumns; ++column)
-            cells.setPixelColor(column, SurfaceMap::kRows - 1 - row, colourOf(m_view.bands.of(m_map.force_N(column, row))));
+            cells.setPixelColor(column, SurfaceMap::kRows - 1 - row,
+                                colourOf(m_view.bands.of(m_map.force_N(column, row))));
     painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
     painter.drawImage(plot, cells);
 }
@@ -140,7 +145,8 @@ void PalpationMapPainter::paintHatch(QPainter& painter, const QRectF& plot) cons
             const MapBand band = m_view.bands.of(m_map.force_N(column, row));
             const auto same = [&](int other) {
                 const MapBand there = m_view.bands.of(m_map.force_N(other, row));
-                return simulation::isSearched(there) == simulation::isSearched(band) && (there == MapBand::over) == (band == MapBand::over);
+                return simulation::isSearched(there) == simulation::isSearched(band) &&
+                       (there == MapBand::over) == (band == MapBand::over);
             };
             int end = column + 1;
             while (end < SurfaceMap::kColumns && same(end))
@@ -158,7 +164,8 @@ void PalpationMapPainter::paintHatch(QPainter& painter, const QRectF& plot) cons
         painter.setPen(QPen(up ? m_theme.muted : m_theme.paper, (up ? 0.8 : 1.6) * m_theme.scale));
         const double reach = plot.height();
         for (double x = plot.left() - reach; x < plot.right(); x += every)
-            painter.drawLine(QPointF(x, up ? plot.bottom() : plot.top()), QPointF(x + reach, up ? plot.top() : plot.bottom()));
+            painter.drawLine(QPointF(x, up ? plot.bottom() : plot.top()),
+                             QPointF(x + reach, up ? plot.top() : plot.bottom()));
         painter.restore();
     }
 }
@@ -168,7 +175,9 @@ void PalpationMapPainter::paintEdge(QPainter& painter, const QRectF& plot) const
     const double wide = plot.width() / SurfaceMap::kColumns;
     const double high = plot.height() / SurfaceMap::kRows;
     QPainterPath edge;
-    const auto searched = [&](int column, int row) { return simulation::isSearched(m_view.bands.of(m_map.force_N(column, row))); };
+    const auto searched = [&](int column, int row) {
+        return simulation::isSearched(m_view.bands.of(m_map.force_N(column, row)));
+    };
     const auto line = [&](double x0, double y0, double x1, double y1) {
         edge.moveTo(plot.left() + x0 * wide, plot.bottom() - y0 * high);
         edge.lineTo(plot.left() + x1 * wide, plot.bottom() - y1 * high);
@@ -204,7 +213,8 @@ void PalpationMapPainter::paintLump(QPainter& painter, QPointF at, double radius
     const double u = m_theme.scale;
     for (const bool halo : {true, false}) {
         painter.setBrush(Qt::NoBrush);
-        QPen pen(halo ? m_theme.paper : m_theme.ink, (halo ? 6.0 : 2.6) * u, halo || found ? Qt::SolidLine : Qt::DashLine);
+        QPen pen(halo ? m_theme.paper : m_theme.ink, (halo ? 6.0 : 2.6) * u,
+                 halo || found ? Qt::SolidLine : Qt::DashLine);
         painter.setPen(pen);
         painter.drawEllipse(at, radius, radius);
         if (found)
@@ -219,7 +229,8 @@ void PalpationMapPainter::paintLump(QPainter& painter, QPointF at, double radius
 
 /// Draws a disc with its number. A hit has a second ring, a false alarm is a diamond, and the selected
 /// finding has corner marks.
-void PalpationMapPainter::paintFinding(QPainter& painter, QPointF at, const PalpationMapFinding& finding) const {
+void PalpationMapPainter::paintFinding(QPainter& painter, QPointF at,
+                                       const PalpationMapFinding& finding) const {
     const double u = m_theme.scale;
     const double radius = 9.0 * u;
     const bool falseAlarm = finding.outcome == FindingOutcome::falseAlarm;
@@ -230,7 +241,8 @@ void PalpationMapPainter::paintFinding(QPainter& painter, QPointF at, const Palp
         painter.drawEllipse(at, radius + 4.0 * u, radius + 4.0 * u);
     if (falseAlarm) {
         const double arm = radius + 5.0 * u;
-        painter.drawPolygon(QPolygonF{at + QPointF(0, -arm), at + QPointF(arm, 0), at + QPointF(0, arm), at + QPointF(-arm, 0)});
+        painter.drawPolygon(QPolygonF{at + QPointF(0, -arm), at + QPointF(arm, 0), at + QPointF(0, arm),
+                                      at + QPointF(-arm, 0)});
     } else {
         painter.drawEllipse(at, radius, radius);
     }
@@ -241,10 +253,12 @@ void PalpationMapPainter::paintFinding(QPainter& painter, QPointF at, const Palp
     }
     painter.setPen(m_theme.ink);
     painter.setFont(m_theme.font(12, true));
-    painter.drawText(QRectF(at.x() - 12.0 * u, at.y() - 12.0 * u, 24.0 * u, 24.0 * u), Qt::AlignCenter, m_theme.locale.toString(finding.number));
+    painter.drawText(QRectF(at.x() - 12.0 * u, at.y() - 12.0 * u, 24.0 * u, 24.0 * u), Qt::AlignCenter,
+                     m_theme.locale.toString(finding.number));
 }
 
-QImage palpationMapPicture(const SurfaceMap& map, const PalpationMapView& view, const PlotTheme& theme, const QSize& size, double ratio) {
+QImage palpationMapPicture(const SurfaceMap& map, const PalpationMapView& view, const PlotTheme& theme,
+                           const QSize& size, double ratio) {
     QImage picture(size * ratio, QImage::Format_RGB32);
     picture.setDevicePixelRatio(ratio);
     QPainter painter(&picture);

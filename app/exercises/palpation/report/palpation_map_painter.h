@@ -103,7 +103,7 @@ private:
 
 /// The map as a picture of `size` logical pixels, with `ratio` device pixels per logical pixel.
 /// Thread: GUI.
-QImage palpationMapPicture(const simulation::SurfaceMap& map, const PalpationMapView& view, const PlotTheme& theme, const QSize& size,
-                           double ratio = 1.0);
+QImage palpationMapPicture(const simulation::SurfaceMap& map, const PalpationMapView& view,
+                           const PlotTheme& theme, const QSize& size, double ratio = 1.0);
 
 } // namespace chiron::report

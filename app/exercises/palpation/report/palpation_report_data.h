@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/signal_detection.h"
 #include "app/exercises/palpation/report/palpation_map_painter.h"
+#include "core/signal_detection.h"
 #include "simulation/palpation/surface_map.h"
 
 #include <optional>
@@ -16,9 +16,9 @@ struct PalpationFindingRow {
     int number = 0; ///< from 1; 0 for a missed lump
     double x_mm = 0.0;
     double y_mm = 0.0;
-    double radius_mm = 0.0; ///< as reported; 0: not stated. For a missed lump, the true radius
-    int hardness = 0;       ///< as reported; 0: not stated. For a missed lump, the true hardness
-    int confidence = 0;     ///< 0: not stated
+    double radius_mm = 0.0;             ///< as reported; 0: not stated. For a missed lump, the true radius
+    int hardness = 0;                   ///< as reported; 0: not stated. For a missed lump, the true hardness
+    int confidence = 0;                 ///< 0: not stated
     std::optional<double> error_mm;     ///< of a hit: distance from the lump's position
     std::optional<double> sizeError_mm; ///< of a hit whose size was stated: reported − true radius
 };
@@ -38,6 +38,7 @@ struct PalpationReport {
 };
 
 /// Paints coverage and largest force of a trial side by side, with lumps and findings over both.
-void paintPalpationMaps(QPainter& painter, const QRectF& box, const PalpationTrialReport& trial, const PlotTheme& theme);
+void paintPalpationMaps(QPainter& painter, const QRectF& box, const PalpationTrialReport& trial,
+                        const PlotTheme& theme);
 
 } // namespace chiron::report

@@ -36,7 +36,9 @@ QString radius(const PalpationFindingRow& row, const QLocale& locale) {
     return QStringLiteral("%1 (%2%3)").arg(said, sign, locale.toString(std::abs(*row.sizeError_mm), 'f', 1));
 }
 
-QString rating(int value, const QLocale& locale) { return value > 0 ? locale.toString(value) : QStringLiteral("–"); }
+QString rating(int value, const QLocale& locale) {
+    return value > 0 ? locale.toString(value) : QStringLiteral("–");
+}
 
 QString outcome(const PalpationFindingRow& row) {
     switch (row.kind) {
@@ -57,14 +59,15 @@ QString sensitivity(const core::DetectionCounts& regions, const QLocale& locale)
             .arg(locale.toString(regions.ofSignal), locale.toString(regions.ofNoise));
     const core::DetectionInterval interval = core::dPrimeInterval(regions);
     return Words::tr("%1 (95 %: %2 to %3)")
-        .arg(locale.toString(core::dPrime(regions), 'f', 2), locale.toString(interval.low, 'f', 2), locale.toString(interval.high, 'f', 2));
+        .arg(locale.toString(core::dPrime(regions), 'f', 2), locale.toString(interval.low, 'f', 2),
+             locale.toString(interval.high, 'f', 2));
 }
 
 int countOf(const PalpationReport& report, Kind kind) {
     int count = 0;
     for (const PalpationTrialReport& trial : report.trials)
-        count +=
-            static_cast<int>(std::count_if(trial.rows.begin(), trial.rows.end(), [kind](const auto& row) { return row.kind == kind; }));
+        count += static_cast<int>(std::count_if(trial.rows.begin(), trial.rows.end(),
+                                                [kind](const auto& row) { return row.kind == kind; }));
     return count;
 }
 
@@ -74,16 +77,19 @@ void addFindings(BlockMaker& blocks, const PalpationReport& report) {
     for (const PalpationTrialReport& trial : report.trials)
         for (const PalpationFindingRow& row : trial.rows)
             rows.push_back({locale.toString(trial.trial + 1), rating(row.number, locale), place(row, locale),
-                            radius(row, locale), rating(row.hardness, locale),
-                            rating(row.confidence, locale), outcome(row),
+                            radius(row, locale), rating(row.hardness, locale), rating(row.confidence, locale),
+                            outcome(row),
                             row.error_mm ? locale.toString(*row.error_mm, 'f', 1) : QStringLiteral("–")});
     if (rows.empty()) {
-        blocks.addText(Words::tr("Nothing was reported, and nothing was there"), blocks.theme().font(12), blocks.theme().ink, 6);
+        blocks.addText(Words::tr("Nothing was reported, and nothing was there"), blocks.theme().font(12),
+                       blocks.theme().ink, 6);
         return;
     }
-    blocks.addTable({Words::tr("Trial"), Words::tr("No."), Words::tr("x, y (mm)"), Words::tr("Radius (mm)"), Words::tr("Hardness"),
-                     Words::tr("Confidence"), Words::tr("Outcome"), Words::tr("Error (mm)")},
-                    rows, {0.08, 0.07, 0.16, 0.13, 0.12, 0.13, 0.19, 0.12}, {true, true, true, true, true, true, false, true});
+    blocks.addTable({Words::tr("Trial"), Words::tr("No."), Words::tr("x, y (mm)"), Words::tr("Radius (mm)"),
+                     Words::tr("Hardness"), Words::tr("Confidence"), Words::tr("Outcome"),
+                     Words::tr("Error (mm)")},
+                    rows, {0.08, 0.07, 0.16, 0.13, 0.12, 0.13, 0.19, 0.12},
+                    {true, true, true, true, true, true, false, true});
 }
 
 void addMaps(BlockMaker& blocks, const PalpationTrialReport& trial) {
@@ -113,24 +119,28 @@ void PalpationSection::addTo(BlockMaker& blocks) const {
     const QLocale& locale = blocks.theme().locale;
     const int hits = countOf(m_report, Kind::hit);
     blocks.addHeading(Words::tr("What was found"));
-    blocks.addPairs({{Words::tr("Lumps found"),
-                      Words::tr("%1 of %2").arg(locale.toString(hits), locale.toString(hits + countOf(m_report, Kind::missed)))},
-                     {Words::tr("False alarms"), locale.toString(countOf(m_report, Kind::falseAlarm))},
-                     {Words::tr("Regions: hits, false alarms"),
-                      Words::tr("%1 of %2, %3 of %4")
-                          .arg(locale.toString(m_report.regions.hits), locale.toString(m_report.regions.ofSignal),
-                               locale.toString(m_report.regions.falseAlarms), locale.toString(m_report.regions.ofNoise))},
-                     {Words::tr("Sensitivity d′"), sensitivity(m_report.regions, locale)},
-                     {Words::tr("Criterion c"),
-                      core::isUsable(m_report.regions) ? locale.toString(core::criterion(m_report.regions), 'f', 2) : QString()}},
-                    3);
+    blocks.addPairs(
+        {{Words::tr("Lumps found"),
+          Words::tr("%1 of %2")
+              .arg(locale.toString(hits), locale.toString(hits + countOf(m_report, Kind::missed)))},
+         {Words::tr("False alarms"), locale.toString(countOf(m_report, Kind::falseAlarm))},
+         {Words::tr("Regions: hits, false alarms"),
+          Words::tr("%1 of %2, %3 of %4")
+              .arg(locale.toString(m_report.regions.hits), locale.toString(m_report.regions.ofSignal),
+                   locale.toString(m_report.regions.falseAlarms), locale.toString(m_report.regions.ofNoise))},
+         {Words::tr("Sensitivity d′"), sensitivity(m_report.regions, locale)},
+         {Words::tr("Criterion c"), core::isUsable(m_report.regions)
+                                        ? locale.toString(core::criterion(m_report.regions), 'f', 2)
+                                        : QString()}},
+        3);
     addFindings(blocks, m_report);
     for (const PalpationTrialReport& trial : m_report.trials)
         addMaps(blocks, trial);
 }
 
 // Writes one picture per trial: palpation_1.png and so on.
-core::Result<void> PalpationSection::savePictures(const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) const {
+core::Result<void> PalpationSection::savePictures(const QDir& folder, const PlotTheme& theme,
+                                                  std::vector<QString>& written) const {
     for (const PalpationTrialReport& trial : m_report.trials) {
         const QString path = folder.filePath(QStringLiteral("palpation_%1.png").arg(trial.trial + 1));
         if (auto done = saveMaps(trial, path, theme); !done)
@@ -140,14 +150,17 @@ core::Result<void> PalpationSection::savePictures(const QDir& folder, const Plot
     return {};
 }
 
-void paintPalpationMaps(QPainter& painter, const QRectF& box, const PalpationTrialReport& trial, const PlotTheme& theme) {
+void paintPalpationMaps(QPainter& painter, const QRectF& box, const PalpationTrialReport& trial,
+                        const PlotTheme& theme) {
     constexpr double kGap = 16.0;
     const double half = 0.5 * (box.width() - kGap);
     PalpationMapView view = trial.view;
     for (const auto kind : {simulation::SurfaceMapKind::coverage, simulation::SurfaceMapKind::force}) {
         view.kind = kind;
-        const double left = kind == simulation::SurfaceMapKind::coverage ? box.left() : box.left() + half + kGap;
-        PalpationMapPainter(trial.map, view, theme).paint(painter, QRectF(left, box.top(), half, box.height()));
+        const double left =
+            kind == simulation::SurfaceMapKind::coverage ? box.left() : box.left() + half + kGap;
+        PalpationMapPainter(trial.map, view, theme)
+            .paint(painter, QRectF(left, box.top(), half, box.height()));
     }
 }
 

@@ -15,7 +15,8 @@ public:
 
     const PalpationReport& report() const { return m_report; }
     void addTo(BlockMaker& blocks) const override;
-    core::Result<void> savePictures(const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) const override;
+    core::Result<void> savePictures(const QDir& folder, const PlotTheme& theme,
+                                    std::vector<QString>& written) const override;
 
 private:
     PalpationReport m_report;

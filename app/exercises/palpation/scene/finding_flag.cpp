@@ -10,7 +10,8 @@ namespace chiron::scene3d {
 
 using simulation::FindingOutcome;
 
-void paintFindingFlag(QPainter& painter, const QRectF& box, const FindingFlag& flag, const SceneSetup& setup) {
+void paintFindingFlag(QPainter& painter, const QRectF& box, const FindingFlag& flag,
+                      const SceneSetup& setup) {
     const QPointF middle = box.center();
     const double unit = box.width() / 32.0;
     const bool wrong = flag.outcome == FindingOutcome::falseAlarm;
@@ -22,20 +23,24 @@ void paintFindingFlag(QPainter& painter, const QRectF& box, const FindingFlag& f
     painter.setPen(QPen(edge, 2.0 * unit));
     if (wrong) {
         const double arm = 12.0 * unit;
-        painter.drawPolygon(QPolygonF{middle + QPointF(0, -arm), middle + QPointF(arm, 0), middle + QPointF(0, arm), middle + QPointF(-arm, 0)});
+        painter.drawPolygon(QPolygonF{middle + QPointF(0, -arm), middle + QPointF(arm, 0),
+                                      middle + QPointF(0, arm), middle + QPointF(-arm, 0)});
     } else if (hit) {
         painter.drawEllipse(middle, 12.0 * unit, 12.0 * unit);
         painter.drawEllipse(middle, 8.5 * unit, 8.5 * unit);
     } else {
-        painter.drawRoundedRect(QRectF(middle - QPointF(9.0, 9.0) * unit, QSizeF(18.0, 18.0) * unit), 2.5 * unit, 2.5 * unit);
+        painter.drawRoundedRect(QRectF(middle - QPointF(9.0, 9.0) * unit, QSizeF(18.0, 18.0) * unit),
+                                2.5 * unit, 2.5 * unit);
     }
     if (flag.selected)
-        for (const auto& [colour, wide] : {std::pair{setup.colours.background, 5.0}, {setup.colours.ink, 2.6}}) {
+        for (const auto& [colour, wide] :
+             {std::pair{setup.colours.background, 5.0}, {setup.colours.ink, 2.6}}) {
             painter.setPen(QPen(colour, wide * unit, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
             for (const double x : {-1.0, 1.0})
                 for (const double y : {-1.0, 1.0}) {
                     const QPointF corner = middle + 13.2 * unit * QPointF(x, y);
-                    painter.drawPolyline(QPolygonF{corner - QPointF(5.0 * unit * x, 0), corner, corner - QPointF(0, 5.0 * unit * y)});
+                    painter.drawPolyline(QPolygonF{corner - QPointF(5.0 * unit * x, 0), corner,
+                                                   corner - QPointF(0, 5.0 * unit * y)});
                 }
         }
     QFont font(setup.family);
@@ -43,7 +48,8 @@ void paintFindingFlag(QPainter& painter, const QRectF& box, const FindingFlag& f
     font.setBold(true);
     painter.setFont(font);
     painter.setPen(setup.colours.ink);
-    painter.drawText(QRectF(middle - QPointF(11, 11) * unit, QSizeF(22, 22) * unit), Qt::AlignCenter, QLocale().toString(flag.number));
+    painter.drawText(QRectF(middle - QPointF(11, 11) * unit, QSizeF(22, 22) * unit), Qt::AlignCenter,
+                     QLocale().toString(flag.number));
     painter.restore();
 }
 

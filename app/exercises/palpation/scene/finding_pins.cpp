@@ -24,15 +24,18 @@ TriangleMesh stick() {
 TriangleMesh square() {
     TriangleMesh mesh;
     for (const auto& [x, y] : {std::pair{0.0F, 0.0F}, {1.0F, 0.0F}, {1.0F, 1.0F}, {0.0F, 1.0F}})
-        mesh.vertices.push_back({{kFlag_mm * (x - 0.5F), kFlag_mm * (y - 0.5F), 0.0F}, {0.0F, 0.0F, 1.0F}, {x, y}, 1.0F});
+        mesh.vertices.push_back(
+            {{kFlag_mm * (x - 0.5F), kFlag_mm * (y - 0.5F), 0.0F}, {0.0F, 0.0F, 1.0F}, {x, y}, 1.0F});
     mesh.indices = {0, 1, 2, 0, 2, 3};
     return mesh;
 }
 
 } // namespace
 
-FindingPins::FindingPins(SharedLight& light, double elevation_rad, const simulation::TissueSurface& surface, double reach_m, Qt3DCore::QNode* parent)
-    : QEntity(parent), m_surface(surface), m_stickTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)) {
+FindingPins::FindingPins(SharedLight& light, double elevation_rad, const simulation::TissueSurface& surface,
+                         double reach_m, Qt3DCore::QNode* parent)
+    : QEntity(parent), m_surface(surface),
+      m_stickTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)) {
     auto* material = light.effects.material("solid.vert", "signal.frag", {m_stickTint}, Blend::opaque, this);
     for (Pin& pin : m_pins) {
         pin.root = new Qt3DCore::QEntity(this);
@@ -40,10 +43,15 @@ FindingPins::FindingPins(SharedLight& light, double elevation_rad, const simulat
         pin.root->addComponent(pin.at);
         new Part(stick(), material, pin.root);
         pin.face = new PaintedFace(pin.root);
-        auto* face = new Qt3DRender::QParameter(QStringLiteral("face"), QVariant::fromValue(pin.face->texture()), pin.root);
-        pin.flag = new Part(square(), light.effects.material("mark.vert", "face.frag", {face}, Blend::premultiplied, pin.root), pin.root);
+        auto* face = new Qt3DRender::QParameter(QStringLiteral("face"),
+                                                QVariant::fromValue(pin.face->texture()), pin.root);
+        pin.flag =
+            new Part(square(),
+                     light.effects.material("mark.vert", "face.frag", {face}, Blend::premultiplied, pin.root),
+                     pin.root);
         pin.flag->at().setTranslation({0.0F, 0.0F, float(kStick_mm + 4.0)});
-        pin.flag->at().setRotation(QQuaternion::fromAxisAndAngle(1.0F, 0.0F, 0.0F, 90.0F - float(qRadiansToDegrees(elevation_rad))));
+        pin.flag->at().setRotation(
+            QQuaternion::fromAxisAndAngle(1.0F, 0.0F, 0.0F, 90.0F - float(qRadiansToDegrees(elevation_rad))));
         pin.reach = new Part(ringMesh(1e3 * reach_m, kReachHalf_mm), material, pin.root);
         pin.root->setEnabled(false);
     }
@@ -74,8 +82,10 @@ void FindingPins::show(const SceneState& state) {
             continue;
         const core::Vec3 place(finding.p_W[0], finding.p_W[1], finding.p_W[2]);
         pin.at->setTranslation(toMillimetres(place));
-        pin.reach->at().setRotation(QQuaternion::rotationTo(QVector3D(0, 0, 1), toVector(m_surface.normalAt(place.head<2>()))));
-        const FindingFlag flag{static_cast<int>(i) + 1, state.overlay.of<PalpationOverlay>().outcome[i], cues.selected == static_cast<int>(i)};
+        pin.reach->at().setRotation(
+            QQuaternion::rotationTo(QVector3D(0, 0, 1), toVector(m_surface.normalAt(place.head<2>()))));
+        const FindingFlag flag{static_cast<int>(i) + 1, state.overlay.of<PalpationOverlay>().outcome[i],
+                               cues.selected == static_cast<int>(i)};
         if (pin.painted && pin.shown == flag)
             continue;
         pin.painted = true;

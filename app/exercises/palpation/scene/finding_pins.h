@@ -19,7 +19,8 @@ class FindingPins final : public Qt3DCore::QEntity {
 public:
     /// `elevation_rad`: the camera's angle above the plane; the flags face the camera. `reach_m`: the radius
     /// of the circles. `surface` must outlive this object.
-    FindingPins(SharedLight& light, double elevation_rad, const simulation::TissueSurface& surface, double reach_m, Qt3DCore::QNode* parent);
+    FindingPins(SharedLight& light, double elevation_rad, const simulation::TissueSurface& surface,
+                double reach_m, Qt3DCore::QNode* parent);
 
     void change(const SceneSetup& setup);
     void show(const SceneState& state);

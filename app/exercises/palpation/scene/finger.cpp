@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/scene/finger.h"
 
-#include "desktop/scene3d/drawn_tool.h"
 #include "app/exercises/palpation/scene/hand_mesh.h"
+#include "desktop/scene3d/drawn_tool.h"
 #include "desktop/scene3d/parts/instrument_mesh.h"
 #include "desktop/scene3d/parts/loft.h"
 
@@ -29,13 +29,18 @@ Qt3DRender::QParameter* tint(const QVector4D& value, Qt3DCore::QNode* parent) {
     return new Qt3DRender::QParameter(QStringLiteral("tint"), value, parent);
 }
 
-core::Quat heldLike(const ToolView& tool) { return tool.q_WT.norm() > 0.5 ? tool.q_WT.normalized() : core::Quat::Identity(); }
+core::Quat heldLike(const ToolView& tool) {
+    return tool.q_WT.norm() > 0.5 ? tool.q_WT.normalized() : core::Quat::Identity();
+}
 
-core::Quat turned(const core::Quat& q, double yaw_rad) { return q * core::Quat(Eigen::AngleAxisd(yaw_rad, core::Vec3::UnitZ())); }
+core::Quat turned(const core::Quat& q, double yaw_rad) {
+    return q * core::Quat(Eigen::AngleAxisd(yaw_rad, core::Vec3::UnitZ()));
+}
 
 } // namespace
 
-Finger::Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, int fingers, Qt3DCore::QNode* parent)
+Finger::Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, int fingers,
+               Qt3DCore::QNode* parent)
     : QEntity(parent), m_index(index), m_body(new Qt3DCore::QEntity(this)) {
     m_pose = new Qt3DCore::QTransform(m_body);
     m_body->addComponent(m_pose);
@@ -45,11 +50,19 @@ Finger::Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, int 
     const auto signal = [&](Qt3DRender::QParameter* colour, Blend blend) {
         return light.effects.material("solid.vert", "signal.frag", {colour}, blend, this);
     };
-    auto* steel = light.effects.material("solid.vert", "instrument.frag", {light.lamp, light.outlined, tint({1, 1, 1, 1}, this)}, Blend::opaque, this);
+    auto* steel =
+        light.effects.material("solid.vert", "instrument.frag",
+                               {light.lamp, light.outlined, tint({1, 1, 1, 1}, this)}, Blend::opaque, this);
     m_opacity = new Qt3DRender::QParameter(QStringLiteral("opacity"), 1.0F, this);
-    m_solid = makeGlove(light.effects.material("organ.vert", "organ.frag", {light.lamp, light.lens, light.outlined, skin, m_pale, m_deep}, Blend::opaque, this), fingers);
-    m_glass = makeGlove(light.effects.materialWith("#define GLASS\n", "organ.vert", "organ.frag",
-                                                   {light.lamp, light.lens, light.outlined, skin, m_pale, m_deep, m_opacity}, Blend::translucent, this), fingers);
+    m_solid = makeGlove(light.effects.material("organ.vert", "organ.frag",
+                                               {light.lamp, light.lens, light.outlined, skin, m_pale, m_deep},
+                                               Blend::opaque, this),
+                        fingers);
+    m_glass = makeGlove(
+        light.effects.materialWith("#define GLASS\n", "organ.vert", "organ.frag",
+                                   {light.lamp, light.lens, light.outlined, skin, m_pale, m_deep, m_opacity},
+                                   Blend::translucent, this),
+        fingers);
     auto* band = signal(tint(toTint(ringColour(index)), this), Blend::opaque);
     for (int i = 0; i < core::kMaxTools; ++i) {
         m_bands[i] = new Part(fingerBands(i + 1), band, m_body);
@@ -107,7 +120,8 @@ void Finger::show(const ToolView& tool, const FingerLean& lean, const Look& look
     showGlove(m_glass, !solid);
     m_opacity->setValue(float(look.opacity));
     m_pose->setTranslation(toMillimetres(drawnTip(tool)));
-    m_pose->setRotation(toQuaternion(turned(heldLike(tool), fingerYaw_rad(m_setup, static_cast<std::size_t>(m_index)))));
+    m_pose->setRotation(
+        toQuaternion(turned(heldLike(tool), fingerYaw_rad(m_setup, static_cast<std::size_t>(m_index)))));
     for (int i = 0; i < core::kMaxTools; ++i)
         m_bands[i]->setEnabled(i + 1 == look.bands);
     m_collar->setEnabled(look.collar);

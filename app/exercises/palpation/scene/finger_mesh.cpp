@@ -9,11 +9,12 @@ namespace chiron::scene3d {
 
 namespace {
 
-const std::array kLine{
-    SweepRing{{0.0, 5.0, 7.4}, 6.0, 1.0},     SweepRing{{0.0, 2.0, 7.7}, 7.3, 1.0},    SweepRing{{0.0, -3.0, 8.6}, 8.1, 1.0},
-    SweepRing{{0.0, -11.0, 11.2}, 8.3, 1.0},  SweepRing{{0.0, -18.0, 14.2}, 8.2, 0.96}, SweepRing{{0.0, -22.0, 16.3}, 8.7, 0.84},
-    SweepRing{{0.0, -26.0, 18.8}, 8.5, 0.97}, SweepRing{{0.0, -34.0, 24.6}, 8.6, 1.0}, SweepRing{{0.0, -43.0, 31.8}, 9.1, 0.95},
-    SweepRing{{0.0, -53.0, 38.4}, 9.6, 1.0},  SweepRing{{0.0, -65.0, 44.6}, 10.2, 1.0}, SweepRing{{0.0, -76.0, 47.5}, 10.4, 0.9}};
+const std::array kLine{SweepRing{{0.0, 5.0, 7.4}, 6.0, 1.0},     SweepRing{{0.0, 2.0, 7.7}, 7.3, 1.0},
+                       SweepRing{{0.0, -3.0, 8.6}, 8.1, 1.0},    SweepRing{{0.0, -11.0, 11.2}, 8.3, 1.0},
+                       SweepRing{{0.0, -18.0, 14.2}, 8.2, 0.96}, SweepRing{{0.0, -22.0, 16.3}, 8.7, 0.84},
+                       SweepRing{{0.0, -26.0, 18.8}, 8.5, 0.97}, SweepRing{{0.0, -34.0, 24.6}, 8.6, 1.0},
+                       SweepRing{{0.0, -43.0, 31.8}, 9.1, 0.95}, SweepRing{{0.0, -53.0, 38.4}, 9.6, 1.0},
+                       SweepRing{{0.0, -65.0, 44.6}, 10.2, 1.0}, SweepRing{{0.0, -76.0, 47.5}, 10.4, 0.9}};
 
 /// The finger's centre-line at this y (mm), piecewise linear.
 SweepRing atY(double y_mm) {

@@ -15,7 +15,7 @@ TriangleMesh fingerBands(int count);
 /// A collar worn by the finger that mouse and keyboard move.
 TriangleMesh fingerCollar();
 
-inline constexpr double kPlatformRing_mm = 10.4; ///< radius of the ring that shows the platform's lean
+inline constexpr double kPlatformRing_mm = 10.4;  ///< radius of the ring that shows the platform's lean
 inline constexpr double kPlatformHeight_mm = 6.0; ///< height of the ring's centre above the pad
 
 } // namespace chiron::scene3d

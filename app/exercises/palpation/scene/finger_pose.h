@@ -4,9 +4,9 @@
 #include "core/units.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
-#include "simulation/palpation/tissue_surface.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
+#include "simulation/palpation/tissue_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +17,11 @@ namespace chiron::scene3d {
 /// The inclination of the platform under a finger, as it is drawn.
 /// Frame: W.
 struct FingerLean {
-    core::Vec3 toward = core::Vec3::Zero(); ///< unit, in the contact plane, along the lateral tissue force; zero: upright
-    double angle_rad = 0.0;                 ///< of α, limited to the platform's range (30° in all, 20° across
-                                            ///< the finger)
-    bool saturated = false;                 ///< the force leans farther than the platform can
+    core::Vec3 toward =
+        core::Vec3::Zero(); ///< unit, in the contact plane, along the lateral tissue force; zero: upright
+    double angle_rad = 0.0; ///< of α, limited to the platform's range (30° in all, 20° across
+                            ///< the finger)
+    bool saturated = false; ///< the force leans farther than the platform can
 };
 
 inline constexpr double kMostLean_rad = 30.0 * core::kPi / 180.0; ///< P3
@@ -73,7 +74,8 @@ inline constexpr double kFadesOver_m = 0.003; ///< height above the surface over
 /// The opacity of the hand of this finger, 0..1. A hand that touches is opaque like a real gloved hand. A
 /// hand whose fingers are all in the air is almost transparent, so that the tissue under and beyond it stays
 /// visible and the person can see where to go.
-inline double gloveOpacity(const SceneSetup& setup, const SceneState& state, const simulation::TissueSurface& surface, std::size_t tool) {
+inline double gloveOpacity(const SceneSetup& setup, const SceneState& state,
+                           const simulation::TissueSurface& surface, std::size_t tool) {
     const auto* palpation = setup.parameters.find<simulation::PalpationParameters>();
     const std::size_t perHand = static_cast<std::size_t>(std::max(1, palpation ? palpation->fingers : 1));
     const std::size_t first = tool / perHand * perHand;

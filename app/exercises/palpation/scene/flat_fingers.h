@@ -16,7 +16,8 @@ namespace chiron::scene3d {
 /// The view from the side shows the outline, the leaning platform, and a bar with the depth in millimetres.
 class FlatFingers {
 public:
-    FlatFingers(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const simulation::TissueSurface& surface)
+    FlatFingers(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                const simulation::TissueSurface& surface)
         : m_painter(painter), m_panel(panel), m_setup(setup), m_surface(surface) {}
 
     void paint(const SceneState& state) const;

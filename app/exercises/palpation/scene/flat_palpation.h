@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene2d/flat_content.h"
-#include "desktop/scene3d/scene_marks.h"
 #include "app/exercises/palpation/scene/palpation_dial.h"
 #include "app/exercises/palpation/scene/tissue_look.h"
+#include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/parts/dent.h"
+#include "desktop/scene3d/scene_marks.h"
 #include "simulation/palpation/tissue_surface.h"
 
 #include <QCoreApplication>
@@ -24,14 +24,18 @@ public:
     explicit FlatPalpation(const simulation::PalpationParameters& parameters);
     /// Names of the marks that it draws in addition to the objects (marksOf), the same in 3D and flat. Pure
     /// function.
-    static std::vector<std::string> marks(const simulation::PalpationParameters& parameters, const MarkedScene& scene);
+    static std::vector<std::string> marks(const simulation::PalpationParameters& parameters,
+                                          const MarkedScene& scene);
 
     QString name() const override { return tr("Tissue, fingers and findings, from above and from the side"); }
     QRectF rangeAbove_mm() const override;
     QRectF rangeSide_mm() const override;
     bool drawsTools() const override { return true; }
-    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const override;
-    GaugeDial forceBar(const SceneSetup& setup, const SceneState& state) const override { return forceDial(setup, state.exercise.of<simulation::PalpationCues>()); }
+    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+               const SceneState& state) const override;
+    GaugeDial forceBar(const SceneSetup& setup, const SceneState& state) const override {
+        return forceDial(setup, state.exercise.of<simulation::PalpationCues>());
+    }
     double groundHeight_m(const SceneState& state, double x_m, double y_m) const override;
 
     /// The position of the section, m: through the finger that presses deepest, else through the first
@@ -46,13 +50,19 @@ public:
 private:
     void paintRelief();
     void findHeightLines();
-    void paintAbove(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const;
-    void paintSide(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const;
+    void paintAbove(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                    const SceneState& state) const;
+    void paintSide(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                   const SceneState& state) const;
     void paintLines(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup) const;
-    void paintMap(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const;
-    void paintLumps(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const;
-    void paintFindings(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const;
-    void paintLegend(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const;
+    void paintMap(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                  const SceneState& state) const;
+    void paintLumps(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                    const SceneState& state) const;
+    void paintFindings(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                       const SceneState& state) const;
+    void paintLegend(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                     const SceneState& state) const;
 
     simulation::PalpationParameters m_parameters;
     simulation::TissueSurface m_surface;

@@ -23,9 +23,13 @@ TriangleMesh unitSquare() {
 } // namespace
 
 MapCard::MapCard(SharedLight& light, Qt3DCore::QNode* parent)
-    : QEntity(parent), m_face(new PaintedFace(this)), m_spot(new Qt3DRender::QParameter(QStringLiteral("spot"), QVector4D(), this)) {
-    auto* face = new Qt3DRender::QParameter(QStringLiteral("face"), QVariant::fromValue(m_face->texture()), this);
-    new Part(unitSquare(), light.effects.material("gauge.vert", "face.frag", {m_spot, face}, Blend::premultiplied, this), this);
+    : QEntity(parent), m_face(new PaintedFace(this)),
+      m_spot(new Qt3DRender::QParameter(QStringLiteral("spot"), QVector4D(), this)) {
+    auto* face =
+        new Qt3DRender::QParameter(QStringLiteral("face"), QVariant::fromValue(m_face->texture()), this);
+    new Part(unitSquare(),
+             light.effects.material("gauge.vert", "face.frag", {m_spot, face}, Blend::premultiplied, this),
+             this);
     setEnabled(false);
 }
 
@@ -64,8 +68,8 @@ void MapCard::repaint() {
         legend.paint(painter);
     });
     const double margin = kMargin * m_ratio;
-    m_spot->setValue(QVector4D(float(-1.0 + 2.0 * margin / wide), float(-1.0 + 2.0 * margin / high), float(2.0 * size_px.width() / wide),
-                               float(2.0 * size_px.height() / high)));
+    m_spot->setValue(QVector4D(float(-1.0 + 2.0 * margin / wide), float(-1.0 + 2.0 * margin / high),
+                               float(2.0 * size_px.width() / wide), float(2.0 * size_px.height() / high)));
 }
 
 } // namespace chiron::scene3d

@@ -14,8 +14,8 @@
 
 namespace chiron::scene3d {
 
-using simulation::SurfaceMapKind;
 using simulation::MapBand;
+using simulation::SurfaceMapKind;
 
 namespace {
 
@@ -42,7 +42,8 @@ QColor tissueColour(TissueLook look) {
     return {};
 }
 
-MapLegend::MapLegend(const SceneSetup& setup, SurfaceMapKind kind, int percent) : m_setup(setup), m_kind(kind), m_percent(percent) {}
+MapLegend::MapLegend(const SceneSetup& setup, SurfaceMapKind kind, int percent)
+    : m_setup(setup), m_kind(kind), m_percent(percent) {}
 
 MapLegend MapLegend::of(const SceneSetup& setup, const SceneState& state) {
     const auto& cues = state.exercise.of<simulation::PalpationCues>();
@@ -64,13 +65,17 @@ QFont MapLegend::font(double size, bool bold) const {
 
 QString MapLegend::title() const {
     const QString what = m_kind == SurfaceMapKind::force ? Words::tr("Largest force") : Words::tr("Searched");
-    return m_percent < 0 || m_kind == SurfaceMapKind::force ? what : QStringLiteral("%1: %2 %").arg(what, QLocale().toString(m_percent));
+    return m_percent < 0 || m_kind == SurfaceMapKind::force
+               ? what
+               : QStringLiteral("%1: %2 %").arg(what, QLocale().toString(m_percent));
 }
 
 std::vector<MapLegend::Row> MapLegend::rows() const {
     const simulation::MapBands bands = mapBandsOf(m_setup);
     const auto number = [](double force_N) { return QLocale().toString(force_N, 'f', 1); };
-    const auto range = [&](double low_N, double high_N) { return Words::tr("%1 – %2 N").arg(number(low_N), number(high_N)); };
+    const auto range = [&](double low_N, double high_N) {
+        return Words::tr("%1 – %2 N").arg(number(low_N), number(high_N));
+    };
     std::vector<Row> rows;
     if (m_kind == SurfaceMapKind::coverage) {
         rows.push_back({MapBand::inBand, Words::tr("≥ %1 N").arg(number(bands.cover_N))});
@@ -78,7 +83,9 @@ std::vector<MapLegend::Row> MapLegend::rows() const {
     } else {
         rows.push_back({MapBand::over, Words::tr("over %1 N").arg(number(bands.limit_N))});
         rows.push_back({MapBand::hard, range(bands.high_N, bands.limit_N)});
-        rows.push_back({MapBand::inBand, Words::tr("%1 (band)").arg(range(std::max(bands.cover_N, bands.low_N), bands.high_N))});
+        rows.push_back(
+            {MapBand::inBand,
+             Words::tr("%1 (band)").arg(range(std::max(bands.cover_N, bands.low_N), bands.high_N))});
         if (bands.low_N > bands.cover_N)
             rows.push_back({MapBand::gentle, range(bands.cover_N, bands.low_N)});
         rows.push_back({MapBand::light, Words::tr("under %1 N").arg(number(bands.cover_N))});
@@ -106,13 +113,15 @@ void MapLegend::paint(QPainter& painter) const {
     painter.drawRoundedRect(QRectF(1, 1, whole.width() - 2, whole.height() - 2), 8, 8);
     painter.setPen(m_setup.colours.ink);
     painter.setFont(font(13, true));
-    painter.drawText(QRectF(kMargin, 0.5 * kMargin, whole.width(), kTitle), Qt::AlignLeft | Qt::AlignVCenter, title());
+    painter.drawText(QRectF(kMargin, 0.5 * kMargin, whole.width(), kTitle), Qt::AlignLeft | Qt::AlignVCenter,
+                     title());
     double top = 0.6 * kMargin + kTitle;
     for (const Row& row : rows()) {
         paintSwatch(painter, QRectF(kMargin, top + 3.0, kSwatch, kRow - 6.0), row.band);
         painter.setPen(m_setup.colours.ink);
         painter.setFont(font(13, false));
-        painter.drawText(QRectF(kMargin + kSwatch + 8.0, top, whole.width(), kRow), Qt::AlignLeft | Qt::AlignVCenter, row.words);
+        painter.drawText(QRectF(kMargin + kSwatch + 8.0, top, whole.width(), kRow),
+                         Qt::AlignLeft | Qt::AlignVCenter, row.words);
         top += kRow;
     }
 }
@@ -127,7 +136,8 @@ void MapLegend::paintSwatch(QPainter& painter, const QRectF& box, MapBand band) 
     if (over || !isSearched(band)) {
         painter.setPen(QPen(mapHatch(m_setup.colours, over), over ? 2.0 : 1.2));
         for (double x = box.left() - box.height(); x < box.right(); x += over ? 6.0 : 8.0)
-            painter.drawLine(QPointF(x, over ? box.top() : box.bottom()), QPointF(x + box.height(), over ? box.bottom() : box.top()));
+            painter.drawLine(QPointF(x, over ? box.top() : box.bottom()),
+                             QPointF(x + box.height(), over ? box.bottom() : box.top()));
     }
     painter.restore();
     painter.setBrush(Qt::NoBrush);

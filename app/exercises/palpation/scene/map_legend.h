@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "app/exercises/palpation/scene/tissue_look.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "simulation/palpation/map_bands.h"
 
 #include <QSizeF>
@@ -28,7 +28,9 @@ public:
     void paint(QPainter& painter) const;
     QSizeF size() const;
     /// Equal legends need no repainting.
-    bool operator==(const MapLegend& other) const { return m_kind == other.m_kind && m_percent == other.m_percent; }
+    bool operator==(const MapLegend& other) const {
+        return m_kind == other.m_kind && m_percent == other.m_percent;
+    }
 
 private:
     struct Row {

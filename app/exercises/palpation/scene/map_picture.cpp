@@ -8,9 +8,9 @@
 
 namespace chiron::scene3d {
 
-using simulation::SurfaceMapKind;
 using simulation::MapBand;
 using simulation::SurfaceMap;
+using simulation::SurfaceMapKind;
 
 namespace {
 
@@ -20,10 +20,13 @@ constexpr int kDash = 6;
 
 QColor between(const QColor& from, const QColor& to, double share, double opacity) {
     const auto mix = [share](int a, int b) { return static_cast<int>(std::lround(a + share * (b - a))); };
-    return {mix(from.red(), to.red()), mix(from.green(), to.green()), mix(from.blue(), to.blue()), static_cast<int>(255.0 * opacity)};
+    return {mix(from.red(), to.red()), mix(from.green(), to.green()), mix(from.blue(), to.blue()),
+            static_cast<int>(255.0 * opacity)};
 }
 
-QRgb plain(const QColor& colour) { return qRgba(colour.red(), colour.green(), colour.blue(), colour.alpha()); }
+QRgb plain(const QColor& colour) {
+    return qRgba(colour.red(), colour.green(), colour.blue(), colour.alpha());
+}
 
 /// The step of every cell, so that neighbours can be compared without querying the map again.
 using Steps = std::array<std::array<MapBand, SurfaceMap::kColumns>, SurfaceMap::kRows>;
@@ -43,12 +46,15 @@ bool atBorder(const Steps& steps, int x, int y) {
     const int row = y / kMapPixels;
     const bool own = isSearched(steps[std::size_t(row)][std::size_t(column)]);
     const auto differs = [&](int c, int r) {
-        return c >= 0 && c < SurfaceMap::kColumns && r >= 0 && r < SurfaceMap::kRows && isSearched(steps[std::size_t(r)][std::size_t(c)]) != own;
+        return c >= 0 && c < SurfaceMap::kColumns && r >= 0 && r < SurfaceMap::kRows &&
+               isSearched(steps[std::size_t(r)][std::size_t(c)]) != own;
     };
     const int across = x % kMapPixels;
     const int up = y % kMapPixels;
-    return own && ((across == 0 && differs(column - 1, row)) || (across == kMapPixels - 1 && differs(column + 1, row)) ||
-                   (up == 0 && differs(column, row - 1)) || (up == kMapPixels - 1 && differs(column, row + 1)));
+    return own &&
+           ((across == 0 && differs(column - 1, row)) ||
+            (across == kMapPixels - 1 && differs(column + 1, row)) || (up == 0 && differs(column, row - 1)) ||
+            (up == kMapPixels - 1 && differs(column, row + 1)));
 }
 
 bool onRegionLine(int at, int size, int regions, int other) {
@@ -64,7 +70,8 @@ bool onRegionLine(int at, int size, int regions, int other) {
 
 simulation::MapBands mapBandsOf(const SceneSetup& setup) {
     const auto* palpation = setup.parameters.find<simulation::PalpationParameters>();
-    return palpation ? simulation::MapBands{palpation->coverForce_N, palpation->bandLow_N, palpation->bandHigh_N, palpation->maximumForce_N}
+    return palpation ? simulation::MapBands{palpation->coverForce_N, palpation->bandLow_N,
+                                            palpation->bandHigh_N, palpation->maximumForce_N}
                      : simulation::MapBands{};
 }
 
@@ -120,7 +127,8 @@ QImage mapPicture(const SurfaceMap& map, const SceneSetup& setup, SurfaceMapKind
             QRgb pixel = colour[std::size_t(band)];
             if (!isSearched(band) && (x - y + kHigh * kHatchEvery) % kHatchEvery < 1)
                 pixel = hatch;
-            else if (band == MapBand::over && kind == SurfaceMapKind::force && (x + y) % (kHatchEvery / 2) < 2)
+            else if (band == MapBand::over && kind == SurfaceMapKind::force &&
+                     (x + y) % (kHatchEvery / 2) < 2)
                 pixel = over;
             if (onRegionLine(x, kWide, columns, y) || onRegionLine(y, kHigh, rows, x))
                 pixel = region;

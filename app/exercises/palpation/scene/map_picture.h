@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "desktop/scene3d/scene_setup.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "simulation/palpation/map_bands.h"
 #include "simulation/palpation/surface_map.h"
 
@@ -26,6 +26,7 @@ inline constexpr int kMapPixels = 4; ///< pixels per cell in each direction
 /// The map as a translucent picture over the search area, x to the right, y up: steps, hatching, an outline
 /// of the searched area, and the regions as faint lines. The alpha is not premultiplied. Pure function; takes
 /// about 0.2 ms.
-QImage mapPicture(const simulation::SurfaceMap& map, const SceneSetup& setup, simulation::SurfaceMapKind kind);
+QImage mapPicture(const simulation::SurfaceMap& map, const SceneSetup& setup,
+                  simulation::SurfaceMapKind kind);
 
 } // namespace chiron::scene3d

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/scene/palpation_content.h"
 
-#include "desktop/scene3d/drawn_tool.h"
 #include "app/exercises/palpation/scene/map_picture.h"
-#include "app/exercises/palpation/scene/tissue_mesh.h"
 #include "app/exercises/palpation/scene/palpation_overlay.h"
+#include "app/exercises/palpation/scene/tissue_mesh.h"
+#include "desktop/scene3d/drawn_tool.h"
 #include "desktop/scene3d/plugin/skin_texture.h"
 
 #include <QMatrix4x4>
@@ -45,8 +45,10 @@ Paint paintOf(TissueLook look) {
 } // namespace
 
 PalpationContent::PalpationContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent)
-    : m_setup(setup), m_parameters(setup.parameters.as<simulation::PalpationParameters>()), m_surface(m_parameters.tissue.shape), m_light(light),
-      m_root(parent), m_map(new PaintedFace(parent)), m_card(new MapCard(light, parent)), m_pins(new FindingPins(light, kElevation_rad, m_surface, m_parameters.hitRadius_m, parent)),
+    : m_setup(setup), m_parameters(setup.parameters.as<simulation::PalpationParameters>()),
+      m_surface(m_parameters.tissue.shape), m_light(light), m_root(parent), m_map(new PaintedFace(parent)),
+      m_card(new MapCard(light, parent)),
+      m_pins(new FindingPins(light, kElevation_rad, m_surface, m_parameters.hitRadius_m, parent)),
       m_ghost(new GhostFinger(light, parent)) {
     m_dentPlace = parameter("dentPlace", QMatrix4x4() * 0.0F);
     m_dentNormal = parameter("dentNormal", QMatrix4x4());
@@ -67,32 +69,42 @@ Qt3DRender::QParameter* PalpationContent::parameter(const char* name, const QVar
 void PalpationContent::makeTissue() {
     const Paint paint = paintOf(tissueLookOf(m_parameters.tissue));
     const Areola areola = areolaOf(m_parameters.tissue);
-    const QVector4D ring(float(1e3 * areola.centre_m.x()), float(1e3 * areola.centre_m.y()), float(std::max(1e-3, 1e3 * areola.radius_m)), paint.grain);
+    const QVector4D ring(float(1e3 * areola.centre_m.x()), float(1e3 * areola.centre_m.y()),
+                         float(std::max(1e-3, 1e3 * areola.radius_m)), paint.grain);
     const core::Vec2 scale = 0.5e-3 * m_parameters.areaHalf_m.cwiseInverse();
     auto* material = new Qt3DRender::QMaterial(m_root);
     for (Qt3DRender::QParameter* p :
-         {m_light.lamp, m_light.lens, m_dentPlace, m_dentNormal, m_tips, m_presses, m_skin, m_lumpsNear, m_lumpsFar, parameter("pale", paint.pale),
-          parameter("deep", paint.deep), parameter("areola", ring), parameter("surfaceMap", QVariant::fromValue(m_map->texture())),
+         {m_light.lamp, m_light.lens, m_dentPlace, m_dentNormal, m_tips, m_presses, m_skin, m_lumpsNear,
+          m_lumpsFar, parameter("pale", paint.pale), parameter("deep", paint.deep), parameter("areola", ring),
+          parameter("surfaceMap", QVariant::fromValue(m_map->texture())),
           parameter("mapScale", QVector2D(float(scale.x()), float(scale.y())))})
         material->addParameter(p);
     m_tissue = new Part(tissueMesh(m_surface, fieldRadius_m() + kUnderDrape_m), material, m_root);
     m_border = parameter("plain", QVector4D());
     auto* border = new Qt3DRender::QMaterial(m_root);
-    for (Qt3DRender::QParameter* p : {m_light.lamp, m_light.lens, m_dentPlace, m_dentNormal, m_tips, m_presses, m_border})
+    for (Qt3DRender::QParameter* p :
+         {m_light.lamp, m_light.lens, m_dentPlace, m_dentNormal, m_tips, m_presses, m_border})
         border->addParameter(p);
     m_area = new Part(areaMesh(m_surface, m_parameters.areaHalf_m, 0.7), border, m_root);
     chooseLook();
 }
 
-double PalpationContent::fieldRadius_m() const { return palpationField_m(m_parameters); }
-
-double PalpationContent::planeHeight_m() const {
-    return std::max(rimHeight_m(m_surface, fieldRadius_m() + kOpening_m), rimHeight_m(m_surface, fieldRadius_m() + kUnderDrape_m));
+double PalpationContent::fieldRadius_m() const {
+    return palpationField_m(m_parameters);
 }
 
-double PalpationContent::roomAbove_m() const { return std::max(0.0, m_surface.highest_m() - planeHeight_m()) + 0.018; }
+double PalpationContent::planeHeight_m() const {
+    return std::max(rimHeight_m(m_surface, fieldRadius_m() + kOpening_m),
+                    rimHeight_m(m_surface, fieldRadius_m() + kUnderDrape_m));
+}
 
-double PalpationContent::elevation_rad() const { return kElevation_rad; }
+double PalpationContent::roomAbove_m() const {
+    return std::max(0.0, m_surface.highest_m() - planeHeight_m()) + 0.018;
+}
+
+double PalpationContent::elevation_rad() const {
+    return kElevation_rad;
+}
 
 void PalpationContent::putTranslucent(Qt3DRender::QLayer* layer) {
     m_ghost->putTranslucent(layer);
@@ -110,7 +122,8 @@ void PalpationContent::putOver(Qt3DRender::QLayer* layer) {
 Qt3DRender::QEffect* PalpationContent::look(bool map) const {
     QByteArray defines;
     if (m_setup.colours.highContrast)
-        defines += tissueLookOf(m_parameters.tissue) == TissueLook::skin ? "#define OUTLINED 5.0\n" : "#define OUTLINED 2.5\n";
+        defines += tissueLookOf(m_parameters.tissue) == TissueLook::skin ? "#define OUTLINED 5.0\n"
+                                                                         : "#define OUTLINED 2.5\n";
     if (map)
         defines += "#define MAP\n";
     if (m_lumps > 0)
@@ -137,7 +150,8 @@ void PalpationContent::warm() {
 void PalpationContent::change(const SceneSetup& setup) {
     m_setup = setup;
     m_mapPainted = false;
-    m_border->setValue(setup.colours.highContrast ? QVector4D(0.0F, 0.0F, 0.0F, 1.0F) : QVector4D(0.20F, 0.22F, 0.28F, 1.0F));
+    m_border->setValue(setup.colours.highContrast ? QVector4D(0.0F, 0.0F, 0.0F, 1.0F)
+                                                  : QVector4D(0.20F, 0.22F, 0.28F, 1.0F));
     m_card->change(setup);
     m_pins->change(setup);
     m_ghost->change(setup);
@@ -149,9 +163,11 @@ void PalpationContent::change(const SceneSetup& setup) {
 void PalpationContent::show(const SceneState& state) {
     const auto& cues = state.exercise.of<simulation::PalpationCues>();
     const int tools = m_setup.cues.tool ? toolsOf(state) : 0;
-    const int lumps = cues.present ? std::clamp(cues.lumps, 0, static_cast<int>(simulation::kMaxShownLumps)) : 0;
+    const int lumps =
+        cues.present ? std::clamp(cues.lumps, 0, static_cast<int>(simulation::kMaxShownLumps)) : 0;
     const bool map = state.overlay.of<PalpationOverlay>().map != nullptr;
-    const bool other = std::exchange(m_tools, tools) != tools || std::exchange(m_lumps, lumps) != lumps || m_mapShown != map;
+    const bool other =
+        std::exchange(m_tools, tools) != tools || std::exchange(m_lumps, lumps) != lumps || m_mapShown != map;
     m_mapShown = map;
     if (other)
         chooseLook();
@@ -176,7 +192,8 @@ void PalpationContent::showTouch(const SceneState& state) {
         normals.setColumn(column, QVector4D(toVector(dent.normal), float(dent.reach_m * 1e3)));
         const double press = std::clamp(tool.force_N.norm() / std::max(0.1, m_setup.forceLimit_N), 0.0, 1.0);
         tips.setColumn(column, QVector4D(toMillimetres(drawnTip(tool)), 1.0F));
-        presses.setColumn(column, QVector4D(toMillimetres(drawnTip(tool)), float(tool.drawnAtSurface ? press : 0.6 * press)));
+        presses.setColumn(column, QVector4D(toMillimetres(drawnTip(tool)),
+                                            float(tool.drawnAtSurface ? press : 0.6 * press)));
         ++column;
     }
     m_dentPlace->setValue(places);
@@ -193,7 +210,8 @@ void PalpationContent::showLumps(const SceneState& state) {
         const core::Vec3 centre(lump.p_W[0], lump.p_W[1], lump.p_W[2]);
         // Where it is felt and marked: drawn at its own depth, it would appear beside that point.
         const core::Vec3 above = m_surface.nearest(centre, centre.head<2>()).p_W;
-        lumps[i / 3].setColumn(i % 3, QVector4D(toMillimetres(above), float((missed ? -1e3 : 1e3) * lump.radius_m)));
+        lumps[i / 3].setColumn(i % 3,
+                               QVector4D(toMillimetres(above), float((missed ? -1e3 : 1e3) * lump.radius_m)));
     }
     m_lumpsNear->setValue(lumps[0]);
     m_lumpsFar->setValue(lumps[1]);
@@ -223,7 +241,9 @@ void PalpationContent::showFingers(const SceneState& state) {
             continue;
         }
         const core::Vec3 at = drawnTip(tool);
-        const Finger::Look look{several ? static_cast<int>(i) + 1 : 0, several && state.activeTool == static_cast<int>(i), gloveOpacity(m_setup, state, m_surface, i)};
+        const Finger::Look look{several ? static_cast<int>(i) + 1 : 0,
+                                several && state.activeTool == static_cast<int>(i),
+                                gloveOpacity(m_setup, state, m_surface, i)};
         m_fingers[i]->show(tool, fingerLean(state, i, m_surface.normalAt(at.head<2>())), look);
     }
     m_ghost->show(state.ghost);

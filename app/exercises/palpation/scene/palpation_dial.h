@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "desktop/scene3d/gauge_painter.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 
 namespace chiron::scene3d {
 

@@ -20,7 +20,7 @@ struct PalpationOverlay {
     std::uint32_t mapStep = 0;                   ///< changes whenever the map changes
     simulation::SurfaceMapKind mapKind = simulation::SurfaceMapKind::coverage;
     std::array<simulation::FindingOutcome, simulation::kMaxFindings> outcome{}; ///< of each finding
-    std::uint8_t lumpsMissed = 0;                ///< one bit per lump of the cues that was not found
+    std::uint8_t lumpsMissed = 0; ///< one bit per lump of the cues that was not found
 };
 
 } // namespace chiron::scene3d

@@ -24,10 +24,13 @@ Areola areolaOf(const simulation::TissueParameters& tissue) {
         if (region.name == "areola" || region.name == "nipple")
             return {region.centre_m, kAreola_m};
     const auto& bumps = tissue.shape.bumps;
-    const auto highest = std::max_element(bumps.begin(), bumps.end(), [](const auto& a, const auto& b) { return a.height_m < b.height_m; });
+    const auto highest = std::max_element(
+        bumps.begin(), bumps.end(), [](const auto& a, const auto& b) { return a.height_m < b.height_m; });
     return highest == bumps.end() ? Areola{} : Areola{highest->centre_m, kAreola_m};
 }
 
-double palpationField_m(const simulation::PalpationParameters& parameters) { return parameters.areaHalf_m.norm() + kBeside_m; }
+double palpationField_m(const simulation::PalpationParameters& parameters) {
+    return parameters.areaHalf_m.norm() + kBeside_m;
+}
 
 } // namespace chiron::scene3d

@@ -11,8 +11,8 @@ namespace chiron::scene3d {
 namespace {
 
 constexpr double kStep_m = 0.0016;
-constexpr double kLift_m = 0.00025;      // lift of a ribbon, so that no half of it lies below the surface
-constexpr double kReachPerPad = 1.9;     // radius of a dent, relative to that of the pad
+constexpr double kLift_m = 0.00025;        // lift of a ribbon, so that no half of it lies below the surface
+constexpr double kReachPerPad = 1.9;       // radius of a dent, relative to that of the pad
 constexpr double kShadePerCurve_m = 0.003; // darkening of a hollow per curvature
 constexpr std::uint32_t kNone = 0xffffffffU;
 
@@ -27,7 +27,8 @@ MeshVertex vertexOn(const simulation::TissueSurface& surface, const core::Vec2& 
     }
     v.texture[0] = v.position_mm[0];
     v.texture[1] = v.position_mm[1];
-    v.light = static_cast<float>(std::clamp(1.0 - kShadePerCurve_m * std::max(0.0, at.curvature_per_m.trace()), 0.6, 1.0));
+    v.light = static_cast<float>(
+        std::clamp(1.0 - kShadePerCurve_m * std::max(0.0, at.curvature_per_m.trace()), 0.6, 1.0));
     return v;
 }
 
@@ -48,7 +49,9 @@ TriangleMesh tissueMesh(const simulation::TissueSurface& surface, double reach_m
         }
     for (int j = 0; j + 1 < side; ++j)
         for (int i = 0; i + 1 < side; ++i) {
-            const auto at = [&](int right, int up) { return number[static_cast<std::size_t>((j + up) * side + i + right)]; };
+            const auto at = [&](int right, int up) {
+                return number[static_cast<std::size_t>((j + up) * side + i + right)];
+            };
             const std::array<std::uint32_t, 4> corner{at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
             if (std::find(corner.begin(), corner.end(), kNone) != corner.end())
                 continue;
@@ -67,14 +70,16 @@ TriangleMesh areaMesh(const simulation::TissueSurface& surface, const core::Vec2
         const int steps = std::max(1, static_cast<int>(std::ceil(way.norm() / kStep_m)));
         for (int i = 0; i <= steps; ++i) {
             const double t = 2.0 * i / steps - 1.0;
-            const core::Vec2 unit = 0.5 * (corner[side] + corner[side + 1]) + 0.5 * t * (corner[side + 1] - corner[side]);
+            const core::Vec2 unit =
+                0.5 * (corner[side] + corner[side + 1]) + 0.5 * t * (corner[side + 1] - corner[side]);
             const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
             mesh.vertices.push_back(vertexOn(surface, unit.cwiseProduct(half_m + out), kLift_m));
             mesh.vertices.push_back(vertexOn(surface, unit.cwiseProduct(half_m - out), kLift_m));
             // Counter-clockwise as seen from above: the outer edge is to the right of the direction of
             // travel.
             if (i > 0)
-                for (const std::uint32_t index : {first - 2, first, first + 1, first - 2, first + 1, first - 1})
+                for (const std::uint32_t index :
+                     {first - 2, first, first + 1, first - 2, first + 1, first - 1})
                     mesh.indices.push_back(index);
         }
     }
@@ -101,7 +106,8 @@ double rimHeight_m(const simulation::TissueSurface& surface, double radius_m) {
     double highest_m = -1.0;
     for (int i = 0; i < 72; ++i) {
         const double angle = 2.0 * core::kPi * i / 72;
-        highest_m = std::max(highest_m, surface.heightAt(radius_m * core::Vec2(std::cos(angle), std::sin(angle))).z_m);
+        highest_m = std::max(highest_m,
+                             surface.heightAt(radius_m * core::Vec2(std::cos(angle), std::sin(angle))).z_m);
     }
     return highest_m;
 }

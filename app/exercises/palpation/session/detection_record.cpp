@@ -2,9 +2,9 @@
 #include "app/exercises/palpation/session/detection_record.h"
 
 #include "curriculum/exercises/palpation/scoring/palpation_answer.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "session/level_cues.h"
 #include "session/session_view.h"
-#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <variant>
 
@@ -13,8 +13,8 @@ namespace chiron::session {
 namespace {
 
 bool isWanted(const database::SessionSummary& summary, const DetectionQuery& query) {
-    return summary.felt == query.felt && summary.operatorName == query.operatorName && !summary.familiarisation &&
-           !summary.recordingErased && summary.chunks > 0;
+    return summary.felt == query.felt && summary.operatorName == query.operatorName &&
+           !summary.familiarisation && !summary.recordingErased && summary.chunks > 0;
 }
 
 } // namespace
@@ -41,8 +41,8 @@ void addDetection(PooledDetection& pooled, const scoring::SessionTrace& trace) {
     }
 }
 
-core::Result<PooledDetection> detectionOf(database::Connection& connection, const database::Actor& actor, const DetectionQuery& query,
-                                          const ReadProgress& progress) {
+core::Result<PooledDetection> detectionOf(database::Connection& connection, const database::Actor& actor,
+                                          const DetectionQuery& query, const ReadProgress& progress) {
     database::SessionFilter filter;
     filter.person = query.person;
     filter.exercise = "palpation";

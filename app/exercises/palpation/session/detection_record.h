@@ -3,8 +3,8 @@
 
 #include "catalogue/exercise.h"
 #include "core/result.h"
-#include "database/repositories/session_reader.h"
 #include "curriculum/exercises/palpation/scoring/roc_curve.h"
+#include "database/repositories/session_reader.h"
 #include "session/session_view.h"
 
 #include <string>
@@ -37,8 +37,8 @@ bool tellsDetection(const catalogue::ExerciseLevel& level, const DetectionQuery&
 /// Opens each session that `actor` may see and judges its trials from the recording
 /// (`scoring::judgePalpation`). Takes about one second for a session of ten minutes, so call it on a worker.
 /// Errors: those of the reader; cancelled.
-core::Result<PooledDetection> detectionOf(database::Connection& connection, const database::Actor& actor, const DetectionQuery& query,
-                                          const ReadProgress& progress = {});
+core::Result<PooledDetection> detectionOf(database::Connection& connection, const database::Actor& actor,
+                                          const DetectionQuery& query, const ReadProgress& progress = {});
 
 /// Adds a session's trials.
 void addDetection(PooledDetection& pooled, const scoring::SessionTrace& trace);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/session/palpation_kind.h"
 
-#include "database/repositories/session_types.h"
-#include "modules/exercises/palpation/operators/palpation_operator.h"
+#include "app/exercises/palpation/session/palpation_marks.h"
 #include "curriculum/exercises/palpation/scoring/finding_matches.h"
 #include "curriculum/exercises/palpation/scoring/palpation_answer.h"
-#include "session/answer_events.h"
-#include "session/level_cues.h"
-#include "app/exercises/palpation/session/palpation_marks.h"
-#include "session/playback_track.h"
-#include "session/moment_rule.h"
-#include "session/session_setup.h"
+#include "database/repositories/session_types.h"
+#include "modules/exercises/palpation/operators/palpation_operator.h"
 #include "modules/exercises/palpation/simulation/palpation_plan.h"
 #include "modules/exercises/palpation/simulation/palpation_scene.h"
+#include "session/answer_events.h"
+#include "session/level_cues.h"
+#include "session/moment_rule.h"
+#include "session/playback_track.h"
+#include "session/session_setup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,13 +30,15 @@ constexpr double kArmingAllowance_s = 20.0;
 
 class PalpationSurfaces final : public TrialSurfaces {
 public:
-    PalpationSurfaces(const simulation::PalpationParameters& p, std::uint64_t seed) : m_surface(p.tissue.shape) {
+    PalpationSurfaces(const simulation::PalpationParameters& p, std::uint64_t seed)
+        : m_surface(p.tissue.shape) {
         for (const simulation::PalpationTrial& trial : simulation::planPalpationTrials(p, seed)) {
             TrialObject object;
             object.p_WObject = m_surface.pointAt(core::Vec2::Zero());
             for (const simulation::Lump& lump : trial.list()) {
                 const core::Vec3 above = m_surface.pointAt(lump.place_m);
-                object.lumps.push_back({above - lump.depth_m * m_surface.normalAt(lump.place_m), above, lump.radius_m, std::max(lump.radius_m, p.hitRadius_m)});
+                object.lumps.push_back({above - lump.depth_m * m_surface.normalAt(lump.place_m), above,
+                                        lump.radius_m, std::max(lump.radius_m, p.hitRadius_m)});
             }
             m_trials.push_back(std::move(object));
         }
@@ -59,7 +61,8 @@ private:
     std::vector<TrialObject> m_trials;
 };
 
-operators::PalpationBriefing briefingOf(const PalpationKind& kind, std::string_view mechanism, const catalogue::ExerciseLevel& level,
+operators::PalpationBriefing briefingOf(const PalpationKind& kind, std::string_view mechanism,
+                                        const catalogue::ExerciseLevel& level,
                                         std::span<const devices::WorkspaceMapping> places) {
     const auto& p = parametersOf(level);
     operators::PalpationBriefing briefing;
@@ -76,12 +79,14 @@ operators::PalpationBriefing briefingOf(const PalpationKind& kind, std::string_v
     briefing.asksConfidence = p.asksConfidence;
     const bool oneArm = mechanism == kind.mechanism(); // one arm per hand carries all its fingers
     for (int tool = 0; tool < p.tools(); ++tool)
-        briefing.places.push_back(places[static_cast<std::size_t>(oneArm ? tool - tool % std::max(1, p.fingers) : tool)]);
+        briefing.places.push_back(
+            places[static_cast<std::size_t>(oneArm ? tool - tool % std::max(1, p.fingers) : tool)]);
     return briefing;
 }
 
-void addLump(const simulation::TissueSurface& surface, const simulation::Lump& lump, const core::Vec2& place_m, int hardness,
-             const std::string& name, std::vector<scoring::NamedValue>& truth) {
+void addLump(const simulation::TissueSurface& surface, const simulation::Lump& lump,
+             const core::Vec2& place_m, int hardness, const std::string& name,
+             std::vector<scoring::NamedValue>& truth) {
     const core::Vec3 above = surface.pointAt(place_m);
     truth.push_back({name + "_x_m", above.x()});
     truth.push_back({name + "_y_m", above.y()});
@@ -95,13 +100,16 @@ void addLump(const simulation::TissueSurface& surface, const simulation::Lump& l
 bool wasMoved(const scoring::TrialTrace& trial) {
     for (const scoring::QuantityTrace& quantity : trial.quantities)
         if (quantity.id == "lumps_moved")
-            return std::any_of(quantity.values.begin(), quantity.values.end(), [](double moved) { return moved > 0.5; });
+            return std::any_of(quantity.values.begin(), quantity.values.end(),
+                               [](double moved) { return moved > 0.5; });
     return false;
 }
 
 } // namespace
 
-int PalpationKind::toolCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).tools(); }
+int PalpationKind::toolCount(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).tools();
+}
 
 double PalpationKind::fingerJaw_rad(const catalogue::ExerciseLevel& level) const {
     const auto& p = parametersOf(level);
@@ -122,15 +130,18 @@ devices::WorkspaceMapping PalpationKind::toolPlace(const catalogue::ExerciseLeve
 }
 
 // A finger that is about to palpate starts just above the skin.
-std::optional<double> PalpationKind::pointerStart_m(const catalogue::ExerciseLevel& level, double x_m, double y_m) const {
+std::optional<double> PalpationKind::pointerStart_m(const catalogue::ExerciseLevel& level, double x_m,
+                                                    double y_m) const {
     constexpr double kAbove_m = 0.005;
     return simulation::TissueSurface(parametersOf(level).tissue.shape).pointAt({x_m, y_m}).z() + kAbove_m;
 }
 
-std::vector<core::QuantityDescription> PalpationKind::quantities(const catalogue::ExerciseLevel& level) const {
-    std::vector<core::QuantityDescription> out{{"report_count", "1", 1.0},  {"report_field", "1", 1.0}, {"report_finding", "1", 1.0},
-                                               {"report_value", "1", 1.0},  {"finding_x_m", "m", 1e-6}, {"finding_y_m", "m", 1e-6},
-                                               {"finding_z_m", "m", 1e-6},  {"coverage", "1", 1e-4}};
+std::vector<core::QuantityDescription>
+PalpationKind::quantities(const catalogue::ExerciseLevel& level) const {
+    std::vector<core::QuantityDescription> out{{"report_count", "1", 1.0},   {"report_field", "1", 1.0},
+                                               {"report_finding", "1", 1.0}, {"report_value", "1", 1.0},
+                                               {"finding_x_m", "m", 1e-6},   {"finding_y_m", "m", 1e-6},
+                                               {"finding_z_m", "m", 1e-6},   {"coverage", "1", 1e-4}};
     for (int i = 0; i < core::kMaxTools; ++i)
         out.push_back({"depth_" + std::to_string(i) + "_m", "m", 1e-6});
     for (int i = 0; i < core::kMaxTools; ++i)
@@ -149,24 +160,31 @@ std::unique_ptr<simulation::IScene> PalpationKind::makeScene(const SessionSetup&
     return std::make_unique<simulation::PalpationScene>(parameters, setup.seed);
 }
 
-simulation::YieldLaw PalpationKind::yieldLaw(const catalogue::ExerciseLevel& level) const { return parametersOf(level).yield; }
+simulation::YieldLaw PalpationKind::yieldLaw(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).yield;
+}
 
-core::Result<ScriptedTrainee> PalpationKind::makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
-                                                          std::uint64_t seed) const {
+core::Result<ScriptedTrainee> PalpationKind::makeOperator(const catalogue::ExerciseLevel& level,
+                                                          const std::string& name, std::uint64_t seed) const {
     return makeOperatorOn(mechanism(), level, name, seed);
 }
 
-core::Result<ScriptedTrainee> PalpationKind::makeOperatorOn(std::string_view mechanism, const catalogue::ExerciseLevel& level,
-                                                            const std::string& name, std::uint64_t seed) const {
+core::Result<ScriptedTrainee> PalpationKind::makeOperatorOn(std::string_view mechanism,
+                                                            const catalogue::ExerciseLevel& level,
+                                                            const std::string& name,
+                                                            std::uint64_t seed) const {
     return makeOperatorAt(usualPlaces(*this, level), mechanism, level, name, seed);
 }
 
-core::Result<ScriptedTrainee> PalpationKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view mechanism,
-                                                           const catalogue::ExerciseLevel& level, const std::string& name,
-                                                           std::uint64_t seed) const {
+core::Result<ScriptedTrainee> PalpationKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places,
+                                                            std::string_view mechanism,
+                                                            const catalogue::ExerciseLevel& level,
+                                                            const std::string& name,
+                                                            std::uint64_t seed) const {
     auto settings = operators::palpationOperatorSettings(name);
     CHIRON_TRY(settings);
-    auto strategies = operators::makePalpationOperator(*settings, briefingOf(*this, mechanism, level, places), seed);
+    auto strategies =
+        operators::makePalpationOperator(*settings, briefingOf(*this, mechanism, level, places), seed);
     CHIRON_TRY(strategies);
     return ScriptedTrainee{std::move(*strategies), settings->hand};
 }
@@ -176,16 +194,22 @@ std::vector<std::string> PalpationKind::operatorNames() const {
     return {names.begin(), names.end()};
 }
 
-int PalpationKind::trialCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).trials; }
+int PalpationKind::trialCount(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).trials;
+}
 
-double PalpationKind::forceLimit_N(const catalogue::ExerciseLevel& level) const { return parametersOf(level).maximumForce_N; }
+double PalpationKind::forceLimit_N(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).maximumForce_N;
+}
 
 std::uint64_t PalpationKind::tickLimit(const catalogue::ExerciseLevel& level) const {
     const auto& p = parametersOf(level);
-    return static_cast<std::uint64_t>(std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));
+    return static_cast<std::uint64_t>(
+        std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));
 }
 
-void PalpationKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const {
+void PalpationKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                             scoring::TrialTrace& trial) const {
     const auto& p = parametersOf(level);
     const auto plan = simulation::planPalpationTrials(p, seed);
     const auto index = static_cast<std::size_t>(trial.trial);
@@ -200,26 +224,29 @@ void PalpationKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_
     for (int i = 0; i < planned.lumps; ++i) {
         const simulation::Lump& lump = planned.lump[static_cast<std::size_t>(i)];
         const core::Vec2 place_m = moved ? simulation::palpationMovedPlace_m(p, lump.place_m) : lump.place_m;
-        addLump(surface, lump, place_m, planned.hardness[static_cast<std::size_t>(i)], "lump_" + std::to_string(i), trial.truth);
+        addLump(surface, lump, place_m, planned.hardness[static_cast<std::size_t>(i)],
+                "lump_" + std::to_string(i), trial.truth);
     }
     const std::vector<scoring::NamedValue> ofLevel{{"area_half_x_m", p.areaHalf_m.x()},
-                                                  {"area_half_y_m", p.areaHalf_m.y()},
-                                                  {"region_columns", static_cast<double>(p.regionColumns)},
-                                                  {"region_rows", static_cast<double>(p.regionRows)},
-                                                  {"hit_radius_m", p.hitRadius_m},
-                                                  {"band_low_N", p.bandLow_N},
-                                                  {"band_high_N", p.bandHigh_N},
-                                                  {"cover_force_N", p.coverForce_N},
-                                                  {"asks_size", p.asksSize ? 1.0 : 0.0},
-                                                  {"asks_hardness", p.asksHardness ? 1.0 : 0.0}};
+                                                   {"area_half_y_m", p.areaHalf_m.y()},
+                                                   {"region_columns", static_cast<double>(p.regionColumns)},
+                                                   {"region_rows", static_cast<double>(p.regionRows)},
+                                                   {"hit_radius_m", p.hitRadius_m},
+                                                   {"band_low_N", p.bandLow_N},
+                                                   {"band_high_N", p.bandHigh_N},
+                                                   {"cover_force_N", p.coverForce_N},
+                                                   {"asks_size", p.asksSize ? 1.0 : 0.0},
+                                                   {"asks_hardness", p.asksHardness ? 1.0 : 0.0}};
     trial.truth.insert(trial.truth.end(), ofLevel.begin(), ofLevel.end());
 }
 
-std::unique_ptr<TrialSurfaces> PalpationKind::makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const {
+std::unique_ptr<TrialSurfaces> PalpationKind::makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                           std::uint64_t seed) const {
     return std::make_unique<PalpationSurfaces>(parametersOf(level), seed);
 }
 
-core::Result<void> PalpationKind::addMarks(const SessionSetup&, const scoring::SessionTrace* trace, PlaybackTrack& track) const {
+core::Result<void> PalpationKind::addMarks(const SessionSetup&, const scoring::SessionTrace* trace,
+                                           PlaybackTrack& track) const {
     // Movement and force do not depend on the findings: if these cannot be read, the track is used without
     // them.
     if (const auto outcomes = palpationOutcomes(*trace))
@@ -227,14 +254,16 @@ core::Result<void> PalpationKind::addMarks(const SessionSetup&, const scoring::S
     return {};
 }
 
-void PalpationKind::addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record, AnswerEvents& events) const {
+void PalpationKind::addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record,
+                                    AnswerEvents& events) const {
     const auto judged = scoring::judgePalpation(trial);
     if (!judged.answer)
         return;
     const scoring::PalpationAnswer& answer = *judged.answer;
     for (const std::size_t report : falseAlarmReports(answer))
         events.addFrom(answer.reports[report].t_s, "false_alarm",
-                       "{\"trial\":" + std::to_string(trial.trial) + ",\"finding\":" + std::to_string(answer.reports[report].finding + 1) + "}");
+                       "{\"trial\":" + std::to_string(trial.trial) +
+                           ",\"finding\":" + std::to_string(answer.reports[report].finding + 1) + "}");
     if (!trial.completed && !trial.timedOut)
         // For an aborted search, it is unknown what it would have found.
         return;
@@ -244,15 +273,20 @@ void PalpationKind::addAnswerEvents(const scoring::TrialTrace& trial, const data
 }
 
 Demonstration PalpationKind::demonstration() const {
-    return {.columns = {{">found", "palpation_hits", 0}, {">missed", "palpation_misses", 0}, {">false", "palpation_false_alarms", 0}, {">off mm", "localisation_error", 1},
+    return {.columns = {{">found", "palpation_hits", 0},
+                        {">missed", "palpation_misses", 0},
+                        {">false", "palpation_false_alarms", 0},
+                        {">off mm", "localisation_error", 1},
                         {">covered %", "coverage", 0}},
-            .legend = "found, missed, false: lumps found and missed, and marks where there is none; off: mean distance between mark and lump;\n"
+            .legend = "found, missed, false: lumps found and missed, and marks where there is none; off: "
+                      "mean distance between mark and lump;\n"
                       "covered: share of the area that was pressed\n"};
 }
 
 std::vector<MomentRule> PalpationKind::momentRules() const {
     using enum PlaybackMarkKind;
-    return {{.metric = "palpation_misses", .marks = {lumpMissed}}, {.metric = "palpation_false_alarms", .marks = {falseAlarm}}};
+    return {{.metric = "palpation_misses", .marks = {lumpMissed}},
+            {.metric = "palpation_false_alarms", .marks = {falseAlarm}}};
 }
 
 } // namespace chiron::session

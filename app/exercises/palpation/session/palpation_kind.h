@@ -20,7 +20,8 @@ public:
     /// right hand's middle finger, a left hand's index finger). On P3's arm both fingers of a hand are at the
     /// position of the first one.
     devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel& level, int tool) const override;
-    std::optional<double> pointerStart_m(const catalogue::ExerciseLevel& level, double x_m, double y_m) const override;
+    std::optional<double> pointerStart_m(const catalogue::ExerciseLevel& level, double x_m,
+                                         double y_m) const override;
     /// In the order of simulation::palpation_quantity.
     std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override;
     bool recordsEnergy(const catalogue::ExerciseLevel&) const override { return true; }
@@ -28,11 +29,13 @@ public:
     simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                std::uint64_t seed) const override;
-    core::Result<ScriptedTrainee> makeOperatorOn(std::string_view mechanism, const catalogue::ExerciseLevel& level,
+    core::Result<ScriptedTrainee> makeOperatorOn(std::string_view mechanism,
+                                                 const catalogue::ExerciseLevel& level,
                                                  const std::string& name, std::uint64_t seed) const override;
-    core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view mechanism,
-                                                 const catalogue::ExerciseLevel& level, const std::string& name,
-                                                 std::uint64_t seed) const override;
+    core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping> places,
+                                                 std::string_view mechanism,
+                                                 const catalogue::ExerciseLevel& level,
+                                                 const std::string& name, std::uint64_t seed) const override;
     bool operatorsKnowTheirPlace() const noexcept override { return true; }
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;
@@ -42,18 +45,24 @@ public:
     /// lump_<i>_depth_m, lump_<i>_radius_m, lump_<i>_hardness; area_half_x_m, area_half_y_m, region_columns,
     /// region_rows, hit_radius_m, band_low_N, band_high_N, cover_force_N, asks_size, asks_hardness. If a
     /// research control moved the lumps (lumps_moved), their new positions.
-    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
+    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                  scoring::TrialTrace& trial) const override;
     /// The tissue's surface. The object of a trial is the set of its lumps, placed at the middle of the
     /// search area.
-    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                std::uint64_t seed) const override;
     bool marksFromTrace() const noexcept override { return true; }
-    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const override;
+    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace,
+                                PlaybackTrack& track) const override;
     /// "false_alarm" (at the time of a finding that matched no lump; detail: finding, from 1) and
     /// "lump_missed" (at the end of a trial that was completed).
-    void addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record, AnswerEvents& events) const override;
+    void addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record,
+                         AnswerEvents& events) const override;
     /// A session lasts ten minutes or more, so the learning trainee does none, and no operator does all
     /// levels.
-    DemoPart demoPart(int level) const override { return {.ofWhoCan = level <= 2, .ofOperators = level <= 2}; }
+    DemoPart demoPart(int level) const override {
+        return {.ofWhoCan = level <= 2, .ofOperators = level <= 2};
+    }
     Demonstration demonstration() const override;
     std::vector<MomentRule> momentRules() const override;
 };

@@ -25,10 +25,12 @@ bool isFalseAlarm(const scoring::PalpationAnswer& answer, std::size_t report) {
     if (answer.reports[report].field != core::ReportField::found)
         return false;
     for (std::size_t later = report + 1; later < answer.reports.size(); ++later)
-        if (answer.reports[later].finding == finding && answer.reports[later].field == core::ReportField::found)
+        if (answer.reports[later].finding == finding &&
+            answer.reports[later].field == core::ReportField::found)
             return false; // taken back, and its number was reused
-    return std::any_of(answer.matches.begin(), answer.matches.end(),
-                       [finding](const scoring::FindingMatch& match) { return match.finding == finding && !match.hit(); });
+    return std::any_of(
+        answer.matches.begin(), answer.matches.end(),
+        [finding](const scoring::FindingMatch& match) { return match.finding == finding && !match.hit(); });
 }
 
 void addReports(PlaybackTrack& track, const PalpationOutcome& record) {
@@ -62,9 +64,11 @@ void addPalpationMarks(PlaybackTrack& track, std::span<const PalpationOutcome> o
             continue; // for an aborted search, it is unknown what it would have found
         for (std::size_t lump = 0; lump < record.answer.truth.lumps.size(); ++lump)
             if (scoring::foundBy(record.answer.matches, static_cast<int>(lump)) == nullptr)
-                track.marks.push_back(markAt(track, record.trial, trial->end_s, PlaybackMarkKind::lumpMissed));
+                track.marks.push_back(
+                    markAt(track, record.trial, trial->end_s, PlaybackMarkKind::lumpMissed));
     }
-    std::stable_sort(track.marks.begin(), track.marks.end(), [](const auto& a, const auto& b) { return a.t_s < b.t_s; });
+    std::stable_sort(track.marks.begin(), track.marks.end(),
+                     [](const auto& a, const auto& b) { return a.t_s < b.t_s; });
 }
 
 } // namespace chiron::session

@@ -21,7 +21,8 @@ namespace chiron::session {
 class PalpationPresses {
 public:
     explicit PalpationPresses(const simulation::PalpationParameters& level)
-        : m_surface(level.tissue.shape), m_map(level.areaHalf_m, level.tissue.contactRadius_m, level.coverForce_N) {}
+        : m_surface(level.tissue.shape),
+          m_map(level.areaHalf_m, level.tissue.contactRadius_m, level.coverForce_N) {}
 
     void press(std::size_t finger, const core::Vec3& p_WT, const core::Vec3& tissue_N) {
         if (finger >= m_guess_m.size() || !p_WT.allFinite() || !tissue_N.allFinite())

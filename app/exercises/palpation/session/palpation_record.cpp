@@ -38,7 +38,8 @@ simulation::SurfaceMap mapOf(const simulation::PalpationParameters& level, const
     return presses.map();
 }
 
-simulation::SurfaceMap mapAt(const simulation::PalpationParameters& level, const PlaybackTrack& track, int trial, double t_s) {
+simulation::SurfaceMap mapAt(const simulation::PalpationParameters& level, const PlaybackTrack& track,
+                             int trial, double t_s) {
     PalpationPresses presses(level);
     const PlaybackTrial* wanted = track.trial(trial);
     if (wanted == nullptr)
@@ -60,20 +61,21 @@ core::Result<std::vector<PalpationOutcome>> palpationOutcomes(const scoring::Ses
     for (const scoring::TrialTrace& trial : trace.trials) {
         scoring::JudgedTrial judged = scoring::judgePalpation(trial);
         if (!judged.answer)
-            return core::fail(core::ErrorCode::badInput,
-                              "trial " + std::to_string(trial.trial + 1) + ": " + scoring::storedText({judged.reason, {}}));
+            return core::fail(core::ErrorCode::badInput, "trial " + std::to_string(trial.trial + 1) + ": " +
+                                                             scoring::storedText({judged.reason, {}}));
         outcomes.push_back({trial.trial, trial.completed, trial.timedOut, std::move(*judged.answer)});
     }
     return outcomes;
 }
 
-core::Result<std::vector<PalpationTrialRecord>> palpationRecord(const scoring::SessionTrace& trace,
-                                                                const simulation::PalpationParameters& level) {
+core::Result<std::vector<PalpationTrialRecord>>
+palpationRecord(const scoring::SessionTrace& trace, const simulation::PalpationParameters& level) {
     auto outcomes = palpationOutcomes(trace);
     CHIRON_TRY(outcomes);
     std::vector<PalpationTrialRecord> records;
     for (std::size_t i = 0; i < outcomes->size(); ++i)
-        records.push_back({std::move((*outcomes)[i]), mapOf(level, trace.trials[i]), lastCoverage(trace.trials[i])});
+        records.push_back(
+            {std::move((*outcomes)[i]), mapOf(level, trace.trials[i]), lastCoverage(trace.trials[i])});
     return records;
 }
 

@@ -3,9 +3,9 @@
 
 #include "core/result.h"
 #include "curriculum/exercises/palpation/scoring/palpation_answer.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "scoring/trace.h"
 #include "session/playback_track.h"
-#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "simulation/palpation/map_bands.h"
 #include "simulation/palpation/surface_map.h"
 
@@ -44,7 +44,8 @@ simulation::MapBands mapBandsOf(const simulation::PalpationParameters& level);
 simulation::SurfaceMap mapOf(const simulation::PalpationParameters& level, const scoring::TrialTrace& trial);
 /// The map of trial `trial` (from 0) at time `t_s`, from a track's samples (each the largest force of four
 /// ticks).
-simulation::SurfaceMap mapAt(const simulation::PalpationParameters& level, const PlaybackTrack& track, int trial, double t_s);
+simulation::SurfaceMap mapAt(const simulation::PalpationParameters& level, const PlaybackTrack& track,
+                             int trial, double t_s);
 
 /// The outcome of each trial that was started.
 /// Errors: badInput naming the trial whose trace has no reports or no truth.

@@ -16,8 +16,10 @@ struct PalpationWords {
 } // namespace
 
 EndWords palpationEnds() {
-    return {MarkTexts::tr("Ended"), MarkTexts::tr("The search was reported as done"), MarkTexts::tr("Time was up before the search was reported as done"),
-            MarkTexts::tr("The search could no longer be completed"), MarkTexts::tr("The tissue was damaged")};
+    return {MarkTexts::tr("Ended"), MarkTexts::tr("The search was reported as done"),
+            MarkTexts::tr("Time was up before the search was reported as done"),
+            MarkTexts::tr("The search could no longer be completed"),
+            MarkTexts::tr("The tissue was damaged")};
 }
 
 QString fingerName(int tool, int hands, int fingers) {
@@ -26,7 +28,9 @@ QString fingerName(int tool, int hands, int fingers) {
     const bool left = hands > 1 && tool / std::max(fingers, 1) > 0;
     const bool middle = fingers > 1 && (tool % fingers == 1) != left;
     if (hands < 2)
-        return fingers < 2 ? PalpationWords::tr("Finger") : middle ? PalpationWords::tr("Middle finger") : PalpationWords::tr("Index finger");
+        return fingers < 2 ? PalpationWords::tr("Finger")
+               : middle    ? PalpationWords::tr("Middle finger")
+                           : PalpationWords::tr("Index finger");
     if (!left)
         return middle ? PalpationWords::tr("Right middle finger") : PalpationWords::tr("Right index finger");
     return middle ? PalpationWords::tr("Left middle finger") : PalpationWords::tr("Left index finger");

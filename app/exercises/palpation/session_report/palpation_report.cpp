@@ -25,7 +25,8 @@ PalpationFindingRow rowOf(const scoring::PalpationAnswer& answer, const scoring:
         return row;
     row.error_mm = 1e3 * match.distance_m;
     if (finding.radius_m > 0.0)
-        row.sizeError_mm = 1e3 * (finding.radius_m - answer.truth.lumps[static_cast<std::size_t>(match.lump)].radius_m);
+        row.sizeError_mm =
+            1e3 * (finding.radius_m - answer.truth.lumps[static_cast<std::size_t>(match.lump)].radius_m);
     return row;
 }
 
@@ -39,15 +40,21 @@ PalpationFindingRow missedRow(const scoring::LumpTruth& lump) {
     return row;
 }
 
-report::PalpationMapFinding drawn(const scoring::PalpationAnswer& answer, const scoring::FindingMatch& match) {
+report::PalpationMapFinding drawn(const scoring::PalpationAnswer& answer,
+                                  const scoring::FindingMatch& match) {
     const simulation::Finding& finding = answer.findings.list()[static_cast<std::size_t>(match.finding)];
-    return {match.finding + 1, finding.p_W[0], finding.p_W[1], finding.radius_m,
-            match.hit() ? simulation::FindingOutcome::hit : simulation::FindingOutcome::falseAlarm, false};
+    return {match.finding + 1,
+            finding.p_W[0],
+            finding.p_W[1],
+            finding.radius_m,
+            match.hit() ? simulation::FindingOutcome::hit : simulation::FindingOutcome::falseAlarm,
+            false};
 }
 
 } // namespace
 
-report::PalpationTrialReport palpationTrialOf(const session::PalpationTrialRecord& record, const simulation::PalpationParameters& level) {
+report::PalpationTrialReport palpationTrialOf(const session::PalpationTrialRecord& record,
+                                              const simulation::PalpationParameters& level) {
     const scoring::PalpationAnswer& answer = record.answer;
     report::PalpationTrialReport trial;
     trial.trial = record.trial;
@@ -63,14 +70,16 @@ report::PalpationTrialReport palpationTrialOf(const session::PalpationTrialRecor
     for (std::size_t i = 0; i < answer.truth.lumps.size(); ++i) {
         const scoring::LumpTruth& lump = answer.truth.lumps[i];
         const bool found = scoring::foundBy(answer.matches, static_cast<int>(i)) != nullptr;
-        trial.view.lumps.push_back({lump.place_W.x(), lump.place_W.y(), lump.depth_m, lump.radius_m, lump.hardness, found});
+        trial.view.lumps.push_back(
+            {lump.place_W.x(), lump.place_W.y(), lump.depth_m, lump.radius_m, lump.hardness, found});
         if (!found)
             trial.rows.push_back(missedRow(lump));
     }
     return trial;
 }
 
-std::optional<report::PalpationReport> palpationReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
+std::optional<report::PalpationReport> palpationReportOf(const scoring::SessionTrace& trace,
+                                                         const catalogue::ExerciseLevel& level) {
     const auto* parameters = level.parameters.find<simulation::PalpationParameters>();
     if (parameters == nullptr)
         return std::nullopt;
@@ -86,7 +95,8 @@ std::optional<report::PalpationReport> palpationReportOf(const scoring::SessionT
     return out;
 }
 
-std::shared_ptr<const report::ReportSection> palpationSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
+std::shared_ptr<const report::ReportSection> palpationSectionOf(const scoring::SessionTrace& trace,
+                                                                const catalogue::ExerciseLevel& level) {
     auto found = palpationReportOf(trace, level);
     return found ? std::make_shared<report::PalpationSection>(std::move(*found)) : nullptr;
 }

@@ -60,7 +60,8 @@ void ApexPicture::paintTool(QPainter& painter, QPointF tip, double length) const
     painter.setPen(QPen(m_theme.color(Colour::borderStrong), thick, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(tip, end);
     painter.setPen(QPen(m_theme.color(Colour::surface), thick * 0.35, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(tip + QPointF(-thick * 0.15, -thick * 0.15), end + QPointF(-thick * 0.15, -thick * 0.15));
+    painter.drawLine(tip + QPointF(-thick * 0.15, -thick * 0.15),
+                     end + QPointF(-thick * 0.15, -thick * 0.15));
     painter.setPen(QPen(m_theme.color(Colour::sceneBackground), 2));
     painter.setBrush(m_theme.color(Colour::accent));
     painter.drawEllipse(tip, thick * 0.75, thick * 0.75);

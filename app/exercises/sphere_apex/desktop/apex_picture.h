@@ -12,7 +12,8 @@ namespace chiron::desktop {
 /// apex.
 class ApexPicture final : public LevelPicture {
 public:
-    ApexPicture(const simulation::SphereApexParameters& level, const PictureFrame& frame) : LevelPicture(frame), m_ball(level) {}
+    ApexPicture(const simulation::SphereApexParameters& level, const PictureFrame& frame)
+        : LevelPicture(frame), m_ball(level) {}
     void paint(QPainter& painter) const override;
 
 private:

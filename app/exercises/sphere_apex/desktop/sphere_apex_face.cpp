@@ -33,28 +33,34 @@ private:
 
 class ApexLayer final : public PlaybackLayer {
 public:
-    QString readout(const session::PlaybackTrack&, const session::PlaybackView& view, double, const QLocale& locale) const override {
+    QString readout(const session::PlaybackTrack&, const session::PlaybackView& view, double,
+                    const QLocale& locale) const override {
         return trialReadout(view, locale);
     }
 };
 
 } // namespace
 
-std::unique_ptr<LevelPicture> SphereApexFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
+std::unique_ptr<LevelPicture> SphereApexFace::picture(const catalogue::ExerciseLevel& level,
+                                                      const PictureFrame& frame) const {
     return std::make_unique<ApexPicture>(level.parameters.as<simulation::SphereApexParameters>(), frame);
 }
 
-QStringList SphereApexFace::levelFacts(const catalogue::ExerciseLevel&, const QLocale&) const { return {}; }
+QStringList SphereApexFace::levelFacts(const catalogue::ExerciseLevel&, const QLocale&) const {
+    return {};
+}
 
-std::unique_ptr<LivePart> SphereApexFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
+std::unique_ptr<LivePart> SphereApexFace::livePart(const catalogue::ExerciseLevel& level,
+                                                   LiveSurroundings around) const {
     return std::make_unique<PointPart>(level, std::move(around));
 }
 
 // Uses the same error as the scores: the lateral distance from the axis through the ball's centre, for marks
 // in contact only.
-QString SphereApexFace::markWords(const session::TrialObject& truth, const session::LiveSample& at, const QLocale& locale) const {
-    const double beside_m =
-        std::hypot(static_cast<double>(at.p_WT_m[0]) - truth.p_WObject.x(), static_cast<double>(at.p_WT_m[1]) - truth.p_WObject.y());
+QString SphereApexFace::markWords(const session::TrialObject& truth, const session::LiveSample& at,
+                                  const QLocale& locale) const {
+    const double beside_m = std::hypot(static_cast<double>(at.p_WT_m[0]) - truth.p_WObject.x(),
+                                       static_cast<double>(at.p_WT_m[1]) - truth.p_WObject.y());
     const QString mm = locale.toString(1e3 * beside_m, 'f', 1);
     if (beside_m > truth.radius_m)
         return AnswerTexts::tr("%1 mm from the top: not on the sphere").arg(mm);
@@ -63,15 +69,21 @@ QString SphereApexFace::markWords(const session::TrialObject& truth, const sessi
     return AnswerTexts::tr("%1 mm from the top").arg(mm);
 }
 
-QString SphereApexFace::debriefTitle() const { return DebriefPartTexts::tr("The answers, seen from above"); }
+QString SphereApexFace::debriefTitle() const {
+    return DebriefPartTexts::tr("The answers, seen from above");
+}
 
-QString SphereApexFace::debriefEmpty() const { return DebriefPartTexts::tr("There is no answer to show. The session is kept and listed."); }
+QString SphereApexFace::debriefEmpty() const {
+    return DebriefPartTexts::tr("There is no answer to show. The session is kept and listed.");
+}
 
-DebriefReading SphereApexFace::readDebrief(const catalogue::ExerciseLevel&, const scoring::SessionTrace& trace) const {
+DebriefReading SphereApexFace::readDebrief(const catalogue::ExerciseLevel&,
+                                           const scoring::SessionTrace& trace) const {
     return std::make_unique<ApexDebrief>(session_report::apexErrorsOf(trace));
 }
 
-std::unique_ptr<PlaybackLayer> SphereApexFace::playbackLayer(const session::SessionSetup&, const scoring::SessionTrace&) const {
+std::unique_ptr<PlaybackLayer> SphereApexFace::playbackLayer(const session::SessionSetup&,
+                                                             const scoring::SessionTrace&) const {
     return std::make_unique<ApexLayer>();
 }
 

@@ -74,11 +74,14 @@ void ApexSection::addTo(BlockMaker& blocks) const {
     });
 }
 
-core::Result<void> ApexSection::savePictures(const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) const {
+core::Result<void> ApexSection::savePictures(const QDir& folder, const PlotTheme& theme,
+                                             std::vector<QString>& written) const {
     if (m_errors.empty())
         return {};
     const QString path = folder.filePath(QStringLiteral("apex_errors.png"));
-    if (auto done = writePair(path, *apexScatterPlot(m_errors, theme), *apexTrialPlot(m_errors, theme), theme); !done)
+    if (auto done =
+            writePair(path, *apexScatterPlot(m_errors, theme), *apexTrialPlot(m_errors, theme), theme);
+        !done)
         return done;
     written.push_back(path);
     return {};

@@ -38,7 +38,8 @@ public:
 
     const std::vector<ApexError>& errors() const { return m_errors; }
     void addTo(BlockMaker& blocks) const override;
-    core::Result<void> savePictures(const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) const override;
+    core::Result<void> savePictures(const QDir& folder, const PlotTheme& theme,
+                                    std::vector<QString>& written) const override;
 
 private:
     std::vector<ApexError> m_errors;

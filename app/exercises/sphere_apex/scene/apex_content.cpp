@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/sphere_apex/scene/apex_content.h"
 
+#include "app/exercises/sphere_apex/scene/apex_mesh.h"
 #include "desktop/scene3d/drawn_tool.h"
 #include "desktop/scene3d/plugin/skin_texture.h"
-#include "app/exercises/sphere_apex/scene/apex_mesh.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <QMatrix4x4>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/exercises/sphere_apex/scene/apex_surface.h"
 #include "desktop/scene3d/plugin/qt3d_parts.h"
 #include "desktop/scene3d/plugin/scene_content.h"
-#include "app/exercises/sphere_apex/scene/apex_surface.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 namespace chiron::scene3d {

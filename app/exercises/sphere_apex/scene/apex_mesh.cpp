@@ -2,8 +2,8 @@
 #include "app/exercises/sphere_apex/scene/apex_mesh.h"
 
 #include "core/units.h"
-#include "simulation/geometry/mesh/make_mesh.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "simulation/geometry/mesh/make_mesh.h"
 
 #include <algorithm>
 
@@ -120,12 +120,13 @@ private:
     core::Vec3 placed(const core::Vec3& p) const {
         const double c = std::cos(m_surface.turn_rad);
         const double s = std::sin(m_surface.turn_rad);
-        return {m_surface.ball.centre_m.x() + c * p.x() - s * p.y(), m_surface.ball.centre_m.y() + s * p.x() + c * p.y(),
-                m_surface.ball.planeHeight_m + p.z()};
+        return {m_surface.ball.centre_m.x() + c * p.x() - s * p.y(),
+                m_surface.ball.centre_m.y() + s * p.x() + c * p.y(), m_surface.ball.planeHeight_m + p.z()};
     }
 
     bool isSeen(const core::Vec3& p_W) const {
-        return p_W.z() > m_surface.ball.planeHeight_m - 0.0005 && p_W.head<2>().norm() < m_surface.fieldRadius_m;
+        return p_W.z() > m_surface.ball.planeHeight_m - 0.0005 &&
+               p_W.head<2>().norm() < m_surface.fieldRadius_m;
     }
 
     void domeVertex(const core::Vec3& p_W, const core::Vec3& normal) {
@@ -134,9 +135,11 @@ private:
         const double radius_m = m_surface.ball.radius_m;
         const double up_m = p_W.z() - m_surface.ball.planeHeight_m;
         const bool onBall = r_m < radius_m && up_m > 0.05 * radius_m;
-        const double arc_m = onBall ? radius_m * std::atan2(r_m, up_m) : 0.5 * core::kPi * radius_m + std::max(0.0, r_m - radius_m);
+        const double arc_m = onBall ? radius_m * std::atan2(r_m, up_m)
+                                    : 0.5 * core::kPi * radius_m + std::max(0.0, r_m - radius_m);
         const double toRim_m = onBall ? up_m : std::abs(r_m - radius_m);
-        vertex(p_W, normal, along(r_m > 1e-9 ? core::Vec2(beside / r_m) : core::Vec2(1.0, 0.0), arc_m), crease(toRim_m));
+        vertex(p_W, normal, along(r_m > 1e-9 ? core::Vec2(beside / r_m) : core::Vec2(1.0, 0.0), arc_m),
+               crease(toRim_m));
     }
 
     static double crease(double away_m) {
@@ -147,7 +150,9 @@ private:
     /// Adds the plane from the rim of the ball (or from the middle, under the cover) to the edge of the
     /// field.
     void plane() {
-        const double rim_m = !m_surface.shown ? 0.0 : m_surface.mesh ? m_surface.mesh->plateRadius_m : m_surface.ball.radius_m;
+        const double rim_m = !m_surface.shown ? 0.0
+                             : m_surface.mesh ? m_surface.mesh->plateRadius_m
+                                              : m_surface.ball.radius_m;
         const core::Vec2 centre = m_surface.shown ? m_surface.ball.centre_m : core::Vec2(0.0, 0.0);
         std::uint32_t before = 0;
         for (int ring = 0; ring <= kPlaneRings; ++ring) {
@@ -156,10 +161,13 @@ private:
             const std::uint32_t first = size();
             for (int i = 0; i < kSpokes; ++i) {
                 const core::Vec2 out = spoke(i);
-                const double away_m = share * std::max(0.0, toEdge(centre, out) - rim_m); // the plate may reach beyond the field
+                const double away_m =
+                    share *
+                    std::max(0.0, toEdge(centre, out) - rim_m); // the plate may reach beyond the field
                 const core::Vec2 at = centre + (rim_m + away_m) * out;
                 const double radius_m = m_surface.ball.radius_m;
-                const double arc_m = m_surface.shown ? 0.5 * core::kPi * radius_m + rim_m - radius_m + away_m : away_m;
+                const double arc_m =
+                    m_surface.shown ? 0.5 * core::kPi * radius_m + rim_m - radius_m + away_m : away_m;
                 vertex({at.x(), at.y(), m_surface.ball.planeHeight_m}, core::Vec3::UnitZ(), along(out, arc_m),
                        m_surface.shown ? crease(rim_m - m_surface.ball.radius_m + away_m) : 1.0);
             }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/sphere_apex/scene/apex_surface.h"
 
+#include "core/laparoscopy_cues.h"
 #include "modules/exercises/sphere_apex/simulation/hemisphere_contact.h"
 #include "modules/exercises/sphere_apex/simulation/touched_dome.h"
-#include "core/laparoscopy_cues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,9 +102,11 @@ Dent ApexSurface::dentUnder(const ToolView& tool) const {
 }
 
 bool ApexSurface::operator==(const ApexSurface& other) const {
-    const bool sameMesh = mesh.has_value() == other.mesh.has_value() &&
-                          (!mesh || (mesh->seed == other.mesh->seed && mesh->edge_m == other.mesh->edge_m && mesh->bumpHeight_m == other.mesh->bumpHeight_m &&
-                                     mesh->bumpWavelength_m == other.mesh->bumpWavelength_m && turn_rad == other.turn_rad));
+    const bool sameMesh =
+        mesh.has_value() == other.mesh.has_value() &&
+        (!mesh || (mesh->seed == other.mesh->seed && mesh->edge_m == other.mesh->edge_m &&
+                   mesh->bumpHeight_m == other.mesh->bumpHeight_m &&
+                   mesh->bumpWavelength_m == other.mesh->bumpWavelength_m && turn_rad == other.turn_rad));
     return sameMesh && shown == other.shown && fieldRadius_m == other.fieldRadius_m &&
            ball.radius_m == other.ball.radius_m && ball.planeHeight_m == other.ball.planeHeight_m &&
            ball.centre_m == other.ball.centre_m && dimple.depth_m == other.dimple.depth_m &&

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/scene3d/parts/dent.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
-#include "desktop/scene3d/parts/dent.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 #include "simulation/attributes/dimple.h"
 #include "simulation/geometry/hemisphere_on_plane.h"
 #include "simulation/geometry/mesh/mesh_source.h"
-#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <optional>
 

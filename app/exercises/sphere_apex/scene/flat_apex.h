@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/exercises/sphere_apex/scene/apex_surface.h"
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/scene_marks.h"
-#include "app/exercises/sphere_apex/scene/apex_surface.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 namespace chiron::scene3d {
@@ -14,7 +14,8 @@ public:
     explicit FlatApex(const simulation::SphereApexParameters& parameters) : m_parameters(parameters) {}
     /// Names of the marks that it draws in addition to the objects (marksOf), the same in 3D and flat. Pure
     /// function.
-    static std::vector<std::string> marks(const simulation::SphereApexParameters& parameters, const MarkedScene& scene);
+    static std::vector<std::string> marks(const simulation::SphereApexParameters& parameters,
+                                          const MarkedScene& scene);
 
     QRectF rangeAbove_mm() const override;
     QRectF rangeSide_mm() const override;

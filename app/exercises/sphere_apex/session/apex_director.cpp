@@ -3,8 +3,9 @@
 
 namespace chiron::session {
 
-core::Result<std::unique_ptr<ApexDirector>> ApexDirector::create(const catalogue::ExerciseLevel& level, std::uint64_t seed,
-                                                                 const Station& station, Parts parts) {
+core::Result<std::unique_ptr<ApexDirector>> ApexDirector::create(const catalogue::ExerciseLevel& level,
+                                                                 std::uint64_t seed, const Station& station,
+                                                                 Parts parts) {
     const auto kind = exerciseKind(level.exercise);
     CHIRON_TRY(kind);
     auto watch = ApexWatch::create(level, seed, station, parts.design);

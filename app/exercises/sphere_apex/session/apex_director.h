@@ -24,8 +24,8 @@ public:
     /// `level`: a level of "sphere_apex"; `seed`: the seed of the session; `station`: in its state before
     /// use.
     /// Errors: badInput (a device without kinematics).
-    static core::Result<std::unique_ptr<ApexDirector>> create(const catalogue::ExerciseLevel& level, std::uint64_t seed,
-                                                              const Station& station, Parts parts);
+    static core::Result<std::unique_ptr<ApexDirector>>
+    create(const catalogue::ExerciseLevel& level, std::uint64_t seed, const Station& station, Parts parts);
     void connect(haptics::LiveInputs& inputs) noexcept override { m_inputs = &inputs; }
     bool tryPush(const core::HapticFrame& frame) noexcept override;
 

@@ -15,11 +15,16 @@ public:
     static constexpr const char* kUsualTrainee = "intermediate";
 
     int trialsAtMost() const noexcept override;
-    core::Result<catalogue::ExerciseLevel> level(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition, int trials,
+    core::Result<catalogue::ExerciseLevel> level(const psychophysics::StudyDesign& design,
+                                                 const psychophysics::Condition& condition, int trials,
                                                  const std::string& label) const override;
-    core::Result<Station> scripted(const catalogue::ExerciseLevel& level, const std::string& trainee, std::uint64_t seed) const override;
-    core::Result<database::SessionId> run(database::Database& database, const database::Actor& actor, const MarkSitting& sitting) const override;
-    SittingResult<std::unique_ptr<LiveSitting>> begin(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting,
+    core::Result<Station> scripted(const catalogue::ExerciseLevel& level, const std::string& trainee,
+                                   std::uint64_t seed) const override;
+    core::Result<database::SessionId> run(database::Database& database, const database::Actor& actor,
+                                          const MarkSitting& sitting) const override;
+    SittingResult<std::unique_ptr<LiveSitting>> begin(database::Database& database,
+                                                      const database::Actor& actor,
+                                                      const ConductedSitting& sitting,
                                                       LiveStudyRequest request) const override;
 };
 

@@ -20,8 +20,8 @@ FidelityMeter meterOf(const psychophysics::StudyDesign& design, bool shown) {
 
 } // namespace
 
-core::Result<ApexWatch> ApexWatch::create(const catalogue::ExerciseLevel& level, std::uint64_t seed, const Station& station,
-                                          const psychophysics::StudyDesign& design) {
+core::Result<ApexWatch> ApexWatch::create(const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                                          const Station& station, const psychophysics::StudyDesign& design) {
     SessionSetup setup;
     setup.level = level;
     setup.seed = seed;
@@ -52,7 +52,9 @@ std::optional<StudyAnswer> ApexWatch::take(const FidelitySample& tick, const cor
     return end(tick, p_WT);
 }
 
-std::size_t ApexWatch::trialOf(const FidelitySample& tick) const { return std::min<std::size_t>(tick.trial, m_plan.size() - 1); }
+std::size_t ApexWatch::trialOf(const FidelitySample& tick) const {
+    return std::min<std::size_t>(tick.trial, m_plan.size() - 1);
+}
 
 void ApexWatch::begin(const FidelitySample& tick, const core::Vec3& p_WT) {
     m_clock.begin(tick.tick);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "session/station.h"
-#include "session/study/fidelity_meter.h"
-#include "session/study/trial_clock.h"
-#include "session/study/study_progress.h"
-#include "session/tool_positions.h"
 #include "modules/exercises/sphere_apex/simulation/hemisphere_contact.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
+#include "session/station.h"
+#include "session/study/fidelity_meter.h"
+#include "session/study/study_progress.h"
+#include "session/study/trial_clock.h"
+#include "session/tool_positions.h"
 
 #include <array>
 #include <memory>
@@ -25,8 +25,8 @@ public:
     /// `level`: a level of "sphere_apex"; `seed`: the seed of the session; `station`: in its state before
     /// use.
     /// Errors: badInput (a device without kinematics).
-    static core::Result<ApexWatch> create(const catalogue::ExerciseLevel& level, std::uint64_t seed, const Station& station,
-                                          const psychophysics::StudyDesign& design);
+    static core::Result<ApexWatch> create(const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                                          const Station& station, const psychophysics::StudyDesign& design);
 
     /// Returns the outcome of a trial at the tick that ends it. There is no answer without a mark (when the
     /// time was up).
@@ -35,9 +35,9 @@ public:
     StudyAnswer soFar() const;
 
     bool inTrial() const noexcept { return m_inTrial; }
-    bool touched() const noexcept { return m_touched != 0; } ///< in this trial
+    bool touched() const noexcept { return m_touched != 0; }        ///< in this trial
     bool over() const noexcept { return m_ended == m_plan.size(); } ///< every trial of the session has ended
-    const TrialClock& clock() const noexcept { return m_clock; } ///< of the current trial
+    const TrialClock& clock() const noexcept { return m_clock; }    ///< of the current trial
 
 private:
     static constexpr std::size_t kWindow = 20; ///< ticks over which a speed is computed: counts are too

@@ -22,18 +22,22 @@ core::Result<double> stiffest(const OpenedStudy& study, const psychophysics::Con
             continue;
         const auto level = ApexSessions().level(study.design, each, 1, {});
         CHIRON_TRY(level);
-        stiffness = std::max(stiffness, level->parameters.as<simulation::SphereApexParameters>().stiffnessHigh_N_per_m);
+        stiffness = std::max(stiffness,
+                             level->parameters.as<simulation::SphereApexParameters>().stiffnessHigh_N_per_m);
     }
     return stiffness;
 }
 
-SittingResult<void> renderable(const OpenedStudy& study, const psychophysics::Condition& condition, const RenderingLimits& limits) {
+SittingResult<void> renderable(const OpenedStudy& study, const psychophysics::Condition& condition,
+                               const RenderingLimits& limits) {
     const auto stiffness = stiffest(study, condition);
     CHIRON_TRY(stiffness);
     if (*stiffness <= limits.largestStiffness_N_per_m)
         return {};
-    SittingError error({core::ErrorCode::badInput, "a sphere of " + std::to_string(std::lround(*stiffness)) + " N/m, and the device renders " +
-                                                       std::to_string(std::lround(limits.largestStiffness_N_per_m)) + " N/m at most"});
+    SittingError error({core::ErrorCode::badInput,
+                        "a sphere of " + std::to_string(std::lround(*stiffness)) +
+                            " N/m, and the device renders " +
+                            std::to_string(std::lround(limits.largestStiffness_N_per_m)) + " N/m at most"});
     error.tooStiff = {*stiffness, limits.largestStiffness_N_per_m};
     return tl::unexpected(std::move(error));
 }
@@ -43,21 +47,27 @@ SittingResult<void> renderable(const OpenedStudy& study, const psychophysics::Co
 LiveApex::LiveApex(std::unique_ptr<State> state) : m_state(std::move(state)) {}
 LiveApex::~LiveApex() = default;
 
-SittingResult<std::unique_ptr<LiveApex>> LiveApex::start(database::Database& database, const database::Actor& actor,
-                                                         const ConductedSitting& sitting, LiveStudyRequest request) {
+SittingResult<std::unique_ptr<LiveApex>> LiveApex::start(database::Database& database,
+                                                         const database::Actor& actor,
+                                                         const ConductedSitting& sitting,
+                                                         LiveStudyRequest request) {
     auto state = State::conducted(database, actor, sitting, std::move(request));
     if (!state)
         return tl::unexpected(sealed(sitting, state.error()));
     return std::unique_ptr<LiveApex>(new LiveApex(std::move(*state)));
 }
 
-SittingResult<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(database::Database& database, const database::Actor& actor,
-                                                                           const ConductedSitting& sitting, LiveStudyRequest request) {
+SittingResult<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(database::Database& database,
+                                                                           const database::Actor& actor,
+                                                                           const ConductedSitting& sitting,
+                                                                           LiveStudyRequest request) {
     const OpenedStudy& study = sitting.study;
     const psychophysics::Condition& condition = *sitting.condition();
-    const RenderingLimits limits = limitsAt(request.station.tools.front().device->descriptor(), request.measuredDelay_s);
+    const RenderingLimits limits =
+        limitsAt(request.station.tools.front().device->descriptor(), request.measuredDelay_s);
     CHIRON_TRY(renderable(study, condition, limits)); // before a run begins
-    const LimitedTable table = study.blind() ? blindTable(study.design, condition, limits) : limitedTable(condition, limits);
+    const LimitedTable table =
+        study.blind() ? blindTable(study.design, condition, limits) : limitedTable(condition, limits);
     auto begun = beginOrGoOn(database, actor, sitting, table.limit);
     CHIRON_TRY(begun);
     auto state = std::make_unique<State>(database, actor, sitting, std::move(*begun), request.language);
@@ -104,11 +114,21 @@ LiveStudyNumbers LiveApex::numbers() const {
     return m_state->numbers;
 }
 
-const psychophysics::StudyDesign& LiveApex::design() const { return m_state->study.design; }
-const psychophysics::Condition& LiveApex::condition() const { return *m_state->condition; }
-const catalogue::ExerciseLevel& LiveApex::level() const { return m_state->level; }
-LiveTraining& LiveApex::training() { return *m_state->training; }
-int LiveApex::sessions() const { return m_state->sessions; }
+const psychophysics::StudyDesign& LiveApex::design() const {
+    return m_state->study.design;
+}
+const psychophysics::Condition& LiveApex::condition() const {
+    return *m_state->condition;
+}
+const catalogue::ExerciseLevel& LiveApex::level() const {
+    return m_state->level;
+}
+LiveTraining& LiveApex::training() {
+    return *m_state->training;
+}
+int LiveApex::sessions() const {
+    return m_state->sessions;
+}
 
 core::Result<void> LiveApex::answer(int answer, std::optional<double>) {
     State& s = *m_state;
@@ -133,7 +153,9 @@ void LiveApex::takeBack() {
     s.storePending();
 }
 
-void LiveApex::goOn() { m_state->enough = m_state->pending.has_value(); }
+void LiveApex::goOn() {
+    m_state->enough = m_state->pending.has_value();
+}
 
 void LiveApex::endTrying() {
     m_state->readySaid = true;
@@ -142,24 +164,34 @@ void LiveApex::endTrying() {
         m_state->tried_s = m_state->tryFor_s;
 }
 
-void LiveApex::beginCounting() { m_state->waitsToCount = false; }
+void LiveApex::beginCounting() {
+    m_state->waitsToCount = false;
+}
 
-void LiveApex::setMasking(const std::string& what) { m_state->notes.hear(what); }
+void LiveApex::setMasking(const std::string& what) {
+    m_state->notes.hear(what);
+}
 
 void LiveApex::spoil() {
     if (m_state->watch->inTrial())
         m_state->spoiled = "experimenter";
 }
 
-void LiveApex::pause() { m_state->control.wantPause(!m_state->stopping); }
-void LiveApex::resume() { m_state->control.wantPause(false); }
+void LiveApex::pause() {
+    m_state->control.wantPause(!m_state->stopping);
+}
+void LiveApex::resume() {
+    m_state->control.wantPause(false);
+}
 
 void LiveApex::stopForce() {
     m_state->control.stopForce();
     m_state->control.tell(*m_state->training);
 }
 
-void LiveApex::rearm() { m_state->control.rearm(); }
+void LiveApex::rearm() {
+    m_state->control.rearm();
+}
 
 void LiveApex::breakTaken() {
     State& s = *m_state;
@@ -188,7 +220,11 @@ void LiveApex::stop() {
     }
 }
 
-bool LiveApex::finished() const { return m_state->done; }
-const core::Result<LiveStudyResult>& LiveApex::result() const { return m_state->result; }
+bool LiveApex::finished() const {
+    return m_state->done;
+}
+const core::Result<LiveStudyResult>& LiveApex::result() const {
+    return m_state->result;
+}
 
 } // namespace chiron::session

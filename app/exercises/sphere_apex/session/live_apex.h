@@ -16,8 +16,10 @@ class LiveApex final : public LiveSitting {
 public:
     /// For a condition in which participants look for an apex.
     /// Errors: those of LiveSitting::start.
-    static SittingResult<std::unique_ptr<LiveApex>> start(database::Database& database, const database::Actor& actor,
-                                                   const ConductedSitting& sitting, LiveStudyRequest request);
+    static SittingResult<std::unique_ptr<LiveApex>> start(database::Database& database,
+                                                          const database::Actor& actor,
+                                                          const ConductedSitting& sitting,
+                                                          LiveStudyRequest request);
     ~LiveApex() override;
 
     void poll() override;

@@ -2,11 +2,11 @@
 // A run of the apex study from tick to tick and from session to session.
 #include "app/exercises/sphere_apex/session/live_apex_state.h"
 
-#include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
+#include "app/exercises/sphere_apex/session/apex_sessions.h"
 #include "core/random.h"
 #include "core/units.h"
+#include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 #include "session/study/apex_analysis.h"
-#include "app/exercises/sphere_apex/session/apex_sessions.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,8 +17,8 @@ using core::CommandKind;
 using core::TrialPhase;
 
 namespace {
-constexpr double kFeedback_s = 2.0; // reading a distance takes longer than reading "right"
-constexpr int kTriedSpheres = 10; // more than anybody can mark in a minute
+constexpr double kFeedback_s = 2.0;       // reading a distance takes longer than reading "right"
+constexpr int kTriedSpheres = 10;         // more than anybody can mark in a minute
 constexpr std::uint64_t kSummarySeed = 1; // used only for intervals
 } // namespace
 
@@ -29,7 +29,10 @@ core::Result<void> LiveApex::State::beginSession(Station station) {
     const int wanted = free ? kTriedSpheres : std::clamp(progress.toCome(), 1, catalogue::kApexTrialsAtMost);
     auto made = ApexSessions().level(study.design, *condition, wanted, sessionLabel(study, sealedCode));
     CHIRON_TRY(made);
-    const std::uint64_t seed = core::Random::mix(runSeed, free ? std::string("free minute") : "sitting " + std::to_string(trials.size())) >> 1;
+    const std::uint64_t seed =
+        core::Random::mix(runSeed,
+                          free ? std::string("free minute") : "sitting " + std::to_string(trials.size())) >>
+        1;
     auto watching = ApexWatch::create(*made, seed, station, study.design);
     CHIRON_TRY(watching);
     auto ticks = std::make_unique<ApexTap>();
@@ -87,7 +90,8 @@ void LiveApex::State::record(StudyAnswer answer) {
     spoiled.clear();
     ++presented;
     answer.fidelity.circumstances = notes.ofTrial();
-    if (stopping || progress.done() || !progress.next().practice || answer.answer < 0 || !answer.spoiled.empty())
+    if (stopping || progress.done() || !progress.next().practice || answer.answer < 0 ||
+        !answer.spoiled.empty())
         return store(answer);
     view.beside_m = answer.value;
     feedbackSince = Clock::now();
@@ -103,10 +107,13 @@ void LiveApex::State::storePending() {
 }
 
 bool LiveApex::State::feedbackOver() const {
-    return pending ? enough || stopping || secondsSince(feedbackSince) >= kPracticeFeedback_s : secondsSince(feedbackSince) >= kFeedback_s;
+    return pending ? enough || stopping || secondsSince(feedbackSince) >= kPracticeFeedback_s
+                   : secondsSince(feedbackSince) >= kFeedback_s;
 }
 
-double LiveApex::State::triedSoFar_s() const { return tried_s + (watch->inTrial() ? watch->clock().exploration_s() : 0.0); }
+double LiveApex::State::triedSoFar_s() const {
+    return tried_s + (watch->inTrial() ? watch->clock().exploration_s() : 0.0);
+}
 
 void LiveApex::State::store(const StudyAnswer& answer) {
     auto trial = progress.record(answer);
@@ -125,7 +132,8 @@ void LiveApex::State::note(const TrialFidelity& fidelity) {
     numbers.lastSpoiled = database::shownReason(trial.spoiled, blinding);
     view.repeated = trial.practice || trial.spoiled == "stopped" ? std::string() : trial.spoiled;
     summarise();
-    if (study.design.trial.feedback && !trial.practice && trial.value && trial.spoiled.empty() && !progress.done()) {
+    if (study.design.trial.feedback && !trial.practice && trial.value && trial.spoiled.empty() &&
+        !progress.done()) {
         view.beside_m = trial.value;
         feedbackSince = Clock::now();
     }
@@ -135,14 +143,17 @@ void LiveApex::State::note(const TrialFidelity& fidelity) {
 }
 
 void LiveApex::State::summarise() {
-    numbers.practice = static_cast<int>(std::count_if(trials.begin(), trials.end(), [](const auto& trial) { return trial.practice; }));
+    numbers.practice = static_cast<int>(
+        std::count_if(trials.begin(), trials.end(), [](const auto& trial) { return trial.practice; }));
     numbers.apex.reset();
     if (!study.blind())
-        numbers.apex = psychophysics::summariseApex(apexTrials(trials, 0), condition->stimulus.reference, kSummarySeed);
+        numbers.apex =
+            psychophysics::summariseApex(apexTrials(trials, 0), condition->stimulus.reference, kSummarySeed);
 }
 
 bool LiveApex::State::heldBetween() const {
-    return view.beside_m.has_value() || pending.has_value() || (!watch->inTrial() && (waitsToCount || progress.breakDue() || progress.needsExperimenter()));
+    return view.beside_m.has_value() || pending.has_value() ||
+           (!watch->inTrial() && (waitsToCount || progress.breakDue() || progress.needsExperimenter()));
 }
 
 /// The exercise proceeds from trial to trial by itself; this function holds it and ends it.
@@ -186,7 +197,8 @@ void LiveApex::State::sessionEnded() {
         result = tl::unexpected(training->result().error());
     const bool failed = !result && result.error().code != core::ErrorCode::wrongUse;
     // Without any presentation the session was stuck, and another one would be as well.
-    const bool further = !failed && training->result() && !stopping && !progress.done() && (presented > 0 || tried);
+    const bool further =
+        !failed && training->result() && !stopping && !progress.done() && (presented > 0 || tried);
     if (!further)
         return conclude();
     waits = true;
@@ -201,7 +213,8 @@ void LiveApex::State::goOnWithNext() {
     if (control.held() || heldBetween())
         return control.hold(heldBetween());
     auto station = nextStation();
-    auto begun = station ? beginSession(std::move(*station)) : core::Result<void>(tl::unexpected(station.error()));
+    auto begun =
+        station ? beginSession(std::move(*station)) : core::Result<void>(tl::unexpected(station.error()));
     if (begun)
         return;
     fail(begun.error());
@@ -234,8 +247,11 @@ void LiveApex::State::describe() {
     const double limit_s = study.design.trial.exploreLimit_s;
     const double spent_s = watch->clock().exploration_s();
     view.timeLeft_s = running && limit_s > 0.0 ? std::max(0.0, limit_s - spent_s) : 0.0;
-    view.canAnswer = running && !control.held() && last.paused == 0 && (watch->touched() || !study.design.trial.mustTouchAll);
-    view.breakLeft_s = progress.breakDue() ? std::max(0.0, study.design.trial.breakAtLeast_s - secondsSince(breakSince)) : 0.0;
+    view.canAnswer = running && !control.held() && last.paused == 0 &&
+                     (watch->touched() || !study.design.trial.mustTouchAll);
+    view.breakLeft_s = progress.breakDue()
+                           ? std::max(0.0, study.design.trial.breakAtLeast_s - secondsSince(breakSince))
+                           : 0.0;
     view.state = where();
     numbers.sealedCode = sealedCode;
     numbers.blind = study.blind();

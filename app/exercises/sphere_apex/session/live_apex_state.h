@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "database/repositories/study_blinding.h"
 #include "app/exercises/sphere_apex/session/apex_tap.h"
 #include "app/exercises/sphere_apex/session/apex_watch.h"
-#include "session/study/begun_run.h"
 #include "app/exercises/sphere_apex/session/live_apex.h"
+#include "database/repositories/study_blinding.h"
+#include "session/study/begun_run.h"
 #include "session/study/sitting_control.h"
 #include "session/study/sitting_notes.h"
 
@@ -18,9 +18,11 @@ namespace chiron::session {
 struct LiveApex::State {
     using Clock = std::chrono::steady_clock;
 
-    State(database::Database& data, database::Actor who, const ConductedSitting& sitting, BegunRun begun, std::string language)
-        : database(data), actor(std::move(who)), study(sitting.study), run(begun.number), runSeed(begun.seed), sealedCode(sitting.run.sealedCode),
-          progress(std::move(begun.progress)), trials(sitting.run.trials), notes(std::move(language)) {}
+    State(database::Database& data, database::Actor who, const ConductedSitting& sitting, BegunRun begun,
+          std::string language)
+        : database(data), actor(std::move(who)), study(sitting.study), run(begun.number), runSeed(begun.seed),
+          sealedCode(sitting.run.sealedCode), progress(std::move(begun.progress)), trials(sitting.run.trials),
+          notes(std::move(language)) {}
 
     database::Database& database;
     database::Actor actor;
@@ -39,18 +41,18 @@ struct LiveApex::State {
     catalogue::ExerciseLevel level;
     std::optional<ApexWatch> watch;
     std::unique_ptr<ApexTap> tap;
-    std::unique_ptr<LiveTraining> training;                ///< declared after the tap because it uses it
+    std::unique_ptr<LiveTraining> training; ///< declared after the tap because it uses it
     std::unique_ptr<ApexTap> tapBefore;
-    std::unique_ptr<LiveTraining> before;                  ///< the previous session, kept until the window no
-                                                           ///< longer uses its pointer
+    std::unique_ptr<LiveTraining> before; ///< the previous session, kept until the window no
+                                          ///< longer uses its pointer
     int sessions = 0;
-    std::size_t presented = 0;                             ///< in the current session
+    std::size_t presented = 0; ///< in the current session
 
     SittingControl control;
     LiveStudyView view;
     LiveStudyNumbers numbers;
     FidelitySample last;
-    bool lost = false;      ///< ticks of the current trial were lost
+    bool lost = false; ///< ticks of the current trial were lost
     bool stopping = false, ending = false, waits = false, done = false;
     std::string spoiled;
     std::optional<StudyAnswer> pending; ///< duration of the free minute, if the current session is the one;
@@ -58,13 +60,16 @@ struct LiveApex::State {
     bool enough = false;
     double tryFor_s = 0.0; ///< duration of the free practice minute, if the current session is one
     double tried_s = 0.0;
-    bool tries = false;    ///< in this session, the free minute is running
-    bool readySaid = false, waitsForReady = false; ///< at the end of the free minute
+    bool tries = false;                                    ///< in this session, the free minute is running
+    bool readySaid = false, waitsForReady = false;         ///< at the end of the free minute
     bool waitsAfterPractice = false, waitsToCount = false; ///< between practice and the trials that count
     Clock::time_point feedbackSince, breakSince;
-    core::Result<LiveStudyResult> result = core::fail(core::ErrorCode::wrongUse, "the sitting has not ended yet");
+    core::Result<LiveStudyResult> result =
+        core::fail(core::ErrorCode::wrongUse, "the sitting has not ended yet");
 
-    static double secondsSince(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+    static double secondsSince(Clock::time_point then) {
+        return std::chrono::duration<double>(Clock::now() - then).count();
+    }
 
     core::Result<void> beginSession(Station station);
     void drain();
@@ -86,8 +91,10 @@ struct LiveApex::State {
     void describe();
     LiveStudyView::State where() const;
     /// Creates the state of a run that has begun.
-    static SittingResult<std::unique_ptr<State>> conducted(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting,
-                                                          LiveStudyRequest request);
+    static SittingResult<std::unique_ptr<State>> conducted(database::Database& database,
+                                                           const database::Actor& actor,
+                                                           const ConductedSitting& sitting,
+                                                           LiveStudyRequest request);
     /// True if forces and felt values would reveal the condition to a blind experimenter.
     bool forcesTell() const { return blinding.on && !blinding.oneStimulus; }
 };

@@ -2,17 +2,17 @@
 #include "app/exercises/sphere_apex/session/sphere_apex_kind.h"
 
 #include "app/exercises/sphere_apex/session/apex_sessions.h"
+#include "curriculum/exercises/sphere_apex/scoring/apex_answer.h"
 #include "database/repositories/session_types.h"
 #include "modules/exercises/sphere_apex/operators/sphere_apex_operator.h"
-#include "curriculum/exercises/sphere_apex/scoring/apex_answer.h"
-#include "scoring/trace_rows.h"
-#include "session/answer_events.h"
-#include "session/playback_track.h"
-#include "session/moment_rule.h"
-#include "session/session_setup.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 #include "modules/exercises/sphere_apex/simulation/touched_dome.h"
+#include "scoring/trace_rows.h"
+#include "session/answer_events.h"
+#include "session/moment_rule.h"
+#include "session/playback_track.h"
+#include "session/session_setup.h"
 
 #include <QJsonObject>
 #include <cmath>
@@ -30,7 +30,9 @@ const simulation::SphereApexParameters& parametersOf(const catalogue::ExerciseLe
 /// Arming takes 2 s and a person may first have to move out of contact; beyond this a scripted run is stuck.
 constexpr double kArmingAllowance_s = 20.0;
 
-bool meshed(const simulation::SphereApexParameters& p) { return p.surface != simulation::ApexSurface::exact; }
+bool meshed(const simulation::SphereApexParameters& p) {
+    return p.surface != simulation::ApexSurface::exact;
+}
 
 class SphereApexSurfaces final : public TrialSurfaces {
 public:
@@ -40,7 +42,10 @@ public:
             if (auto dome = simulation::TouchedDome::make(p, trials))
                 m_dome = std::move(*dome);
         for (const simulation::SphereApexTrial& trial : trials) {
-            TrialObject object{{trial.centre_m.x(), trial.centre_m.y(), p.planeHeight_m}, p.radius_m, {}, meshed(p) ? trial.turn_rad : 0.0};
+            TrialObject object{{trial.centre_m.x(), trial.centre_m.y(), p.planeHeight_m},
+                               p.radius_m,
+                               {},
+                               meshed(p) ? trial.turn_rad : 0.0};
             if (p.dimpleDepth_m > 0.0)
                 object.dimpleCentre_m = trial.dimpleCentre_m;
             m_objects.push_back(object);
@@ -74,7 +79,8 @@ void noteMisses(PlaybackTrack& track) {
     std::vector<PlaybackMark> marks;
     for (const PlaybackMark& mark : track.marks) {
         marks.push_back(mark);
-        const PlaybackTrial* trial = mark.kind == PlaybackMarkKind::marked ? track.trial(mark.trial) : nullptr;
+        const PlaybackTrial* trial =
+            mark.kind == PlaybackMarkKind::marked ? track.trial(mark.trial) : nullptr;
         if (trial == nullptr || !trial->object)
             continue;
         const core::Vec3 d = trial->p_WEnd - trial->object->p_WObject;
@@ -92,10 +98,13 @@ std::unique_ptr<simulation::IScene> SphereApexKind::makeScene(const SessionSetup
     return std::make_unique<simulation::SphereApexScene>(parametersOf(setup.level), setup.seed);
 }
 
-simulation::YieldLaw SphereApexKind::yieldLaw(const catalogue::ExerciseLevel& level) const { return parametersOf(level).yield; }
+simulation::YieldLaw SphereApexKind::yieldLaw(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).yield;
+}
 
-core::Result<ScriptedTrainee> SphereApexKind::makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
-                                                          std::uint64_t seed) const {
+core::Result<ScriptedTrainee> SphereApexKind::makeOperator(const catalogue::ExerciseLevel&,
+                                                           const std::string& name,
+                                                           std::uint64_t seed) const {
     auto settings = operators::sphereApexOperatorSettings(name);
     CHIRON_TRY(settings);
     auto strategy = operators::makeSphereApexOperator(*settings, seed);
@@ -108,7 +117,9 @@ std::vector<std::string> SphereApexKind::operatorNames() const {
     return {names.begin(), names.end()};
 }
 
-int SphereApexKind::trialCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).trials; }
+int SphereApexKind::trialCount(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).trials;
+}
 
 double SphereApexKind::forceLimit_N(const catalogue::ExerciseLevel& level) const {
     return parametersOf(level).maximumForce_N;
@@ -120,13 +131,16 @@ std::uint64_t SphereApexKind::tickLimit(const catalogue::ExerciseLevel& level) c
         std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));
 }
 
-std::vector<core::QuantityDescription> SphereApexKind::quantities(const catalogue::ExerciseLevel& level) const {
+std::vector<core::QuantityDescription>
+SphereApexKind::quantities(const catalogue::ExerciseLevel& level) const {
     if (parametersOf(level).surface != simulation::ApexSurface::organ)
         return {};
     return {{"prediction_error_m", "m", 1e-7}, {"held_error_m", "m", 1e-7}};
 }
 
-bool SphereApexKind::recordsEnergy(const catalogue::ExerciseLevel& level) const { return meshed(parametersOf(level)); }
+bool SphereApexKind::recordsEnergy(const catalogue::ExerciseLevel& level) const {
+    return meshed(parametersOf(level));
+}
 
 void SphereApexKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                               scoring::TrialTrace& trial) const {
@@ -142,14 +156,16 @@ std::unique_ptr<TrialSurfaces> SphereApexKind::makeSurfaces(const catalogue::Exe
     return std::make_unique<SphereApexSurfaces>(parametersOf(level), seed);
 }
 
-core::Result<void> SphereApexKind::addMarks(const SessionSetup&, const scoring::SessionTrace*, PlaybackTrack& track) const {
+core::Result<void> SphereApexKind::addMarks(const SessionSetup&, const scoring::SessionTrace*,
+                                            PlaybackTrack& track) const {
     noteMisses(track);
     return {};
 }
 
-void SphereApexKind::addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record, AnswerEvents& events) const {
+void SphereApexKind::addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record,
+                                     AnswerEvents& events) const {
     if (!trial.apex || !trial.marked || trial.tools.empty())
-        return; // a trial without a mark already has an event
+        return;                      // a trial without a mark already has an event
     scoring::PreparedTrial prepared; // the answer reads only position and truth from it
     prepared.trial = &trial;
     prepared.tool = &trial.tools.front();
@@ -165,7 +181,8 @@ void SphereApexKind::storeTruth(const scoring::TrialTrace& trial, QJsonObject& t
     truth.insert("radius_m", trial.apex->radius_m);
 }
 
-void SphereApexKind::addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const {
+void SphereApexKind::addColumns(std::span<const scoring::TrialTrace> trials,
+                                scoring::TraceColumns& columns) const {
     columns.target = !trials.empty() && trials.front().apex.has_value();
 }
 
@@ -177,8 +194,11 @@ void SphereApexKind::fillRowOfTrial(const scoring::TrialTrace& trial, scoring::T
 }
 
 Demonstration SphereApexKind::demonstration() const {
-    return {.columns = {{">apex error %", "apex_error_mean", 1}, {">SD %", "apex_error_sd", 1}, {">misses", "apex_misses", 0}},
-            .legend = "apex error: mean distance between mark and true highest point, in % of the sphere's radius; SD: its spread over the\n"
+    return {.columns = {{">apex error %", "apex_error_mean", 1},
+                        {">SD %", "apex_error_sd", 1},
+                        {">misses", "apex_misses", 0}},
+            .legend = "apex error: mean distance between mark and true highest point, in % of the sphere's "
+                      "radius; SD: its spread over the\n"
                       "trials; misses: marked off the sphere, without touching, or not in time\n",
             .comparison = OperatorComparison{.file = "operators.png",
                                              .title = "Apex error by operator, by touch alone",

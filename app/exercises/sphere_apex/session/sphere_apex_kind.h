@@ -26,11 +26,15 @@ public:
                   scoring::TrialTrace& trial) const override;
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
                                                 std::uint64_t seed) const override;
-    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const override;
+    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace,
+                                PlaybackTrack& track) const override;
     /// "missed": a mark beside the sphere, or in the air.
-    void addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record, AnswerEvents& events) const override;
-    void storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const override; ///< apex_x_m, apex_y_m, radius_m
-    void addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const override; ///< the target
+    void addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record,
+                         AnswerEvents& events) const override;
+    void storeTruth(const scoring::TrialTrace& trial,
+                    QJsonObject& truth) const override; ///< apex_x_m, apex_y_m, radius_m
+    void addColumns(std::span<const scoring::TrialTrace> trials,
+                    scoring::TraceColumns& columns) const override; ///< the target
     void fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
     /// The skilled trainee also does the organs (levels from 5 on).
     DemoPart demoPart(int level) const override { return {level == 1, level <= 2 || level >= 5, level <= 2}; }

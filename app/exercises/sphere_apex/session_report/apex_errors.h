@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/exercises/sphere_apex/report/apex_report.h"
-#include "report/report_section.h"
 #include "catalogue/exercise.h"
+#include "report/report_section.h"
 #include "scoring/trace.h"
 #include "session_report/exercise_words.h"
 
@@ -17,7 +17,8 @@ namespace chiron::session_report {
 std::vector<report::ApexError> apexErrorsOf(const scoring::SessionTrace& trace);
 
 /// The section of a report. Pure function.
-std::shared_ptr<const report::ReportSection> apexSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
+std::shared_ptr<const report::ReportSection> apexSectionOf(const scoring::SessionTrace& trace,
+                                                           const catalogue::ExerciseLevel& level);
 
 /// The words for the end of a trial and for damage.
 EndWords apexEnds();

@@ -18,7 +18,8 @@ namespace {
 constexpr char kDepthOfField[] = "depth_of_field";
 
 /// The state of the procedure at a moment, as far as the recording contains it.
-simulation::EndoscopeCues endoscopeOf(const session::PlaybackInsertion& insertion, const session::PlaybackInsertionMoment& moment, double t_s) {
+simulation::EndoscopeCues endoscopeOf(const session::PlaybackInsertion& insertion,
+                                      const session::PlaybackInsertionMoment& moment, double t_s) {
     simulation::EndoscopeCues cues;
     cues.present = true;
     cues.pictureShown = true;
@@ -34,7 +35,8 @@ simulation::EndoscopeCues endoscopeOf(const session::PlaybackInsertion& insertio
 
 std::vector<PlaybackSwitch> InsertionLayer::switches() const {
     return {{kDepthOfField, PlaybackTexts::tr("Depth of field"),
-             PlaybackTexts::tr("The picture is sharp at one distance only, as through a real endoscope"), m_depthOfField, true}};
+             PlaybackTexts::tr("The picture is sharp at one distance only, as through a real endoscope"),
+             m_depthOfField, true}};
 }
 
 void InsertionLayer::turn(std::string_view key, bool on) {
@@ -42,18 +44,22 @@ void InsertionLayer::turn(std::string_view key, bool on) {
         m_depthOfField = on;
 }
 
-void InsertionLayer::setUp(scene3d::SceneSetup& setup) const { setup.depthOfField = m_depthOfField; }
+void InsertionLayer::setUp(scene3d::SceneSetup& setup) const {
+    setup.depthOfField = m_depthOfField;
+}
 
-void InsertionLayer::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView&,
-                            double t_s) {
+void InsertionLayer::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track,
+                            const session::PlaybackView&, double t_s) {
     const auto moment = session::insertionAt(track, t_s);
     if (!moment)
         return;
     state.objectShown = true; // the object is the endoscope's picture
-    state.exercise.own<simulation::EndoscopeCues>() = endoscopeOf(*track.of<session::PlaybackInsertion>(), *moment, t_s);
+    state.exercise.own<simulation::EndoscopeCues>() =
+        endoscopeOf(*track.of<session::PlaybackInsertion>(), *moment, t_s);
 }
 
-QString InsertionLayer::readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s, const QLocale& locale) const {
+QString InsertionLayer::readout(const session::PlaybackTrack& track, const session::PlaybackView& view,
+                                double t_s, const QLocale& locale) const {
     const auto moment = session::insertionAt(track, t_s);
     if (!moment)
         return trialReadout(view, locale);
@@ -63,7 +69,8 @@ QString InsertionLayer::readout(const session::PlaybackTrack& track, const sessi
     const QString stage = stageTitle(moment->stage);
     const QString depth = report::formatValue(1e3 * moment->depth_m, QStringLiteral("mm"), locale);
     return view.moment.paused
-               ? PlaybackTexts::tr("%1 · %2 · depth %3 · force %4 · speed %5").arg(stage, stillWords(view.moment), depth, force, speed)
+               ? PlaybackTexts::tr("%1 · %2 · depth %3 · force %4 · speed %5")
+                     .arg(stage, stillWords(view.moment), depth, force, speed)
                : PlaybackTexts::tr("%1 · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed);
 }
 

@@ -15,7 +15,8 @@ public:
     std::vector<PlaybackSwitch> switches() const override;
     void turn(std::string_view key, bool on) override;
     void setUp(scene3d::SceneSetup& setup) const override;
-    void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) override;
+    void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track,
+                const session::PlaybackView& view, double t_s) override;
     QString readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s,
                     const QLocale& locale) const override;
     void addPlots(PlaybackPlots& plots) const override;

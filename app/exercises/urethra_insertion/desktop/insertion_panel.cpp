@@ -17,7 +17,7 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr int kNumbersEvery_frames = 6; // ten times per second, so that the digits can be read
+constexpr int kNumbersEvery_frames = 6;        // ten times per second, so that the digits can be read
 constexpr double kAxialTorqueLimit_Nm = 0.010; // about the endoscope's axis: limit of P1's device
 constexpr double kOffsetAxis_mm = 3.0;
 constexpr double kAlignmentAxis_deg = 20.0;
@@ -26,15 +26,20 @@ constexpr double kPlotsSideBySide_px = 330;
 constexpr double kPlotHeight_px = 64;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-core::Vec3 vec(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
-core::Vec3 vec(const std::array<float, 3>& v) { return {double(v[0]), double(v[1]), double(v[2])}; }
+core::Vec3 vec(const std::array<double, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
+core::Vec3 vec(const std::array<float, 3>& v) {
+    return {double(v[0]), double(v[1]), double(v[2])};
+}
 
 } // namespace
 
 InsertionPanel::InsertionPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues,
                                const simulation::UrethraInsertionParameters& parameters, QWidget* parent)
     : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_gauge(parameters),
-      m_telling{cues.numbers, cues.guidance, m_gauge.goal_m(), parameters.endoscope.beak_m}, m_column(new QVBoxLayout(this)) {
+      m_telling{cues.numbers, cues.guidance, m_gauge.goal_m(), parameters.endoscope.beak_m},
+      m_column(new QVBoxLayout(this)) {
     setProperty("kind", QStringLiteral("card"));
     m_column->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
     m_column->setSpacing(theme.px(6));
@@ -79,9 +84,12 @@ void InsertionPanel::addStage() {
 
 void InsertionPanel::addForces(const simulation::UrethraInsertionParameters& parameters) {
     if (m_cues.bars) {
-        m_resistance = new ForceBar(m_theme, m_locale, {tr("Resistance along"), tr("N"), parameters.maximumForce_N, 2}, m_cues.numbers);
+        m_resistance =
+            new ForceBar(m_theme, m_locale, {tr("Resistance along"), tr("N"), parameters.maximumForce_N, 2},
+                         m_cues.numbers);
         m_resistance->setObjectName(QStringLiteral("training.resistance_bar"));
-        m_lateral = new ForceBar(m_theme, m_locale, {tr("Force across"), tr("N"), parameters.lateralLimit_N, 2}, m_cues.numbers);
+        m_lateral = new ForceBar(m_theme, m_locale,
+                                 {tr("Force across"), tr("N"), parameters.lateralLimit_N, 2}, m_cues.numbers);
         m_lateral->setObjectName(QStringLiteral("training.lateral_bar"));
         m_column->addWidget(m_resistance);
         m_column->addWidget(m_lateral);
@@ -94,27 +102,33 @@ void InsertionPanel::addForces(const simulation::UrethraInsertionParameters& par
     auto* column = new QVBoxLayout(components);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(m_column->spacing());
-    column->addWidget(kit::label(m_theme, tr("Forces (N) and torques (mN·m) on the endoscope"), TextStyle::small, "muted"));
-    addComponents(*column, m_force,
-                  {component("training.force_x", tr("Fx"), tr("Force along x, to the side"), tr("N"), force_N, 2),
-                   component("training.force_y", tr("Fy"), tr("Force along y, upwards"), tr("N"), force_N, 2),
-                   component("training.force_z", tr("Fz"), tr("Force along z, into the patient"), tr("N"), force_N, 2)});
+    column->addWidget(
+        kit::label(m_theme, tr("Forces (N) and torques (mN·m) on the endoscope"), TextStyle::small, "muted"));
+    addComponents(
+        *column, m_force,
+        {component("training.force_x", tr("Fx"), tr("Force along x, to the side"), tr("N"), force_N, 2),
+         component("training.force_y", tr("Fy"), tr("Force along y, upwards"), tr("N"), force_N, 2),
+         component("training.force_z", tr("Fz"), tr("Force along z, into the patient"), tr("N"), force_N,
+                   2)});
     addComponents(*column, m_torque,
                   {component("training.torque_x", tr("Tx"), tr("Torque about x"), tr("mN·m"), torque_mNm, 0),
                    component("training.torque_y", tr("Ty"), tr("Torque about y"), tr("mN·m"), torque_mNm, 0),
-                   component("training.torque_z", tr("Tz"), tr("Torque about the endoscope's axis"), tr("mN·m"), kAxialTorqueLimit_Nm * 1e3, 1)});
+                   component("training.torque_z", tr("Tz"), tr("Torque about the endoscope's axis"),
+                             tr("mN·m"), kAxialTorqueLimit_Nm * 1e3, 1)});
     m_column->addWidget(components);
     addDetail(components);
 }
 
-SignedBar* InsertionPanel::component(const char* name, const QString& sign, const QString& spoken, const QString& unit, double limit,
-                                     int decimals) {
-    auto* bar = new SignedBar(m_theme, m_locale, {sign, spoken, unit, limit, decimals}, m_cues.bars, m_cues.numbers);
+SignedBar* InsertionPanel::component(const char* name, const QString& sign, const QString& spoken,
+                                     const QString& unit, double limit, int decimals) {
+    auto* bar =
+        new SignedBar(m_theme, m_locale, {sign, spoken, unit, limit, decimals}, m_cues.bars, m_cues.numbers);
     bar->setObjectName(QLatin1String(name));
     return bar;
 }
 
-void InsertionPanel::addComponents(QVBoxLayout& column, std::array<SignedBar*, 3>& into, std::array<SignedBar*, 3> bars) {
+void InsertionPanel::addComponents(QVBoxLayout& column, std::array<SignedBar*, 3>& into,
+                                   std::array<SignedBar*, 3> bars) {
     auto* row = new QHBoxLayout;
     row->setSpacing(m_theme.px(10));
     for (SignedBar* bar : bars)
@@ -144,7 +158,8 @@ void InsertionPanel::addNumbers() {
     m_numbers[5] = addNumber(tr("Alignment (°)"), "training.alignment", *way, 2);
 }
 
-QLabel* InsertionPanel::addNumber(const QString& name, const char* objectName, QGridLayout& grid, int column) {
+QLabel* InsertionPanel::addNumber(const QString& name, const char* objectName, QGridLayout& grid,
+                                  int column) {
     grid.addWidget(kit::label(m_theme, name, TextStyle::small, "muted"), 0, column, Qt::AlignBottom);
     auto* number = kit::line(m_theme, QStringLiteral("–"), TextStyle::mono);
     number->setObjectName(QLatin1String(objectName));
@@ -154,7 +169,8 @@ QLabel* InsertionPanel::addNumber(const QString& name, const char* objectName, Q
     return number;
 }
 
-LivePlot* InsertionPanel::plot(const char* name, const QString& title, double top, std::optional<double> limit) {
+LivePlot* InsertionPanel::plot(const char* name, const QString& title, double top,
+                               std::optional<double> limit) {
     auto* made = new LivePlot(m_theme, m_locale, title, top, limit);
     made->setObjectName(QLatin1String(name));
     made->setMinimumHeight(m_theme.px(kPlotHeight_px));
@@ -162,8 +178,10 @@ LivePlot* InsertionPanel::plot(const char* name, const QString& title, double to
 }
 
 void InsertionPanel::addPlots(const simulation::UrethraInsertionParameters& parameters) {
-    m_forcePlot = plot("training.force_plot", tr("Force (N)"), parameters.maximumForce_N * 1.25, parameters.maximumForce_N);
-    m_lateralPlot = plot("training.lateral_plot", tr("Force across (N)"), parameters.lateralLimit_N * 1.25, parameters.lateralLimit_N);
+    m_forcePlot = plot("training.force_plot", tr("Force (N)"), parameters.maximumForce_N * 1.25,
+                       parameters.maximumForce_N);
+    m_lateralPlot = plot("training.lateral_plot", tr("Force across (N)"), parameters.lateralLimit_N * 1.25,
+                         parameters.lateralLimit_N);
     m_offsetPlot = plot("training.offset_plot", tr("Off-centre (mm)"), kOffsetAxis_mm);
     m_alignmentPlot = plot("training.alignment_plot", tr("Alignment (°)"), kAlignmentAxis_deg);
     const auto pair = [this](QWidget* left, QWidget* right) {
@@ -216,8 +234,9 @@ void InsertionPanel::showForces(const InsertionValues& values) {
 }
 
 void InsertionPanel::showNumbers(const InsertionValues& values) {
-    const std::array<double, 6> numbers{values.tip_A_m.x() * 1e3, values.tip_A_m.y() * 1e3, values.tip_A_m.z() * 1e3,
-                                        values.depth_m * 1e3,     values.offset_m * 1e3,    values.alignment_rad * kDegrees};
+    const std::array<double, 6> numbers{values.tip_A_m.x() * 1e3, values.tip_A_m.y() * 1e3,
+                                        values.tip_A_m.z() * 1e3, values.depth_m * 1e3,
+                                        values.offset_m * 1e3,    values.alignment_rad * kDegrees};
     for (std::size_t i = 0; i < numbers.size(); ++i)
         // Adding 0 removes the minus sign of -0.0.
         m_numbers[i]->setText(m_locale.toString(std::round(numbers[i] * 10.0) / 10.0 + 0.0, 'f', 1));
@@ -229,8 +248,10 @@ void InsertionPanel::showNumbers(const InsertionValues& values) {
 
 void InsertionPanel::addSamples(std::span<const session::LiveSample> samples) {
     for (const session::LiveSample& sample : samples) {
-        const core::Quat q_WT(double(sample.q_WT[0]), double(sample.q_WT[1]), double(sample.q_WT[2]), double(sample.q_WT[3]));
-        const InsertionValues values = m_gauge.at(vec(sample.p_WT_m), q_WT, {vec(sample.tissue_N), core::Vec3::Zero()});
+        const core::Quat q_WT(double(sample.q_WT[0]), double(sample.q_WT[1]), double(sample.q_WT[2]),
+                              double(sample.q_WT[3]));
+        const InsertionValues values =
+            m_gauge.at(vec(sample.p_WT_m), q_WT, {vec(sample.tissue_N), core::Vec3::Zero()});
         m_forcePlot->add(sample.t_s, static_cast<double>(sample.tissueNorm_N));
         m_lateralPlot->add(sample.t_s, values.lateral_N);
         m_offsetPlot->add(sample.t_s, values.offset_m * 1e3);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/training/info_view.h"
 #include "app/exercises/urethra_insertion/desktop/insertion_values.h"
 #include "app/exercises/urethra_insertion/desktop/stage_words.h"
+#include "desktop/training/info_view.h"
 
 #include <array>
 
@@ -33,7 +33,8 @@ private:
     void addStage();
     void addForces(const simulation::UrethraInsertionParameters& parameters);
     void addComponents(QVBoxLayout& column, std::array<SignedBar*, 3>& into, std::array<SignedBar*, 3> bars);
-    SignedBar* component(const char* name, const QString& sign, const QString& spoken, const QString& unit, double limit, int decimals);
+    SignedBar* component(const char* name, const QString& sign, const QString& spoken, const QString& unit,
+                         double limit, int decimals);
     void addNumbers();
     QLabel* addNumber(const QString& name, const char* objectName, QGridLayout& grid, int column);
     void addPlots(const simulation::UrethraInsertionParameters& parameters);

@@ -26,9 +26,11 @@ core::Vec3 torquesOf(const core::Vec3& torque_A, const core::Vec3& axis_A) {
 
 InsertionGauge::InsertionGauge(const simulation::UrethraInsertionParameters& parameters)
     : m_pose(parameters.pose), m_centreline(parameters.anatomy),
-      m_goal_m(parameters.goalDepth_m > 0.0 ? parameters.goalDepth_m : m_centreline.length_m() + kBeyondNeck_m) {}
+      m_goal_m(parameters.goalDepth_m > 0.0 ? parameters.goalDepth_m
+                                            : m_centreline.length_m() + kBeyondNeck_m) {}
 
-InsertionValues InsertionGauge::at(const core::Vec3& p_WT, const core::Quat& q_WT, const core::Wrench& wrench_W) const noexcept {
+InsertionValues InsertionGauge::at(const core::Vec3& p_WT, const core::Quat& q_WT,
+                                   const core::Wrench& wrench_W) const noexcept {
     InsertionValues values;
     values.tip_A_m = m_pose.pointToA(p_WT);
     const simulation::CentrelineFoot foot = m_centreline.foot(values.tip_A_m);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/desktop/urethra_insertion_face.h"
 
-#include "app/exercises/urethra_insertion/desktop/urethra_picture.h"
 #include "app/exercises/urethra_insertion/desktop/endoscopy.h"
 #include "app/exercises/urethra_insertion/desktop/insertion_layer.h"
 #include "app/exercises/urethra_insertion/desktop/insertion_panel.h"
 #include "app/exercises/urethra_insertion/desktop/insertion_values.h"
+#include "app/exercises/urethra_insertion/desktop/urethra_picture.h"
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 #include "desktop/debrief/part_widgets.h"
 #include "desktop/exercise_setup/level_facts.h"
@@ -26,9 +26,12 @@ public:
     InsertionPart(const simulation::UrethraInsertionParameters& level, LiveSurroundings around)
         : LivePart(std::move(around)), m_level(level) {}
 
-    InfoView* makePanel() override { return new InsertionPanel(around().theme, around().locale, around().cues, m_level); }
+    InfoView* makePanel() override {
+        return new InsertionPanel(around().theme, around().locale, around().cues, m_level);
+    }
     double panelWidth_px() const override { return kWidePanel_px; }
-    void show(const haptics::DisplayState& state, std::span<const session::LiveSample>, scene3d::SceneState& drawn) override {
+    void show(const haptics::DisplayState& state, std::span<const session::LiveSample>,
+              scene3d::SceneState& drawn) override {
         // The object of an endoscope is its picture.
         drawn.objectShown = state.exercise.of<simulation::EndoscopeCues>().present && around().cues.object;
     }
@@ -39,15 +42,18 @@ private:
 
 class InsertionDebrief final : public DebriefPart {
 public:
-    explicit InsertionDebrief(std::optional<report::InsertionProfile> profile) : m_profile(std::move(profile)) {}
+    explicit InsertionDebrief(std::optional<report::InsertionProfile> profile)
+        : m_profile(std::move(profile)) {}
 
     std::unique_ptr<QWidget> widget(const Theme& theme, const QLocale& locale) const override {
         if (!m_profile)
             return nullptr;
         PartColumn column(theme);
         if (m_profile->landmarks > 0) {
-            auto* seen = kit::label(theme, DebriefPartTexts::tr("%1 of %2 landmarks of the bladder were seen.")
-                                               .arg(locale.toString(m_profile->landmarksSeen), locale.toString(m_profile->landmarks)));
+            auto* seen =
+                kit::label(theme, DebriefPartTexts::tr("%1 of %2 landmarks of the bladder were seen.")
+                                      .arg(locale.toString(m_profile->landmarksSeen),
+                                           locale.toString(m_profile->landmarks)));
             seen->setObjectName(QStringLiteral("debrief.landmarks"));
             column.layout->addWidget(seen);
         }
@@ -75,7 +81,8 @@ QString tissueText(const std::string& tissue) {
 
 QString depthOfFieldText(const simulation::UrethraInsertionParameters& p) {
     if (p.depthOfFieldFixed)
-        return p.depthOfField ? LevelFactTexts::tr("Depth of field: on, fixed") : LevelFactTexts::tr("Depth of field: off, fixed");
+        return p.depthOfField ? LevelFactTexts::tr("Depth of field: on, fixed")
+                              : LevelFactTexts::tr("Depth of field: off, fixed");
     return p.depthOfField ? LevelFactTexts::tr("Depth of field: on, can be switched off")
                           : LevelFactTexts::tr("Depth of field: off, can be switched on");
 }
@@ -86,12 +93,15 @@ QString wayText(const simulation::UrethraInsertionParameters& p, const QLocale& 
                        : LevelFactTexts::tr("Distance: %1 mm in").arg(goal_mm);
 }
 
-bool has(const std::vector<std::string>& cues, const char* cue) { return std::find(cues.begin(), cues.end(), cue) != cues.end(); }
+bool has(const std::vector<std::string>& cues, const char* cue) {
+    return std::find(cues.begin(), cues.end(), cue) != cues.end();
+}
 
 QString viewText(const std::vector<std::string>& cues) {
     const bool overview = has(cues, "overview");
     if (has(cues, "guidance"))
-        return overview ? LevelFactTexts::tr("Help: the path is marked in the picture, and a second picture shows it from outside")
+        return overview ? LevelFactTexts::tr("Help: the path is marked in the picture, and a second picture "
+                                             "shows it from outside")
                         : LevelFactTexts::tr("Help: the path is marked in the picture");
     return overview ? LevelFactTexts::tr("Help: a second picture shows the endoscope from outside")
                     : LevelFactTexts::tr("Help: none, only the endoscope's picture");
@@ -99,15 +109,18 @@ QString viewText(const std::vector<std::string>& cues) {
 
 } // namespace
 
-std::unique_ptr<LevelPicture> UrethraInsertionFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
+std::unique_ptr<LevelPicture> UrethraInsertionFace::picture(const catalogue::ExerciseLevel& level,
+                                                            const PictureFrame& frame) const {
     return std::make_unique<UrethraPicture>(*endoscopyOf(level), frame);
 }
 
-QStringList UrethraInsertionFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
+QStringList UrethraInsertionFace::levelFacts(const catalogue::ExerciseLevel& level,
+                                             const QLocale& locale) const {
     const simulation::UrethraInsertionParameters& p = *endoscopyOf(level);
     QStringList facts{wayText(p, locale), tissueText(p.tissue)};
     if (!p.landmarks.empty())
-        facts << LevelFactTexts::tr("Landmarks of the bladder to inspect: %1").arg(locale.toString(static_cast<int>(p.landmarks.size())));
+        facts << LevelFactTexts::tr("Landmarks of the bladder to inspect: %1")
+                     .arg(locale.toString(static_cast<int>(p.landmarks.size())));
     facts << viewText(level.cues) << depthOfFieldText(p);
     facts << LevelFactTexts::tr("Time: %1 s at most").arg(locale.toString(qRound(p.trialLimit_s)));
     return facts;
@@ -118,21 +131,26 @@ std::optional<DepthOfField> UrethraInsertionFace::depthOfField(const catalogue::
     return DepthOfField{p.depthOfField, p.depthOfFieldFixed};
 }
 
-std::unique_ptr<LivePart> UrethraInsertionFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
+std::unique_ptr<LivePart> UrethraInsertionFace::livePart(const catalogue::ExerciseLevel& level,
+                                                         LiveSurroundings around) const {
     return std::make_unique<InsertionPart>(*endoscopyOf(level), std::move(around));
 }
 
-QString UrethraInsertionFace::debriefTitle() const { return DebriefPartTexts::tr("How the endoscope followed the urethra"); }
+QString UrethraInsertionFace::debriefTitle() const {
+    return DebriefPartTexts::tr("How the endoscope followed the urethra");
+}
 
 QString UrethraInsertionFace::debriefEmpty() const {
     return DebriefPartTexts::tr("There is nothing of the procedure to show. The session is kept and listed.");
 }
 
-DebriefReading UrethraInsertionFace::readDebrief(const catalogue::ExerciseLevel&, const scoring::SessionTrace& trace) const {
+DebriefReading UrethraInsertionFace::readDebrief(const catalogue::ExerciseLevel&,
+                                                 const scoring::SessionTrace& trace) const {
     return std::make_unique<InsertionDebrief>(session_report::insertionProfileOf(trace));
 }
 
-std::unique_ptr<PlaybackLayer> UrethraInsertionFace::playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace&) const {
+std::unique_ptr<PlaybackLayer> UrethraInsertionFace::playbackLayer(const session::SessionSetup& setup,
+                                                                   const scoring::SessionTrace&) const {
     return std::make_unique<InsertionLayer>(endoscopyOf(setup.level)->depthOfField);
 }
 

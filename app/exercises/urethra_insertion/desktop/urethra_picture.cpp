@@ -23,10 +23,13 @@ void UrethraPicture::paint(QPainter& painter) const {
     const double perMetre = height() / high_m;
     const double wide_m = bladder.z() + anatomy.bladderRadius_m;
     const double left = 0.5 * (width() - wide_m * perMetre) + 0.008 * perMetre;
-    const auto at = [&](const core::Vec3& p) { return QPointF(left + p.z() * perMetre, height() - (p.y() + 0.010) * perMetre); };
+    const auto at = [&](const core::Vec3& p) {
+        return QPointF(left + p.z() * perMetre, height() - (p.y() + 0.010) * perMetre);
+    };
     const QColor tissue = m_theme.color(Colour::seriesB);
     const Qt::PenStyle style = m_visible ? Qt::SolidLine : Qt::DashLine;
-    painter.setPen(QPen(m_visible ? tissue.darker(150) : m_theme.color(Colour::text), std::max(1.5, width() * 0.01), style));
+    painter.setPen(QPen(m_visible ? tissue.darker(150) : m_theme.color(Colour::text),
+                        std::max(1.5, width() * 0.01), style));
     painter.setBrush(m_visible ? QBrush(tissue.lighter(140)) : QBrush(Qt::NoBrush));
     const double radius = anatomy.bladderRadius_m * perMetre;
     painter.drawEllipse(at(bladder), radius, radius);
@@ -45,7 +48,8 @@ void UrethraPicture::paint(QPainter& painter) const {
     for (const simulation::BladderLandmark& landmark : m_level.landmarks) {
         const core::Vec3 out = std::cos(landmark.polar_rad) * neck.t_A +
                                std::sin(landmark.polar_rad) * std::sin(landmark.azimuth_rad) * neck.n_A;
-        painter.drawEllipse(at(bladder + 0.85 * anatomy.bladderRadius_m * out), width() * 0.012, width() * 0.012);
+        painter.drawEllipse(at(bladder + 0.85 * anatomy.bladderRadius_m * out), width() * 0.012,
+                            width() * 0.012);
     }
     const double thick = std::max(4.0, 2.2 * 2.0 * m_level.endoscope.radius_m * perMetre);
     const QPointF tip = at({0.0, 0.0, 0.010});

@@ -10,7 +10,8 @@ namespace chiron::desktop {
 /// of it.
 class UrethraPicture final : public LevelPicture {
 public:
-    UrethraPicture(const simulation::UrethraInsertionParameters& level, const PictureFrame& frame) : LevelPicture(frame), m_level(level) {}
+    UrethraPicture(const simulation::UrethraInsertionParameters& level, const PictureFrame& frame)
+        : LevelPicture(frame), m_level(level) {}
     void paint(QPainter& painter) const override;
 
 private:

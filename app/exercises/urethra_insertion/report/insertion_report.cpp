@@ -15,14 +15,16 @@ namespace chiron::report {
 namespace {
 
 /// One quantity over depth, on the way in and on the way out.
-std::unique_ptr<PlotView> depthPlot(const QString& title, const QString& axis, const InsertionProfile& profile,
-                                    const std::vector<double>& in, const std::vector<double>& out, const PlotTheme& theme) {
+std::unique_ptr<PlotView> depthPlot(const QString& title, const QString& axis,
+                                    const InsertionProfile& profile, const std::vector<double>& in,
+                                    const std::vector<double>& out, const PlotTheme& theme) {
     auto view = std::make_unique<PlotView>(theme);
     view->setTitle(title);
     const auto isNumber = [](double value) { return std::isfinite(value); };
     const bool entered = std::any_of(in.begin(), in.end(), isNumber);
     const double deepest = profile.depth_mm.empty() ? 0.0 : profile.depth_mm.back();
-    view->setXAxis({Words::tr("Depth (mm)"), std::min(0.0, profile.depth_mm.empty() ? 0.0 : profile.depth_mm.front()),
+    view->setXAxis({Words::tr("Depth (mm)"),
+                    std::min(0.0, profile.depth_mm.empty() ? 0.0 : profile.depth_mm.front()),
                     std::max({deepest, profile.goal_mm, 1.0})});
     view->setYAxis({axis, 0.0, {}});
     view->addLine(Words::tr("in"), profile.depth_mm, in, PlotStyle::solidA);
@@ -30,7 +32,8 @@ std::unique_ptr<PlotView> depthPlot(const QString& title, const QString& axis, c
         view->addLine(Words::tr("out"), profile.depth_mm, out, PlotStyle::dashedB);
     const double end_mm = std::max(deepest, profile.goal_mm);
     std::vector<TimedEvent> places;
-    for (const auto& [at_mm, name] : {std::pair{profile.bend_mm, Words::tr("bend")}, std::pair{profile.neck_mm, Words::tr("bladder neck")}})
+    for (const auto& [at_mm, name] : {std::pair{profile.bend_mm, Words::tr("bend")},
+                                      std::pair{profile.neck_mm, Words::tr("bladder neck")}})
         if (at_mm > 0.0 && at_mm <= end_mm)
             places.push_back({at_mm, name});
     view->addEvents(places);
@@ -42,22 +45,24 @@ std::unique_ptr<PlotView> depthPlot(const QString& title, const QString& axis, c
 } // namespace
 
 std::unique_ptr<PlotView> offsetDepthPlot(const InsertionProfile& profile, const PlotTheme& theme) {
-    return depthPlot(Words::tr("Off-centre, largest in each millimetre"), Words::tr("Off-centre (mm)"), profile, profile.offsetIn_mm,
-                     profile.offsetOut_mm, theme);
+    return depthPlot(Words::tr("Off-centre, largest in each millimetre"), Words::tr("Off-centre (mm)"),
+                     profile, profile.offsetIn_mm, profile.offsetOut_mm, theme);
 }
 
 std::unique_ptr<PlotView> alignmentDepthPlot(const InsertionProfile& profile, const PlotTheme& theme) {
-    return depthPlot(Words::tr("Alignment, largest in each millimetre"), Words::tr("Alignment (°)"), profile, profile.alignmentIn_deg,
-                     profile.alignmentOut_deg, theme);
+    return depthPlot(Words::tr("Alignment, largest in each millimetre"), Words::tr("Alignment (°)"), profile,
+                     profile.alignmentIn_deg, profile.alignmentOut_deg, theme);
 }
 
 void InsertionSection::addTo(BlockMaker& blocks) const {
     const QLocale& locale = blocks.theme().locale;
     blocks.addHeading(Words::tr("Off-centre and alignment over depth"));
     if (m_profile.landmarks > 0)
-        blocks.addPairs({{Words::tr("Landmarks of the bladder seen"),
-                          Words::tr("%1 of %2").arg(locale.toString(m_profile.landmarksSeen), locale.toString(m_profile.landmarks))}},
-                        1);
+        blocks.addPairs(
+            {{Words::tr("Landmarks of the bladder seen"),
+              Words::tr("%1 of %2")
+                  .arg(locale.toString(m_profile.landmarksSeen), locale.toString(m_profile.landmarks))}},
+            1);
     PlotView* offset = blocks.keep(offsetDepthPlot(m_profile, blocks.theme()));
     PlotView* alignment = blocks.keep(alignmentDepthPlot(m_profile, blocks.theme()));
     blocks.add(250, 4, [offset, alignment](QCPPainter& p, const QRectF& box) {
@@ -67,9 +72,12 @@ void InsertionSection::addTo(BlockMaker& blocks) const {
     });
 }
 
-core::Result<void> InsertionSection::savePictures(const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) const {
+core::Result<void> InsertionSection::savePictures(const QDir& folder, const PlotTheme& theme,
+                                                  std::vector<QString>& written) const {
     const QString path = folder.filePath(QStringLiteral("insertion.png"));
-    if (auto done = writePair(path, *offsetDepthPlot(m_profile, theme), *alignmentDepthPlot(m_profile, theme), theme); !done)
+    if (auto done =
+            writePair(path, *offsetDepthPlot(m_profile, theme), *alignmentDepthPlot(m_profile, theme), theme);
+        !done)
         return done;
     written.push_back(path);
     return {};

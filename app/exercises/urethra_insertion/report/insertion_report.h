@@ -15,13 +15,13 @@ class PlotView;
 /// The deviation of an endoscope from its canal, by depth: the largest value in each millimetre, on the way
 /// in and on the way out. Depths that were not passed hold NaN. Units are mm and degrees, as displayed.
 struct InsertionProfile {
-    std::vector<double> depth_mm; ///< middle of each millimetre, ascending
-    std::vector<double> offsetIn_mm, offsetOut_mm;       ///< distance from the centre-line
+    std::vector<double> depth_mm;                          ///< middle of each millimetre, ascending
+    std::vector<double> offsetIn_mm, offsetOut_mm;         ///< distance from the centre-line
     std::vector<double> alignmentIn_deg, alignmentOut_deg; ///< between the instrument and the canal
-    double bend_mm = 0.0; ///< depth at which the orientation has to change
-    double neck_mm = 0.0; ///< end of the canal
-    double goal_mm = 0.0; ///< depth that ends the insertion
-    int landmarks = 0;    ///< number of landmarks to be seen
+    double bend_mm = 0.0;                                  ///< depth at which the orientation has to change
+    double neck_mm = 0.0;                                  ///< end of the canal
+    double goal_mm = 0.0;                                  ///< depth that ends the insertion
+    int landmarks = 0;                                     ///< number of landmarks to be seen
     int landmarksSeen = 0;
 };
 
@@ -38,7 +38,8 @@ public:
 
     const InsertionProfile& profile() const { return m_profile; }
     void addTo(BlockMaker& blocks) const override;
-    core::Result<void> savePictures(const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) const override;
+    core::Result<void> savePictures(const QDir& folder, const PlotTheme& theme,
+                                    std::vector<QString>& written) const override;
 
 private:
     InsertionProfile m_profile;

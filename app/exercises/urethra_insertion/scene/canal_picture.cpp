@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "desktop/scene3d/parts/picture_sheet.h"
 #include "app/exercises/urethra_insertion/scene/lining_picture.h"
+#include "desktop/scene3d/parts/picture_sheet.h"
 
 #include "core/units.h"
 
@@ -22,8 +22,8 @@ Sheet canalVessels() {
         growVessel(sheet, dice,
                    {dice.next() * float(kWide_px), dice.next() * float(kHigh_px), heading,
                     large ? 1.7F + 0.9F * dice.next() : 0.9F + 0.5F * dice.next(),
-                    large ? 0.42F + 0.2F * dice.next() : 0.30F + 0.18F * dice.next(), large ? 560 : 330, large ? 0 : 1, kAlong,
-                    0.018F});
+                    large ? 0.42F + 0.2F * dice.next() : 0.30F + 0.18F * dice.next(), large ? 560 : 330,
+                    large ? 0 : 1, kAlong, 0.018F});
     }
     return sheet;
 }

@@ -42,8 +42,10 @@ QSubtreeEnabler* makeSwitch(QFrameGraphNode* parent) {
 
 EndoscopeGraph::EndoscopeGraph(Qt3DCore::QEntity* root, QObject* surface)
     : m_disc(new QParameter(QStringLiteral("disc"), QVector4D(1, 1, 0, 0), root)),
-      m_smallDisc(new QParameter(QStringLiteral("disc"), QVector4D(1, 1, 0, 0), root)), m_scope(new QCamera(root)), m_bystander(new QCamera(root)),
-      m_seen(makeTexture(QAbstractTexture::RGBA8_UNorm, root)), m_depth(makeTexture(QAbstractTexture::D24, root)),
+      m_smallDisc(new QParameter(QStringLiteral("disc"), QVector4D(1, 1, 0, 0), root)),
+      m_scope(new QCamera(root)), m_bystander(new QCamera(root)),
+      m_seen(makeTexture(QAbstractTexture::RGBA8_UNorm, root)),
+      m_depth(makeTexture(QAbstractTexture::D24, root)),
       m_blurred(makeTexture(QAbstractTexture::RGBA8_UNorm, root)) {
     for (QLayer*& layer : m_layers) {
         layer = new QLayer(root);
@@ -163,14 +165,16 @@ void EndoscopeGraph::place(const EndoscopeLayout& layout, const QSize& window_px
     const int small = std::max(2, int(kSmall * side));
     for (QTexture2D* texture : {m_seen, m_depth, m_blurred})
         texture->setSize(small, small);
-    setDisc(m_disc, side, layout.picture.x(), window_px.height() - layout.picture.y() - layout.picture.height());
+    setDisc(m_disc, side, layout.picture.x(),
+            window_px.height() - layout.picture.y() - layout.picture.height());
     setDisc(m_smallDisc, small, 0.0, 0.0);
 }
 
 /// gl_FragCoord counts from the lower left corner of the render target.
 void EndoscopeGraph::setDisc(QParameter* disc, double side, double left, double bottom) {
     const double unit = 2.0 / side;
-    disc->setValue(QVector4D(float(unit), float(unit), float(-1.0 - unit * left), float(-1.0 - unit * bottom)));
+    disc->setValue(
+        QVector4D(float(unit), float(unit), float(-1.0 - unit * left), float(-1.0 - unit * bottom)));
 }
 
 } // namespace chiron::scene3d

@@ -34,14 +34,14 @@ public:
     // Layers that determine when an entity is drawn; add them to the entities.
     /// The black round the picture; leaves the area behind it untouched.
     Qt3DRender::QLayer* mask() const { return m_layers[0]; }
-    Qt3DRender::QLayer* inside() const { return m_layers[1]; }   ///< view of the camera at the tip
-    Qt3DRender::QLayer* blur() const { return m_layers[2]; }     ///< pass 2
+    Qt3DRender::QLayer* inside() const { return m_layers[1]; } ///< view of the camera at the tip
+    Qt3DRender::QLayer* blur() const { return m_layers[2]; }   ///< pass 2
     /// Over the camera's picture, in the picture's coordinates.
     Qt3DRender::QLayer* marks() const { return m_layers[3]; }
-    Qt3DRender::QLayer* outside() const { return m_layers[4]; }  ///< the overview
-    Qt3DRender::QLayer* glass() const { return m_layers[5]; }    ///< over the overview, translucent
+    Qt3DRender::QLayer* outside() const { return m_layers[4]; }     ///< the overview
+    Qt3DRender::QLayer* glass() const { return m_layers[5]; }       ///< over the overview, translucent
     Qt3DRender::QLayer* outsideOver() const { return m_layers[6]; } ///< over those: the arrow
-    Qt3DRender::QLayer* over() const { return m_layers[7]; }     ///< in the window's coordinates: the bar
+    Qt3DRender::QLayer* over() const { return m_layers[7]; }        ///< in the window's coordinates: the bar
 
     Qt3DRender::QCamera* scope() const { return m_scope; }
     Qt3DRender::QCamera* bystander() const { return m_bystander; }
@@ -60,8 +60,8 @@ private:
     void addPass(Qt3DRender::QFrameGraphNode* parent, Qt3DRender::QLayer* layer,
                  Qt3DRender::QClearBuffers::BufferType clear = Qt3DRender::QClearBuffers::None);
     Qt3DRender::QViewport* addViewport(Qt3DRender::QFrameGraphNode* parent);
-    Qt3DRender::QFrameGraphNode* addTarget(Qt3DRender::QFrameGraphNode* parent, Qt3DRender::QTexture2D* colour,
-                                           Qt3DRender::QTexture2D* depth);
+    Qt3DRender::QFrameGraphNode* addTarget(Qt3DRender::QFrameGraphNode* parent,
+                                           Qt3DRender::QTexture2D* colour, Qt3DRender::QTexture2D* depth);
 
     std::array<Qt3DRender::QLayer*, 8> m_layers{};
     Qt3DRender::QParameter* m_disc;      ///< position of the picture in the window, for its shaders

@@ -31,7 +31,8 @@ EndoscopeLayout EndoscopeLayout::of(const QSize& window_px, int bar_px, bool ove
         }
     }
     const int side = std::min(room.width(), room.height()) & ~1;
-    layout.picture = QRect(room.x() + (room.width() - side) / 2, room.y() + (room.height() - side) / 2, side, side);
+    layout.picture =
+        QRect(room.x() + (room.width() - side) / 2, room.y() + (room.height() - side) / 2, side, side);
     return layout;
 }
 

@@ -12,7 +12,8 @@ EndoscopeStage::EndoscopeStage(const SceneSetup& setup, QObject* surface)
       m_landmarks(m_model.drawing(), m_light.effects, m_picture.bladder()),
       m_marks(m_light.effects, m_graph.marks(), m_root), m_notice(m_light.effects, m_graph.marks(), m_root),
       m_overview(m_model, m_light, m_graph, m_root),
-      m_gauge(new ForceGauge(m_light, ForceGauge::Side::right, m_root)), m_note(new NoteCard(m_light, m_root)) {
+      m_gauge(new ForceGauge(m_light, ForceGauge::Side::right, m_root)),
+      m_note(new NoteCard(m_light, m_root)) {
     m_gauge->addComponent(m_graph.over());
     m_note->addComponent(m_graph.over());
     change(setup);

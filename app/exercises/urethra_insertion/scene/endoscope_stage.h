@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene3d/plugin/force_gauge.h"
-#include "desktop/scene3d/plugin/note_card.h"
-#include "desktop/scene3d/plugin/shared_light.h"
-#include "desktop/scene3d/plugin/stage.h"
 #include "app/exercises/urethra_insertion/scene/endoscope_graph.h"
 #include "app/exercises/urethra_insertion/scene/landmark_marks.h"
 #include "app/exercises/urethra_insertion/scene/notice.h"
@@ -12,6 +8,10 @@
 #include "app/exercises/urethra_insertion/scene/picture_marks.h"
 #include "app/exercises/urethra_insertion/scene/scope_picture.h"
 #include "app/exercises/urethra_insertion/scene/urethra_model.h"
+#include "desktop/scene3d/plugin/force_gauge.h"
+#include "desktop/scene3d/plugin/note_card.h"
+#include "desktop/scene3d/plugin/shared_light.h"
+#include "desktop/scene3d/plugin/stage.h"
 
 namespace chiron::scene3d {
 

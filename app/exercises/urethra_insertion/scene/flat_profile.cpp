@@ -88,7 +88,8 @@ void FlatProfile::paintTissue(QPainter& painter, const FlatPanel& panel, const T
     painter.drawPolygon(canal);
 }
 
-void FlatProfile::paintShaft(QPainter& painter, const FlatPanel& panel, const ToolView& tool, bool ghost) const {
+void FlatProfile::paintShaft(QPainter& painter, const FlatPanel& panel, const ToolView& tool,
+                             bool ghost) const {
     const simulation::UrethraInsertionParameters& p = m_drawing.parameters();
     const core::Vec3 back = p.pose.vectorToW(m_drawing.axes_A(tool).col(2));
     const core::Vec3 tip = drawnTip(tool);
@@ -112,7 +113,9 @@ void FlatProfile::paint(QPainter& painter, const QRectF& room, const SceneState&
                                                 (room.height() - frame.height()) / range.height()));
     const QSizeF card = panel.cardSize(scale);
     panel.place(room.center() - QPointF(0.5 * card.width(), 0.5 * card.height()), scale);
-    const auto words = [](const char* text) { return QCoreApplication::translate("chiron::scene3d::FlatCanvas", text); };
+    const auto words = [](const char* text) {
+        return QCoreApplication::translate("chiron::scene3d::FlatCanvas", text);
+    };
     panel.paintCard(painter, words("From the side"), words("y (mm)"), words("z (mm)"));
     painter.save();
     painter.setClipRect(panel.plot());

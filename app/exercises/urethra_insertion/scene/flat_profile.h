@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
 #include "desktop/scene2d/flat_panel.h"
 #include "desktop/scene3d/scene_state.h"
-#include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
 
 #include <QPolygonF>
 
@@ -13,7 +13,8 @@ namespace chiron::scene3d {
 /// shaft and the force on its tip.
 class FlatProfile {
 public:
-    FlatProfile(const UrethraDrawing& drawing, const SceneSetup& setup) : m_drawing(drawing), m_setup(setup) {}
+    FlatProfile(const UrethraDrawing& drawing, const SceneSetup& setup)
+        : m_drawing(drawing), m_setup(setup) {}
 
     void paint(QPainter& painter, const QRectF& room, const SceneState& state) const;
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/scene/flat_scope_picture.h"
 
-#include "core/units.h"
 #include "app/exercises/urethra_insertion/scene/notice_painter.h"
-#include "simulation/geometry/urethra/urethra_wall.h"
+#include "core/units.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
+#include "simulation/geometry/urethra/urethra_wall.h"
 
 #include <QPainter>
 #include <algorithm>
@@ -43,7 +43,8 @@ struct Eye {
 };
 
 Eye eyeOf(const UrethraDrawing& drawing, const ToolView& tool) {
-    return {drawing.tip_A(tool), drawing.axes_A(tool), std::tan(0.5 * drawing.parameters().endoscope.fieldOfView_rad)};
+    return {drawing.tip_A(tool), drawing.axes_A(tool),
+            std::tan(0.5 * drawing.parameters().endoscope.fieldOfView_rad)};
 }
 
 } // namespace
@@ -61,7 +62,8 @@ QPainterPath FlatScopePicture::section(const ToolView& tool, double s_m) const {
     for (int i = 0; i < kCorners; ++i) {
         const double turn = 2.0 * core::kPi * i / kCorners;
         QPointF seen;
-        if (!eye.see(middle + radius * (std::cos(turn) * core::Vec3::UnitX() + std::sin(turn) * at.n_A), seen))
+        if (!eye.see(middle + radius * (std::cos(turn) * core::Vec3::UnitX() + std::sin(turn) * at.n_A),
+                     seen))
             return {};
         corners << seen;
     }
@@ -118,7 +120,8 @@ void FlatScopePicture::paintBladder(QPainter& painter, const SceneState& state) 
     }
 }
 
-void FlatScopePicture::stroke(QPainter& painter, const QPainterPath& path, const QColor& colour, double wide) const {
+void FlatScopePicture::stroke(QPainter& painter, const QPainterPath& path, const QColor& colour,
+                              double wide) const {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(Qt::black, wide + 0.014));
     painter.drawPath(path);
@@ -187,7 +190,8 @@ void FlatScopePicture::paint(QPainter& painter, const QRectF& square, const Scen
     const ScopeMarks marks = ScopeMarks::of(m_setup, m_drawing, state);
     if (!m_setup.cues.object || !state.objectShown) {
         const double side = square.width();
-        NoticePainter(m_setup).paint(painter, square.adjusted(0.12 * side, 0.3 * side, -0.12 * side, -0.3 * side), 1.0);
+        NoticePainter(m_setup).paint(
+            painter, square.adjusted(0.12 * side, 0.3 * side, -0.12 * side, -0.3 * side), 1.0);
         return;
     }
     painter.save();

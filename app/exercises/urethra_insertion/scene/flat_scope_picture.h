@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene3d/scene_setup.h"
 #include "app/exercises/urethra_insertion/scene/scope_marks.h"
+#include "desktop/scene3d/scene_setup.h"
 
 #include <QPainterPath>
 #include <QRectF>
@@ -16,7 +16,8 @@ namespace chiron::scene3d {
 /// drawn over it.
 class FlatScopePicture {
 public:
-    FlatScopePicture(const UrethraDrawing& drawing, const SceneSetup& setup) : m_drawing(drawing), m_setup(setup) {}
+    FlatScopePicture(const UrethraDrawing& drawing, const SceneSetup& setup)
+        : m_drawing(drawing), m_setup(setup) {}
 
     void paint(QPainter& painter, const QRectF& square, const SceneState& state) const;
 

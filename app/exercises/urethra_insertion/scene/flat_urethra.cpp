@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/scene/flat_urethra.h"
 
+#include "app/exercises/urethra_insertion/scene/endoscope_layout.h"
 #include "app/exercises/urethra_insertion/scene/flat_profile.h"
 #include "app/exercises/urethra_insertion/scene/flat_scope_picture.h"
-#include "app/exercises/urethra_insertion/scene/endoscope_layout.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -23,12 +23,14 @@ bool FlatUrethra::paintWhole(QPainter& painter, const QRectF& room, const SceneS
     FlatScopePicture(m_drawing, setup).paint(painter, picture, state);
     if (setup.cues.overview) {
         const QRectF overview = QRectF(layout.overview).translated(room.topLeft());
-        FlatProfile(m_drawing, setup).paint(painter, overview.adjusted(6.0 * setup.scale, 0.0, 0.0, 0.0), state);
+        FlatProfile(m_drawing, setup)
+            .paint(painter, overview.adjusted(6.0 * setup.scale, 0.0, 0.0, 0.0), state);
     }
     return true;
 }
 
-std::vector<std::string> FlatUrethra::marks(const simulation::UrethraInsertionParameters& parameters, const MarkedScene& scene) {
+std::vector<std::string> FlatUrethra::marks(const simulation::UrethraInsertionParameters& parameters,
+                                            const MarkedScene& scene) {
     std::vector<std::string> marks; // the picture has no surrounding stage
     if (scene.setup.cues.object && scene.setup.cues.guidance) {
         marks.push_back("lumen_ring");

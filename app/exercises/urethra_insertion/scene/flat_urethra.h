@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/scene_marks.h"
-#include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
 
 namespace chiron::scene3d {
 
@@ -14,7 +14,8 @@ public:
     explicit FlatUrethra(const simulation::UrethraInsertionParameters& parameters) : m_drawing(parameters) {}
     /// Names of the marks that it draws in addition to the objects (marksOf), the same in 3D and flat. Pure
     /// function.
-    static std::vector<std::string> marks(const simulation::UrethraInsertionParameters& parameters, const MarkedScene& scene);
+    static std::vector<std::string> marks(const simulation::UrethraInsertionParameters& parameters,
+                                          const MarkedScene& scene);
 
     bool paintWhole(QPainter& painter, const QRectF& room, const SceneSetup& setup,
                     const SceneState& state) const override;

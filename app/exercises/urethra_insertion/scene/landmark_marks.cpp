@@ -45,8 +45,10 @@ void LandmarkMarks::add(const UrethraDrawing& drawing, const simulation::Bladder
     transform->setRotation(toQuaternion(core::Quat(axes)));
     place->addComponent(transform);
     auto* whole = uniform("share", 2.0F, place);
-    auto* bright = effects.materialWith("#define BOTH_SIDES\n", "mark.vert", "turn.frag", {m_bright, whole}, Blend::opaque, place);
-    auto* dark = effects.materialWith("#define BOTH_SIDES\n", "mark.vert", "turn.frag", {m_dark, whole}, Blend::opaque, place);
+    auto* bright = effects.materialWith("#define BOTH_SIDES\n", "mark.vert", "turn.frag", {m_bright, whole},
+                                        Blend::opaque, place);
+    auto* dark = effects.materialWith("#define BOTH_SIDES\n", "mark.vert", "turn.frag", {m_dark, whole},
+                                      Blend::opaque, place);
     auto* tick = new Qt3DCore::QEntity(place);
     m_ticks.push_back(tick);
     const float size = float(0.62 * kRadius_mm);
@@ -69,7 +71,8 @@ void LandmarkMarks::change(const SceneSetup& setup) {
 void LandmarkMarks::show(const SceneState& state) {
     m_entity->setEnabled(m_guided && state.exercise.of<simulation::EndoscopeCues>().guided);
     for (std::size_t i = 0; i < m_ticks.size(); ++i)
-        m_ticks[i]->setEnabled(i < 32 && (state.exercise.of<simulation::EndoscopeCues>().landmarksSeen >> i & 1U) != 0);
+        m_ticks[i]->setEnabled(i < 32 &&
+                               (state.exercise.of<simulation::EndoscopeCues>().landmarksSeen >> i & 1U) != 0);
 }
 
 } // namespace chiron::scene3d

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
 #include "desktop/scene3d/plugin/qt3d_parts.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
-#include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
 
 namespace chiron::scene3d {
 
@@ -19,7 +19,8 @@ public:
     void show(const SceneState& state);
 
 private:
-    void add(const UrethraDrawing& drawing, const simulation::BladderLandmark& landmark, EffectShelf& effects);
+    void add(const UrethraDrawing& drawing, const simulation::BladderLandmark& landmark,
+             EffectShelf& effects);
 
     Qt3DCore::QEntity* m_entity;
     Qt3DRender::QParameter* m_bright;

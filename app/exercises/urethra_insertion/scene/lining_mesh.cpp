@@ -12,9 +12,9 @@ namespace {
 
 constexpr int kBladderRows = 26;
 constexpr int kSkirtRows = 9;
-constexpr double kGlansRadius_m = 0.014;   // radius of the rounded head; assumption, for the picture alone
-constexpr double kGlansReach_m = 0.013;    // distance from the axis up to which it is drawn
-constexpr double kLip_m = 0.0012;          // length over which the opening's edge is rounded
+constexpr double kGlansRadius_m = 0.014; // radius of the rounded head; assumption, for the picture alone
+constexpr double kGlansReach_m = 0.013;  // distance from the axis up to which it is drawn
+constexpr double kLip_m = 0.0012;        // length over which the opening's edge is rounded
 
 double smooth(double t) {
     t = std::clamp(t, 0.0, 1.0);
@@ -46,11 +46,11 @@ void addRows(TriangleMesh& mesh, std::uint32_t rows, std::uint32_t columns) {
 
 } // namespace
 
-LiningMesh::LiningMesh(const UrethraDrawing& drawing, std::vector<core::Vec3> first, std::vector<core::Vec3> last)
+LiningMesh::LiningMesh(const UrethraDrawing& drawing, std::vector<core::Vec3> first,
+                       std::vector<core::Vec3> last)
     : m_drawing(drawing), m_first(std::move(first)), m_last(std::move(last)),
       m_brim_rad(drawing.parameters().anatomy.bladderOpening_rad) {
-    const simulation::CentrelinePoint neck =
-        drawing.centreline().atZ(drawing.parameters().anatomy.zEnd_m);
+    const simulation::CentrelinePoint neck = drawing.centreline().atZ(drawing.parameters().anatomy.zEnd_m);
     for (const core::Vec3& p : m_last) {
         const core::Vec3 from = p - neck.p_A;
         m_azimuths.push_back(std::atan2(from.dot(neck.n_A), from.x()));
@@ -73,7 +73,8 @@ TriangleMesh LiningMesh::bladder() const {
     return mesh;
 }
 
-LiningMesh::Place LiningMesh::neckAt(std::size_t column, double way, const std::vector<core::Vec3>& last) const {
+LiningMesh::Place LiningMesh::neckAt(std::size_t column, double way,
+                                     const std::vector<core::Vec3>& last) const {
     const std::size_t i = column % m_azimuths.size();
     const double radius = m_drawing.parameters().anatomy.bladderRadius_m;
     const double least = std::asin(std::min(0.9, m_drawing.parameters().anatomy.radius_m / radius));
@@ -108,20 +109,23 @@ TriangleMesh LiningMesh::neck(const std::vector<core::Vec3>& last) const {
     return mesh;
 }
 
-LiningMesh::Place LiningMesh::glansAt(std::size_t column, double way, const std::vector<core::Vec3>& first) const {
+LiningMesh::Place LiningMesh::glansAt(std::size_t column, double way,
+                                      const std::vector<core::Vec3>& first) const {
     const std::size_t i = column % m_first.size();
     const double rest = std::max(1e-6, m_first[i].head<2>().norm());
     const core::Vec3 out(m_first[i].x() / rest, m_first[i].y() / rest, 0.0);
     const double radius = rest + (kGlansReach_m - rest) * way * way; // denser rows at the lip
     const double lip = std::exp(-(radius - rest) / kLip_m);
-    const double rounded = kGlansRadius_m - std::sqrt(std::max(0.0, kGlansRadius_m * kGlansRadius_m - radius * radius));
+    const double rounded =
+        kGlansRadius_m - std::sqrt(std::max(0.0, kGlansRadius_m * kGlansRadius_m - radius * radius));
     const double slope = radius / std::sqrt(kGlansRadius_m * kGlansRadius_m - radius * radius);
     Place place;
     // A raised lip round the opening; the ring itself stays at the urethra's end.
     place.p = radius * out + core::Vec3(0.0, 0.0, (rounded - 1.6 * kLip_m * lip * (1.0 - lip)));
     place.p += (1.0 - smooth(way * 1.6)) * (first[i] - m_first[i]) +
                lip * core::Vec3(0.0, 0.0, m_first[i].z() - rest * rest / (2.0 * kGlansRadius_m));
-    place.normal = (slope * out * (1.0 - lip) - core::Vec3::UnitZ() * (1.0 - 0.6 * lip) - lip * out).normalized();
+    place.normal =
+        (slope * out * (1.0 - lip) - core::Vec3::UnitZ() * (1.0 - 0.6 * lip) - lip * out).normalized();
     place.across = way;
     return place;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene3d/triangle_mesh.h"
 #include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
+#include "desktop/scene3d/triangle_mesh.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/scene/notice.h"
 
-#include "desktop/scene3d/parts/flat_shapes.h"
 #include "app/exercises/urethra_insertion/scene/notice_painter.h"
+#include "desktop/scene3d/parts/flat_shapes.h"
 
 #include <QPainter>
 #include <Qt3DRender/QPaintedTextureImage>
@@ -47,9 +47,10 @@ Notice::Notice(EffectShelf& effects, Qt3DRender::QLayer* layer, Qt3DCore::QEntit
     m_face = new NoticeFace(texture);
     m_face->setSize(QSize(8, 8));
     texture->addTextureImage(m_face);
-    auto* face = new Qt3DRender::QParameter(QStringLiteral("face"),
-                                            QVariant::fromValue<Qt3DRender::QAbstractTexture*>(texture), root);
-    m_part = new Part(flatSquare(-0.9992), effects.material("screen.vert", "notice.frag", {face}, Blend::opaque, root), root);
+    auto* face = new Qt3DRender::QParameter(
+        QStringLiteral("face"), QVariant::fromValue<Qt3DRender::QAbstractTexture*>(texture), root);
+    m_part = new Part(flatSquare(-0.9992),
+                      effects.material("screen.vert", "notice.frag", {face}, Blend::opaque, root), root);
     m_part->addComponent(layer);
     m_part->at().setScale3D({float(kWide), float(kHigh), 1.0F});
 }
@@ -66,7 +67,8 @@ void Notice::setPicture(int side_px, double ratio) {
 }
 
 void Notice::repaint() {
-    m_face->change(m_setup, QSize(std::max(8, int(kWide * m_side_px)), std::max(8, int(kHigh * m_side_px))), m_ratio);
+    m_face->change(m_setup, QSize(std::max(8, int(kWide * m_side_px)), std::max(8, int(kHigh * m_side_px))),
+                   m_ratio);
 }
 
 } // namespace chiron::scene3d

@@ -17,8 +17,10 @@ OutlinedShape::OutlinedShape(EffectShelf& effects, const TriangleMesh& inner, co
       m_share(new Qt3DRender::QParameter(QStringLiteral("share"), 2.0F, m_entity)) {
     auto* black = new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), m_entity);
     m_entity->addComponent(m_transform);
-    auto* ground = effects.materialWith("#define BOTH_SIDES\n", "screen.vert", "turn.frag", {black, m_share}, Blend::opaque, m_entity);
-    auto* shape = effects.materialWith("#define BOTH_SIDES\n", "screen.vert", "turn.frag", {m_tint, m_share}, Blend::opaque, m_entity);
+    auto* ground = effects.materialWith("#define BOTH_SIDES\n", "screen.vert", "turn.frag", {black, m_share},
+                                        Blend::opaque, m_entity);
+    auto* shape = effects.materialWith("#define BOTH_SIDES\n", "screen.vert", "turn.frag", {m_tint, m_share},
+                                       Blend::opaque, m_entity);
     (new Part(outer, ground, m_entity))->at().setTranslation({0.0F, 0.0F, kGround});
     (new Part(inner, shape, m_entity))->at().setTranslation({0.0F, 0.0F, kShape});
     m_entity->setEnabled(false);

@@ -10,7 +10,8 @@ namespace chiron::scene3d {
 class OutlinedShape {
 public:
     /// `inner`: the bright shape; `outer`: its black background.
-    OutlinedShape(EffectShelf& effects, const TriangleMesh& inner, const TriangleMesh& outer, Qt3DCore::QEntity* parent);
+    OutlinedShape(EffectShelf& effects, const TriangleMesh& inner, const TriangleMesh& outer,
+                  Qt3DCore::QEntity* parent);
 
     void show(bool shown) { m_entity->setEnabled(shown); }
     void setColour(const QColor& colour) { m_tint->setValue(toTint(colour)); }

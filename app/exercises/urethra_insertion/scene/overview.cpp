@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/scene/overview.h"
 
+#include "app/exercises/urethra_insertion/scene/lining_picture.h"
+#include "app/exercises/urethra_insertion/scene/overview_fit.h"
 #include "desktop/scene3d/drawn_tool.h"
 #include "desktop/scene3d/parts/cystoscope_mesh.h"
 #include "desktop/scene3d/parts/flat_shapes.h"
-#include "app/exercises/urethra_insertion/scene/lining_picture.h"
-#include "app/exercises/urethra_insertion/scene/overview_fit.h"
 
 #include <QMatrix4x4>
 #include <algorithm>
@@ -18,7 +18,7 @@ const QVector4D kCanal(0.86F, 0.42F, 0.38F, 0.10F);
 const QVector4D kBladder(0.88F, 0.56F, 0.48F, 0.06F);
 const QVector4D kGlans(0.86F, 0.60F, 0.54F, 0.30F);
 constexpr double kAnchored_m = 0.015; // length of canal before the neck that the pelvis holds in place
-constexpr double kRule_mm = 10.0; // spacing of the lines across the canal
+constexpr double kRule_mm = 10.0;     // spacing of the lines across the canal
 
 Qt3DRender::QParameter* tintOf(Qt3DCore::QNode* parent) {
     return new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), parent);
@@ -26,14 +26,14 @@ Qt3DRender::QParameter* tintOf(Qt3DCore::QNode* parent) {
 
 } // namespace
 
-Overview::Overview(const UrethraModel& model, SharedLight& light, EndoscopeGraph& graph, Qt3DCore::QEntity* root)
+Overview::Overview(const UrethraModel& model, SharedLight& light, EndoscopeGraph& graph,
+                   Qt3DCore::QEntity* root)
     : m_model(model), m_light(light), m_graph(graph), m_root(root), m_scope(new Qt3DCore::QEntity(root)),
       m_ghost(new Qt3DCore::QEntity(root)), m_ground(tintOf(root)),
       m_tip(new Qt3DRender::QParameter(QStringLiteral("tip"), QVector4D(0, 0, -1, -1), root)),
       m_ahead(new Qt3DRender::QParameter(QStringLiteral("ahead"), QVector4D(0, 0, 1, 1), root)),
       m_anchored(new Qt3DRender::QParameter(QStringLiteral("anchored"), QVector4D(0, 0, 1, 2), root)),
-      m_ghostTint(tintOf(root)),
-      m_arrow(new ForceArrow(light, root)) {
+      m_ghostTint(tintOf(root)), m_arrow(new ForceArrow(light, root)) {
     const simulation::AnatomyPose& pose = model.drawing().parameters().pose;
     for (bool glass : {false, true}) {
         auto* anatomy = new Qt3DCore::QEntity(root);
@@ -44,7 +44,8 @@ Overview::Overview(const UrethraModel& model, SharedLight& light, EndoscopeGraph
         anatomy->addComponent(glass ? graph.glass() : graph.outside());
         const char* look = glass ? "#define BOTH_SIDES\n" : "#define CUT\n#define BOTH_SIDES\n";
         const Blend blend = glass ? Blend::translucent : Blend::opaque;
-        model.addCoarseCanal(shell(look, "canal_outside.vert", kCanal, float(kCanalTile_mm / kRule_mm), blend), anatomy);
+        model.addCoarseCanal(
+            shell(look, "canal_outside.vert", kCanal, float(kCanalTile_mm / kRule_mm), blend), anatomy);
         model.addBladder(shell(look, "lining_outside.vert", kBladder, 0.0F, blend), anatomy);
         auto* glans = new Qt3DCore::QEntity(anatomy);
         m_glans[glass] = new Qt3DCore::QTransform(glans);
@@ -60,16 +61,18 @@ Overview::Overview(const UrethraModel& model, SharedLight& light, EndoscopeGraph
     m_arrow->addComponent(graph.outsideOver());
 }
 
-Qt3DRender::QMaterial* Overview::shell(const char* look, const char* vertexShader, const QVector4D& tint, float rule,
-                                       Blend blend) {
+Qt3DRender::QMaterial* Overview::shell(const char* look, const char* vertexShader, const QVector4D& tint,
+                                       float rule, Blend blend) {
     const auto own = [&](const char* name, const QVariant& value) {
         return new Qt3DRender::QParameter(QLatin1String(name), value, m_root);
     };
     const simulation::UrethraAnatomy& anatomy = m_model.drawing().parameters().anatomy;
-    return m_light.effects.materialWith(look, vertexShader, "outside.frag",
-                                        {own("tint", tint), own("rule", rule), m_tip, m_ahead, m_anchored,
-                                         own("bend", QVector3D(float(2.0 * anatomy.curvature_per_m), float(kCanalTile_mm), float(anatomy.straight_m)))},
-                                        blend, m_root);
+    return m_light.effects.materialWith(
+        look, vertexShader, "outside.frag",
+        {own("tint", tint), own("rule", rule), m_tip, m_ahead, m_anchored,
+         own("bend", QVector3D(float(2.0 * anatomy.curvature_per_m), float(kCanalTile_mm),
+                               float(anatomy.straight_m)))},
+        blend, m_root);
 }
 
 Qt3DCore::QTransform* Overview::addScope(bool ghost, Qt3DCore::QEntity* parent) {
@@ -78,8 +81,9 @@ Qt3DCore::QTransform* Overview::addScope(bool ghost, Qt3DCore::QEntity* parent) 
     auto* tint = ghost ? m_ghostTint : tintOf(parent);
     if (!ghost)
         tint->setValue(QVector4D(1, 1, 1, 1));
-    auto* material = m_light.effects.material("solid.vert", "instrument.frag", {m_light.lamp, m_light.outlined, tint},
-                                              ghost ? Blend::translucent : Blend::opaque, m_root);
+    auto* material =
+        m_light.effects.material("solid.vert", "instrument.frag", {m_light.lamp, m_light.outlined, tint},
+                                 ghost ? Blend::translucent : Blend::opaque, m_root);
     new Part(cystoscopeMesh(m_model.drawing().parameters().endoscope.radius_m * 1e3), material, parent);
     parent->setEnabled(false);
     return pose;
@@ -108,7 +112,8 @@ void Overview::followShaft(const ToolView& tool) {
     const simulation::UrethraDeformation now = drawing.deformationOf(tool);
     const bool around = now.inside && now.tip_s_m > 0.0;
     const core::Vec3 tip = around ? drawing.tip_A(tool) : core::Vec3(0, 0, -1);
-    const core::Vec3 ahead = around ? core::Vec3(-drawing.axes_A(tool).col(2)) : core::Vec3(core::Vec3::UnitZ());
+    const core::Vec3 ahead =
+        around ? core::Vec3(-drawing.axes_A(tool).col(2)) : core::Vec3(core::Vec3::UnitZ());
     const double neck = drawing.centreline().length_m();
     m_tip->setValue(QVector4D(toVector(tip), float(around ? now.tip_s_m : -1.0)));
     m_ahead->setValue(QVector4D(toVector(ahead), float(drawing.parameters().endoscope.behind_m)));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene3d/plugin/force_arrow.h"
-#include "desktop/scene3d/plugin/shared_light.h"
 #include "app/exercises/urethra_insertion/scene/endoscope_graph.h"
 #include "app/exercises/urethra_insertion/scene/urethra_model.h"
+#include "desktop/scene3d/plugin/force_arrow.h"
+#include "desktop/scene3d/plugin/shared_light.h"
 
 namespace chiron::scene3d {
 
@@ -19,7 +19,8 @@ public:
     void place(const QRect& overview);
 
 private:
-    Qt3DRender::QMaterial* shell(const char* look, const char* vertexShader, const QVector4D& tint, float rule, Blend blend);
+    Qt3DRender::QMaterial* shell(const char* look, const char* vertexShader, const QVector4D& tint,
+                                 float rule, Blend blend);
     Qt3DCore::QTransform* addScope(bool ghost, Qt3DCore::QEntity* parent);
     void followShaft(const ToolView& tool);
     void showScope(Qt3DCore::QEntity* scope, Qt3DCore::QTransform* pose, const ToolView& tool);

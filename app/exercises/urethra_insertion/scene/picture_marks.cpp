@@ -42,9 +42,13 @@ PictureMarks::Shape PictureMarks::make(const TriangleMesh& inner, const Triangle
 PictureMarks::PictureMarks(EffectShelf& effects, Qt3DRender::QLayer* layer, Qt3DCore::QEntity* root)
     : m_effects(effects), m_entity(new Qt3DCore::QEntity(root)) {
     m_entity->addComponent(layer);
-    const auto ring = [&](double radius, double half) { return make(flatRing(radius, half), flatRing(radius, half + kEdge)); };
+    const auto ring = [&](double radius, double half) {
+        return make(flatRing(radius, half), flatRing(radius, half + kEdge));
+    };
     const auto bar = [&](double half) { return make(flatBar(half), flatBar(half + kEdge)); };
-    const auto head = [&](double half) { return make(moved(flatHead(half), 0.0), moved(flatHead(1.35 * half), -0.16)); };
+    const auto head = [&](double half) {
+        return make(moved(flatHead(half), 0.0), moved(flatHead(1.35 * half), -0.16));
+    };
     m_target = ring(0.018, 0.005);
     m_ring = ring(kRing, 0.008);
     m_inner = ring(0.6 * kRing, 0.006);
@@ -62,7 +66,8 @@ void PictureMarks::change(const SceneSetup& setup) {
     m_guide = setup.colours.highContrast ? QColor(255, 255, 0) : kGuide;
     m_force = kForce;
     m_overForce = kOver;
-    for (OutlinedShape* shape : {m_target.get(), m_ring.get(), m_inner.get(), m_way.get(), m_point.get(), m_dwell.get()})
+    for (OutlinedShape* shape :
+         {m_target.get(), m_ring.get(), m_inner.get(), m_way.get(), m_point.get(), m_dwell.get()})
         shape->setColour(m_guide);
 }
 
@@ -84,7 +89,8 @@ void PictureMarks::showGuidance(const ScopeMarks& marks) {
     const double from = 0.03;
     const double to = away - (marks.beyond ? 0.0 : kRing);
     m_way->show(marks.guided && to > from + 0.01);
-    m_way->place(marks.target.x() + from * std::cos(turn), marks.target.y() + from * std::sin(turn), turn, std::max(0.01, to - from));
+    m_way->place(marks.target.x() + from * std::cos(turn), marks.target.y() + from * std::sin(turn), turn,
+                 std::max(0.01, to - from));
     m_point->show(marks.guided && marks.beyond);
     m_point->place(marks.lumen.x(), marks.lumen.y(), turn, 1.0, 0.11);
     m_dwell->show(marks.dwell > 0.0);

@@ -13,7 +13,8 @@ namespace {
 core::Vec2 placeOf(const core::Vec3& way_T, double fieldOfView_rad) {
     const double ahead = -way_T.z();
     const double wide = std::tan(0.5 * fieldOfView_rad);
-    const core::Vec2 place = ahead > 1e-3 ? core::Vec2(way_T.head<2>() / (ahead * wide)) : core::Vec2(1e3 * way_T.head<2>());
+    const core::Vec2 place =
+        ahead > 1e-3 ? core::Vec2(way_T.head<2>() / (ahead * wide)) : core::Vec2(1e3 * way_T.head<2>());
     return place.norm() < 1e6 ? place : core::Vec2(0.0, 1e3);
 }
 
@@ -28,7 +29,8 @@ core::Vec3 seenAligned(const core::Vec3& way_T, const UrethraDrawing& drawing, c
     return core::Quat::FromTwoVectors(along_T, core::Vec3(0.0, 0.0, -1.0)) * way_T;
 }
 
-void addGuidance(ScopeMarks& marks, const simulation::EndoscopeCues& cues, const UrethraDrawing& drawing, const ToolView& tool) {
+void addGuidance(ScopeMarks& marks, const simulation::EndoscopeCues& cues, const UrethraDrawing& drawing,
+                 const ToolView& tool) {
     const core::Vec3 way(cues.toLumen_T[0], cues.toLumen_T[1], cues.toLumen_T[2]);
     marks.dwell = std::clamp(cues.dwell, 0.0, 1.0);
     // It is a unit vector, or zero if no lumen is visible.
@@ -54,7 +56,8 @@ ScopeMarks ScopeMarks::of(const SceneSetup& setup, const UrethraDrawing& drawing
         addGuidance(marks, state.exercise.of<simulation::EndoscopeCues>(), drawing, tool);
     if (!setup.cues.arrow || !tool.present || !(tool.force_N.norm() > kLeast_N))
         return marks;
-    const core::Vec3 force_T = drawing.axes_A(tool).transpose() * drawing.parameters().pose.vectorToA(tool.force_N);
+    const core::Vec3 force_T =
+        drawing.axes_A(tool).transpose() * drawing.parameters().pose.vectorToA(tool.force_N);
     const double across_N = force_T.head<2>().norm();
     marks.over = tool.force_N.norm() > setup.forceLimit_N;
     if (!(across_N > kLeast_N))

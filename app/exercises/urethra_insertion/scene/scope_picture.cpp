@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/scene/scope_picture.h"
 
+#include "app/exercises/urethra_insertion/scene/lining_picture.h"
 #include "core/units.h"
 #include "desktop/scene3d/drawn_tool.h"
-#include "desktop/scene3d/plugin/picture_texture.h"
 #include "desktop/scene3d/parts/flat_shapes.h"
-#include "app/exercises/urethra_insertion/scene/lining_picture.h"
+#include "desktop/scene3d/plugin/picture_texture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ const QVector3D kSkinRed(0.76F, 0.42F, 0.38F);
 const QVector3D kBlood(0.46F, 0.05F, 0.06F);
 constexpr float kNearest_mm = 0.35F;
 constexpr float kFarthest_mm = 260.0F;
-constexpr double kGlansSeen_m = 0.004;   // arc length up to which a turned camera can see the glans
+constexpr double kGlansSeen_m = 0.004; // arc length up to which a turned camera can see the glans
 // Distance before the neck; from farther away the light does not reach it.
 constexpr double kBladderSeen_m = 0.070;
 // Of the lamp, so that a wall seen head-on at the metered distance is neither white nor dark.
@@ -45,25 +45,31 @@ std::string nameOf(const std::vector<simulation::BladderLandmark>& landmarks) {
 
 ScopePicture::ScopePicture(const UrethraModel& model, EffectShelf& effects, EndoscopeGraph& graph,
                            Qt3DCore::QEntity* root)
-    : m_model(model), m_effects(effects), m_graph(graph), m_root(root), m_anatomy(new Qt3DCore::QEntity(root)), m_bladder(new Qt3DCore::QEntity(m_anatomy)),
+    : m_model(model), m_effects(effects), m_graph(graph), m_root(root),
+      m_anatomy(new Qt3DCore::QEntity(root)), m_bladder(new Qt3DCore::QEntity(m_anatomy)),
       m_glans(new Qt3DCore::QEntity(m_anatomy)),
       m_lamp(parameter("lamp", QVector4D(0.0F, -1.4F, 0.0F, 100.0F), root)),
-      m_sharpness(parameter("sharpness", QVector2D(), root)),
-      m_reach(parameter("reach", QVector2D(), root)),
-      m_blurred(parameter("blurred", QVariant::fromValue<Qt3DRender::QAbstractTexture*>(graph.blurred()), root)) {
+      m_sharpness(parameter("sharpness", QVector2D(), root)), m_reach(parameter("reach", QVector2D(), root)),
+      m_blurred(
+          parameter("blurred", QVariant::fromValue<Qt3DRender::QAbstractTexture*>(graph.blurred()), root)) {
     const simulation::UrethraInsertionParameters& p = model.drawing().parameters();
     auto* place = new Qt3DCore::QTransform(m_anatomy);
     place->setTranslation(toMillimetres(p.pose.p_WA));
     place->setRotation(toQuaternion(p.pose.q_WA));
     m_anatomy->addComponent(place);
     m_anatomy->addComponent(graph.inside());
-    auto* canal = makePictureTexture("canal", QSize(512, 1024), [] { return canalPicture().bytes; }, root);
-    auto* bladder = makePictureTexture(nameOf(p.landmarks), QSize(1024, 512),
-                                       [landmarks = p.landmarks] { return bladderPicture(landmarks).bytes; }, root);
-    model.addCanal(lining("canal.vert", canal, kCanalPale, kCanalRed, 1.5F, 0.9F, core::Vec3::UnitZ()), m_anatomy);
+    auto* canal = makePictureTexture(
+        "canal", QSize(512, 1024), [] { return canalPicture().bytes; }, root);
+    auto* bladder = makePictureTexture(
+        nameOf(p.landmarks), QSize(1024, 512),
+        [landmarks = p.landmarks] { return bladderPicture(landmarks).bytes; }, root);
+    model.addCanal(lining("canal.vert", canal, kCanalPale, kCanalRed, 1.5F, 0.9F, core::Vec3::UnitZ()),
+                   m_anatomy);
     model.addBladder(lining("lining.vert", bladder, kBladderPale, kBladderRed, 1.2F, 0.06F,
-                            -model.drawing().bladderDirection_A(0.0, 0.0)), m_bladder);
-    model.addGlans(lining("lining.vert", canal, kSkinPale, kSkinRed, 0.35F, 0.25F, core::Vec3::UnitZ()), m_glans);
+                            -model.drawing().bladderDirection_A(0.0, 0.0)),
+                     m_bladder);
+    model.addGlans(lining("lining.vert", canal, kSkinPale, kSkinRed, 0.35F, 0.25F, core::Vec3::UnitZ()),
+                   m_glans);
     makePasses();
     const double angle_deg = p.endoscope.fieldOfView_rad * 180.0 / core::kPi;
     graph.scope()->lens()->setPerspectiveProjection(float(angle_deg), 1.0F, kNearest_mm, kFarthest_mm);
@@ -75,20 +81,24 @@ Qt3DRender::QMaterial* ScopePicture::lining(const char* vertexShader, Qt3DRender
     const auto own = [&](const char* name, const QVariant& value) { return parameter(name, value, m_root); };
     const simulation::UrethraAnatomy& anatomy = m_model.drawing().parameters().anatomy;
     return m_effects.materialWith("#define LAMP\n", vertexShader, "lining.frag",
-                              {m_lamp, m_sharpness, m_blurred,
-                               own("skin", QVariant::fromValue<Qt3DRender::QAbstractTexture*>(picture)),
-                               own("pale", pale), own("red", red), own("blood", kBlood), own("rough", rough), own("wet", wet),
-                               own("axis", toVector(axis_A)),
-                               own("bend", QVector3D(float(2.0 * anatomy.curvature_per_m), float(kCanalTile_mm), float(anatomy.straight_m)))},
-                              Blend::opaque, m_root);
+                                  {m_lamp, m_sharpness, m_blurred,
+                                   own("skin", QVariant::fromValue<Qt3DRender::QAbstractTexture*>(picture)),
+                                   own("pale", pale), own("red", red), own("blood", kBlood),
+                                   own("rough", rough), own("wet", wet), own("axis", toVector(axis_A)),
+                                   own("bend", QVector3D(float(2.0 * anatomy.curvature_per_m),
+                                                         float(kCanalTile_mm), float(anatomy.straight_m)))},
+                                  Blend::opaque, m_root);
 }
 
 void ScopePicture::makePasses() {
-    auto* black = m_effects.material("screen.vert", "plain.frag", {parameter("tint", QVector4D(0, 0, 0, 1), m_root)},
-                                     Blend::opaque, m_root);
-    auto* blur = m_effects.material("screen.vert", "blur.frag", 
-                                      {parameter("seen", QVariant::fromValue<Qt3DRender::QAbstractTexture*>(m_graph.seen()), m_root), m_reach},
-                                    Blend::opaque, m_root);
+    auto* black =
+        m_effects.material("screen.vert", "plain.frag", {parameter("tint", QVector4D(0, 0, 0, 1), m_root)},
+                           Blend::opaque, m_root);
+    auto* blur = m_effects.material(
+        "screen.vert", "blur.frag",
+        {parameter("seen", QVariant::fromValue<Qt3DRender::QAbstractTexture*>(m_graph.seen()), m_root),
+         m_reach},
+        Blend::opaque, m_root);
     (new Part(roundWindow(), black, m_root))->addComponent(m_graph.mask());
     (new Part(roundPicture(), blur, m_root))->addComponent(m_graph.blur());
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene3d/plugin/qt3d_parts.h"
-#include "desktop/scene3d/scene_setup.h"
 #include "app/exercises/urethra_insertion/scene/endoscope_graph.h"
 #include "app/exercises/urethra_insertion/scene/thin_lens.h"
 #include "app/exercises/urethra_insertion/scene/urethra_model.h"
+#include "desktop/scene3d/plugin/qt3d_parts.h"
+#include "desktop/scene3d/scene_setup.h"
 
 namespace chiron::scene3d {
 
@@ -13,7 +13,8 @@ namespace chiron::scene3d {
 /// the passes for the depth of field.
 class ScopePicture {
 public:
-    ScopePicture(const UrethraModel& model, EffectShelf& effects, EndoscopeGraph& graph, Qt3DCore::QEntity* root);
+    ScopePicture(const UrethraModel& model, EffectShelf& effects, EndoscopeGraph& graph,
+                 Qt3DCore::QEntity* root);
 
     void change(const SceneSetup& setup);
     /// `shown` false: a black picture.

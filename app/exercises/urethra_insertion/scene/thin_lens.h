@@ -19,7 +19,8 @@ struct ThinLens {
         return picture_px * aperture_mm / (2.0 * std::tan(0.5 * fieldOfView_rad));
     }
     /// Diameter of the circle of confusion in the picture.
-    double confusion_px(double distance_mm, double focus_mm, double picture_px, double fieldOfView_rad) const {
+    double confusion_px(double distance_mm, double focus_mm, double picture_px,
+                        double fieldOfView_rad) const {
         return strength_px_mm(picture_px, fieldOfView_rad) * std::abs(1.0 / focus_mm - 1.0 / distance_mm);
     }
 

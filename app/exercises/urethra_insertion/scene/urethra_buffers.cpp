@@ -56,11 +56,14 @@ std::vector<std::uint32_t> trianglesOf(const simulation::UrethraSurface& surface
         if ((first && last) == seam)
             chosen.insert(chosen.end(), {all[t], all[t + 1], all[t + 2]});
     }
-    const auto ringOf = [&](std::size_t t) { return std::min({chosen[t], chosen[t + 1], chosen[t + 2]}) / ring; };
+    const auto ringOf = [&](std::size_t t) {
+        return std::min({chosen[t], chosen[t + 1], chosen[t + 2]}) / ring;
+    };
     std::vector<std::size_t> order;
     for (std::size_t t = 0; t < chosen.size(); t += 3)
         order.push_back(t);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return ringOf(a) < ringOf(b); });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return ringOf(a) < ringOf(b); });
     std::vector<std::uint32_t> sorted;
     for (std::size_t t : order)
         sorted.insert(sorted.end(), {chosen[t], chosen[t + 1], chosen[t + 2]});
@@ -68,7 +71,8 @@ std::vector<std::uint32_t> trianglesOf(const simulation::UrethraSurface& surface
 }
 
 /// For each ring, the number of these indices (sorted by ring) before it; with one more entry at the end.
-std::vector<std::uint32_t> startsOf(const std::vector<std::uint32_t>& triangles, std::size_t ringSize, std::size_t rings) {
+std::vector<std::uint32_t> startsOf(const std::vector<std::uint32_t>& triangles, std::size_t ringSize,
+                                    std::size_t rings) {
     std::vector<std::uint32_t> starts;
     std::size_t t = 0;
     for (std::size_t ring = 0; ring <= rings; ++ring) {
@@ -114,14 +118,14 @@ UrethraBuffers::UrethraBuffers(const simulation::UrethraSurface& surface, Qt3DCo
 }
 
 Qt3DRender::QGeometryRenderer* UrethraBuffers::renderer(const simulation::UrethraSurface& surface,
-                                                        const std::vector<std::uint32_t>& triangles, bool seam,
-                                                        Qt3DCore::QNode* owner) {
+                                                        const std::vector<std::uint32_t>& triangles,
+                                                        bool seam, Qt3DCore::QNode* owner) {
     auto* made = new Qt3DRender::QGeometryRenderer(owner);
     auto* geometry = new Qt3DCore::QGeometry(made);
     const uint count = uint(surface.vertexCount());
     const auto add = [&](Qt3DCore::QBuffer* buffer, const char* name) {
-        geometry->addAttribute(
-            new QAttribute(buffer, QLatin1String(name), QAttribute::Float, 1, count, 0, sizeof(float), geometry));
+        geometry->addAttribute(new QAttribute(buffer, QLatin1String(name), QAttribute::Float, 1, count, 0,
+                                              sizeof(float), geometry));
     };
     for (std::size_t i = 0; i < kNames.size(); ++i)
         add(m_planes[i], kNames[i]);
@@ -129,8 +133,8 @@ Qt3DRender::QGeometryRenderer* UrethraBuffers::renderer(const simulation::Urethr
     // gets those at rest.
     auto* rest = new Qt3DCore::QBuffer(geometry);
     rest->setData(bytesOf(std::span<const float>(placesOf(surface))));
-    auto* places = new QAttribute(rest, QAttribute::defaultPositionAttributeName(), QAttribute::Float, 3, count, 0,
-                                  3 * sizeof(float), geometry);
+    auto* places = new QAttribute(rest, QAttribute::defaultPositionAttributeName(), QAttribute::Float, 3,
+                                  count, 0, 3 * sizeof(float), geometry);
     geometry->addAttribute(places);
     geometry->setBoundingVolumePositionAttribute(places);
     auto* turns = new Qt3DCore::QBuffer(geometry);

@@ -31,7 +31,8 @@ public:
     double meteredDistance_m(const ToolView& tool) const;
 
     core::Vec3 bladderCentre_A() const { return m_bladderCentre_A; }
-    /// A point of the bladder's wall: polar angle from t(C) (0 = dome, π = neck), azimuth about it from x̂ towards n.
+    /// A point of the bladder's wall: polar angle from t(C) (0 = dome, π = neck), azimuth about it from x̂
+    /// towards n.
     core::Vec3 bladderWall_A(double polar_rad, double azimuth_rad) const;
     core::Vec3 bladderDirection_A(double polar_rad, double azimuth_rad) const;
     /// The position of a landmark; whether anything hides it is up to the picture.

@@ -16,7 +16,8 @@ simulation::UrethraMeshSettings drawnMesh(simulation::UrethraMeshSettings mesh) 
 
 constexpr double kBehind_m = 0.015; // length of canal behind the tip that a camera turned to the side can see
 
-void addEntity(Qt3DRender::QGeometryRenderer* shape, Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) {
+void addEntity(Qt3DRender::QGeometryRenderer* shape, Qt3DRender::QMaterial* material,
+               Qt3DCore::QEntity* parent) {
     auto* entity = new Qt3DCore::QEntity(parent);
     entity->addComponent(shape);
     entity->addComponent(material);
@@ -26,8 +27,8 @@ void addEntity(Qt3DRender::QGeometryRenderer* shape, Qt3DRender::QMaterial* mate
 
 UrethraModel::UrethraModel(const simulation::UrethraInsertionParameters& parameters, Qt3DCore::QNode* owner)
     : m_drawing(parameters), m_surface(parameters.anatomy, parameters.endoscope, drawnMesh(parameters.mesh)),
-      m_lining(m_drawing, ring(0), ring(m_surface.vertexCount() - m_surface.ringSize())), m_buffers(m_surface, owner),
-      m_bladder(new MeshRenderer(m_lining.bladder(), owner)),
+      m_lining(m_drawing, ring(0), ring(m_surface.vertexCount() - m_surface.ringSize())),
+      m_buffers(m_surface, owner), m_bladder(new MeshRenderer(m_lining.bladder(), owner)),
       m_neck(new MeshRenderer(m_lining.neck(ring(m_surface.vertexCount() - m_surface.ringSize())), owner)),
       m_glans(new MeshRenderer(m_lining.glans(ring(0)), owner)) {}
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene3d/plugin/qt3d_parts.h"
 #include "app/exercises/urethra_insertion/scene/lining_mesh.h"
 #include "app/exercises/urethra_insertion/scene/urethra_buffers.h"
 #include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
+#include "desktop/scene3d/plugin/qt3d_parts.h"
 
 #include <memory>
 

@@ -15,7 +15,8 @@ double tipCount_m(const devices::DeviceDescriptor& device) {
     core::DeviceSample sample;
     for (std::size_t i = 0; i < device.axes.size(); ++i) {
         const devices::AxisDescriptor& axis = device.axes[i];
-        sample.counts[i] = static_cast<std::int32_t>(std::lround(0.5 * (axis.minimum + axis.maximum) / axis.resolution));
+        sample.counts[i] =
+            static_cast<std::int32_t>(std::lround(0.5 * (axis.minimum + axis.maximum) / axis.resolution));
     }
     double largest = 0.0;
     for (std::size_t i = 0; i < device.axes.size(); ++i) {
@@ -29,10 +30,12 @@ double tipCount_m(const devices::DeviceDescriptor& device) {
     return std::isfinite(largest) ? largest : 0.0;
 }
 
-simulation::UrethraForceSettings onDevice(simulation::UrethraForceSettings law, const devices::DeviceDescriptor& device,
+simulation::UrethraForceSettings onDevice(simulation::UrethraForceSettings law,
+                                          const devices::DeviceDescriptor& device,
                                           const devices::WorkspaceMapping& mapping) {
     if (device.maximumDamping_Ns_per_m > 0.0)
-        law.maximumDamping_Ns_per_m = std::min(law.maximumDamping_Ns_per_m, device.maximumDamping_Ns_per_m / mapping.scale);
+        law.maximumDamping_Ns_per_m =
+            std::min(law.maximumDamping_Ns_per_m, device.maximumDamping_Ns_per_m / mapping.scale);
     if (const double count_m = tipCount_m(device); count_m > 0.0)
         law.count_m = count_m * mapping.scale;
     return law;

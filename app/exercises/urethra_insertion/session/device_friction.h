@@ -17,7 +17,8 @@ double tipCount_m(const devices::DeviceDescriptor& device);
 /// millimetres in W, so a device's damping b is felt as b/k and its count is k times as large. If a device
 /// does not state its count, the law's applies. Uses only data stored with a session, so that its replay has
 /// the same law, bit for bit.
-simulation::UrethraForceSettings onDevice(simulation::UrethraForceSettings law, const devices::DeviceDescriptor& device,
+simulation::UrethraForceSettings onDevice(simulation::UrethraForceSettings law,
+                                          const devices::DeviceDescriptor& device,
                                           const devices::WorkspaceMapping& mapping);
 
 } // namespace chiron::session

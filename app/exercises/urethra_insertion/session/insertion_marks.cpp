@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
 
-#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_moments.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "scoring/trace_columns.h"
 #include "scoring/trace_grid.h"
 
@@ -74,13 +74,17 @@ void completeMarks(PlaybackTrack& track, int trial, const scoring::InsertionSeri
 void countOnce(PlaybackTrack& track, int trial, const std::vector<scoring::InsertionEvent>& trauma) {
     for (PlaybackMark& mark : track.marks)
         if (mark.kind == PlaybackMarkKind::yielded && mark.trial == trial)
-            mark.critical = mark.critical && std::none_of(trauma.begin(), trauma.end(), [&mark](const scoring::InsertionEvent& event) {
-                return scoring::isCritical(event) && event.begin_s - kNear_s <= mark.t_s && mark.t_s <= event.end_s + kNear_s;
-            });
+            mark.critical =
+                mark.critical &&
+                std::none_of(trauma.begin(), trauma.end(), [&mark](const scoring::InsertionEvent& event) {
+                    return scoring::isCritical(event) && event.begin_s - kNear_s <= mark.t_s &&
+                           mark.t_s <= event.end_s + kNear_s;
+                });
 }
 
 /// Handles only gates that a single sample can exceed: a mean over the trial has no moment.
-void addStretches(PlaybackTrack& track, const scoring::TrialTrace& trial, std::span<const scoring::Gate> gates) {
+void addStretches(PlaybackTrack& track, const scoring::TrialTrace& trial,
+                  std::span<const scoring::Gate> gates) {
     for (const scoring::Gate& gate : gates) {
         if (!gate.maximum)
             continue;
@@ -97,7 +101,10 @@ void addPeaks(PlaybackTrack& track, const scoring::TrialTrace& trial) {
     for (const scoring::InsertionQuantity quantity : scoring::insertionQuantities())
         if (const auto largest = scoring::largestOf(trial, quantity)) {
             const auto metrics = scoring::metricsOf(quantity);
-            track.peaks.push_back({{metrics.begin(), metrics.end()}, trial.trial, largest->begin_s, scoring::inMetricUnit(quantity, largest->value),
+            track.peaks.push_back({{metrics.begin(), metrics.end()},
+                                   trial.trial,
+                                   largest->begin_s,
+                                   scoring::inMetricUnit(quantity, largest->value),
                                    scoring::metricUnitOf(quantity)});
         }
 }

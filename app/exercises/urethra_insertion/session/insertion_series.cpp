@@ -36,15 +36,18 @@ public:
 private:
     void add(std::size_t i) {
         const core::Vec3 p_A = m_p.pose.pointToA(m_tool.p_WT_m[i]);
-        const core::Vec3 axis_A = m_p.pose.vectorToA(simulation::endoscopeAxis_W(m_tool.q_WT[i].normalized()));
+        const core::Vec3 axis_A =
+            m_p.pose.vectorToA(simulation::endoscopeAxis_W(m_tool.q_WT[i].normalized()));
         const CentrelineFoot foot = m_line.foot(p_A);
         m_series.s_m.push_back(foot.at.s_m);
         m_series.offset_m.push_back(std::hypot(foot.ex_m, foot.en_m));
-        m_series.alignment_rad.push_back(std::atan2(axis_A.cross(foot.at.t_A).norm(), axis_A.dot(foot.at.t_A)));
+        m_series.alignment_rad.push_back(
+            std::atan2(axis_A.cross(foot.at.t_A).norm(), axis_A.dot(foot.at.t_A)));
         const core::Vec3 f_A = m_p.pose.vectorToA(m_tool.tissue_N[i]);
         m_series.lateral_N.push_back((f_A - f_A.dot(foot.at.t_A) * foot.at.t_A).norm());
         const bool torque = i < m_tool.tissueTorque_Nm.size();
-        m_series.axialTorque_Nm.push_back(torque ? std::abs(m_p.pose.vectorToA(m_tool.tissueTorque_Nm[i]).dot(axis_A)) : 0.0);
+        m_series.axialTorque_Nm.push_back(
+            torque ? std::abs(m_p.pose.vectorToA(m_tool.tissueTorque_Nm[i]).dot(axis_A)) : 0.0);
         follow(i, {foot.at.s_m, p_A, axis_A, m_series.offset_m.back()});
         m_series.stage.push_back(static_cast<std::uint8_t>(m_tracker.stage()));
     }
@@ -78,8 +81,8 @@ private:
 
 } // namespace
 
-std::optional<scoring::InsertionSeries> insertionSeries(const simulation::UrethraInsertionParameters& parameters,
-                                                        const scoring::TrialTrace& trial) {
+std::optional<scoring::InsertionSeries>
+insertionSeries(const simulation::UrethraInsertionParameters& parameters, const scoring::TrialTrace& trial) {
     if (trial.tools.empty() || trial.tools[0].q_WT.size() != trial.tools[0].t_s.size())
         return std::nullopt;
     return SeriesBuilder(parameters, trial.tools[0]).build();

@@ -45,7 +45,8 @@ std::uint32_t PlaybackInsertion::landmarksSeenAt(double t_s) const noexcept {
 }
 
 int PlaybackInsertion::landmarksSeen() const noexcept {
-    return static_cast<int>(std::count_if(landmarkSeen_s.begin(), landmarkSeen_s.end(), [](double t) { return std::isfinite(t); }));
+    return static_cast<int>(std::count_if(landmarkSeen_s.begin(), landmarkSeen_s.end(),
+                                          [](double t) { return std::isfinite(t); }));
 }
 
 PlaybackInsertion playbackInsertionOf(const scoring::SessionTrace& trace, std::span<const double> times_s) {
@@ -53,7 +54,8 @@ PlaybackInsertion playbackInsertionOf(const scoring::SessionTrace& trace, std::s
     insertion.moments.resize(times_s.size());
     bool first = true;
     for (const scoring::TrialTrace& trial : trace.trials) {
-        if (!trial.insertion || trial.tools.empty() || trial.insertion->s_m.size() != trial.tools.front().t_s.size())
+        if (!trial.insertion || trial.tools.empty() ||
+            trial.insertion->s_m.size() != trial.tools.front().t_s.size())
             continue;
         if (first)
             addFacts(insertion, *trial.insertion);
@@ -65,7 +67,8 @@ PlaybackInsertion playbackInsertionOf(const scoring::SessionTrace& trace, std::s
 }
 
 void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace) {
-    const bool any = std::any_of(trace.trials.begin(), trace.trials.end(), [](const auto& trial) { return trial.insertion.has_value(); });
+    const bool any = std::any_of(trace.trials.begin(), trace.trials.end(),
+                                 [](const auto& trial) { return trial.insertion.has_value(); });
     if (!any)
         return;
     std::vector<double> times_s;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/session/urethra_insertion_kind.h"
 
-#include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
-#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
-#include "scoring/trace_builder.h"
-#include "scoring/trace_rows.h"
 #include "app/exercises/urethra_insertion/session/device_friction.h"
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "app/exercises/urethra_insertion/session/insertion_series.h"
 #include "app/exercises/urethra_insertion/session/playback_insertion.h"
-#include "session/moment_rule.h"
-#include "session/session_setup.h"
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
+#include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
 #include "modules/exercises/urethra_insertion/simulation/drawn_tip.h"
 #include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_scene.h"
+#include "scoring/trace_builder.h"
+#include "scoring/trace_rows.h"
+#include "session/moment_rule.h"
+#include "session/session_setup.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -25,7 +25,7 @@ namespace chiron::session {
 
 namespace {
 
-constexpr int kCystoscopyLevel = 3;     // P1's whole procedure in normal tissue
+constexpr int kCystoscopyLevel = 3;    // P1's whole procedure in normal tissue
 constexpr double kBendMark_deg = 15.0; // pass mark of the levels that have a bend (content/README.md)
 
 const simulation::UrethraInsertionParameters& parametersOf(const catalogue::ExerciseLevel& level) {
@@ -61,10 +61,13 @@ std::unique_ptr<simulation::IScene> UrethraInsertionKind::makeScene(const Sessio
     return std::make_unique<simulation::UrethraInsertionScene>(felt);
 }
 
-simulation::YieldLaw UrethraInsertionKind::yieldLaw(const catalogue::ExerciseLevel& level) const { return parametersOf(level).yield; }
+simulation::YieldLaw UrethraInsertionKind::yieldLaw(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).yield;
+}
 
-core::Result<ScriptedTrainee> UrethraInsertionKind::makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
-                                                          std::uint64_t seed) const {
+core::Result<ScriptedTrainee> UrethraInsertionKind::makeOperator(const catalogue::ExerciseLevel&,
+                                                                 const std::string& name,
+                                                                 std::uint64_t seed) const {
     auto settings = operators::urethraInsertionOperatorSettings(name);
     CHIRON_TRY(settings);
     auto strategy = operators::makeUrethraInsertionOperator(*settings, seed);
@@ -77,11 +80,16 @@ std::vector<std::string> UrethraInsertionKind::operatorNames() const {
     return {names.begin(), names.end()};
 }
 
-int UrethraInsertionKind::trialCount(const catalogue::ExerciseLevel&) const { return 1; }
+int UrethraInsertionKind::trialCount(const catalogue::ExerciseLevel&) const {
+    return 1;
+}
 
-double UrethraInsertionKind::forceLimit_N(const catalogue::ExerciseLevel& level) const { return parametersOf(level).maximumForce_N; }
+double UrethraInsertionKind::forceLimit_N(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).maximumForce_N;
+}
 
-std::vector<std::pair<std::string_view, double>> UrethraInsertionKind::otherLimits_N(const catalogue::ExerciseLevel& level) const {
+std::vector<std::pair<std::string_view, double>>
+UrethraInsertionKind::otherLimits_N(const catalogue::ExerciseLevel& level) const {
     return {{"lateral_max", parametersOf(level).lateralLimit_N}};
 }
 
@@ -90,22 +98,28 @@ double UrethraInsertionKind::torqueLimit_Nm(const catalogue::ExerciseLevel& leve
 }
 
 std::uint64_t UrethraInsertionKind::tickLimit(const catalogue::ExerciseLevel& level) const {
-    return static_cast<std::uint64_t>(std::ceil(1000.0 * (parametersOf(level).trialLimit_s + kArmingAllowance_s)));
+    return static_cast<std::uint64_t>(
+        std::ceil(1000.0 * (parametersOf(level).trialLimit_s + kArmingAllowance_s)));
 }
 
-void UrethraInsertionKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t, scoring::TrialTrace& trial) const {
+void UrethraInsertionKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t,
+                                    scoring::TrialTrace& trial) const {
     trial.insertion = insertionSeries(parametersOf(level), trial);
 }
 
-std::unique_ptr<TrialSurfaces> UrethraInsertionKind::makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t) const {
+std::unique_ptr<TrialSurfaces> UrethraInsertionKind::makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                                  std::uint64_t) const {
     return std::make_unique<UrethraInsertionSurfaces>(parametersOf(level));
 }
 
-core::Result<void> UrethraInsertionKind::addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const {
+core::Result<void> UrethraInsertionKind::addMarks(const SessionSetup& setup,
+                                                  const scoring::SessionTrace* trace,
+                                                  PlaybackTrack& track) const {
     const auto& metrics = setup.level.metrics;
-    const bool traumaIsCritical = std::any_of(metrics.begin(), metrics.end(), [](const catalogue::MetricChoice& metric) {
-        return metric.id == "critical_errors" && metric.version >= scoring::kCriticalSpansCountFrom;
-    });
+    const bool traumaIsCritical =
+        std::any_of(metrics.begin(), metrics.end(), [](const catalogue::MetricChoice& metric) {
+            return metric.id == "critical_errors" && metric.version >= scoring::kCriticalSpansCountFrom;
+        });
     if (auto done = addInsertionMarks(track, *trace, setup.level.gates, traumaIsCritical); !done)
         return done;
     addInsertion(track, *trace);
@@ -126,7 +140,8 @@ void UrethraInsertionKind::storeTruth(const scoring::TrialTrace& trial, QJsonObj
     truth.insert("landmarks_seen_s", seen_s);
 }
 
-void UrethraInsertionKind::addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const {
+void UrethraInsertionKind::addColumns(std::span<const scoring::TrialTrace> trials,
+                                      scoring::TraceColumns& columns) const {
     if (trials.empty() || !trials.front().insertion)
         return;
     columns.insertion = columns.completed = true;
@@ -145,21 +160,28 @@ void UrethraInsertionKind::fillRowOfSample(const scoring::TrialTrace& trial, sco
     const std::vector<double>& t_s = trial.tools.front().t_s;
     const auto sample = std::lower_bound(t_s.begin(), t_s.end(), row.t_s);
     if (sample != t_s.end() && *sample == row.t_s)
-        scoring::setSampleOfCanal(row.insertion, *trial.insertion, static_cast<std::size_t>(sample - t_s.begin()), row.t_s);
+        scoring::setSampleOfCanal(row.insertion, *trial.insertion,
+                                  static_cast<std::size_t>(sample - t_s.begin()), row.t_s);
 }
 
 Demonstration UrethraInsertionKind::demonstration() const {
-    return {.columns = {{">off mm", "offset_rms", 2}, {">bend °", "curve_alignment", 1}, {">trauma", "trauma_events", 0},
-                        {">seen %", "landmarks_seen", 0}, {">max mN·m", "torque_max", 0}},
-            .legend = "off: RMS distance from the middle of the canal; bend: RMS angle between instrument and canal round the bend; trauma: pushes\n"
-                      "against the wall over the level's limit; seen: landmarks of the bladder inspected; max mN·m: the largest torque\n",
-            .comparison = OperatorComparison{.file = "operators_urethra_insertion.png",
-                                             .title = "Urethra insertion: alignment round the bend by operator",
-                                             .metric = "curve_alignment",
-                                             .metricName = "Alignment round the bend",
-                                             .unit = "°",
-                                             .reference = kBendMark_deg,
-                                             .referenceLabel = "pass mark, 15°"},
+    return {.columns = {{">off mm", "offset_rms", 2},
+                        {">bend °", "curve_alignment", 1},
+                        {">trauma", "trauma_events", 0},
+                        {">seen %", "landmarks_seen", 0},
+                        {">max mN·m", "torque_max", 0}},
+            .legend = "off: RMS distance from the middle of the canal; bend: RMS angle between instrument "
+                      "and canal round the bend; trauma: pushes\n"
+                      "against the wall over the level's limit; seen: landmarks of the bladder inspected; "
+                      "max mN·m: the largest torque\n",
+            .comparison =
+                OperatorComparison{.file = "operators_urethra_insertion.png",
+                                   .title = "Urethra insertion: alignment round the bend by operator",
+                                   .metric = "curve_alignment",
+                                   .metricName = "Alignment round the bend",
+                                   .unit = "°",
+                                   .reference = kBendMark_deg,
+                                   .referenceLabel = "pass mark, 15°"},
             .report = DemoReport{.level = kCystoscopyLevel}};
 }
 
@@ -167,7 +189,11 @@ std::vector<MomentRule> UrethraInsertionKind::momentRules() const {
     using enum PlaybackMarkKind;
     return {{.metric = "trauma_*", .by = MomentRule::By::largestMark, .marks = {trauma}, .unit = "N"},
             {.metric = "lateral_max", .by = MomentRule::By::largestMark, .marks = {trauma}, .unit = "N"},
-            {.metric = "reversals", .by = MomentRule::By::largestMark, .marks = {reversal}, .factor = 1e3, .unit = "mm"}};
+            {.metric = "reversals",
+             .by = MomentRule::By::largestMark,
+             .marks = {reversal},
+             .factor = 1e3,
+             .unit = "mm"}};
 }
 
 } // namespace chiron::session

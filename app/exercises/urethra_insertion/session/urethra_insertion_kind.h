@@ -23,21 +23,26 @@ public:
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
-    std::vector<std::pair<std::string_view, double>> otherLimits_N(const catalogue::ExerciseLevel& level) const override;
+    std::vector<std::pair<std::string_view, double>>
+    otherLimits_N(const catalogue::ExerciseLevel& level) const override;
     double torqueLimit_Nm(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
     /// Fills `trial.insertion` from tool 0's poses and tissue wrench with the level's own geometry, so that
     /// proximity, alignment and stage follow from stored channels alone. Left empty if the trace has no
     /// orientation.
-    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
-    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                  scoring::TrialTrace& trial) const override;
+    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                std::uint64_t seed) const override;
     bool marksFromTrace() const noexcept override { return true; }
-    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const override;
+    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace,
+                                PlaybackTrack& track) const override;
     /// completed, length_m, bend_m, goal_m, lateral_limit_N, landmarks_seen_s: null for landmarks that were
     /// not seen.
     void storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const override;
     /// Columns of the canal.
-    void addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const override;
+    void addColumns(std::span<const scoring::TrialTrace> trials,
+                    scoring::TraceColumns& columns) const override;
     void fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
     void fillRowOfSample(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
     Demonstration demonstration() const override;

@@ -43,19 +43,22 @@ private:
     void grow(std::size_t count) {
         for (std::size_t i = m_profile.depth_mm.size(); i < count; ++i)
             m_profile.depth_mm.push_back(static_cast<double>(i) - kBefore_mm + 0.5);
-        for (auto* values : {&m_profile.offsetIn_mm, &m_profile.offsetOut_mm, &m_profile.alignmentIn_deg, &m_profile.alignmentOut_deg})
+        for (auto* values : {&m_profile.offsetIn_mm, &m_profile.offsetOut_mm, &m_profile.alignmentIn_deg,
+                             &m_profile.alignmentOut_deg})
             values->resize(m_profile.depth_mm.size(), kNothing);
     }
 
     report::InsertionProfile m_profile;
 };
 
-void addFacts(report::InsertionProfile& profile, double bend_m, double length_m, double goal_m, const std::vector<double>& seen_s) {
+void addFacts(report::InsertionProfile& profile, double bend_m, double length_m, double goal_m,
+              const std::vector<double>& seen_s) {
     profile.bend_mm = bend_m * 1e3;
     profile.neck_mm = length_m * 1e3;
     profile.goal_mm = goal_m * 1e3;
     profile.landmarks = static_cast<int>(seen_s.size());
-    profile.landmarksSeen = static_cast<int>(std::count_if(seen_s.begin(), seen_s.end(), [](double t_s) { return std::isfinite(t_s); }));
+    profile.landmarksSeen = static_cast<int>(
+        std::count_if(seen_s.begin(), seen_s.end(), [](double t_s) { return std::isfinite(t_s); }));
 }
 
 } // namespace
@@ -73,7 +76,8 @@ std::optional<report::InsertionProfile> insertionProfileOf(const scoring::Sessio
         const std::vector<std::uint8_t>& paused = trial.tools.front().paused;
         for (std::size_t i = 0; i < series.s_m.size(); ++i)
             if (i >= paused.size() || paused[i] == 0)
-                maker.add(static_cast<core::ProcedureStage>(series.stage[i]), series.s_m[i], series.offset_m[i], series.alignment_rad[i]);
+                maker.add(static_cast<core::ProcedureStage>(series.stage[i]), series.s_m[i],
+                          series.offset_m[i], series.alignment_rad[i]);
     }
     return any ? std::optional(std::move(maker.profile())) : std::nullopt;
 }
@@ -84,7 +88,8 @@ std::optional<report::InsertionProfile> insertionProfileOf(const session::Playba
         return std::nullopt;
     ProfileMaker maker;
     const session::PlaybackInsertion& insertion = *own;
-    addFacts(maker.profile(), insertion.bend_m, insertion.length_m, insertion.goal_m, insertion.landmarkSeen_s);
+    addFacts(maker.profile(), insertion.bend_m, insertion.length_m, insertion.goal_m,
+             insertion.landmarkSeen_s);
     for (std::size_t i = 0; i < insertion.moments.size(); ++i) {
         const session::PlaybackInsertionMoment& moment = insertion.moments[i];
         if (i >= track.moments.size() || !track.moments[i].paused)
@@ -93,14 +98,17 @@ std::optional<report::InsertionProfile> insertionProfileOf(const session::Playba
     return std::move(maker.profile());
 }
 
-std::shared_ptr<const report::ReportSection> insertionSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel&) {
+std::shared_ptr<const report::ReportSection> insertionSectionOf(const scoring::SessionTrace& trace,
+                                                                const catalogue::ExerciseLevel&) {
     auto profile = insertionProfileOf(trace);
     return profile ? std::make_shared<report::InsertionSection>(std::move(*profile)) : nullptr;
 }
 
 EndWords insertionEnds() {
-    return {MarkTexts::tr("Ended"), MarkTexts::tr("The procedure was completed"), MarkTexts::tr("Time was up before the end of the procedure"),
-            MarkTexts::tr("The procedure could no longer be completed"), MarkTexts::tr("The tissue was damaged")};
+    return {MarkTexts::tr("Ended"), MarkTexts::tr("The procedure was completed"),
+            MarkTexts::tr("Time was up before the end of the procedure"),
+            MarkTexts::tr("The procedure could no longer be completed"),
+            MarkTexts::tr("The tissue was damaged")};
 }
 
 } // namespace chiron::session_report

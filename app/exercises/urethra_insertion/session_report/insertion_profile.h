@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/exercises/urethra_insertion/report/insertion_report.h"
-#include "report/report_section.h"
 #include "catalogue/exercise.h"
+#include "report/report_section.h"
 #include "scoring/trace.h"
 #include "session/playback_track.h"
 #include "session_report/exercise_words.h"
@@ -20,7 +20,8 @@ std::optional<report::InsertionProfile> insertionProfileOf(const scoring::Sessio
 std::optional<report::InsertionProfile> insertionProfileOf(const session::PlaybackTrack& track);
 
 /// The section of a report; null without a canal. Pure function.
-std::shared_ptr<const report::ReportSection> insertionSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
+std::shared_ptr<const report::ReportSection> insertionSectionOf(const scoring::SessionTrace& trace,
+                                                                const catalogue::ExerciseLevel& level);
 
 /// The words for the end of a trial and for damage.
 EndWords insertionEnds();

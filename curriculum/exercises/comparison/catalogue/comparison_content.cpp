@@ -52,9 +52,12 @@ constexpr Fixed kFixed[] = {
     {"damping_Ns_per_m", &Object::damping_Ns_per_m},
 };
 
-constexpr std::array<const char*, 6> kAttributes{"stiffness", "mass", "deformation", "roughness", "friction", "viscosity"};
+constexpr std::array<const char*, 6> kAttributes{"stiffness", "mass",     "deformation",
+                                                 "roughness", "friction", "viscosity"};
 constexpr std::array<const char*, 4> kControls{"none", "gain", "swapped", "constant"};
-constexpr const char* kOthers[] = {"attribute", "places", "values", "arrangements", "object", "button_answers", "button_needs_all", "probe_at_least_N", "adjusts", "control"};
+constexpr const char* kOthers[] = {"attribute", "places",         "values",           "arrangements",
+                                   "object",    "button_answers", "button_needs_all", "probe_at_least_N",
+                                   "adjusts",   "control"};
 
 template <std::size_t N>
 int wordOf(const ObjectReader& json, const char* key, const std::array<const char*, N>& words) {
@@ -62,17 +65,18 @@ int wordOf(const ObjectReader& json, const char* key, const std::array<const cha
     for (std::size_t i = 0; i < N; ++i)
         if (word == words[i])
             return static_cast<int>(i);
-    json.problems().push_back({memberPath(json.path(), QLatin1String(key)), quoted(QString::fromStdString(word)),
+    json.problems().push_back({memberPath(json.path(), QLatin1String(key)),
+                               quoted(QString::fromStdString(word)),
                                QStringLiteral("a word this program knows")});
     return 0;
 }
 
-template <class Value, class Rows>
-void readRows(const ObjectReader& json, const char* key, Rows& rows) {
+template <class Value, class Rows> void readRows(const ObjectReader& json, const char* key, Rows& rows) {
     for (const QJsonValue& row : json.json()[QLatin1String(key)].toArray()) {
         const QJsonArray members = row.toArray();
         if (members.size() != 3) {
-            json.problems().push_back({memberPath(json.path(), QLatin1String(key)), QString::number(members.size()),
+            json.problems().push_back({memberPath(json.path(), QLatin1String(key)),
+                                       QString::number(members.size()),
                                        QStringLiteral("three numbers a row")});
             return;
         }
@@ -163,16 +167,20 @@ void checkComparison(const ExerciseParameters& parameters, const QString& path, 
     if (p.places < 1 || p.places > Parameters::kMaxPlaces)
         problems.push_back({memberPath(path, "places"), QString::number(p.places), QStringLiteral("1 to 3")});
     if (p.values.empty() || p.values.size() > 4096)
-        problems.push_back({memberPath(path, "values"), QString::number(p.values.size()), QStringLiteral("1 to 4096 rows")});
+        problems.push_back(
+            {memberPath(path, "values"), QString::number(p.values.size()), QStringLiteral("1 to 4096 rows")});
     for (const auto& row : p.values)
         if (!std::all_of(row.begin(), row.end(), [](double v) { return std::isfinite(v) && v > 0.0; })) {
-            problems.push_back({memberPath(path, "values"), QStringLiteral("a row"), QStringLiteral("three numbers above 0")});
+            problems.push_back({memberPath(path, "values"), QStringLiteral("a row"),
+                                QStringLiteral("three numbers above 0")});
             break;
         }
     if (!(p.probeAtLeast_N >= 0.0 && p.probeAtLeast_N <= 100.0))
-        problems.push_back({memberPath(path, "probe_at_least_N"), QString::number(p.probeAtLeast_N), QStringLiteral("0 to 100 N")});
+        problems.push_back({memberPath(path, "probe_at_least_N"), QString::number(p.probeAtLeast_N),
+                            QStringLiteral("0 to 100 N")});
     if (p.arrangements.empty() || p.arrangements.size() > 16)
-        problems.push_back({memberPath(path, "arrangements"), QString::number(p.arrangements.size()), QStringLiteral("1 to 16 rows")});
+        problems.push_back({memberPath(path, "arrangements"), QString::number(p.arrangements.size()),
+                            QStringLiteral("1 to 16 rows")});
 }
 
 std::vector<std::string> fixedAttributeNames() {
@@ -185,23 +193,29 @@ std::vector<std::string> fixedAttributeNames() {
 core::Result<Object> attributesOf(const std::map<std::string, double>& fixed) {
     Object out;
     for (const auto& [name, value] : fixed) {
-        const auto* key = std::find_if(std::begin(kFixed), std::end(kFixed), [&](const Fixed& k) { return name == k.name; });
+        const auto* key = std::find_if(std::begin(kFixed), std::end(kFixed),
+                                       [&](const Fixed& k) { return name == k.name; });
         if (key == std::end(kFixed))
-            return core::fail(core::ErrorCode::badInput, "fixed attribute \"" + name + "\" is not one that objects have");
+            return core::fail(core::ErrorCode::badInput,
+                              "fixed attribute \"" + name + "\" is not one that objects have");
         if (!std::isfinite(value) || value < 0.0)
-            return core::fail(core::ErrorCode::badInput, "fixed attribute \"" + name + "\": a number of 0 or more is expected");
+            return core::fail(core::ErrorCode::badInput,
+                              "fixed attribute \"" + name + "\": a number of 0 or more is expected");
         out.*key->member = value;
     }
     return out;
 }
 
-core::Result<Parameters> comparisonOf(const psychophysics::Condition& condition, const psychophysics::TrialRules& trial) {
+core::Result<Parameters> comparisonOf(const psychophysics::Condition& condition,
+                                      const psychophysics::TrialRules& trial) {
     const auto& stimulus = condition.stimulus;
     if (stimulus.attribute == psychophysics::Attribute::apex)
-        return core::fail(core::ErrorCode::badInput, "condition " + condition.id + ": the apex is found in the sphere-apex exercise");
+        return core::fail(core::ErrorCode::badInput,
+                          "condition " + condition.id + ": the apex is found in the sphere-apex exercise");
     auto object = attributesOf(stimulus.fixed);
     if (!object)
-        return core::fail(core::ErrorCode::badInput, "condition " + condition.id + ": " + object.error().message);
+        return core::fail(core::ErrorCode::badInput,
+                          "condition " + condition.id + ": " + object.error().message);
     Parameters p;
     // Both enumerations have the same order.
     p.attribute = static_cast<simulation::ComparedAttribute>(stimulus.attribute);
@@ -220,7 +234,8 @@ core::Result<Parameters> comparisonOf(const psychophysics::Condition& condition,
     p.betweenTrials_s = trial.betweenTrials_s;
     p.adjusts = condition.task == psychophysics::Task::adjustment;
     using psychophysics::Task;
-    p.buttonAnswers = condition.task == Task::twoAfc || condition.task == Task::threeAfc || condition.task == Task::oddity;
+    p.buttonAnswers =
+        condition.task == Task::twoAfc || condition.task == Task::threeAfc || condition.task == Task::oddity;
     p.buttonNeedsAll = p.buttonAnswers && trial.mustTouchAll;
     p.probeAtLeast_N = trial.mustTouchAll ? trial.probeAtLeast_N : 0.0;
     if (trial.visibleObjects)
@@ -228,7 +243,8 @@ core::Result<Parameters> comparisonOf(const psychophysics::Condition& condition,
     return p;
 }
 
-ExerciseLevel comparisonLevel(const Parameters& parameters, const std::string& study, const std::string& condition) {
+ExerciseLevel comparisonLevel(const Parameters& parameters, const std::string& study,
+                              const std::string& condition) {
     const QJsonObject exercise{{"id", "comparison"}, {"version", 1}};
     QJsonArray cues;
     for (const std::string& cue : parameters.cues)

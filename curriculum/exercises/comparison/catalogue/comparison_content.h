@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catalogue/object_reader.h"
-#include "psychophysics/study/study_design.h"
 #include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "psychophysics/study/study_design.h"
 #include "simulation/attributes/object_attributes.h"
 
 #include <map>

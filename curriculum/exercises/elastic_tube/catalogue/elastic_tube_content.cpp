@@ -72,8 +72,9 @@ void readTask(const ObjectReader& parameters, Parameters& p) {
             p.task = task;
             return;
         }
-    parameters.problems().push_back({memberPath(parameters.path(), "task"), quoted(QString::fromStdString(given)),
-                                     QStringLiteral("\"hold\", \"stretch\", \"two_handed\" or \"transfer\"")});
+    parameters.problems().push_back(
+        {memberPath(parameters.path(), "task"), quoted(QString::fromStdString(given)),
+         QStringLiteral("\"hold\", \"stretch\", \"two_handed\" or \"transfer\"")});
 }
 
 void refuseUnknownKeys(const ObjectReader& parameters) {
@@ -84,8 +85,9 @@ void refuseUnknownKeys(const ObjectReader& parameters) {
         known.push_back(QLatin1String(key));
     for (const QString& key : parameters.json().keys())
         if (std::find(known.begin(), known.end(), key) == known.end())
-            parameters.problems().push_back({memberPath(parameters.path(), key), QStringLiteral("unknown key"),
-                                             QStringLiteral("a parameter of elastic_tube") + didYouMean(key, known)});
+            parameters.problems().push_back(
+                {memberPath(parameters.path(), key), QStringLiteral("unknown key"),
+                 QStringLiteral("a parameter of elastic_tube") + didYouMean(key, known)});
 }
 
 } // namespace

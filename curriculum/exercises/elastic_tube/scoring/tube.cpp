@@ -96,7 +96,8 @@ std::optional<Measurement> withoutFold(std::span<const PreparedTrial> trials) {
     if (auto why = withoutTube(trials, "tension_N"))
         return why;
     for (const PreparedTrial& trial : trials)
-        if (!quantityOf(trial, "retraction_N") || !quantityOf(trial, "fold_open") || !truthOf(trial, "retraction_low_N") || !truthOf(trial, "retraction_high_N"))
+        if (!quantityOf(trial, "retraction_N") || !quantityOf(trial, "fold_open") ||
+            !truthOf(trial, "retraction_low_N") || !truthOf(trial, "retraction_high_N"))
             return Measurement::undefined(UndefinedReason::noSuchTarget);
     return std::nullopt;
 }
@@ -182,7 +183,8 @@ Measurement measureRetractionTimeInBand(std::span<const PreparedTrial> trials) {
     double shares = 0.0;
     for (const PreparedTrial& trial : trials) {
         const std::vector<double>& pull = quantityOf(trial, "retraction_N")->values;
-        const double low_N = *truthOf(trial, "retraction_low_N"), high_N = *truthOf(trial, "retraction_high_N");
+        const double low_N = *truthOf(trial, "retraction_low_N"),
+                     high_N = *truthOf(trial, "retraction_high_N");
         const std::vector<std::size_t> since = sinceFoldOpened(trial);
         std::size_t within = 0;
         for (const std::size_t i : since)
@@ -237,8 +239,8 @@ Measurement measureOverStretches(std::span<const PreparedTrial> trials) {
 using Step = core::LaparoscopyStep;
 
 bool isHeldStep(double step) {
-    return isTubeStep(step, Step::stretch) || isTubeStep(step, Step::hold) || isTubeStep(step, Step::handOver) ||
-           isTubeStep(step, Step::carry);
+    return isTubeStep(step, Step::stretch) || isTubeStep(step, Step::hold) ||
+           isTubeStep(step, Step::handOver) || isTubeStep(step, Step::carry);
 }
 
 Measurement measureDrops(std::span<const PreparedTrial> trials) {
@@ -268,9 +270,13 @@ std::vector<MetricDefinition> tubeMetrics() {
               .aggregate = Aggregate::pooled,
               .tools = MetricTools::all,
               .title = QT_TRANSLATE_NOOP("Metrics", "Tension error, root mean square"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the tension of the tube was from its target while it was held: large differences weigh more than in the mean."),
-              .definition = "Root mean square of the tube's tension less its target over the samples of all holds of all trials, broken ones too: "
-                            "each from when the tension first was in the band to the hold's end, in the band or not. A trial that held nothing has "
+              .meaning =
+                  QT_TRANSLATE_NOOP("Metrics", "How far the tension of the tube was from its target while it "
+                                               "was held: large differences weigh more than in the mean."),
+              .definition = "Root mean square of the tube's tension less its target over the samples of all "
+                            "holds of all trials, broken ones too: "
+                            "each from when the tension first was in the band to the hold's end, in the band "
+                            "or not. A trial that held nothing has "
                             "none.",
               .source = "models.md §6, tube",
               .measure = measureTensionErrorRms});
@@ -280,51 +286,65 @@ std::vector<MetricDefinition> tubeMetrics() {
               .aggregate = Aggregate::pooled,
               .tools = MetricTools::all,
               .title = QT_TRANSLATE_NOOP("Metrics", "Tension error, standard deviation"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How unsteady the tension of the tube was while it was held, whether on target or not."),
-              .definition = "Standard deviation of the tube's tension in all holds of a trial, broken ones too, about the trial's own mean, pooled "
-                            "over the trials: how unsteady, whatever the target. A trial that held nothing has none.",
+              .meaning = QT_TRANSLATE_NOOP(
+                  "Metrics",
+                  "How unsteady the tension of the tube was while it was held, whether on target or not."),
+              .definition =
+                  "Standard deviation of the tube's tension in all holds of a trial, broken ones too, about "
+                  "the trial's own mean, pooled "
+                  "over the trials: how unsteady, whatever the target. A trial that held nothing has none.",
               .source = "models.md §6, tube",
               .measure = measureTensionErrorSd});
-    rows.add({.id = "time_in_band",
-              .unit = "s",
-              .direction = Direction::higherIsBetter,
-              .wrench = MetricWrench::tissue,
-              .tools = MetricTools::all,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Time in the band"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How long the tension, or the length at the mark, stayed in its band during the hold; the mean over all trials."),
-              .definition = "How long the tension was in its band during the last hold, at most the time it has to be held; where the task is a "
-                            "mark, how long the stretch was within its tolerance. 0 where nothing was held; the mean over the trials.",
-              .source = "models.md §6, tube",
-              .measure = measureTimeInBand});
-    rows.add({.id = "retraction_time_in_band",
-              .unit = "%",
-              .direction = Direction::higherIsBetter,
-              .wrench = MetricWrench::tissue,
-              .tools = MetricTools::all,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Retraction in the band"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How much of the time the pull on the fold of tissue was in its band, once the fold was held back, in %; the mean over "
-                                                      "all trials."),
-              .definition = "How much of the time from when the fold was first held back to the trial's end its pull was in the level's band, in "
-                            "%; 0 where it never was held back; the mean over the trials.",
-              .source = "ours: what holds tissue back has to be neither let go of nor torn at",
-              .measure = measureRetractionTimeInBand});
-    rows.add({.id = "retraction_max",
-              .unit = "N",
-              .wrench = MetricWrench::tissue,
-              .aggregate = Aggregate::pooled,
-              .tools = MetricTools::all,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Largest retraction"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The largest pull on the fold of tissue at any moment."),
-              .definition = "The largest pull on the fold that lies over the tube, in all trials.",
-              .source = "ours: what is pulled at too hard is bruised or torn",
-              .measure = measureRetractionMax});
+    rows.add(
+        {.id = "time_in_band",
+         .unit = "s",
+         .direction = Direction::higherIsBetter,
+         .wrench = MetricWrench::tissue,
+         .tools = MetricTools::all,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Time in the band"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "How long the tension, or the length at the mark, stayed in "
+                                                 "its band during the hold; the mean over all trials."),
+         .definition = "How long the tension was in its band during the last hold, at most the time it has "
+                       "to be held; where the task is a "
+                       "mark, how long the stretch was within its tolerance. 0 where nothing was held; the "
+                       "mean over the trials.",
+         .source = "models.md §6, tube",
+         .measure = measureTimeInBand});
+    rows.add(
+        {.id = "retraction_time_in_band",
+         .unit = "%",
+         .direction = Direction::higherIsBetter,
+         .wrench = MetricWrench::tissue,
+         .tools = MetricTools::all,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Retraction in the band"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "How much of the time the pull on the fold of tissue was in "
+                                                 "its band, once the fold was held back, in %; the mean over "
+                                                 "all trials."),
+         .definition = "How much of the time from when the fold was first held back to the trial's end its "
+                       "pull was in the level's band, in "
+                       "%; 0 where it never was held back; the mean over the trials.",
+         .source = "ours: what holds tissue back has to be neither let go of nor torn at",
+         .measure = measureRetractionTimeInBand});
+    rows.add(
+        {.id = "retraction_max",
+         .unit = "N",
+         .wrench = MetricWrench::tissue,
+         .aggregate = Aggregate::pooled,
+         .tools = MetricTools::all,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Largest retraction"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "The largest pull on the fold of tissue at any moment."),
+         .definition = "The largest pull on the fold that lies over the tube, in all trials.",
+         .source = "ours: what is pulled at too hard is bruised or torn",
+         .measure = measureRetractionMax});
     rows.add({.id = "over_stretches",
               .unit = "count",
               .aggregate = Aggregate::pooled,
               .tools = MetricTools::all,
               .title = QT_TRANSLATE_NOOP("Metrics", "Over-stretches"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How often the tube was stretched beyond the limit of this level."),
-              .definition = "How often the tube was stretched beyond the level's limit, to be counted again only from below 80 % of it. A tear is "
+              .meaning = QT_TRANSLATE_NOOP(
+                  "Metrics", "How often the tube was stretched beyond the limit of this level."),
+              .definition = "How often the tube was stretched beyond the level's limit, to be counted again "
+                            "only from below 80 % of it. A tear is "
                             "one too.",
               .source = "models.md §6, tube",
               .measure = measureOverStretches});
@@ -333,8 +353,10 @@ std::vector<MetricDefinition> tubeMetrics() {
               .aggregate = Aggregate::pooled,
               .tools = MetricTools::all,
               .title = QT_TRANSLATE_NOOP("Metrics", "Drops"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How often the tissue was let go of before the task was done."),
-              .definition = "How often the tube, once held as the task needs it, was let go of before the task was done, so that it had to be "
+              .meaning = QT_TRANSLATE_NOOP("Metrics",
+                                           "How often the tissue was let go of before the task was done."),
+              .definition = "How often the tube, once held as the task needs it, was let go of before the "
+                            "task was done, so that it had to be "
                             "grasped again. What is let go in a pause does not count.",
               .source = "models.md §2.4, §6",
               .measure = measureDrops});

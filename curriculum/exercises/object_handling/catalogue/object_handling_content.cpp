@@ -64,7 +64,8 @@ void readTask(const ObjectReader& parameters, Parameters& p) {
     else if (task == "place")
         p.task = simulation::HandlingTask::place;
     else
-        parameters.problems().push_back({memberPath(parameters.path(), "task"), quoted(QString::fromStdString(task)),
+        parameters.problems().push_back({memberPath(parameters.path(), "task"),
+                                         quoted(QString::fromStdString(task)),
                                          QStringLiteral("\"place\" or \"weigh\"")});
 }
 

@@ -71,7 +71,8 @@ Measurement measureWeighingCorrect(std::span<const PreparedTrial> trials) {
         const auto placed = answerOf(trial);
         if (!placed)
             return Measurement::undefined(UndefinedReason::noObjectsAndTarget);
-        correct += trial.trial->completed && placed->taken && placed->number == static_cast<int>(*heaviest) ? 1 : 0;
+        correct +=
+            trial.trial->completed && placed->taken && placed->number == static_cast<int>(*heaviest) ? 1 : 0;
     }
     return Measurement::of(100.0 * static_cast<double>(correct) / static_cast<double>(trials.size()));
 }
@@ -98,45 +99,58 @@ std::vector<MetricDefinition> handlingMetrics() {
               .unit = "N",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Largest squeeze"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The largest force with which the jaws squeezed what they held."),
+              .meaning = QT_TRANSLATE_NOOP("Metrics",
+                                           "The largest force with which the jaws squeezed what they held."),
               .definition = "Largest grip force of each jaw on what it held; 0 where nothing was held.",
               .source = "models.md §2.2; P2, Object Orientated Modeling",
               .measure = measureSqueezeMax});
-    rows.add({.id = "squeeze_time_over_limit",
-              .unit = "s",
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Time squeezing too hard"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How long the squeeze was over the limit of this level."),
-              .definition = "Time for which the grip force of a jaw was over the level's squeeze limit, each sample held until the next.",
-              .source = "models.md §2.2, §6",
-              .measure = measureSqueezeTimeOverLimit});
+    rows.add(
+        {.id = "squeeze_time_over_limit",
+         .unit = "s",
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Time squeezing too hard"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "How long the squeeze was over the limit of this level."),
+         .definition = "Time for which the grip force of a jaw was over the level's squeeze limit, each "
+                       "sample held until the next.",
+         .source = "models.md §2.2, §6",
+         .measure = measureSqueezeTimeOverLimit});
     rows.add({.id = "placement_error",
               .unit = "mm",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Placement error"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far from the middle of the target the object lay at the end of each trial; the mean over the trials."),
-              .definition = "Distance, seen from above, between the target's middle and that of the object held last (of the nearest one where "
-                            "nothing was held) when the trial ended, whether it was finished or not; the mean over the trials.",
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far from the middle of the target the object lay "
+                                                      "at the end of each trial; the mean over the trials."),
+              .definition = "Distance, seen from above, between the target's middle and that of the object "
+                            "held last (of the nearest one where "
+                            "nothing was held) when the trial ended, whether it was finished or not; the "
+                            "mean over the trials.",
               .source = "models.md §2.2; our definition",
               .measure = measurePlacementError});
-    rows.add({.id = "weighing_correct",
-              .unit = "%",
-              .direction = Direction::higherIsBetter,
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Heaviest found"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How often the heaviest object was put into the target, in % of the trials."),
-              .definition = "Trials that were finished and in which the object held last, the answer, was the heaviest, in % of all; one that time "
-                            "ended counts as wrong.",
-              .source = "P2, Preliminary Validation (mass: three objects from lightest to heaviest); our definition",
-              .chance = {.value = 100.0 / 3.0}, // three objects (P2, Preliminary Validation)
-              .measure = measureWeighingCorrect});
+    rows.add(
+        {.id = "weighing_correct",
+         .unit = "%",
+         .direction = Direction::higherIsBetter,
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Heaviest found"),
+         .meaning = QT_TRANSLATE_NOOP(
+             "Metrics", "How often the heaviest object was put into the target, in % of the trials."),
+         .definition = "Trials that were finished and in which the object held last, the answer, was the "
+                       "heaviest, in % of all; one that time "
+                       "ended counts as wrong.",
+         .source =
+             "P2, Preliminary Validation (mass: three objects from lightest to heaviest); our definition",
+         .chance = {.value = 100.0 / 3.0}, // three objects (P2, Preliminary Validation)
+         .measure = measureWeighingCorrect});
     rows.add({.id = "weighing_correct_by_chance",
               .unit = "%",
               .direction = Direction::neutral,
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Heaviest found by chance"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How often somebody who feels nothing would choose the heaviest object. A share that is not larger shows no skill."),
-              .definition = "weighing_correct of one who chooses without feeling: 100/n of n objects, the mean over the trials.",
+              .meaning =
+                  QT_TRANSLATE_NOOP("Metrics", "How often somebody who feels nothing would choose the "
+                                               "heaviest object. A share that is not larger shows no skill."),
+              .definition = "weighing_correct of one who chooses without feeling: 100/n of n objects, the "
+                            "mean over the trials.",
               .source = "our definition",
               .measure = measureWeighingCorrectByChance});
     return rows.take();

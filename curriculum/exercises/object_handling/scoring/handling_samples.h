@@ -37,8 +37,10 @@ inline std::optional<double> fromTarget_m(const PreparedTrial& trial, int number
 
 /// Returns the object that was held last in the trial (recorded `held`: its number + 1), or none.
 inline std::optional<int> lastHeld(const QuantityTrace& held) {
-    const auto last = std::find_if(held.values.rbegin(), held.values.rend(), [](double value) { return value > 0.5; });
-    return last == held.values.rend() ? std::nullopt : std::optional(static_cast<int>(std::lround(*last)) - 1);
+    const auto last =
+        std::find_if(held.values.rbegin(), held.values.rend(), [](double value) { return value > 0.5; });
+    return last == held.values.rend() ? std::nullopt
+                                      : std::optional(static_cast<int>(std::lround(*last)) - 1);
 }
 
 /// Returns the trial's answer: the object that was held last, even if another happens to lie nearer to the

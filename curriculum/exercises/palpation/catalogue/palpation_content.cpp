@@ -2,8 +2,8 @@
 #include "curriculum/exercises/palpation/catalogue/palpation_content.h"
 
 #include "catalogue/tissue_content.h"
-#include "simulation/palpation/tissue_pinch.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
+#include "simulation/palpation/tissue_pinch.h"
 
 #include <utility>
 
@@ -46,10 +46,10 @@ constexpr Number kNumbers[] = {
 };
 
 constexpr Whole kWholes[] = {
-    {"lumps_low", &Parameters::lumpsLow},         {"lumps_high", &Parameters::lumpsHigh},
-    {"catch_trials", &Parameters::catchTrials},   {"region_columns", &Parameters::regionColumns},
-    {"region_rows", &Parameters::regionRows},     {"hands", &Parameters::hands},
-    {"fingers", &Parameters::fingers},            {"trials", &Parameters::trials},
+    {"lumps_low", &Parameters::lumpsLow},       {"lumps_high", &Parameters::lumpsHigh},
+    {"catch_trials", &Parameters::catchTrials}, {"region_columns", &Parameters::regionColumns},
+    {"region_rows", &Parameters::regionRows},   {"hands", &Parameters::hands},
+    {"fingers", &Parameters::fingers},          {"trials", &Parameters::trials},
 };
 
 constexpr Flag kFlags[] = {
@@ -59,9 +59,19 @@ constexpr Flag kFlags[] = {
     {"asks_confidence", &Parameters::asksConfidence},
 };
 
-constexpr const char* kOthers[] = {"tissue", "lump_kinds", "area_half_x_mm", "area_half_y_mm", "control_force_off",
-                                   "control_move_after_s", "control_move_x_mm", "control_move_y_mm",
-                                   "yield_force_N", "yield_fall_ms", "pinch", "jaw_length_mm", "jaw_friction"};
+constexpr const char* kOthers[] = {"tissue",
+                                   "lump_kinds",
+                                   "area_half_x_mm",
+                                   "area_half_y_mm",
+                                   "control_force_off",
+                                   "control_move_after_s",
+                                   "control_move_x_mm",
+                                   "control_move_y_mm",
+                                   "yield_force_N",
+                                   "yield_fall_ms",
+                                   "pinch",
+                                   "jaw_length_mm",
+                                   "jaw_friction"};
 
 void take(const ObjectReader& json, const char* key, double& out, double perUnit) {
     if (json.has(QLatin1String(key)))
@@ -76,7 +86,8 @@ void readKinds(const ObjectReader& parameters, Parameters& p) {
         kind.depth_m = one.number("depth_mm") / kMm;
         kind.ratio = one.number("ratio");
         kind.hardness = one.integer("hardness");
-        refuseUnknownKeys(one, {"radius_mm", "depth_mm", "ratio", "hardness"}, QStringLiteral("a number of a lump"));
+        refuseUnknownKeys(one, {"radius_mm", "depth_mm", "ratio", "hardness"},
+                          QStringLiteral("a number of a lump"));
         p.kinds.push_back(kind);
     });
 }

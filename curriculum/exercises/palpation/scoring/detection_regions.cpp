@@ -30,8 +30,9 @@ std::vector<DetectionRegion> regionsOf(const PalpationTruth& truth, const simula
         if (const int region = regionAt(truth, lump.place_W); region >= 0)
             regions[static_cast<std::size_t>(region)].signal = true;
     for (const FindingMatch& match : matches) {
-        const int number =
-            match.hit() ? regionAt(truth, truth.lumps[static_cast<std::size_t>(match.lump)].place_W) : match.region;
+        const int number = match.hit()
+                               ? regionAt(truth, truth.lumps[static_cast<std::size_t>(match.lump)].place_W)
+                               : match.region;
         if (number < 0)
             continue;
         DetectionRegion& region = regions[static_cast<std::size_t>(number)];
@@ -39,7 +40,8 @@ std::vector<DetectionRegion> regionsOf(const PalpationTruth& truth, const simula
             continue; // a false alarm in a region with a lump
         region.reported = true;
         region.confidence =
-            std::max(region.confidence, static_cast<int>(findings.list()[static_cast<std::size_t>(match.finding)].confidence));
+            std::max(region.confidence,
+                     static_cast<int>(findings.list()[static_cast<std::size_t>(match.finding)].confidence));
     }
     return regions;
 }

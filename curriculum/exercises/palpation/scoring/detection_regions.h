@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/palpation/cues/findings_book.h"
 #include "core/signal_detection.h"
 #include "curriculum/exercises/palpation/scoring/finding_matches.h"
 #include "curriculum/exercises/palpation/scoring/palpation_truth.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace chiron::scoring {
 struct DetectionRegion {
     static constexpr int kSilent = -1; ///< confidence of a region without a report
 
-    bool signal = false;   ///< a lump's position lies in it
+    bool signal = false; ///< a lump's position lies in it
     /// For a signal region: one of its lumps was found. For a noise region: a false alarm lies in it.
     bool reported = false;
     /// Highest confidence among its reports, 1..5; 0: reported, but without a confidence.

@@ -28,7 +28,8 @@ ErrorSum localisationErrors(const std::vector<FindingMatch>& matches) {
     return errors;
 }
 
-ErrorSum sizeErrors(const PalpationTruth& truth, const simulation::FindingsBook& findings, const std::vector<FindingMatch>& matches) {
+ErrorSum sizeErrors(const PalpationTruth& truth, const simulation::FindingsBook& findings,
+                    const std::vector<FindingMatch>& matches) {
     ErrorSum errors;
     for (const FindingMatch& match : matches) {
         const double said_m = findingOf(findings, match).radius_m;
@@ -40,7 +41,8 @@ ErrorSum sizeErrors(const PalpationTruth& truth, const simulation::FindingsBook&
     return errors;
 }
 
-std::vector<double> saidSizes(const PalpationTruth& truth, const simulation::FindingsBook& findings, const std::vector<FindingMatch>& matches) {
+std::vector<double> saidSizes(const PalpationTruth& truth, const simulation::FindingsBook& findings,
+                              const std::vector<FindingMatch>& matches) {
     std::vector<double> radii_m;
     for (const FindingMatch& match : matches)
         if (match.hit() && findingOf(findings, match).radius_m > 0.0)
@@ -48,7 +50,8 @@ std::vector<double> saidSizes(const PalpationTruth& truth, const simulation::Fin
     return radii_m;
 }
 
-std::vector<std::pair<int, int>> ratedHits(const PalpationTruth& truth, const simulation::FindingsBook& findings,
+std::vector<std::pair<int, int>> ratedHits(const PalpationTruth& truth,
+                                           const simulation::FindingsBook& findings,
                                            const std::vector<FindingMatch>& matches) {
     std::vector<std::pair<int, int>> rated;
     for (const FindingMatch& match : matches)
@@ -57,7 +60,8 @@ std::vector<std::pair<int, int>> ratedHits(const PalpationTruth& truth, const si
     return rated;
 }
 
-HardnessPairs hardnessPairs(const PalpationTruth& truth, const simulation::FindingsBook& findings, const std::vector<FindingMatch>& matches) {
+HardnessPairs hardnessPairs(const PalpationTruth& truth, const simulation::FindingsBook& findings,
+                            const std::vector<FindingMatch>& matches) {
     return hardnessPairs(ratedHits(truth, findings, matches));
 }
 

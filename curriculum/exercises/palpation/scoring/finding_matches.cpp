@@ -19,10 +19,13 @@ struct Pair {
 
 } // namespace
 
-core::Vec3 placeOf(const simulation::Finding& finding) noexcept { return {finding.p_W[0], finding.p_W[1], finding.p_W[2]}; }
+core::Vec3 placeOf(const simulation::Finding& finding) noexcept {
+    return {finding.p_W[0], finding.p_W[1], finding.p_W[2]};
+}
 
 const FindingMatch* foundBy(const std::vector<FindingMatch>& matches, int lump) noexcept {
-    const auto found = std::find_if(matches.begin(), matches.end(), [lump](const FindingMatch& o) { return o.lump == lump; });
+    const auto found = std::find_if(matches.begin(), matches.end(),
+                                    [lump](const FindingMatch& o) { return o.lump == lump; });
     return found == matches.end() ? nullptr : &*found;
 }
 
@@ -34,7 +37,7 @@ std::vector<FindingMatch> matchesOf(const simulation::FindingsBook& findings, co
             continue;
         const core::Vec3 place_W = placeOf(findings.list()[i]);
         FindingMatch match{static_cast<int>(i), FindingMatch::kNone, std::numeric_limits<double>::infinity(),
-                               regionAt(truth, place_W)};
+                           regionAt(truth, place_W)};
         for (std::size_t k = 0; k < truth.lumps.size(); ++k) {
             const double distance_m = (place_W - truth.lumps[k].place_W).norm();
             match.distance_m = std::min(match.distance_m, distance_m);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/palpation/cues/findings_book.h"
 #include "curriculum/exercises/palpation/scoring/palpation_truth.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 
 #include <vector>
 
@@ -12,11 +12,11 @@ namespace chiron::scoring {
 struct FindingMatch {
     static constexpr int kNone = -1;
 
-    int finding = 0;        ///< its index in the FindingsBook
-    int lump = kNone;       ///< the lump it found; kNone: a false alarm
+    int finding = 0;         ///< its index in the FindingsBook
+    int lump = kNone;        ///< the lump it found; kNone: a false alarm
     double distance_m = 0.0; ///< to that lump's position, or to the nearest lump's; infinite if there is no
                              ///< lump
-    int region = kNone;     ///< region in which it lies (regionAt); kNone: outside the search area
+    int region = kNone;      ///< region in which it lies (regionAt); kNone: outside the search area
 
     bool hit() const noexcept { return lump != kNone; }
 };

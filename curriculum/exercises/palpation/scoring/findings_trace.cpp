@@ -9,8 +9,9 @@ namespace chiron::scoring {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kColumns{"report_count", "report_field", "report_finding", "report_value",
-                                                   "finding_x_m",  "finding_y_m",  "finding_z_m"};
+constexpr std::array<std::string_view, 7> kColumns{"report_count", "report_field", "report_finding",
+                                                   "report_value", "finding_x_m",  "finding_y_m",
+                                                   "finding_z_m"};
 constexpr double kMostCounted = 1e6; ///< no trial has this many reports
 
 using Columns = std::array<const std::vector<double>*, kColumns.size()>;
@@ -41,8 +42,8 @@ std::optional<TimedReport> reportAt(const Columns& columns, std::size_t i, doubl
     const auto value = whole(at(3), 0, core::kReportValueMask);
     if (!field || !value)
         return std::nullopt;
-    TimedReport report{t_s, static_cast<core::ReportField>(*field), simulation::FindingsBook::kNone, static_cast<unsigned>(*value),
-                       core::Vec3(at(4), at(5), at(6))};
+    TimedReport report{t_s, static_cast<core::ReportField>(*field), simulation::FindingsBook::kNone,
+                       static_cast<unsigned>(*value), core::Vec3(at(4), at(5), at(6))};
     if (report.field == core::ReportField::done)
         return report;
     const auto finding = whole(at(2), 0, static_cast<int>(simulation::kMaxFindings) - 1);

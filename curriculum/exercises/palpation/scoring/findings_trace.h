@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/palpation/cues/findings_book.h"
 #include "core/geometry.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 #include "scoring/trace.h"
 
 #include <limits>
@@ -17,8 +17,8 @@ struct TimedReport {
     double t_s = 0.0; ///< time of the trace
     core::ReportField field = core::ReportField::found;
     int finding = simulation::FindingsBook::kNone; ///< the finding that it is about
-    unsigned value = 0;                      ///< as encoded in the report word
-    core::Vec3 place_W = core::Vec3::Zero(); ///< of the finding, on the surface, m
+    unsigned value = 0;                            ///< as encoded in the report word
+    core::Vec3 place_W = core::Vec3::Zero();       ///< of the finding, on the surface, m
 };
 
 struct ReportsOfTrial {
@@ -34,6 +34,6 @@ std::optional<ReportsOfTrial> reportsOf(const TrialTrace& trial);
 
 /// Returns the list of findings after all reports up to and including `until_s`.
 simulation::FindingsBook findingsAfter(std::span<const TimedReport> reports,
-                                 double until_s = std::numeric_limits<double>::infinity());
+                                       double until_s = std::numeric_limits<double>::infinity());
 
 } // namespace chiron::scoring

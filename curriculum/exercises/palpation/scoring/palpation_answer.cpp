@@ -6,7 +6,8 @@
 namespace chiron::scoring {
 
 int PalpationAnswer::hits() const noexcept {
-    return static_cast<int>(std::count_if(matches.begin(), matches.end(), [](const FindingMatch& o) { return o.hit(); }));
+    return static_cast<int>(
+        std::count_if(matches.begin(), matches.end(), [](const FindingMatch& o) { return o.hit(); }));
 }
 
 JudgedTrial judgePalpation(const TrialTrace& trial) {

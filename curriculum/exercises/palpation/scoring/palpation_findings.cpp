@@ -2,9 +2,9 @@
 #include "curriculum/exercises/palpation/scoring/palpation_metrics.h"
 
 #include "curriculum/exercises/palpation/scoring/finding_errors.h"
+#include "curriculum/exercises/palpation/scoring/palpation_samples.h"
 #include "scoring/median.h"
 #include "scoring/metrics/metric_rows.h"
-#include "curriculum/exercises/palpation/scoring/palpation_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,8 @@ Measurement measureLocalisationError(std::span<const PreparedTrial> trials) {
         all.sum += errors.sum;
         all.count += errors.count;
     }
-    return all.count > 0 ? Measurement::of(1e3 * all.sum / all.count) : Measurement::undefined(UndefinedReason::noLumpFound);
+    return all.count > 0 ? Measurement::of(1e3 * all.sum / all.count)
+                         : Measurement::undefined(UndefinedReason::noLumpFound);
 }
 
 /// A position drawn at random from a disc of radius r is on average 2r/3 from its centre, and a finding
@@ -37,10 +38,13 @@ Measurement measureLocalisationErrorByChance(std::span<const PreparedTrial> tria
     for (const PalpationAnswer& answer : answers)
         for (const FindingMatch& match : answer.matches)
             if (match.hit()) {
-                sum_m += 2.0 / 3.0 * std::max(answer.truth.hitRadius_m, answer.truth.lumps[static_cast<std::size_t>(match.lump)].radius_m);
+                sum_m += 2.0 / 3.0 *
+                         std::max(answer.truth.hitRadius_m,
+                                  answer.truth.lumps[static_cast<std::size_t>(match.lump)].radius_m);
                 ++hits;
             }
-    return hits > 0 ? Measurement::of(1e3 * sum_m / hits) : Measurement::undefined(UndefinedReason::noLumpFound);
+    return hits > 0 ? Measurement::of(1e3 * sum_m / hits)
+                    : Measurement::undefined(UndefinedReason::noLumpFound);
 }
 
 Measurement measureSizeError(std::span<const PreparedTrial> trials) {
@@ -140,7 +144,8 @@ Measurement measureHardnessOrder2(std::span<const PreparedTrial> trials) {
         return Measurement::of(100.0 * all.right / all.pairs);
     if (!asked && all.rated == 0)
         return Measurement::undefined(UndefinedReason::noHardnessAsked);
-    return Measurement::undefined(all.rated < 2 ? UndefinedReason::tooFewHardness : UndefinedReason::equallyHard);
+    return Measurement::undefined(all.rated < 2 ? UndefinedReason::tooFewHardness
+                                                : UndefinedReason::equallyHard);
 }
 
 Measurement measureHardnessOrderByChance(std::span<const PreparedTrial> trials) {
@@ -153,7 +158,8 @@ Measurement measureHardnessOrderByChance(std::span<const PreparedTrial> trials) 
         rated.insert(rated.end(), ofTrial.begin(), ofTrial.end());
     }
     const HardnessPairs all = hardnessPairs(rated);
-    return all.pairs > 0 ? Measurement::of(100.0 * all.rightByChance) : Measurement::undefined(UndefinedReason::noUnequalPair);
+    return all.pairs > 0 ? Measurement::of(100.0 * all.rightByChance)
+                         : Measurement::undefined(UndefinedReason::noUnequalPair);
 }
 
 } // namespace
@@ -164,65 +170,83 @@ std::vector<MetricDefinition> palpationFindingsMetrics() {
               .unit = "mm",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Localisation error"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far, on the surface, each finding was from the lump that it found; the mean over all lumps found."),
-              .definition = "Distance of a finding from the place on the surface above the lump that it found, straight; the mean over all hits.",
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far, on the surface, each finding was from the "
+                                                      "lump that it found; the mean over all lumps found."),
+              .definition = "Distance of a finding from the place on the surface above the lump that it "
+                            "found, straight; the mean over all hits.",
               .source = "models.md §6",
               .measure = measureLocalisationError});
-    rows.add({.id = "localisation_error_by_chance",
-              .unit = "mm",
-              .direction = Direction::neutral,
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Localisation error by chance"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far findings would be from a lump if they hit it at random. A localisation error that is not smaller shows no "
-                                                      "skill."),
-              .definition = "localisation_error of findings that hit at random: 2/3 of the radius within which a finding is a hit, the mean over "
-                            "all hits.",
-              .source = "mean distance in a uniform disc; our definition",
-              .measure = measureLocalisationErrorByChance});
+    rows.add(
+        {.id = "localisation_error_by_chance",
+         .unit = "mm",
+         .direction = Direction::neutral,
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Localisation error by chance"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "How far findings would be from a lump if they hit it at "
+                                                 "random. A localisation error that is not smaller shows no "
+                                                 "skill."),
+         .definition = "localisation_error of findings that hit at random: 2/3 of the radius within which a "
+                       "finding is a hit, the mean over "
+                       "all hits.",
+         .source = "mean distance in a uniform disc; our definition",
+         .measure = measureLocalisationErrorByChance});
     rows.add({.id = "size_error",
               .unit = "mm",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Size error"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the stated radius was from the true one; the mean over all lumps found with a stated size."),
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the stated radius was from the true one; the "
+                                                      "mean over all lumps found with a stated size."),
               .definition = "|reported - true radius|, the mean over all hits whose size was said.",
               .source = "models.md §6; our definition",
               .chance = {.metric = "size_error_by_chance"},
               .measure = measureSizeError});
-    rows.add({.id = "size_error_by_chance",
-              .unit = "mm",
-              .direction = Direction::neutral,
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Size error by chance"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The size error of somebody who feels nothing and always states the middle size. A size error that is not smaller "
-                                                      "shows no skill."),
-              .definition = "size_error of one who says the median of the true radii of every lump whose size was said: what feeling nothing gives.",
-              .source = "our definition",
-              .measure = measureSizeErrorByChance});
-    rows.next({.definition = "size_error of one who says the median of the true radii of all lumps that were there: what feeling nothing gives.",
+    rows.add(
+        {.id = "size_error_by_chance",
+         .unit = "mm",
+         .direction = Direction::neutral,
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Size error by chance"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "The size error of somebody who feels nothing and always "
+                                                 "states the middle size. A size error that is not smaller "
+                                                 "shows no skill."),
+         .definition = "size_error of one who says the median of the true radii of every lump whose size was "
+                       "said: what feeling nothing gives.",
+         .source = "our definition",
+         .measure = measureSizeErrorByChance});
+    rows.next({.definition = "size_error of one who says the median of the true radii of all lumps that were "
+                             "there: what feeling nothing gives.",
                .measure = measureSizeErrorByChance2});
-    rows.add({.id = "hardness_order",
-              .unit = "%",
-              .direction = Direction::higherIsBetter,
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Hardness order"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "In how many pairs of lumps found in a trial the harder one was rated harder, in %. Guessing gives 50 % or less."),
-              .definition = "Share of the pairs of lumps found in one trial whose harder one was called harder; pairs truly alike are left out, "
-                            "called alike is not right; all trials pooled.",
-              .source = "models.md §6 (hardness-rank correctness); our definition",
-              .chance = {.value = 50.0}, // of two lumps, a guess names the harder one half of the time
-              .measure = measureHardnessOrder});
-    rows.next({.definition = "Share of the pairs of lumps found in the session whose harder one was called harder, on one scale from 1 to 5; pairs "
-                             "truly alike are left out, called alike is not right.",
-               .source = "models.md §6 (hardness-rank correctness); probability of concordance; our definition",
-               .measure = measureHardnessOrder2});
+    rows.add(
+        {.id = "hardness_order",
+         .unit = "%",
+         .direction = Direction::higherIsBetter,
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Hardness order"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "In how many pairs of lumps found in a trial the harder one "
+                                                 "was rated harder, in %. Guessing gives 50 % or less."),
+         .definition = "Share of the pairs of lumps found in one trial whose harder one was called harder; "
+                       "pairs truly alike are left out, "
+                       "called alike is not right; all trials pooled.",
+         .source = "models.md §6 (hardness-rank correctness); our definition",
+         .chance = {.value = 50.0}, // of two lumps, a guess names the harder one half of the time
+         .measure = measureHardnessOrder});
+    rows.next(
+        {.definition = "Share of the pairs of lumps found in the session whose harder one was called harder, "
+                       "on one scale from 1 to 5; pairs "
+                       "truly alike are left out, called alike is not right.",
+         .source = "models.md §6 (hardness-rank correctness); probability of concordance; our definition",
+         .measure = measureHardnessOrder2});
     rows.add({.id = "hardness_order_by_chance",
               .unit = "%",
               .direction = Direction::neutral,
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Hardness order by chance"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The hardness order of somebody who assigns the same hardness ratings to the lumps at random. A share that is not "
-                                                      "larger shows no skill."),
-              .definition = "hardness_order of the same words given to the lumps that were found in random order: half of the pairs that were "
+              .meaning =
+                  QT_TRANSLATE_NOOP("Metrics", "The hardness order of somebody who assigns the same hardness "
+                                               "ratings to the lumps at random. A share that is not "
+                                               "larger shows no skill."),
+              .definition = "hardness_order of the same words given to the lumps that were found in random "
+                            "order: half of the pairs that were "
                             "called differently, none of those called alike.",
               .source = "expectation over all permutations of the answers; our definition",
               .measure = measureHardnessOrderByChance});

@@ -42,7 +42,8 @@ inline bool isForced(const PreparedTrial& trial, const PalpationTruth& truth, co
     const double reach_m = std::max(truth.hitRadius_m, lump.radius_m);
     for (const ToolTrace& tool : trial.trial->tools)
         for (std::size_t i = 0; i < tool.t_s.size(); ++i) {
-            const bool broken = i < tool.contact.size() && (tool.contact[i] & core::contact_bits::kThrough) != 0;
+            const bool broken =
+                i < tool.contact.size() && (tool.contact[i] & core::contact_bits::kThrough) != 0;
             if (tool.paused[i] == 0 && (broken || tool.tissue_N[i].norm() > trial.forceLimit_N) &&
                 (tool.p_WT_m[i] - lump.place_W).head<2>().norm() <= reach_m)
                 return true;
@@ -59,7 +60,8 @@ inline JudgedTrials judgedSafely(std::span<const PreparedTrial> trials) {
         PalpationAnswer& answer = out.answers[t];
         bool changed = false;
         for (FindingMatch& match : answer.matches)
-            if (match.hit() && isForced(trials[t], answer.truth, answer.truth.lumps[static_cast<std::size_t>(match.lump)])) {
+            if (match.hit() &&
+                isForced(trials[t], answer.truth, answer.truth.lumps[static_cast<std::size_t>(match.lump)])) {
                 match.lump = match.region = FindingMatch::kNone;
                 changed = true;
             }
@@ -87,7 +89,9 @@ inline core::DetectionCounts countsOf(const std::vector<PalpationAnswer>& answer
 
 /// Returns the reason why d′, c and the area under the ROC would be meaningless for so few regions.
 inline Measurement tooFewRegions(const core::DetectionCounts& n) {
-    return Measurement::undefined(UndefinedReason::tooFewRegions, {static_cast<int>(n.ofSignal), static_cast<int>(n.ofNoise), core::kUsableCounts});
+    return Measurement::undefined(
+        UndefinedReason::tooFewRegions,
+        {static_cast<int>(n.ofSignal), static_cast<int>(n.ofNoise), core::kUsableCounts});
 }
 
 /// Returns `measure` of the regions of all trials if there are enough of them.
@@ -104,7 +108,8 @@ template <class Measure> Measurement ofRegions(const JudgedTrials& trials, Measu
 template <class Visit> void forEachPress(const PreparedTrial& trial, Visit&& visit) {
     for (const ToolTrace& tool : trial.trial->tools)
         for (std::size_t i = 0; i + 1 < tool.t_s.size(); ++i)
-            if (const double force_N = tool.tissue_N[i].norm(); tool.paused[i] == 0 && force_N > kContactForce_N)
+            if (const double force_N = tool.tissue_N[i].norm();
+                tool.paused[i] == 0 && force_N > kContactForce_N)
                 visit(force_N, tool.t_s[i], tool.t_s[i + 1]);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/exercises/palpation/scoring/palpation_metrics.h"
 
-#include "scoring/metrics/recorded_values.h"
-#include "scoring/metrics/metric_rows.h"
 #include "curriculum/exercises/palpation/scoring/palpation_samples.h"
+#include "scoring/metrics/metric_rows.h"
+#include "scoring/metrics/recorded_values.h"
 
 #include <algorithm>
 #include <limits>
@@ -41,7 +41,8 @@ Measurement measureForceBandTime(std::span<const PreparedTrial> trials) {
             inBand_s += force_N >= *low_N && force_N <= *high_N ? end_s - begin_s : 0.0;
         });
     }
-    return pressing_s > 0.0 ? Measurement::of(100.0 * inBand_s / pressing_s) : Measurement::undefined(UndefinedReason::nothingPressed);
+    return pressing_s > 0.0 ? Measurement::of(100.0 * inBand_s / pressing_s)
+                            : Measurement::undefined(UndefinedReason::nothingPressed);
 }
 
 /// Length of the union of all fingers' presses: simultaneous presses count once.
@@ -114,8 +115,10 @@ std::vector<MetricDefinition> palpationSearchMetrics() {
               .aggregate = Aggregate::pooled,
               .tools = MetricTools::all,
               .title = QT_TRANSLATE_NOOP("Metrics", "Area covered"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How much of the search area was pressed hard enough to find something; the mean over the trials."),
-              .definition = "Share of the search area that was pressed with at least the level's cover force by the trial's end, as recorded; the "
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "How much of the search area was pressed hard enough "
+                                                      "to find something; the mean over the trials."),
+              .definition = "Share of the search area that was pressed with at least the level's cover force "
+                            "by the trial's end, as recorded; the "
                             "mean over the trials.",
               .source = "models.md §6 (area covered)",
               .measure = measureCoverage});
@@ -127,8 +130,10 @@ std::vector<MetricDefinition> palpationSearchMetrics() {
               .tools = MetricTools::all,
               .needsForces = true,
               .title = QT_TRANSLATE_NOOP("Metrics", "Time in the force band"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How much of the pressing time the force was neither too low nor too high."),
-              .definition = "Share of the pressing time (over 0.02 N, each finger's own, added up) for which |f| of that finger was within the "
+              .meaning = QT_TRANSLATE_NOOP(
+                  "Metrics", "How much of the pressing time the force was neither too low nor too high."),
+              .definition = "Share of the pressing time (over 0.02 N, each finger's own, added up) for which "
+                            "|f| of that finger was within the "
                             "level's force band, both ends included, each sample held until the next.",
               .source = "models.md §6; our definition",
               .measure = measureForceBandTime});
@@ -140,16 +145,21 @@ std::vector<MetricDefinition> palpationSearchMetrics() {
               .tools = MetricTools::all,
               .needsForces = true,
               .title = QT_TRANSLATE_NOOP("Metrics", "Time pressing"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How long a finger pressed the tissue, in all trials together."),
-              .definition = "Time for which any finger pressed the tissue with more than 0.02 N, each sample held until the next.",
+              .meaning = QT_TRANSLATE_NOOP("Metrics",
+                                           "How long a finger pressed the tissue, in all trials together."),
+              .definition = "Time for which any finger pressed the tissue with more than 0.02 N, each sample "
+                            "held until the next.",
               .source = "models.md §6; our definition",
               .measure = measurePressingTime});
     rows.add({.id = "searching_time",
               .unit = "s",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Time searching"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How long the trials took until the search was reported as done; pauses do not count."),
-              .definition = "Time of the trials from their start until done was reported, or until they ended, without pauses.",
+              .meaning = QT_TRANSLATE_NOOP(
+                  "Metrics",
+                  "How long the trials took until the search was reported as done; pauses do not count."),
+              .definition = "Time of the trials from their start until done was reported, or until they "
+                            "ended, without pauses.",
               .source = "models.md §6; our definition",
               .measure = measureSearchingTime});
     return rows.take();

@@ -55,7 +55,8 @@ LumpTruth lumpOf(TruthReader& read, int number) {
     out.place_W = {read.number(lump + "x_m"), read.number(lump + "y_m"), read.number(lump + "z_m")};
     out.depth_m = read.number(lump + "depth_m");
     out.radius_m = read.atLeast(0.0, lump + "radius_m");
-    out.hardness = read.count(lump + "hardness", 0, static_cast<int>(simulation::FindingsBook::kHighestRating));
+    out.hardness =
+        read.count(lump + "hardness", 0, static_cast<int>(simulation::FindingsBook::kHighestRating));
     return out;
 }
 

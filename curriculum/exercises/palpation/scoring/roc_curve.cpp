@@ -15,17 +15,22 @@ constexpr int kSurest = 5;
 std::size_t answerOf(const DetectionRegion& region) noexcept {
     if (!region.reported)
         return RatingCounts::kAnswers - 1;
-    return region.confidence >= 1 && region.confidence <= kSurest ? static_cast<std::size_t>(kSurest - region.confidence) : kSurest;
+    return region.confidence >= 1 && region.confidence <= kSurest
+               ? static_cast<std::size_t>(kSurest - region.confidence)
+               : kSurest;
 }
 
 double trapezoids(const std::vector<RocPoint>& points) {
     double area = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i)
-        area += 0.5 * (points[i].falseAlarmRate - points[i - 1].falseAlarmRate) * (points[i].hitRate + points[i - 1].hitRate);
+        area += 0.5 * (points[i].falseAlarmRate - points[i - 1].falseAlarmRate) *
+                (points[i].hitRate + points[i - 1].hitRate);
     return area;
 }
 
-bool isInside(double rate) { return rate > 0.0 && rate < 1.0; }
+bool isInside(double rate) {
+    return rate > 0.0 && rate < 1.0;
+}
 
 /// Fits slope and d_a to the points that have finite z on both axes.
 void fitLine(RocCurve& curve) {
@@ -84,8 +89,8 @@ std::optional<RocCurve> rocOf(const RatingCounts& ratings) {
     for (std::size_t i = 0; i < RatingCounts::kAnswers; ++i) {
         hits += ratings.ofSignal[i];
         alarms += ratings.ofNoise[i];
-        curve.points.push_back({static_cast<double>(alarms) / n.ofNoise, static_cast<double>(hits) / n.ofSignal,
-                                kSurest - static_cast<int>(i)});
+        curve.points.push_back({static_cast<double>(alarms) / n.ofNoise,
+                                static_cast<double>(hits) / n.ofSignal, kSurest - static_cast<int>(i)});
     }
     curve.area = trapezoids(curve.points);
     fitLine(curve);

@@ -20,9 +20,10 @@ constexpr double kSmallestRadius_m = 0.005, kLargestRadius_m = 0.045;
 /// For a trial without a limit: nobody searches longer.
 constexpr double kNoLimit_s = 600.0;
 
-constexpr const char* kMetrics[] = {"apex_error_mean", "apex_error_sd", "apex_misses",  "apex_bias_x", "apex_bias_y",
-                                    "time",            "path_length",   "sparc",        "force_max",   "force_mean",
-                                    "force_rms",       "force_p95",     "force_time_over_limit"};
+constexpr const char* kMetrics[] = {
+    "apex_error_mean",      "apex_error_sd", "apex_misses", "apex_bias_x", "apex_bias_y", "time",
+    "path_length",          "sparc",         "force_max",   "force_mean",  "force_rms",   "force_p95",
+    "force_time_over_limit"};
 
 core::Error wrong(const psychophysics::Condition& condition, const std::string& what) {
     return {core::ErrorCode::badInput, "condition " + condition.id + ": " + what};
@@ -62,16 +63,22 @@ QJsonObject json(const Parameters& p) {
 
 } // namespace
 
-core::Result<Parameters> apexOf(const psychophysics::Condition& condition, const psychophysics::TrialRules& trial, int trials) {
+core::Result<Parameters> apexOf(const psychophysics::Condition& condition,
+                                const psychophysics::TrialRules& trial, int trials) {
     if (condition.stimulus.attribute != psychophysics::Attribute::apex)
         return tl::unexpected(wrong(condition, "no apex is looked for"));
     const double radius_m = condition.stimulus.reference;
     if (!(radius_m >= kSmallestRadius_m && radius_m <= kLargestRadius_m))
-        return tl::unexpected(wrong(condition, "a radius of 5 to 45 mm is expected, so that the sphere can lie in other places each time"));
+        return tl::unexpected(wrong(
+            condition,
+            "a radius of 5 to 45 mm is expected, so that the sphere can lie in other places each time"));
     Parameters p;
     for (const auto& [name, value] : condition.stimulus.fixed)
         if (!std::isfinite(value) || value < 0.0 || !take(p, name, value))
-            return tl::unexpected(wrong(condition, "fixed attribute \"" + name + "\": of a sphere stiffness, damping, friction and bristle_stiffness are expected"));
+            return tl::unexpected(
+                wrong(condition,
+                      "fixed attribute \"" + name +
+                          "\": of a sphere stiffness, damping, friction and bristle_stiffness are expected"));
     p.radius_m = radius_m;
     p.centreDiscRadius_m = std::min(p.centreDiscRadius_m, p.workspaceRadius_m - radius_m);
     p.trials = std::clamp(trials, 1, kApexTrialsAtMost);
@@ -82,7 +89,8 @@ core::Result<Parameters> apexOf(const psychophysics::Condition& condition, const
     return p;
 }
 
-ExerciseLevel apexLevel(const Parameters& parameters, const std::string& study, const std::string& condition) {
+ExerciseLevel apexLevel(const Parameters& parameters, const std::string& study,
+                        const std::string& condition) {
     QJsonArray cues, metrics, shownCues{"tool", "arrow"};
     for (const std::string& cue : parameters.cues) {
         cues.append(QString::fromStdString(cue));
@@ -92,18 +100,21 @@ ExerciseLevel apexLevel(const Parameters& parameters, const std::string& study, 
     for (const char* metric : kMetrics)
         metrics.append(QJsonObject{{"id", metric}, {"version", 1}});
     const QString title = QString::fromStdString(study + " / " + condition);
-    const QJsonObject level{{"id", QString::fromStdString(condition)},
-                            {"number", kApexStudyLevel},
-                            {"title", QJsonObject{{"en", title}}},
-                            {"objective", QJsonObject{{"en", "A study: a sphere's highest point is found by touch."}}},
-                            {"measured", QJsonObject{{"en", "Where the mark lies beside the apex, and exploration."}}},
-                            {"cues", cues},
-                            {"needs_force", true},
-                            {"shown_force_variant",
-                             QJsonObject{{"cues", shownCues}, {"note", QJsonObject{{"en", "This device renders no force. Force is shown, not felt."}}}}},
-                            {"metrics", metrics},
-                            {"gates", QJsonArray{}},
-                            {"parameters", json(parameters)}};
+    const QJsonObject level{
+        {"id", QString::fromStdString(condition)},
+        {"number", kApexStudyLevel},
+        {"title", QJsonObject{{"en", title}}},
+        {"objective", QJsonObject{{"en", "A study: a sphere's highest point is found by touch."}}},
+        {"measured", QJsonObject{{"en", "Where the mark lies beside the apex, and exploration."}}},
+        {"cues", cues},
+        {"needs_force", true},
+        {"shown_force_variant",
+         QJsonObject{
+             {"cues", shownCues},
+             {"note", QJsonObject{{"en", "This device renders no force. Force is shown, not felt."}}}}},
+        {"metrics", metrics},
+        {"gates", QJsonArray{}},
+        {"parameters", json(parameters)}};
     const QJsonObject exercise{{"id", "sphere_apex"}, {"version", 1}};
     Problems problems; // none can occur: all of it was written just now
     return levelFromResolved(resolvedDocument(exercise, level), problems);

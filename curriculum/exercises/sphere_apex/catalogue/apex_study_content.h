@@ -3,8 +3,8 @@
 
 #include "catalogue/exercise.h"
 #include "core/result.h"
-#include "psychophysics/study/study_design.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "psychophysics/study/study_design.h"
 
 #include <string>
 
@@ -26,6 +26,7 @@ core::Result<simulation::SphereApexParameters> apexOf(const psychophysics::Condi
 
 /// Returns the level under which a session of such a condition is recorded: with the exercise's metrics,
 /// without gates or help.
-ExerciseLevel apexLevel(const simulation::SphereApexParameters& parameters, const std::string& study, const std::string& condition);
+ExerciseLevel apexLevel(const simulation::SphereApexParameters& parameters, const std::string& study,
+                        const std::string& condition);
 
 } // namespace chiron::catalogue

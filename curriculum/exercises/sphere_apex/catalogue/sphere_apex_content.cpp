@@ -82,8 +82,9 @@ void checkOrder(double low, double high, const QString& path, const char* key, P
 
 void checkNone(double value, const char* key, const QString& path, Problems& problems) {
     if (value > 0.0)
-        problems.push_back({memberPath(path, key), QString::number(value),
-                            QStringLiteral("0: a surface of triangles has it from bumps and roughness instead")});
+        problems.push_back(
+            {memberPath(path, key), QString::number(value),
+             QStringLiteral("0: a surface of triangles has it from bumps and roughness instead")});
 }
 
 /// Checks that the mesh can be made, is fine enough to have a ball, and is coarse enough for its organ model.
@@ -100,8 +101,9 @@ void checkMesh(const Parameters& p, const QString& path, Problems& problems) {
                                     [&](const core::Vec3& v) { return v.z() > 0.0; });
     constexpr auto kMost = static_cast<std::ptrdiff_t>(simulation::SpringNetwork::kMostFree);
     if (p.surface == simulation::ApexSurface::organ && ball > kMost)
-        problems.push_back({memberPath(path, "mesh_edge_mm"), mm(p.meshEdge_m),
-                            QStringLiteral("so long that the ball has at most %1 vertices, not %2").arg(kMost).arg(ball)});
+        problems.push_back(
+            {memberPath(path, "mesh_edge_mm"), mm(p.meshEdge_m),
+             QStringLiteral("so long that the ball has at most %1 vertices, not %2").arg(kMost).arg(ball)});
     // Builds the real dome: surface, springs and clock.
     else if (const auto dome = simulation::TouchedDome::make(p, {}); !dome)
         problems.push_back({memberPath(path, "surface"), QStringLiteral("a dome that cannot be made"),
@@ -112,7 +114,8 @@ void checkMesh(const Parameters& p, const QString& path, Problems& problems) {
 
 ExerciseParameters readSphereApex(const ObjectReader& parameters, const std::vector<std::string>& cues) {
     Parameters p;
-    std::vector<QString> known{QStringLiteral("surface"), QStringLiteral("bump_seed"), QLatin1String(kYieldKeys[0]), QLatin1String(kYieldKeys[1])};
+    std::vector<QString> known{QStringLiteral("surface"), QStringLiteral("bump_seed"),
+                               QLatin1String(kYieldKeys[0]), QLatin1String(kYieldKeys[1])};
     readYield(parameters, p.yield);
     for (const Key& key : kKeys) {
         known.push_back(QLatin1String(key.name));
@@ -155,9 +158,11 @@ void checkSphereApex(const ExerciseParameters& parameters, const QString& path, 
         // A question to the organ model waits for the previous answer, so a longer latency would slow down
         // the organ's own time.
         if (p.surface == simulation::ApexSurface::organ && p.slowLatency_ms > p.slowPeriod_ms)
-            problems.push_back({memberPath(path, "slow_latency_ms"), QString::number(p.slowLatency_ms),
-                                QStringLiteral("at most slow_period_ms = %1, so that a step of the organ lasts as long as it says")
-                                    .arg(p.slowPeriod_ms)});
+            problems.push_back(
+                {memberPath(path, "slow_latency_ms"), QString::number(p.slowLatency_ms),
+                 QStringLiteral(
+                     "at most slow_period_ms = %1, so that a step of the organ lasts as long as it says")
+                     .arg(p.slowPeriod_ms)});
         return;
     }
     if (p.dimpleDepth_m <= 0.0)

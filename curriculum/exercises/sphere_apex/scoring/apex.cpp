@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/exercises/sphere_apex/scoring/apex_metrics.h"
 
-#include "scoring/median.h"
 #include "curriculum/exercises/sphere_apex/scoring/apex_answer.h"
+#include "scoring/median.h"
 #include "scoring/metrics/metric_rows.h"
 
 #include <algorithm>
@@ -18,8 +18,12 @@ struct OffBy {
     double y = 0.0;
 };
 
-OffBy asMarked(const ApexAnswer& answer) { return {std::abs(answer.errorX_percent), std::abs(answer.errorY_percent)}; }
-OffBy missesCounted(const ApexAnswer& answer) { return {answer.countedX_percent(), answer.countedY_percent()}; }
+OffBy asMarked(const ApexAnswer& answer) {
+    return {std::abs(answer.errorX_percent), std::abs(answer.errorY_percent)};
+}
+OffBy missesCounted(const ApexAnswer& answer) {
+    return {answer.countedX_percent(), answer.countedY_percent()};
+}
 
 double sumOf(const std::vector<ApexAnswer>& answers, OffBy (*offBy)(const ApexAnswer&)) {
     double sum = 0.0;
@@ -30,14 +34,16 @@ double sumOf(const std::vector<ApexAnswer>& answers, OffBy (*offBy)(const ApexAn
     return sum;
 }
 
-template <OffBy (*offBy)(const ApexAnswer&)> Measurement measureErrorMean(std::span<const PreparedTrial> trials) {
+template <OffBy (*offBy)(const ApexAnswer&)>
+Measurement measureErrorMean(std::span<const PreparedTrial> trials) {
     const ApexAnswers all = apexAnswers(trials);
     if (all.undefined)
         return *all.undefined;
     return Measurement::of(sumOf(all.answers, offBy) / (2.0 * static_cast<double>(all.answers.size())));
 }
 
-template <OffBy (*offBy)(const ApexAnswer&)> Measurement measureErrorSd(std::span<const PreparedTrial> trials) {
+template <OffBy (*offBy)(const ApexAnswer&)>
+Measurement measureErrorSd(std::span<const PreparedTrial> trials) {
     const ApexAnswers all = apexAnswers(trials);
     if (all.undefined)
         return *all.undefined;
@@ -97,79 +103,99 @@ Measurement measureApexMisses(std::span<const PreparedTrial> trials) {
 
 std::vector<MetricDefinition> apexMetrics() {
     MetricRows rows;
-    rows.add({.id = "apex_error_mean",
-              .unit = "% of R",
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Apex error, mean"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the marks lay from the highest point, in % of the radius; the mean over both axes and all trials, misses "
-                                                      "included."),
-              .titleOfOneTrial = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
-              .meaningOfOneTrial = QT_TRANSLATE_NOOP("Metrics", "How far the mark lay from the highest point, in % of the radius, on average left to right and front to "
-                                                                "back."),
-              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
-              .definition = "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all trials, misses included.",
-              .source = "models.md §2.3; P2, Preliminary Validation",
-              .measure = measureErrorMean<asMarked>});
-    rows.next({.definition = "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all trials; a miss counts as an error of R at "
+    rows.add(
+        {.id = "apex_error_mean",
+         .unit = "% of R",
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Apex error, mean"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the marks lay from the highest point, in % of the "
+                                                 "radius; the mean over both axes and all trials, misses "
+                                                 "included."),
+         .titleOfOneTrial = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
+         .meaningOfOneTrial =
+             QT_TRANSLATE_NOOP("Metrics", "How far the mark lay from the highest point, in % of the radius, "
+                                          "on average left to right and front to "
+                                          "back."),
+         .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
+         .definition = "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all trials, "
+                       "misses included.",
+         .source = "models.md §2.3; P2, Preliminary Validation",
+         .measure = measureErrorMean<asMarked>});
+    rows.next({.definition = "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all "
+                             "trials; a miss counts as an error of R at "
                              "least.",
                .measure = measureErrorMean<missesCounted>});
-    rows.add({.id = "apex_error_mean_by_chance",
-              .unit = "% of R",
-              .direction = Direction::neutral,
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Apex error by chance"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The apex error of somebody who feels nothing and always marks the same, best possible place. An error that is not "
-                                                      "smaller shows no skill."),
-              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
-              .definition = "apex_error_mean of one who always marks the same place, the best for this session (the median of the apexes): what "
-                            "feeling nothing gives.",
-              .source = "our definition",
-              .measure = measureApexErrorMeanByChance});
-    rows.add({.id = "apex_error_sd",
-              .unit = "% of R",
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Apex error, standard deviation"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How much the error differed from mark to mark."),
-              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
-              .definition = "Sample standard deviation (n - 1) of the absolute errors pooled over both axes and all trials.",
-              .source = "models.md §2.3; P2, Preliminary Validation",
-              .measure = measureErrorSd<asMarked>});
+    rows.add(
+        {.id = "apex_error_mean_by_chance",
+         .unit = "% of R",
+         .direction = Direction::neutral,
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Apex error by chance"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "The apex error of somebody who feels nothing and always "
+                                                 "marks the same, best possible place. An error that is not "
+                                                 "smaller shows no skill."),
+         .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
+         .definition = "apex_error_mean of one who always marks the same place, the best for this session "
+                       "(the median of the apexes): what "
+                       "feeling nothing gives.",
+         .source = "our definition",
+         .measure = measureApexErrorMeanByChance});
+    rows.add(
+        {.id = "apex_error_sd",
+         .unit = "% of R",
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Apex error, standard deviation"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "How much the error differed from mark to mark."),
+         .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
+         .definition =
+             "Sample standard deviation (n - 1) of the absolute errors pooled over both axes and all trials.",
+         .source = "models.md §2.3; P2, Preliminary Validation",
+         .measure = measureErrorSd<asMarked>});
     rows.next({.direction = Direction::neutral, // a person who always misses by R has a standard deviation of
                                                 // 0
-               .definition = "Sample standard deviation (n - 1) of the absolute errors pooled over both axes and all trials; a miss counts as an "
+               .definition = "Sample standard deviation (n - 1) of the absolute errors pooled over both axes "
+                             "and all trials; a miss counts as an "
                              "error of R at least.",
                .measure = measureErrorSd<missesCounted>});
-    rows.add({.id = "apex_bias_x",
-              .unit = "% of R",
-              .direction = Direction::neutral,
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Apex bias, left to right"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "Whether the marks lay to one side: the mean error to the right (positive) or left (negative)."),
-              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
-              .definition = "Mean of the signed errors 100 (x - x0)/R; nearer zero is better.",
-              .source = "models.md §2.3; P2, Preliminary Validation",
-              .measure = measureBias<&ApexAnswer::errorX_percent>});
-    rows.add({.id = "apex_bias_y",
-              .unit = "% of R",
-              .direction = Direction::neutral,
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Apex bias, front to back"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "Whether the marks lay to one side: the mean error away from (positive) or towards (negative) the person."),
-              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
-              .definition = "Mean of the signed errors 100 (y - y0)/R; nearer zero is better.",
-              .source = "models.md §2.3; P2, Preliminary Validation",
-              .measure = measureBias<&ApexAnswer::errorY_percent>});
-    rows.add({.id = "apex_misses",
-              .unit = "count",
-              .wrench = MetricWrench::tissue,
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Misses"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "Trials marked without touching, marked beside the sphere, or not marked in time. Their errors count all the same."),
-              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
-              .definition = "Trials marked out of contact, marked farther than R from the apex, or not marked in time; their errors count all the "
-                            "same.",
-              .source = "models.md §2.3; P2, Preliminary Validation",
-              .measure = measureApexMisses});
+    rows.add(
+        {.id = "apex_bias_x",
+         .unit = "% of R",
+         .direction = Direction::neutral,
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Apex bias, left to right"),
+         .meaning = QT_TRANSLATE_NOOP(
+             "Metrics",
+             "Whether the marks lay to one side: the mean error to the right (positive) or left (negative)."),
+         .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
+         .definition = "Mean of the signed errors 100 (x - x0)/R; nearer zero is better.",
+         .source = "models.md §2.3; P2, Preliminary Validation",
+         .measure = measureBias<&ApexAnswer::errorX_percent>});
+    rows.add(
+        {.id = "apex_bias_y",
+         .unit = "% of R",
+         .direction = Direction::neutral,
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Apex bias, front to back"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "Whether the marks lay to one side: the mean error away "
+                                                 "from (positive) or towards (negative) the person."),
+         .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
+         .definition = "Mean of the signed errors 100 (y - y0)/R; nearer zero is better.",
+         .source = "models.md §2.3; P2, Preliminary Validation",
+         .measure = measureBias<&ApexAnswer::errorY_percent>});
+    rows.add(
+        {.id = "apex_misses",
+         .unit = "count",
+         .wrench = MetricWrench::tissue,
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Misses"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "Trials marked without touching, marked beside the sphere, "
+                                                 "or not marked in time. Their errors count all the same."),
+         .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
+         .definition = "Trials marked out of contact, marked farther than R from the apex, or not marked in "
+                       "time; their errors count all the "
+                       "same.",
+         .source = "models.md §2.3; P2, Preliminary Validation",
+         .measure = measureApexMisses});
     return rows.take();
 }
 

@@ -25,7 +25,9 @@ struct ApexAnswer {
     double countedY_percent() const { return counted(errorY_percent); }
 
 private:
-    double counted(double error_percent) const { return miss ? std::max(100.0, std::abs(error_percent)) : std::abs(error_percent); }
+    double counted(double error_percent) const {
+        return miss ? std::max(100.0, std::abs(error_percent)) : std::abs(error_percent);
+    }
 };
 
 /// Returns the answer at the marked position. If nothing was marked, it is at the last position of the first

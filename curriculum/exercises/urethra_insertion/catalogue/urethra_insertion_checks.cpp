@@ -16,7 +16,9 @@ namespace {
 
 using Parameters = simulation::UrethraInsertionParameters;
 
-QString mm(double length_m) { return QStringLiteral("%1 mm").arg(core::mmFromM(length_m), 0, 'g', 4); }
+QString mm(double length_m) {
+    return QStringLiteral("%1 mm").arg(core::mmFromM(length_m), 0, 'g', 4);
+}
 
 constexpr double kWayStep_m = 0.001;
 
@@ -77,7 +79,8 @@ QString contentKey(const QString& field) {
     if (field.startsWith(QLatin1String("changes["))) {
         const qsizetype dot = field.indexOf(u'.');
         const QString inner = field.mid(dot + 1);
-        const QString name = inner == QLatin1String("radius_m") ? QStringLiteral("radius_mm") : contentKey(inner);
+        const QString name =
+            inner == QLatin1String("radius_m") ? QStringLiteral("radius_mm") : contentKey(inner);
         return QStringLiteral("local_") + field.left(dot + 1) + name;
     }
     for (const auto& [member, key] : kNames)
@@ -119,7 +122,8 @@ private:
     /// The code that builds a urethra knows what makes it impossible. This function only adds the content's
     /// names and values.
     void geometry() {
-        for (const simulation::UrethraProblem& problem : simulation::urethraProblems(m_p.anatomy, m_p.endoscope, m_p.mesh)) {
+        for (const simulation::UrethraProblem& problem :
+             simulation::urethraProblems(m_p.anatomy, m_p.endoscope, m_p.mesh)) {
             const QString key = contentKey(QString::fromStdString(problem.field));
             m_problems.push_back({m_path + u'.' + key, QStringLiteral("impossible"),
                                   QStringLiteral("a urethra that can exist (in SI units: %1)")
@@ -132,16 +136,19 @@ private:
         checkYieldTorque(m_p.yield, m_p.maximumTorque_Nm, m_path, m_problems);
         if (m_p.anatomy.bladderRadius_m < 3.0 * m_p.endoscope.radius_m)
             add("bladder_radius_mm", mm(m_p.anatomy.bladderRadius_m),
-                QStringLiteral("at least three times the endoscope's radius, %1").arg(mm(3.0 * m_p.endoscope.radius_m)));
+                QStringLiteral("at least three times the endoscope's radius, %1")
+                    .arg(mm(3.0 * m_p.endoscope.radius_m)));
     }
 
     void goal() {
         const double deepest_m = m_length_m + m_p.anatomy.bladderRadius_m;
         if (m_p.goalDepth_m > deepest_m)
-            add("goal_depth_mm", mm(m_p.goalDepth_m), QStringLiteral("at most the bladder's middle, %1").arg(mm(deepest_m)));
+            add("goal_depth_mm", mm(m_p.goalDepth_m),
+                QStringLiteral("at most the bladder's middle, %1").arg(mm(deepest_m)));
         if (!m_p.landmarks.empty() && m_p.goalDepth_m > 0.0 && m_p.goalDepth_m < m_length_m)
             add("goal_depth_mm", mm(m_p.goalDepth_m),
-                QStringLiteral("in the bladder, at least %1, since landmarks are inspected from there").arg(mm(m_length_m)));
+                QStringLiteral("in the bladder, at least %1, since landmarks are inspected from there")
+                    .arg(mm(m_length_m)));
     }
 
     /// Checks that P1's mechanism can follow the path from the start to the bladder's middle, which is the
@@ -169,16 +176,21 @@ private:
         for (std::size_t i = 0; i < m_p.landmarks.size(); ++i) {
             for (std::size_t k = 0; k < i; ++k)
                 if (m_p.landmarks[k].id == m_p.landmarks[i].id)
-                    m_problems.push_back({memberPath(elementPath(list, static_cast<qsizetype>(i)), QStringLiteral("id")),
-                                          quoted(QString::fromStdString(m_p.landmarks[i].id)), QStringLiteral("each landmark once")});
+                    m_problems.push_back(
+                        {memberPath(elementPath(list, static_cast<qsizetype>(i)), QStringLiteral("id")),
+                         quoted(QString::fromStdString(m_p.landmarks[i].id)),
+                         QStringLiteral("each landmark once")});
         }
         if (2.0 * m_p.landmarkHalfAngle_rad > m_p.endoscope.fieldOfView_rad)
             add("landmark_half_angle_deg", QString::number(core::degFromRad(m_p.landmarkHalfAngle_rad)),
-                QStringLiteral("inside the picture, at most %1").arg(0.5 * core::degFromRad(m_p.endoscope.fieldOfView_rad)));
+                QStringLiteral("inside the picture, at most %1")
+                    .arg(0.5 * core::degFromRad(m_p.endoscope.fieldOfView_rad)));
     }
 
     void cues() {
-        const auto has = [&](const char* cue) { return std::find(m_p.cues.begin(), m_p.cues.end(), cue) != m_p.cues.end(); };
+        const auto has = [&](const char* cue) {
+            return std::find(m_p.cues.begin(), m_p.cues.end(), cue) != m_p.cues.end();
+        };
         if (has("guidance") && !has("object"))
             m_problems.push_back({QStringLiteral("$.cues"), QStringLiteral("\"guidance\" without \"object\""),
                                   QStringLiteral("the picture that the way is marked in")});

@@ -4,9 +4,9 @@
 #include "catalogue/yield_content.h"
 
 #include "core/units.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 #include "simulation/geometry/urethra/urethra_anatomy.h"
-#include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 
 #include <algorithm>
 #include <utility>
@@ -43,7 +43,8 @@ constexpr Number kNumbers[] = {
     {"pivot_span_mm", [](Parameters& p) -> double& { return p.anatomy.pivotSpan_m; }, kMm},
     {"bladder_neck_z_mm", [](Parameters& p) -> double& { return p.anatomy.zEnd_m; }, kMm},
     {"rest_radius_mm", [](Parameters& p) -> double& { return p.anatomy.radius_m; }, kMm},
-    {"wall_stiffness_N_per_m3", [](Parameters& p) -> double& { return p.anatomy.wallStiffness_N_per_m3; }, 1.0},
+    {"wall_stiffness_N_per_m3", [](Parameters& p) -> double& { return p.anatomy.wallStiffness_N_per_m3; },
+     1.0},
     {"wall_stiffening_per_m", [](Parameters& p) -> double& { return p.anatomy.wallStiffening_per_m; }, 1.0},
     {"friction", [](Parameters& p) -> double& { return p.anatomy.friction; }, 1.0},
     {"viscosity_N_s_per_m2", [](Parameters& p) -> double& { return p.anatomy.viscosity_Ns_per_m2; }, 1.0},
@@ -52,18 +53,22 @@ constexpr Number kNumbers[] = {
     {"free_blend_mm", [](Parameters& p) -> double& { return p.anatomy.freeBlend_m; }, kMm},
     {"free_hold_N_per_m", [](Parameters& p) -> double& { return p.anatomy.freeHold_N_per_m; }, 1.0},
     {"meatus_radius_mm", [](Parameters& p) -> double& { return p.meatus_m; }, kMm},
-    {"angular_stiffness_N_m_per_rad", [](Parameters& p) -> double& { return p.anatomy.angularStiffness_Nm_per_rad; }, 1.0},
+    {"angular_stiffness_N_m_per_rad",
+     [](Parameters& p) -> double& { return p.anatomy.angularStiffness_Nm_per_rad; }, 1.0},
     {"angular_corner_mm", [](Parameters& p) -> double& { return p.anatomy.angularCorner_m; }, kMm},
     {"bladder_radius_mm", [](Parameters& p) -> double& { return p.anatomy.bladderRadius_m; }, kMm},
-    {"bladder_stiffness_N_per_m", [](Parameters& p) -> double& { return p.anatomy.bladderStiffness_N_per_m; }, 1.0},
+    {"bladder_stiffness_N_per_m", [](Parameters& p) -> double& { return p.anatomy.bladderStiffness_N_per_m; },
+     1.0},
     {"bladder_opening_deg", [](Parameters& p) -> double& { return p.anatomy.bladderOpening_rad; }, kDeg},
-    {"bladder_opening_edge_deg", [](Parameters& p) -> double& { return p.anatomy.bladderOpeningEdge_rad; }, kDeg},
+    {"bladder_opening_edge_deg", [](Parameters& p) -> double& { return p.anatomy.bladderOpeningEdge_rad; },
+     kDeg},
     {"endoscope_size_Fr", [](Parameters& p) -> double& { return p.endoscope.radius_m; }, kFr},
     {"beak_mm", [](Parameters& p) -> double& { return p.endoscope.beak_m; }, kMm},
     {"behind_mm", [](Parameters& p) -> double& { return p.endoscope.behind_m; }, kMm},
     {"field_of_view_deg", [](Parameters& p) -> double& { return p.endoscope.fieldOfView_rad; }, kDeg},
     {"force_step_mm", [](Parameters& p) -> double& { return p.forces.maximumStep_m; }, kMm},
-    {"largest_damping_N_s_per_m", [](Parameters& p) -> double& { return p.forces.maximumDamping_Ns_per_m; }, 1.0},
+    {"largest_damping_N_s_per_m", [](Parameters& p) -> double& { return p.forces.maximumDamping_Ns_per_m; },
+     1.0},
     {"goal_depth_mm", [](Parameters& p) -> double& { return p.goalDepth_m; }, kMm},
     {"landmark_half_angle_deg", [](Parameters& p) -> double& { return p.landmarkHalfAngle_rad; }, kDeg},
     {"landmark_distance_mm", [](Parameters& p) -> double& { return p.landmarkDistance_m; }, kMm},
@@ -95,8 +100,9 @@ void readChanges(const ObjectReader& parameters, Parameters& p) {
     p.anatomy.changeCount = 0;
     parameters.eachObject("local_changes", [&](const ObjectReader& json) {
         if (p.anatomy.changeCount >= simulation::UrethraAnatomy::kMaxChanges) {
-            parameters.problems().push_back({json.path(), QStringLiteral("one too many"),
-                                             QStringLiteral("at most %1").arg(simulation::UrethraAnatomy::kMaxChanges)});
+            parameters.problems().push_back(
+                {json.path(), QStringLiteral("one too many"),
+                 QStringLiteral("at most %1").arg(simulation::UrethraAnatomy::kMaxChanges)});
             return;
         }
         simulation::UrethraLocalChange& change = p.anatomy.changes[p.anatomy.changeCount++];
@@ -112,7 +118,8 @@ void readChanges(const ObjectReader& parameters, Parameters& p) {
 void readLandmarks(const ObjectReader& parameters, Parameters& p) {
     p.landmarks.clear();
     parameters.eachObject("landmarks", [&](const ObjectReader& json) {
-        p.landmarks.push_back({json.text("id"), json.number("polar_deg") / kDeg, json.number("azimuth_deg") / kDeg});
+        p.landmarks.push_back(
+            {json.text("id"), json.number("polar_deg") / kDeg, json.number("azimuth_deg") / kDeg});
     });
 }
 
@@ -123,7 +130,8 @@ void readSections(const ObjectReader& parameters, Parameters& p) {
     else if (sections == "fine")
         p.forces.sections = simulation::ForceSections::fine;
     else
-        parameters.problems().push_back({memberPath(parameters.path(), "force_sections"), quoted(QString::fromStdString(sections)),
+        parameters.problems().push_back({memberPath(parameters.path(), "force_sections"),
+                                         quoted(QString::fromStdString(sections)),
                                          QStringLiteral("\"fine\" or \"p1_basic\"")});
 }
 
@@ -142,13 +150,15 @@ void refuseUnknownKeys(const ObjectReader& parameters) {
     known.push_back(QLatin1String(kYieldTorqueKey));
     for (const QString& key : parameters.json().keys())
         if (std::find(known.begin(), known.end(), key) == known.end())
-            parameters.problems().push_back({memberPath(parameters.path(), key), QStringLiteral("unknown key"),
-                                             QStringLiteral("a parameter of urethra_insertion") + didYouMean(key, known)});
+            parameters.problems().push_back(
+                {memberPath(parameters.path(), key), QStringLiteral("unknown key"),
+                 QStringLiteral("a parameter of urethra_insertion") + didYouMean(key, known)});
 }
 
 } // namespace
 
-ExerciseParameters readUrethraInsertion(const ObjectReader& parameters, const std::vector<std::string>& cues) {
+ExerciseParameters readUrethraInsertion(const ObjectReader& parameters,
+                                        const std::vector<std::string>& cues) {
     Parameters p;
     for (const Number& key : kNumbers)
         if (parameters.has(QLatin1String(key.name)))

@@ -3,8 +3,8 @@
 
 #include "core/canal_reach.h"
 #include "core/units.h"
-#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "curriculum/exercises/urethra_insertion/scoring/canal_samples.h"
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "scoring/metrics/metric_rows.h"
 
 #include <algorithm>
@@ -75,18 +75,22 @@ constexpr double kHalfWindow_s = 0.1;
 /// About half of the rate needed at B to follow P1's parabola at 6 mm/s, 9°/s.
 constexpr double kTurning_rad_per_s = 5.0 * core::kPi / 180.0;
 
-core::Vec3 axisOf(const ToolTrace& tool, std::size_t i) { return tool.q_WT[i] * core::Vec3::UnitZ(); }
+core::Vec3 axisOf(const ToolTrace& tool, std::size_t i) {
+    return tool.q_WT[i] * core::Vec3::UnitZ();
+}
 
 /// Measures how far the tip reached new depth in the curve while the axis turned, m. `reached` is set if the
 /// tip was in the curve.
 class TurningAdvance {
 public:
-    explicit TurningAdvance(const TrialTrace& trial) : m_tool(trial.tools.front()), m_series(*trial.insertion) {}
+    explicit TurningAdvance(const TrialTrace& trial)
+        : m_tool(trial.tools.front()), m_series(*trial.insertion) {}
 
     double measure(bool& reached) {
         double advance_m = 0.0, deepest_m = m_series.bend_m;
         for (std::size_t i = 0; i < m_tool.t_s.size(); ++i) {
-            if (m_tool.paused[i] != 0 || !isStage(m_series, i, core::ProcedureStage::insertion) || m_series.s_m[i] < m_series.bend_m)
+            if (m_tool.paused[i] != 0 || !isStage(m_series, i, core::ProcedureStage::insertion) ||
+                m_series.s_m[i] < m_series.bend_m)
                 continue;
             reached = true;
             const double depth_m = std::min(m_series.s_m[i], m_series.bend_m + kCurve_m);
@@ -106,7 +110,8 @@ private:
             ++m_to;
         const double time_s = m_tool.t_s[m_to] - m_tool.t_s[m_from];
         const core::Vec3 before = axisOf(m_tool, m_from), after = axisOf(m_tool, m_to);
-        return time_s > 0.0 && std::atan2(before.cross(after).norm(), before.dot(after)) > kTurning_rad_per_s * time_s;
+        return time_s > 0.0 &&
+               std::atan2(before.cross(after).norm(), before.dot(after)) > kTurning_rad_per_s * time_s;
     }
 
     const ToolTrace& m_tool;
@@ -124,7 +129,8 @@ Measurement measureAdvanceWhileTurning(std::span<const PreparedTrial> trials) {
             return Measurement::undefined(UndefinedReason::noInsertionData);
         advance_m += TurningAdvance(*trial.trial).measure(reached);
     }
-    return reached ? Measurement::of(core::mmFromM(advance_m)) : Measurement::undefined(UndefinedReason::neverAtBend);
+    return reached ? Measurement::of(core::mmFromM(advance_m))
+                   : Measurement::undefined(UndefinedReason::neverAtBend);
 }
 
 Measurement measureTraumaEvents(std::span<const PreparedTrial> trials) {
@@ -164,7 +170,9 @@ Measurement measureLateralMax(std::span<const PreparedTrial> trials) {
     if (auto why = withoutCanal(trials))
         return *why;
     double most_N = 0.0;
-    forEachCanalSample(trials, [&](const InsertionSeries& series, std::size_t i) { most_N = std::max(most_N, series.lateral_N[i]); });
+    forEachCanalSample(trials, [&](const InsertionSeries& series, std::size_t i) {
+        most_N = std::max(most_N, series.lateral_N[i]);
+    });
     return Measurement::of(most_N);
 }
 
@@ -228,7 +236,8 @@ Measurement measureInspectionTravel(std::span<const PreparedTrial> trials) {
     }
     if (any)
         return Measurement::of(core::mmFromM(travel_m));
-    return Measurement::undefined(asked ? UndefinedReason::inspectionNotReached : UndefinedReason::noLandmarks);
+    return Measurement::undefined(asked ? UndefinedReason::inspectionNotReached
+                                        : UndefinedReason::noLandmarks);
 }
 
 Measurement measureInsertionDepth(std::span<const PreparedTrial> trials) {
@@ -250,34 +259,43 @@ Measurement measureInsertionDepth(std::span<const PreparedTrial> trials) {
 
 std::vector<MetricDefinition> canalMetrics() {
     MetricRows rows;
-    rows.add({.id = "offset_rms",
-              .unit = "mm",
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Off-centre distance, root mean square"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the tip was from the middle of the urethra, on the way in and out: large distances weigh more than in the "
-                                                      "mean."),
-              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest off-centre distance"),
-              .definition = "Root mean square of the tip's distance from the centre-line over the samples in the urethra (0 <= s <= L), on the way "
-                            "in and out.",
-              .source = "models.md §6, insertion",
-              .measure = measureOffsetRms});
+    rows.add(
+        {.id = "offset_rms",
+         .unit = "mm",
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Off-centre distance, root mean square"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the tip was from the middle of the urethra, on the "
+                                                 "way in and out: large distances weigh more than in the "
+                                                 "mean."),
+         .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest off-centre distance"),
+         .definition = "Root mean square of the tip's distance from the centre-line over the samples in the "
+                       "urethra (0 <= s <= L), on the way "
+                       "in and out.",
+         .source = "models.md §6, insertion",
+         .measure = measureOffsetRms});
     rows.add({.id = "offset_max",
               .unit = "mm",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Largest off-centre distance"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The largest distance of the tip from the middle of the urethra."),
-              .definition = "Largest distance of the tip from the centre-line in the urethra (0 <= s <= L), on the way in and out.",
+              .meaning = QT_TRANSLATE_NOOP("Metrics",
+                                           "The largest distance of the tip from the middle of the urethra."),
+              .definition = "Largest distance of the tip from the centre-line in the urethra (0 <= s <= L), "
+                            "on the way in and out.",
               .source = "models.md §6, insertion",
               .measure = measureOffsetMax});
     rows.add({.id = "alignment_rms",
               .unit = "°",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Alignment, root mean square"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In "
-                                                      "the picture: the wall near the tip is equally wide all round when the two are in line, and a ring that guides is "
-                                                      "double. In a bend the urethra then leads on beside the middle of the picture."),
+              .meaning = QT_TRANSLATE_NOOP(
+                  "Metrics", "The angle between the endoscope and the direction of the urethra where its tip "
+                             "was; large angles weigh more. In "
+                             "the picture: the wall near the tip is equally wide all round when the two are "
+                             "in line, and a ring that guides is "
+                             "double. In a bend the urethra then leads on beside the middle of the picture."),
               .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest misalignment"),
-              .definition = "Root mean square of the angle between the instrument's axis and the centre-line's tangent over the samples in the "
+              .definition = "Root mean square of the angle between the instrument's axis and the "
+                            "centre-line's tangent over the samples in the "
                             "urethra (0 <= s <= L), on the way in and out.",
               .source = "models.md §6, insertion",
               .measure = measureAlignmentRms});
@@ -285,9 +303,13 @@ std::vector<MetricDefinition> canalMetrics() {
               .unit = "°",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Alignment at the bend"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The angle between the endoscope and the urethra at its tip, on the way in, within 10 mm of the bend, where the "
-                                                      "endoscope has to be turned. In line, the wall near the tip is equally wide all round."),
-              .definition = "Root mean square of the angle between the instrument's axis and the centre-line's tangent over the samples of the "
+              .meaning = QT_TRANSLATE_NOOP(
+                  "Metrics",
+                  "The angle between the endoscope and the urethra at its tip, on the way in, within 10 mm "
+                  "of the bend, where the "
+                  "endoscope has to be turned. In line, the wall near the tip is equally wide all round."),
+              .definition = "Root mean square of the angle between the instrument's axis and the "
+                            "centre-line's tangent over the samples of the "
                             "insertion within 10 mm of the bend (s_B), where the orientation has to change.",
               .source = "models.md §6, insertion; P1, point B",
               .measure = measureBendAlignment});
@@ -295,29 +317,40 @@ std::vector<MetricDefinition> canalMetrics() {
               .unit = "°",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Alignment round the bend"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The angle between the endoscope and the urethra at its tip, on the way in, from the bend to 30 mm past it, where "
-                                                      "the urethra is curved most. In line, the wall near the tip is equally wide all round."),
-              .definition = "Root mean square of the angle between the instrument's axis and the centre-line's tangent over the samples of the "
+              .meaning = QT_TRANSLATE_NOOP(
+                  "Metrics",
+                  "The angle between the endoscope and the urethra at its tip, on the way in, from the bend "
+                  "to 30 mm past it, where "
+                  "the urethra is curved most. In line, the wall near the tip is equally wide all round."),
+              .definition = "Root mean square of the angle between the instrument's axis and the "
+                            "centre-line's tangent over the samples of the "
                             "insertion from the bend B to 30 mm past it, where the canal is curved most.",
               .source = "models.md §6, insertion, and §8; P1, point B",
               .measure = measureCurveAlignment});
-    rows.add({.id = "advance_while_turning",
-              .unit = "mm",
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Advance while turning"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the endoscope was pushed on in the bend while it was being turned: stop, turn, and only then go on."),
-              .definition = "How far the tip got deeper, in the stage insertion and up to 30 mm past the bend B, while the instrument's axis "
-                            "turned faster than 5 degrees per second, taken over 0.2 s: at B the orientation changes without translation.",
-              .source = "P1, point B; models.md §8",
-              .measure = measureAdvanceWhileTurning});
+    rows.add(
+        {.id = "advance_while_turning",
+         .unit = "mm",
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Advance while turning"),
+         .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the endoscope was pushed on in the bend while it "
+                                                 "was being turned: stop, turn, and only then go on."),
+         .definition = "How far the tip got deeper, in the stage insertion and up to 30 mm past the bend B, "
+                       "while the instrument's axis "
+                       "turned faster than 5 degrees per second, taken over 0.2 s: at B the orientation "
+                       "changes without translation.",
+         .source = "P1, point B; models.md §8",
+         .measure = measureAdvanceWhileTurning});
     rows.add({.id = "trauma_events",
               .unit = "count",
               .wrench = MetricWrench::tissue,
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Trauma events"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How often the endoscope pressed sideways on the wall over the limit of this level for 20 ms or longer."),
-              .definition = "How often the force across the canal was over the level's lateral limit for 20 ms or longer, to begin again only from "
-                            "below 80 % of it. It is the whole tissue force without its part along the centre-line's tangent at the tip: the "
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "How often the endoscope pressed sideways on the wall "
+                                                      "over the limit of this level for 20 ms or longer."),
+              .definition = "How often the force across the canal was over the level's lateral limit for 20 "
+                            "ms or longer, to begin again only from "
+                            "below 80 % of it. It is the whole tissue force without its part along the "
+                            "centre-line's tangent at the tip: the "
                             "wall's push, and of friction along a tilted shaft the part that lies across.",
               .source = "models.md §6, insertion",
               .measure = measureTraumaEvents});
@@ -327,7 +360,8 @@ std::vector<MetricDefinition> canalMetrics() {
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Trauma time"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "How long these events lasted in total."),
-              .definition = "How long the trauma events lasted in all, each from the first sample over the lateral limit until the "
+              .definition = "How long the trauma events lasted in all, each from the first sample over the "
+                            "lateral limit until the "
                             "force across the canal was below 80 % of it.",
               .source = "models.md §6, insertion",
               .measure = measureTraumaTime});
@@ -336,8 +370,10 @@ std::vector<MetricDefinition> canalMetrics() {
               .wrench = MetricWrench::tissue,
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Trauma impulse"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "Sideways force times time while that force was over the limit of this level."),
-              .definition = "Integral of the force across the canal while it is over the lateral limit, each sample held until the next.",
+              .meaning = QT_TRANSLATE_NOOP(
+                  "Metrics", "Sideways force times time while that force was over the limit of this level."),
+              .definition = "Integral of the force across the canal while it is over the lateral limit, each "
+                            "sample held until the next.",
               .source = "models.md §6, insertion",
               .measure = measureTraumaImpulse});
     rows.add({.id = "lateral_max",
@@ -345,7 +381,9 @@ std::vector<MetricDefinition> canalMetrics() {
               .wrench = MetricWrench::tissue,
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Largest sideways force"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The largest force with which the endoscope pressed sideways on the wall at any moment."),
+              .meaning = QT_TRANSLATE_NOOP(
+                  "Metrics",
+                  "The largest force with which the endoscope pressed sideways on the wall at any moment."),
               .definition = "The largest force across the canal of any sample.",
               .source = "models.md §6, insertion",
               .measure = measureLateralMax});
@@ -353,26 +391,33 @@ std::vector<MetricDefinition> canalMetrics() {
               .unit = "count",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Reversals"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How often the tip went back by 1 mm or more on the way in."),
-              .definition = "How often the tip went back by 1 mm or more along the centre-line during the insertion; a way back ends where the tip "
+              .meaning =
+                  QT_TRANSLATE_NOOP("Metrics", "How often the tip went back by 1 mm or more on the way in."),
+              .definition = "How often the tip went back by 1 mm or more along the centre-line during the "
+                            "insertion; a way back ends where the tip "
                             "has turned forward by 1 mm.",
               .source = "models.md §6, insertion",
               .measure = measureReversals});
-    rows.add({.id = "landmarks_seen",
-              .unit = "%",
-              .direction = Direction::higherIsBetter,
-              .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Landmarks seen"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The landmarks of the bladder that were inspected, in % of those that the level asks for."),
-              .definition = "Landmarks of the bladder that were inspected, in % of those that the level asks for.",
-              .source = "models.md §1.3, §6",
-              .measure = measureLandmarksSeen});
+    rows.add(
+        {.id = "landmarks_seen",
+         .unit = "%",
+         .direction = Direction::higherIsBetter,
+         .aggregate = Aggregate::pooled,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Landmarks seen"),
+         .meaning = QT_TRANSLATE_NOOP(
+             "Metrics",
+             "The landmarks of the bladder that were inspected, in % of those that the level asks for."),
+         .definition = "Landmarks of the bladder that were inspected, in % of those that the level asks for.",
+         .source = "models.md §1.3, §6",
+         .measure = measureLandmarksSeen});
     rows.add({.id = "inspection_travel",
               .unit = "mm",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Tip travel during inspection"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the tip travelled while the bladder was inspected: turning it shows as much and harms less."),
-              .definition = "Sum of |dp| of the tip while the bladder is inspected, low-passed at 20 Hz and at 100 Hz: a tip that is turned, not "
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the tip travelled while the bladder was "
+                                                      "inspected: turning it shows as much and harms less."),
+              .definition = "Sum of |dp| of the tip while the bladder is inspected, low-passed at 20 Hz and "
+                            "at 100 Hz: a tip that is turned, not "
                             "moved, sees as much.",
               .source = "models.md §1.3, §6",
               .measure = measureInspectionTravel});
@@ -380,8 +425,10 @@ std::vector<MetricDefinition> canalMetrics() {
               .unit = "mm",
               .direction = Direction::higherIsBetter,
               .title = QT_TRANSLATE_NOOP("Metrics", "Insertion depth"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How deep the tip went, counted up to the goal of this level."),
-              .definition = "The deepest place that the tip reached along the centre-line, no farther than 10 mm beside it, at most the level's "
+              .meaning = QT_TRANSLATE_NOOP("Metrics",
+                                           "How deep the tip went, counted up to the goal of this level."),
+              .definition = "The deepest place that the tip reached along the centre-line, no farther than "
+                            "10 mm beside it, at most the level's "
                             "goal; the mean over the trials.",
               .source = "models.md §1.3",
               .measure = measureInsertionDepth});

@@ -38,7 +38,8 @@ inline constexpr double kBendHalf_nm = 10e6;
 
 /// Returns whether the tip is within 10 mm of s_B. Compared in whole nm, so that both ends are included.
 inline bool isAtBend(const InsertionSeries& series, std::size_t i) {
-    return std::abs(std::nearbyint(series.s_m[i] * 1e9) - std::nearbyint(series.bend_m * 1e9)) <= kBendHalf_nm;
+    return std::abs(std::nearbyint(series.s_m[i] * 1e9) - std::nearbyint(series.bend_m * 1e9)) <=
+           kBendHalf_nm;
 }
 
 /// Length of the sharpest part of the curve, past the bend: P1's parabola turns there by 36° of its 59°.

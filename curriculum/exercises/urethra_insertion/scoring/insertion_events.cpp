@@ -11,8 +11,8 @@ namespace chiron::scoring {
 
 namespace {
 
-constexpr std::int64_t kTrauma_us = 20'000;       // models.md §6
-constexpr double kRearmShare = 0.8;               // models.md §6
+constexpr std::int64_t kTrauma_us = 20'000;        // models.md §6
+constexpr double kRearmShare = 0.8;                // models.md §6
 constexpr std::int64_t kHysteresis_nm = 1'000'000; // 1 mm: ten times the tremor of models.md §4
 
 /// Convert to whole µs and nm, so that thresholds are met exactly and not to within a rounding error.

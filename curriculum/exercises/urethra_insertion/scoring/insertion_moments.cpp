@@ -26,8 +26,9 @@ std::optional<double> valueAt(const TrialTrace& trial, InsertionQuantity quantit
                    ? std::optional(series.alignment_rad[i])
                    : std::nullopt;
     case InsertionQuantity::curveAlignment:
-        return isStage(series, i, core::ProcedureStage::insertion) && isInCurve(series, i) ? std::optional(series.alignment_rad[i])
-                                                                                           : std::nullopt;
+        return isStage(series, i, core::ProcedureStage::insertion) && isInCurve(series, i)
+                   ? std::optional(series.alignment_rad[i])
+                   : std::nullopt;
     case InsertionQuantity::torque:
         return i < tool.tissueTorque_Nm.size() ? std::optional(tool.tissueTorque_Nm[i].norm()) : std::nullopt;
     }
@@ -47,43 +48,57 @@ std::span<const InsertionQuantity> insertionQuantities() noexcept {
 }
 
 std::span<const std::string_view> metricsOf(InsertionQuantity quantity) noexcept {
-    static constexpr std::string_view kOffset[] = {"offset_rms", "offset_max"}, kAlignment[] = {"alignment_rms"}, kBend[] = {"bend_alignment"},
-                                      kCurve[] = {"curve_alignment"}, kTorque[] = {"torque_max", "torque_rms"};
+    static constexpr std::string_view kOffset[] = {"offset_rms", "offset_max"},
+                                      kAlignment[] = {"alignment_rms"}, kBend[] = {"bend_alignment"},
+                                      kCurve[] = {"curve_alignment"},
+                                      kTorque[] = {"torque_max", "torque_rms"};
     switch (quantity) {
-    case InsertionQuantity::offset: return kOffset;
-    case InsertionQuantity::alignment: return kAlignment;
-    case InsertionQuantity::bendAlignment: return kBend;
-    case InsertionQuantity::curveAlignment: return kCurve;
-    case InsertionQuantity::torque: return kTorque;
+    case InsertionQuantity::offset:
+        return kOffset;
+    case InsertionQuantity::alignment:
+        return kAlignment;
+    case InsertionQuantity::bendAlignment:
+        return kBend;
+    case InsertionQuantity::curveAlignment:
+        return kCurve;
+    case InsertionQuantity::torque:
+        return kTorque;
     }
     return {};
 }
 
 std::optional<InsertionQuantity> insertionQuantityOf(std::string_view metric) noexcept {
     for (const InsertionQuantity quantity : insertionQuantities())
-        if (const auto metrics = metricsOf(quantity); std::find(metrics.begin(), metrics.end(), metric) != metrics.end())
+        if (const auto metrics = metricsOf(quantity);
+            std::find(metrics.begin(), metrics.end(), metric) != metrics.end())
             return quantity;
     return std::nullopt;
 }
 
 double inMetricUnit(InsertionQuantity quantity, double value) noexcept {
     switch (quantity) {
-    case InsertionQuantity::offset: return core::mmFromM(value);
+    case InsertionQuantity::offset:
+        return core::mmFromM(value);
     case InsertionQuantity::alignment:
     case InsertionQuantity::bendAlignment:
-    case InsertionQuantity::curveAlignment: return core::degFromRad(value);
-    case InsertionQuantity::torque: return 1e3 * value;
+    case InsertionQuantity::curveAlignment:
+        return core::degFromRad(value);
+    case InsertionQuantity::torque:
+        return 1e3 * value;
     }
     return value;
 }
 
 const char* metricUnitOf(InsertionQuantity quantity) noexcept {
     switch (quantity) {
-    case InsertionQuantity::offset: return "mm";
+    case InsertionQuantity::offset:
+        return "mm";
     case InsertionQuantity::alignment:
     case InsertionQuantity::bendAlignment:
-    case InsertionQuantity::curveAlignment: return "°";
-    case InsertionQuantity::torque: return "mN·m";
+    case InsertionQuantity::curveAlignment:
+        return "°";
+    case InsertionQuantity::torque:
+        return "mN·m";
     }
     return "";
 }

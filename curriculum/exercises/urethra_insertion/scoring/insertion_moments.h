@@ -14,11 +14,11 @@ namespace chiron::scoring {
 /// Quantities that the metrics of an insertion measure sample by sample, so that a viewer can go to the
 /// moment where a quantity was worst.
 enum class InsertionQuantity : std::uint8_t {
-    offset,        ///< m, in the urethra: offset_rms, offset_max
-    alignment,     ///< rad, in the urethra: alignment_rms
-    bendAlignment, ///< rad, at the bend during the insertion: bend_alignment
+    offset,         ///< m, in the urethra: offset_rms, offset_max
+    alignment,      ///< rad, in the urethra: alignment_rms
+    bendAlignment,  ///< rad, at the bend during the insertion: bend_alignment
     curveAlignment, ///< rad, from the bend to 30 mm past it during the insertion: curve_alignment
-    torque,        ///< N·m, everywhere: torque_max, torque_rms
+    torque,         ///< N·m, everywhere: torque_max, torque_rms
 };
 
 /// Returns all of them, in the order of the enumeration.

@@ -16,7 +16,8 @@ core::Vec3 triple(const AxisValues& values, std::size_t first) noexcept {
 } // namespace
 
 core::Vec3 CartesianKinematics::rotationVector(const core::DeviceSample& sample) const noexcept {
-    return {sample.counts[3] * m_resolution[3], sample.counts[4] * m_resolution[4], sample.counts[5] * m_resolution[5]};
+    return {sample.counts[3] * m_resolution[3], sample.counts[4] * m_resolution[4],
+            sample.counts[5] * m_resolution[5]};
 }
 
 core::ToolState CartesianKinematics::pose(const core::DeviceSample& sample) const noexcept {
@@ -33,8 +34,8 @@ core::ToolState CartesianKinematics::pose(const core::DeviceSample& sample) cons
     return tool;
 }
 
-void CartesianKinematics::velocity(const core::DeviceSample& sample, const AxisValues& countRates, core::Vec3& v_DT,
-                                   core::Vec3& w_DT) const noexcept {
+void CartesianKinematics::velocity(const core::DeviceSample& sample, const AxisValues& countRates,
+                                   core::Vec3& v_DT, core::Vec3& w_DT) const noexcept {
     AxisValues rates{};
     for (std::size_t i = 0; i < rates.size(); ++i)
         rates[i] = countRates[i] * m_resolution[i];
@@ -42,7 +43,8 @@ void CartesianKinematics::velocity(const core::DeviceSample& sample, const AxisV
     w_DT = m_turns ? core::Vec3(leftJacobian(rotationVector(sample)) * triple(rates, 3)) : core::Vec3::Zero();
 }
 
-AxisValues CartesianKinematics::efforts(const core::DeviceSample& sample, const core::Wrench& wrench_D) const noexcept {
+AxisValues CartesianKinematics::efforts(const core::DeviceSample& sample,
+                                        const core::Wrench& wrench_D) const noexcept {
     AxisValues efforts{wrench_D.force.x(), wrench_D.force.y(), wrench_D.force.z()};
     if (m_turns) {
         const core::Vec3 generalised = leftJacobian(rotationVector(sample)).transpose() * wrench_D.torque;

@@ -11,8 +11,9 @@ namespace chiron::devices {
 ///   p_DT = (x, y, z), axes 0–2 in metres;
 ///   q_DT = exp(r), axes 3–5, if there are any, in radians: the rotation vector r (axis times angle);
 ///   v_DT = ṗ; w_DT = J(r) ṙ with the left Jacobian of SO(3),
-///   J(r) = 1 + (1 - cos θ)/θ² [r]× + (θ - sin θ)/θ³ [r]×², θ = ‖r‖ (Chirikjian 2011, Stochastic Models, Information
-///   Theory, and Lie Groups, vol. 2, §10.6); efforts: f on axes 0–2, J(r)ᵀ τ on axes 3–5 (power is conserved).
+///   J(r) = 1 + (1 - cos θ)/θ² [r]× + (θ - sin θ)/θ³ [r]×², θ = ‖r‖ (Chirikjian 2011, Stochastic Models,
+///   Information Theory, and Lie Groups, vol. 2, §10.6); efforts: f on axes 0–2, J(r)ᵀ τ on axes 3–5 (power
+///   is conserved).
 /// Parameters: none beyond the axes' resolutions. Pure.
 /// Thread: any; allocates nothing after creation.
 class CartesianKinematics final : public IToolKinematics {
@@ -28,7 +29,8 @@ public:
     core::ToolState pose(const core::DeviceSample& sample) const noexcept override;
     void velocity(const core::DeviceSample& sample, const AxisValues& countRates, core::Vec3& v_DT,
                   core::Vec3& w_DT) const noexcept override;
-    AxisValues efforts(const core::DeviceSample& sample, const core::Wrench& wrench_D) const noexcept override;
+    AxisValues efforts(const core::DeviceSample& sample,
+                       const core::Wrench& wrench_D) const noexcept override;
 
 private:
     CartesianKinematics() = default;

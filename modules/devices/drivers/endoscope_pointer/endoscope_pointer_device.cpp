@@ -17,9 +17,10 @@ void EndoscopePointerDevice::move(const EndoscopeMovement& hand) noexcept {
     const Vec3 turned = joint.rates(q * Vec3(hand.turnUp_rad, -hand.turnRight_rad, -hand.spin_rad));
     for (int i = 0; i < 3; ++i) {
         const auto axis = static_cast<std::size_t>(i);
-        m_position_m[i] = std::clamp(m_position_m[i] + moved[i], m_settings.minimum_m[axis], m_settings.maximum_m[axis]);
-        m_angles_rad[i] =
-            std::clamp(m_angles_rad[i] + turned[i], m_settings.minimum_rad[axis], m_settings.maximum_rad[axis]);
+        m_position_m[i] =
+            std::clamp(m_position_m[i] + moved[i], m_settings.minimum_m[axis], m_settings.maximum_m[axis]);
+        m_angles_rad[i] = std::clamp(m_angles_rad[i] + turned[i], m_settings.minimum_rad[axis],
+                                     m_settings.maximum_rad[axis]);
     }
 }
 

@@ -16,8 +16,10 @@ struct EndoscopePointerSettings {
     std::array<double, 3> minimum_m{-0.015, -0.085, -0.040};
     std::array<double, 3> maximum_m{0.015, 0.105, 0.185};
     std::array<double, 3> home_m{0.0, -0.069, 0.0};
-    std::array<double, 3> minimum_rad{-0.523598775598299, -0.523598775598299, -3.141592653589793}; ///< pitch, yaw, roll
-    std::array<double, 3> maximum_rad{1.680752, 0.523598775598299, 3.141592653589793}; ///< the centre-line's 66.3° + 30°
+    std::array<double, 3> minimum_rad{-0.523598775598299, -0.523598775598299,
+                                      -3.141592653589793}; ///< pitch, yaw, roll
+    std::array<double, 3> maximum_rad{1.680752, 0.523598775598299,
+                                      3.141592653589793}; ///< the centre-line's 66.3° + 30°
     std::array<double, 3> home_rad{0.0, 0.0, 0.0};
     /// True: the tip stays in the plane of symmetry (x = its home), as on P1's mechanism. False: it moves
     /// freely along the viewing direction.
@@ -28,7 +30,8 @@ struct EndoscopePointerSettings {
 
 /// An endoscope moved by a mouse and a keyboard: an input-only tool (class "shown"). The window states how
 /// the picture is to move (EndoscopeMovement); each tick integrates this in the tool's own frame,
-///   Δp = r(F) · advance · a + right · x_T + up · y_T,   (pitch˙, yaw˙, roll˙) = J_ω⁻¹ R_DT (turnUp, −turnRight, −spin),
+///   Δp = r(F) · advance · a + right · x_T + up · y_T,   (pitch˙, yaw˙, roll˙) = J_ω⁻¹ R_DT (turnUp,
+///   −turnRight, −spin),
 /// so that the endoscope moves along its viewing direction. The result is quantised to 1 µm and 10 µrad
 /// before anything else sees it. r(F) (PseudoHaptics) slows the movement along the axis, where an endoscope
 /// meets its resistance. Stepped in the tick (age 0, device time = index · 1 ms).
@@ -41,7 +44,8 @@ public:
     /// Creates the device.
     /// Errors: badInput unless minimum < home < maximum on each axis and yaw stays within ±80°, or if a ratio
     /// is out of range.
-    static core::Result<std::unique_ptr<EndoscopePointerDevice>> create(const EndoscopePointerSettings& settings = {});
+    static core::Result<std::unique_ptr<EndoscopePointerDevice>>
+    create(const EndoscopePointerSettings& settings = {});
 
     EndoscopeMailbox& mailbox() noexcept { return m_mailbox; }
 
@@ -63,7 +67,7 @@ private:
     EndoscopePoseKinematics m_kinematics;
     EndoscopeMailbox m_mailbox;
     MotionIntake<6> m_intake;
-    core::Vec3 m_position_m;  ///< before rounding, so that slow movement is not lost
+    core::Vec3 m_position_m; ///< before rounding, so that slow movement is not lost
     core::Vec3 m_angles_rad; ///< pitch, yaw, roll
     double m_ratio = 1.0;
     std::uint32_t m_packet = 0;

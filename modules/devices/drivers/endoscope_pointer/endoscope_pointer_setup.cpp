@@ -17,20 +17,21 @@ constexpr const char* kAxisNames[EndoscopePoseKinematics::kAxes] = {"x", "y", "z
 
 core::Result<void> check(const EndoscopePointerSettings& s) {
     for (std::size_t i = 0; i < 3; ++i) {
-        const bool along = s.minimum_m[i] < s.home_m[i] && s.home_m[i] < s.maximum_m[i] && s.minimum_m[i] >= -1.0 &&
+        const bool along = s.minimum_m[i] < s.home_m[i] && s.home_m[i] < s.maximum_m[i] &&
+                           s.minimum_m[i] >= -1.0 &&
                            s.maximum_m[i] <= 1.0; // 1 m: counts stay far inside 32 bits
         if (!along)
-            return core::fail(core::ErrorCode::badInput, std::string("endoscope_pointer: workspace of axis ") +
-                                                             kAxisNames[i] +
-                                                             " must satisfy -1 m <= minimum < home < maximum <= 1 m");
+            return core::fail(core::ErrorCode::badInput,
+                              std::string("endoscope_pointer: workspace of axis ") + kAxisNames[i] +
+                                  " must satisfy -1 m <= minimum < home < maximum <= 1 m");
         const double widest = i == 1 ? kWidestYaw_rad : 6.3;
         const bool about = s.minimum_rad[i] < s.home_rad[i] && s.home_rad[i] < s.maximum_rad[i] &&
                            s.minimum_rad[i] >= -widest && s.maximum_rad[i] <= widest;
         if (!about)
-            return core::fail(core::ErrorCode::badInput, std::string("endoscope_pointer: travel of axis ") +
-                                                             kAxisNames[i + 3] +
-                                                             " must satisfy minimum < home < maximum, at most a turn either "
-                                                             "way, 80 degrees for yaw");
+            return core::fail(core::ErrorCode::badInput,
+                              std::string("endoscope_pointer: travel of axis ") + kAxisNames[i + 3] +
+                                  " must satisfy minimum < home < maximum, at most a turn either "
+                                  "way, 80 degrees for yaw");
     }
     return checkPointer("endoscope_pointer", s.pseudoHaptics, s.following_s);
 }
@@ -42,11 +43,12 @@ DeviceDescriptor describe(const EndoscopePointerSettings& s) {
     d.kinematics = EndoscopePoseKinematics::kId;
     for (std::size_t i = 0; i < EndoscopePoseKinematics::kAxes; ++i) {
         const bool length = i < 3;
-        d.axes.push_back({.id = kAxisNames[i],
-                          .unit = length ? AxisUnit::metre : AxisUnit::radian,
-                          .resolution = length ? EndoscopePointerDevice::kGrid_m : EndoscopePointerDevice::kGrid_rad,
-                          .minimum = length ? s.minimum_m[i] : s.minimum_rad[i - 3],
-                          .maximum = length ? s.maximum_m[i] : s.maximum_rad[i - 3]});
+        d.axes.push_back(
+            {.id = kAxisNames[i],
+             .unit = length ? AxisUnit::metre : AxisUnit::radian,
+             .resolution = length ? EndoscopePointerDevice::kGrid_m : EndoscopePointerDevice::kGrid_rad,
+             .minimum = length ? s.minimum_m[i] : s.minimum_rad[i - 3],
+             .maximum = length ? s.maximum_m[i] : s.maximum_rad[i - 3]});
     }
     d.inProcess = true;
     d.period_us = 1000;
@@ -60,7 +62,8 @@ core::Result<EndoscopePoseKinematics> EndoscopePoseKinematics::create(const Devi
     CHIRON_TRY(resolution);
     for (std::size_t i = 0; i < kAxes; ++i)
         if (descriptor.axes[i].unit != (i < 3 ? AxisUnit::metre : AxisUnit::radian))
-            return kinematicsMisfit(kId, "axes[" + std::to_string(i) + "] must be in " + (i < 3 ? "metres" : "radians"));
+            return kinematicsMisfit(kId, "axes[" + std::to_string(i) + "] must be in " +
+                                             (i < 3 ? "metres" : "radians"));
     return EndoscopePoseKinematics(*resolution);
 }
 
@@ -76,7 +79,8 @@ EndoscopePointerDevice::create(const EndoscopePointerSettings& settings) {
         new EndoscopePointerDevice(settings, std::move(descriptor), *kinematics));
 }
 
-EndoscopePointerDevice::EndoscopePointerDevice(const EndoscopePointerSettings& settings, DeviceDescriptor descriptor,
+EndoscopePointerDevice::EndoscopePointerDevice(const EndoscopePointerSettings& settings,
+                                               DeviceDescriptor descriptor,
                                                const EndoscopePoseKinematics& kinematics)
     : m_settings(settings), m_descriptor(std::move(descriptor)), m_kinematics(kinematics),
       m_intake(followingShare(settings.following_s)),

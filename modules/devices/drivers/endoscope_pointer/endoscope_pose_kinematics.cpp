@@ -18,8 +18,8 @@ core::ToolState EndoscopePoseKinematics::pose(const core::DeviceSample& sample) 
     return state;
 }
 
-void EndoscopePoseKinematics::velocity(const core::DeviceSample& sample, const AxisValues& countRates, Vec3& v_DT,
-                                       Vec3& w_DT) const noexcept {
+void EndoscopePoseKinematics::velocity(const core::DeviceSample& sample, const AxisValues& countRates,
+                                       Vec3& v_DT, Vec3& w_DT) const noexcept {
     v_DT = triple(countRates, 0);
     w_DT = joint(sample).angularVelocity_D(triple(countRates, 3));
 }

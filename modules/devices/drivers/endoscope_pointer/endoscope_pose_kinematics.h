@@ -21,7 +21,8 @@ public:
     /// Errors: badInput unless the descriptor has this id, 3 axes in metres and 3 in radians, all of positive
     /// resolution.
     static core::Result<EndoscopePoseKinematics> create(const DeviceDescriptor& descriptor);
-    explicit EndoscopePoseKinematics(const std::array<double, kAxes>& resolution) noexcept : m_resolution(resolution) {}
+    explicit EndoscopePoseKinematics(const std::array<double, kAxes>& resolution) noexcept
+        : m_resolution(resolution) {}
     ~EndoscopePoseKinematics() override;
     EndoscopePoseKinematics(const EndoscopePoseKinematics&) = default;
     EndoscopePoseKinematics& operator=(const EndoscopePoseKinematics&) = default;
@@ -29,7 +30,8 @@ public:
     core::ToolState pose(const core::DeviceSample& sample) const noexcept override;
     void velocity(const core::DeviceSample& sample, const AxisValues& countRates, core::Vec3& v_DT,
                   core::Vec3& w_DT) const noexcept override;
-    AxisValues efforts(const core::DeviceSample& sample, const core::Wrench& wrench_D) const noexcept override;
+    AxisValues efforts(const core::DeviceSample& sample,
+                       const core::Wrench& wrench_D) const noexcept override;
 
 private:
     template <class Counts> core::Vec3 triple(const Counts& counts, std::size_t first) const noexcept {

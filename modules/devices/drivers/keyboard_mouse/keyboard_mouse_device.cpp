@@ -12,8 +12,8 @@ core::DeviceSample KeyboardMouseDevice::read(const realtime::HapticTick& now) no
     const std::array<double, 4> hand = m_intake.take(m_mailbox.read()); // m, m, m, rad
     core::DeviceSample sample;
     for (std::size_t i = 0; i < 3; ++i) {
-        m_position_m[i] = std::clamp(m_position_m[i] + m_ratio * hand[i], m_settings.minimum_m[i],
-                                     m_settings.maximum_m[i]);
+        m_position_m[i] =
+            std::clamp(m_position_m[i] + m_ratio * hand[i], m_settings.minimum_m[i], m_settings.maximum_m[i]);
         sample.counts[i] = static_cast<std::int32_t>(std::lround(m_position_m[i] / kGrid_m));
     }
     m_jaw_rad = std::clamp(m_jaw_rad + hand[3], 0.0, m_settings.widestJaw_rad);

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "devices/api/device.h"
+#include "devices/api/pointer_mailbox.h"
 #include "devices/drivers/cartesian/cartesian_kinematics.h"
 #include "devices/drivers/keyboard_mouse/motion_intake.h"
-#include "devices/api/pointer_mailbox.h"
 
 #include <memory>
 
@@ -14,8 +14,9 @@ struct KeyboardMouseSettings {
     std::array<double, 3> minimum_m{-0.080, -0.080, -0.030}; ///< workspace in D
     std::array<double, 3> maximum_m{0.080, 0.080, 0.080};
     std::array<double, 3> home_m{0.0, 0.0, 0.060};
-    double widestJaw_rad = 0.0; ///< opening angle of a grasper's jaw at its stop, at most 1.6; 0: a tool without a jaw
-    double homeJaw_rad = 0.0;   ///< at open(); 0..widestJaw_rad
+    double widestJaw_rad =
+        0.0; ///< opening angle of a grasper's jaw at its stop, at most 1.6; 0: a tool without a jaw
+    double homeJaw_rad = 0.0; ///< at open(); 0..widestJaw_rad
     PseudoHaptics pseudoHaptics{};
     /// Time constant with which the tool follows the hand. Pointers and wheels report in jumps, 8 to 16 ms
     /// apart, which do not represent the speed of any hand. 0 (as the hand reports) to 0.2 s.
@@ -35,7 +36,8 @@ public:
 
     /// Creates the device.
     /// Errors: badInput unless minimum < home < maximum on each axis, or if a ratio or force is out of range.
-    static core::Result<std::unique_ptr<KeyboardMouseDevice>> create(const KeyboardMouseSettings& settings = {});
+    static core::Result<std::unique_ptr<KeyboardMouseDevice>>
+    create(const KeyboardMouseSettings& settings = {});
 
     PointerMailbox& mailbox() noexcept { return m_mailbox; }
 

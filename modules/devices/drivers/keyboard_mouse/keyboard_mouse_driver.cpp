@@ -11,13 +11,14 @@
 namespace chiron::devices {
 
 namespace {
-constexpr double kInside_m = 0.001;    // from a tool's start position to the edge of its box
+constexpr double kInside_m = 0.001; // from a tool's start position to the edge of its box
 // Longer than the interval between a pointer's reports, and too short for anybody to notice.
 constexpr double kFollowing_s = 0.025;
 
 /// Makes a device whose box of W stays the same whatever the scale, so that the hand's range shrinks as the
 /// scale grows.
-template <class Device, class Settings> core::Result<DriverTool> makePointer(Settings settings, double scale) {
+template <class Device, class Settings>
+core::Result<DriverTool> makePointer(Settings settings, double scale) {
     settings.following_s = kFollowing_s;
     for (std::size_t i = 0; i < 3; ++i) {
         settings.minimum_m[i] /= scale;
@@ -37,14 +38,15 @@ KeyboardMouseSettings pointSettings(double widestJaw_rad, const ToolRequest& too
     KeyboardMouseSettings settings;
     settings.widestJaw_rad = widestJaw_rad;
     if (tool.startHeight_m)
-        settings.home_m[2] = std::clamp(*tool.startHeight_m - tool.mapping.origin_m[2], settings.minimum_m[2] + kInside_m,
-                                        settings.maximum_m[2] - kInside_m);
+        settings.home_m[2] = std::clamp(*tool.startHeight_m - tool.mapping.origin_m[2],
+                                        settings.minimum_m[2] + kInside_m, settings.maximum_m[2] - kInside_m);
     return settings;
 }
 
 /// Settings of a grasper: the box that all graspers reach, as seen from each tool's own position. Each starts
 /// under its entry point with its jaw open.
-KeyboardMouseSettings grasperSettings(const WorkspaceMapping& mapping, const std::array<double, 3>& middle_m) {
+KeyboardMouseSettings grasperSettings(const WorkspaceMapping& mapping,
+                                      const std::array<double, 3>& middle_m) {
     KeyboardMouseSettings settings;
     const double mirror = mapping.leftHanded ? -1.0 : 1.0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -70,9 +72,11 @@ EndoscopePointerSettings endoscopeSettings(const core::Vec3& start_W) {
 core::Result<DriverTool> makeTool(const DriverRequest& request, const ToolRequest& tool) {
     switch (request.shape) {
     case ToolShape::endoscope:
-        return makePointer<EndoscopePointerDevice>(endoscopeSettings(request.endoscopeStart_W), request.scale);
+        return makePointer<EndoscopePointerDevice>(endoscopeSettings(request.endoscopeStart_W),
+                                                   request.scale);
     case ToolShape::grasper:
-        return makePointer<KeyboardMouseDevice>(grasperSettings(tool.mapping, request.middle_m), request.scale);
+        return makePointer<KeyboardMouseDevice>(grasperSettings(tool.mapping, request.middle_m),
+                                                request.scale);
     case ToolShape::point:
         break;
     }
@@ -90,7 +94,9 @@ core::Result<std::vector<DriverTool>> openPointers(DriverRequest request) {
 }
 
 /// A window always has a mouse or a keyboard; without a window it is not possible to determine which.
-std::vector<FoundDevice> discoverPointer() { return {{"mouse and keyboard", {}}}; }
+std::vector<FoundDevice> discoverPointer() {
+    return {{"mouse and keyboard", {}}};
+}
 
 constexpr KinematicsEntry kPointerKinematics[]{
     {"cartesian", makeKinematicsOf<CartesianKinematics>},

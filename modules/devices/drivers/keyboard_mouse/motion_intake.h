@@ -14,9 +14,10 @@ namespace chiron::devices {
 /// isometric input devices simulate force feedback?", IEEE VR); the linear law and its two constants are
 /// assumptions.
 struct PseudoHaptics {
-    double slowestRatio = 0.3; ///< 0 < r ≤ 1: control/display ratio at and above slowestAt_N; 1 switches it off
-    double slowestAt_N = 4.0;  ///< > 0: shown force at which motion is slowest (the site's default force
-                               ///< limit)
+    double slowestRatio =
+        0.3; ///< 0 < r ≤ 1: control/display ratio at and above slowestAt_N; 1 switches it off
+    double slowestAt_N = 4.0; ///< > 0: shown force at which motion is slowest (the site's default force
+                              ///< limit)
 
     double ratio(double shownForce_N) const noexcept {
         const double share = std::clamp(shownForce_N / slowestAt_N, 0.0, 1.0);
@@ -59,7 +60,7 @@ public:
 
 private:
     double m_share;
-    MotionTotals<Axes> m_seen;              ///< already taken in
+    MotionTotals<Axes> m_seen;            ///< already taken in
     std::array<double, Axes> m_pending{}; ///< moved by the hand, but not yet by the tool
     std::uint32_t m_buttons = 0;
 };

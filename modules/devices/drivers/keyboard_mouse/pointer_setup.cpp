@@ -5,7 +5,8 @@
 
 namespace chiron::devices {
 
-core::Result<void> checkPointer(const std::string& driver, const PseudoHaptics& pseudoHaptics, double following_s) {
+core::Result<void> checkPointer(const std::string& driver, const PseudoHaptics& pseudoHaptics,
+                                double following_s) {
     const auto refuse = [&](const char* name, double value, const char* expected) {
         return core::fail(core::ErrorCode::badInput,
                           driver + ": " + name + " is " + std::to_string(value) + ", expected " + expected);

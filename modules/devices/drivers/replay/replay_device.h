@@ -48,7 +48,8 @@ private:
         std::int32_t jawCounts = 0;
         std::uint32_t buttons = 0;
     };
-    ReplayDevice(DeviceDescriptor descriptor, const CartesianKinematics& kinematics, std::vector<Step> samples);
+    ReplayDevice(DeviceDescriptor descriptor, const CartesianKinematics& kinematics,
+                 std::vector<Step> samples);
     static std::vector<Step> resample(const std::vector<TracePoint>& trace);
 
     DeviceDescriptor m_descriptor;

@@ -12,7 +12,8 @@ core::Result<std::vector<DriverTool>> openTraces(DriverRequest request) {
     for (std::size_t i = 0; i < request.tools.size(); ++i) {
         auto device = ReplayDevice::create(request.tools[i].trace);
         if (!device) {
-            const std::string which = request.tools.size() > 1 ? "tool " + std::to_string(i) + ": " : std::string();
+            const std::string which =
+                request.tools.size() > 1 ? "tool " + std::to_string(i) + ": " : std::string();
             return core::fail(device.error().code, which + device.error().message);
         }
         made.push_back({std::move(*device)});
@@ -20,7 +21,9 @@ core::Result<std::vector<DriverTool>> openTraces(DriverRequest request) {
     return made;
 }
 
-std::vector<FoundDevice> discoverTraces() { return {{"recorded trace", {}}}; }
+std::vector<FoundDevice> discoverTraces() {
+    return {{"recorded trace", {}}};
+}
 
 constexpr KinematicsEntry kTraceKinematics[]{{"cartesian", makeKinematicsOf<CartesianKinematics>}};
 } // namespace

@@ -51,7 +51,9 @@ core::Vec3 rotationVectorNear(const core::Quat& q, const core::Vec3& previous) {
     return (angle + k * turn) * axis;
 }
 
-std::int32_t countsOf(double value, double grid) { return static_cast<std::int32_t>(std::lround(value / grid)); }
+std::int32_t countsOf(double value, double grid) {
+    return static_cast<std::int32_t>(std::lround(value / grid));
+}
 
 DeviceDescriptor describe(bool turns) {
     DeviceDescriptor d;
@@ -117,10 +119,12 @@ core::Result<std::unique_ptr<ReplayDevice>> ReplayDevice::create(const std::vect
     DeviceDescriptor descriptor = describe(trace.front().q_WT.has_value());
     auto kinematics = CartesianKinematics::create(descriptor);
     CHIRON_TRY(kinematics);
-    return std::unique_ptr<ReplayDevice>(new ReplayDevice(std::move(descriptor), *kinematics, resample(trace)));
+    return std::unique_ptr<ReplayDevice>(
+        new ReplayDevice(std::move(descriptor), *kinematics, resample(trace)));
 }
 
-ReplayDevice::ReplayDevice(DeviceDescriptor descriptor, const CartesianKinematics& kinematics, std::vector<Step> samples)
+ReplayDevice::ReplayDevice(DeviceDescriptor descriptor, const CartesianKinematics& kinematics,
+                           std::vector<Step> samples)
     : m_descriptor(std::move(descriptor)), m_kinematics(kinematics), m_samples(std::move(samples)) {}
 
 core::Result<void> ReplayDevice::open() {

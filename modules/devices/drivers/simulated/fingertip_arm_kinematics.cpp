@@ -22,8 +22,8 @@ core::ToolState FingertipArmKinematics::pose(const core::DeviceSample& sample) c
     return tool;
 }
 
-void FingertipArmKinematics::velocity(const core::DeviceSample& sample, const AxisValues& countRates, Vec3& v_DT,
-                                      Vec3& w_DT) const noexcept {
+void FingertipArmKinematics::velocity(const core::DeviceSample& sample, const AxisValues& countRates,
+                                      Vec3& v_DT, Vec3& w_DT) const noexcept {
     Vec3 q_rate;
     Vec3 r_rate;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -32,7 +32,8 @@ void FingertipArmKinematics::velocity(const core::DeviceSample& sample, const Ax
     }
     const Vec3 r = triple(sample, kWrist);
     w_DT = leftJacobian(r) * r_rate;
-    v_DT = m_place.jacobian(triple(sample, 0)) * q_rate + w_DT.cross(mechanisms::turned(core::Quat::Identity(), r) * m_pad_T);
+    v_DT = m_place.jacobian(triple(sample, 0)) * q_rate +
+           w_DT.cross(mechanisms::turned(core::Quat::Identity(), r) * m_pad_T);
 }
 
 } // namespace chiron::devices

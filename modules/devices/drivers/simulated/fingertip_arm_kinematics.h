@@ -14,7 +14,8 @@ namespace chiron::devices {
 /// tool). Parameters: {x, y, z of this finger's pad from the wrist's middle, in T; x, y, z of the shoulder,
 /// in D; length of the upper arm, of the forearm; all m}. With p_arm from mechanisms::FingertipArmPlace and J
 /// its Jacobian:
-///   q_DT = exp(r),  p_DT = p_arm(θ) + q_DT·o,  w = J_l(r) r˙ (left Jacobian of SO(3)),  v = J(θ) θ˙ + w × q_DT·o.
+///   q_DT = exp(r),  p_DT = p_arm(θ) + q_DT·o,  w = J_l(r) r˙ (left Jacobian of SO(3)),  v = J(θ) θ˙ + w ×
+///   q_DT·o.
 /// T: the identity is the pad facing down (−z_T), x_T across the finger. The arm has no motors: no axis takes
 /// part in any wrench, so every effort is zero. Pure. Source: P3 §2.2; models.md §3.
 /// (Stored sessions of models id 1 and 2: fingertip_sliding_kinematics.h.)
@@ -26,9 +27,10 @@ public:
     static constexpr std::size_t kWrist = 3;    ///< first axis of the wrist
     static constexpr std::size_t kPlatform = 6; ///< pitch, then roll
 
-    FingertipArmKinematics(const std::array<double, kAxes>& resolution, double jawResolution_rad, const core::Vec3& pad_T,
-                           const mechanisms::FingertipArmGeometry& geometry) noexcept
-        : m_resolution(resolution), m_jawResolution_rad(jawResolution_rad), m_pad_T(pad_T), m_place(geometry) {}
+    FingertipArmKinematics(const std::array<double, kAxes>& resolution, double jawResolution_rad,
+                           const core::Vec3& pad_T, const mechanisms::FingertipArmGeometry& geometry) noexcept
+        : m_resolution(resolution), m_jawResolution_rad(jawResolution_rad), m_pad_T(pad_T),
+          m_place(geometry) {}
     /// Creates the kinematics.
     /// Errors: badInput if id, axes, units or parameters do not fit.
     static core::Result<FingertipArmKinematics> create(const DeviceDescriptor& descriptor);

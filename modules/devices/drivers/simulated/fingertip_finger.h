@@ -16,14 +16,16 @@ namespace chiron::devices {
 /// Thread: haptic; allocates nothing.
 class FingertipFinger {
 public:
-    FingertipFinger(const mechanisms::FingertipPlatformParameters& platform, double angleResolution_rad, std::uint64_t seed) noexcept
+    FingertipFinger(const mechanisms::FingertipPlatformParameters& platform, double angleResolution_rad,
+                    std::uint64_t seed) noexcept
         : m_platform(platform, seed), m_angleResolution_rad(angleResolution_rad) {}
 
     void reset() noexcept { m_platform.reset(); }
     void tick(const ForceCommand& command) noexcept { m_platform.tick(command.display, command.enabled); }
     /// Adds the platform axes, and as `measured` the force that the three resistors sense, along the pad's
     /// normal according to the arm's sensors.
-    void addToSample(const IToolKinematics& kinematics, const WorkspaceMap& map, core::DeviceSample& sample) const noexcept;
+    void addToSample(const IToolKinematics& kinematics, const WorkspaceMap& map,
+                     core::DeviceSample& sample) const noexcept;
     void addToPerception(mechanisms::HandPerception& seen) const noexcept {
         seen.fingertip = true;
         seen.pad = m_platform.truth();

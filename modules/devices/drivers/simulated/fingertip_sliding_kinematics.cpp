@@ -22,8 +22,8 @@ core::ToolState FingertipSlidingKinematics::pose(const core::DeviceSample& sampl
     return tool;
 }
 
-void FingertipSlidingKinematics::velocity(const core::DeviceSample& sample, const AxisValues& countRates, Vec3& v_DT,
-                                      Vec3& w_DT) const noexcept {
+void FingertipSlidingKinematics::velocity(const core::DeviceSample& sample, const AxisValues& countRates,
+                                          Vec3& v_DT, Vec3& w_DT) const noexcept {
     Vec3 p_rate;
     Vec3 r_rate;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -23,7 +23,7 @@ public:
     static constexpr std::size_t kPlatform = 6; ///< pitch, then roll
 
     FingertipSlidingKinematics(const std::array<double, kAxes>& resolution, double jawResolution_rad,
-                           const core::Vec3& pad_T) noexcept
+                               const core::Vec3& pad_T) noexcept
         : m_resolution(resolution), m_jawResolution_rad(jawResolution_rad), m_pad_T(pad_T) {}
     /// Creates the kinematics.
     /// Errors: badInput if id, axes, units or parameters do not fit.

@@ -11,7 +11,8 @@ mechanisms::FiveBarLoop FiveBarSphericalKinematics::loop(const core::DeviceSampl
     return m_linkage.loop(value(sample, 0), value(sample, 1));
 }
 
-mechanisms::SphericalJoint FiveBarSphericalKinematics::joint(const core::DeviceSample& sample) const noexcept {
+mechanisms::SphericalJoint
+FiveBarSphericalKinematics::joint(const core::DeviceSample& sample) const noexcept {
     return mechanisms::SphericalJoint(
         {m_mountingPitch_rad + value(sample, 2), value(sample, 3), value(sample, 4)});
 }
@@ -25,8 +26,8 @@ core::ToolState FiveBarSphericalKinematics::pose(const core::DeviceSample& sampl
     return state;
 }
 
-void FiveBarSphericalKinematics::velocity(const core::DeviceSample& sample, const AxisValues& countRates, Vec3& v_DT,
-                                          Vec3& w_DT) const noexcept {
+void FiveBarSphericalKinematics::velocity(const core::DeviceSample& sample, const AxisValues& countRates,
+                                          Vec3& v_DT, Vec3& w_DT) const noexcept {
     std::array<double, kAxes> rate{};
     for (std::size_t axis = 0; axis < kAxes; ++axis)
         rate[axis] = countRates[axis] * m_resolution[axis];

@@ -33,7 +33,8 @@ public:
     core::ToolState pose(const core::DeviceSample& sample) const noexcept override;
     void velocity(const core::DeviceSample& sample, const AxisValues& countRates, core::Vec3& v_DT,
                   core::Vec3& w_DT) const noexcept override;
-    AxisValues efforts(const core::DeviceSample& sample, const core::Wrench& wrench_D) const noexcept override;
+    AxisValues efforts(const core::DeviceSample& sample,
+                       const core::Wrench& wrench_D) const noexcept override;
 
 private:
     double value(const core::DeviceSample& sample, std::size_t axis) const noexcept {

@@ -11,16 +11,17 @@
 
 namespace chiron::devices {
 
-/// P2's gimbal with a scripted hand on it (SimulatedMechanism). The hand holds a point: it does not turn the tool.
+/// P2's gimbal with a scripted hand on it (SimulatedMechanism). The hand holds a point: it does not turn the
+/// tool.
 class SimulatedDevice final : public SimulatedMechanism {
 public:
     struct Configuration {
         mechanisms::GimbalPlantParameters plant;
         mechanisms::HandParameters hand;
         mechanisms::PolarMap map = mechanisms::PolarMap::exact;
-        WorkspaceMapping mapping;           ///< converts the cues to D and `measured` to W
-        core::Vec3 start_D = kHeldFrom_D;   ///< position at which the hand holds the tip at open(), m
-        std::uint64_t seed = 1;             ///< seed of the hand's tremor
+        WorkspaceMapping mapping;         ///< converts the cues to D and `measured` to W
+        core::Vec3 start_D = kHeldFrom_D; ///< position at which the hand holds the tip at open(), m
+        std::uint64_t seed = 1;           ///< seed of the hand's tremor
         /// Jaw of a grasper; empty: a plain probe.
         std::optional<mechanisms::JawParameters> jaw = std::nullopt;
         /// Share of the Coulomb friction that is fed forward (P2), 0..0.8. Above 0 the friction is identified
@@ -40,7 +41,8 @@ public:
     const mechanisms::GimbalPlant& plant() const noexcept { return m_plant; } ///< true state, for tests
 
 private:
-    SimulatedDevice(const Configuration& configuration, DeviceDescriptor descriptor, const mechanisms::GimbalCoordinates& start,
+    SimulatedDevice(const Configuration& configuration, DeviceDescriptor descriptor,
+                    const mechanisms::GimbalCoordinates& start,
                     std::unique_ptr<mechanisms::HandStrategy> strategy);
     mechanisms::Plant& movedPlant() noexcept override { return m_plant; }
     void resetPlant() noexcept override { m_plant.reset(m_start); }

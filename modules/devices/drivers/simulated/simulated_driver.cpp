@@ -23,7 +23,8 @@ std::uint64_t seedOfHand(std::uint64_t seed, std::size_t hand) {
 }
 
 /// Makes one device for each hand.
-template <class Device> Tools makeDevices(const typename Device::Configuration& usual, DriverRequest& request) {
+template <class Device>
+Tools makeDevices(const typename Device::Configuration& usual, DriverRequest& request) {
     std::vector<DriverTool> made;
     for (std::size_t i = 0; i < request.tools.size(); ++i) {
         typename Device::Configuration configuration = usual;
@@ -62,8 +63,8 @@ Tools makeFingers(DriverRequest& request) {
         const int finger = static_cast<int>(i) % std::max(request.fingersPerHand, 1);
         const std::uint64_t seed = seedOfHand(request.seed, i);
         if (finger > 0) {
-            auto device = SimulatedSecondFinger::create(*hand, {finger * request.fingerSpacing_m, 0.0, 0.0}, seed,
-                                                        std::move(request.tools[i].strategy));
+            auto device = SimulatedSecondFinger::create(*hand, {finger * request.fingerSpacing_m, 0.0, 0.0},
+                                                        seed, std::move(request.tools[i].strategy));
             CHIRON_TRY(device);
             made.push_back({std::move(*device), {}, i - static_cast<std::size_t>(finger)});
             continue;
@@ -90,18 +91,24 @@ Tools openMechanisms(DriverRequest request) {
     return core::fail(core::ErrorCode::wrongUse, "no simulated mechanism \"" + request.mechanism + "\"");
 }
 
-std::vector<FoundDevice> discoverMechanisms() { return {{"simulated mechanism", {}}}; }
+std::vector<FoundDevice> discoverMechanisms() {
+    return {{"simulated mechanism", {}}};
+}
 
 core::Result<std::unique_ptr<IToolKinematics>> makeArm(const DeviceDescriptor& descriptor) {
     // Sessions of models id 1 and 2 have an arm of three sliding axes under the same id.
     const bool slides = !descriptor.axes.empty() && descriptor.axes.front().unit == AxisUnit::metre;
-    return slides ? makeKinematicsOf<FingertipSlidingKinematics>(descriptor) : makeKinematicsOf<FingertipArmKinematics>(descriptor);
+    return slides ? makeKinematicsOf<FingertipSlidingKinematics>(descriptor)
+                  : makeKinematicsOf<FingertipArmKinematics>(descriptor);
 }
 
 constexpr KinematicsEntry kMechanismKinematics[]{
-    {GimbalHprdKinematics::kId, makeKinematicsOf<GimbalHprdKinematics>, QT_TRANSLATE_NOOP("Drivers", "Simulated gimbal"), GimbalHprdKinematics::mapOf},
-    {FiveBarSphericalKinematics::kId, makeKinematicsOf<FiveBarSphericalKinematics>, QT_TRANSLATE_NOOP("Drivers", "Simulated five-bar mechanism")},
-    {FingertipArmKinematics::kId, makeArm, QT_TRANSLATE_NOOP("Drivers", "Simulated arm with fingertip platform")},
+    {GimbalHprdKinematics::kId, makeKinematicsOf<GimbalHprdKinematics>,
+     QT_TRANSLATE_NOOP("Drivers", "Simulated gimbal"), GimbalHprdKinematics::mapOf},
+    {FiveBarSphericalKinematics::kId, makeKinematicsOf<FiveBarSphericalKinematics>,
+     QT_TRANSLATE_NOOP("Drivers", "Simulated five-bar mechanism")},
+    {FingertipArmKinematics::kId, makeArm,
+     QT_TRANSLATE_NOOP("Drivers", "Simulated arm with fingertip platform")},
 };
 } // namespace
 

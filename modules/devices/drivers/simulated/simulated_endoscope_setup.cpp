@@ -14,7 +14,8 @@ namespace chiron::devices {
 namespace {
 
 using mechanisms::FiveBarVector;
-constexpr const char* kAxisNames[FiveBarSphericalKinematics::kAxes] = {"theta1", "theta2", "pitch", "yaw", "roll"};
+constexpr const char* kAxisNames[FiveBarSphericalKinematics::kAxes] = {"theta1", "theta2", "pitch", "yaw",
+                                                                       "roll"};
 
 DeviceDescriptor describe(const SimulatedEndoscopeDevice::Configuration& configuration) {
     const auto& plant = configuration.plant;
@@ -23,7 +24,7 @@ DeviceDescriptor describe(const SimulatedEndoscopeDevice::Configuration& configu
     d.driver = "simulated";
     d.model = "Simulated endoscope (five-bar linkage with spherical joint)";
     d.kinematics = FiveBarSphericalKinematics::kId;
-    d.kinematicsParameters = {g.proximal_m,      g.distal_m, g.halfBase_m,
+    d.kinematicsParameters = {g.proximal_m,    g.distal_m, g.halfBase_m,
                               g.baseForward_m, g.baseUp_m, plant.mountingPitch_rad};
     for (std::size_t axis = 0; axis < FiveBarSphericalKinematics::kAxes; ++axis)
         d.axes.push_back({kAxisNames[axis], AxisUnit::radian, plant.resolution[axis], plant.minimum[axis],
@@ -32,7 +33,7 @@ DeviceDescriptor describe(const SimulatedEndoscopeDevice::Configuration& configu
     d.measuresForce = true;
     d.inProcess = true;
     d.period_us = 1000;
-    d.maximumForce_N = 4.5;      // P1: along x and y
+    d.maximumForce_N = 4.5; // P1: along x and y
     // In a light hand it shakes on friction from 37.5 N·s/m on; this is two thirds of that
     // (tests/damping/README.md).
     d.maximumDamping_Ns_per_m = 24.0;
@@ -42,15 +43,18 @@ DeviceDescriptor describe(const SimulatedEndoscopeDevice::Configuration& configu
 
 } // namespace
 
-core::Result<FiveBarSphericalKinematics> FiveBarSphericalKinematics::create(const DeviceDescriptor& descriptor) {
+core::Result<FiveBarSphericalKinematics>
+FiveBarSphericalKinematics::create(const DeviceDescriptor& descriptor) {
     const auto resolution = axisResolutions<kAxes>(descriptor, kId, "theta1, theta2, pitch, yaw, roll");
     CHIRON_TRY(resolution);
     const auto& p = descriptor.kinematicsParameters;
     const bool finite = std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
     if (p.size() != 6 || !finite || !(p[0] > 0.0 && p[1] > 0.0 && p[2] >= 0.0))
-        return kinematicsMisfit(kId, "parameters: {l1, l2, half base (m, the first two above 0), base forward, base up (m), "
-                                     "mounting pitch (rad)} expected");
-    return FiveBarSphericalKinematics(*resolution, descriptor.jawResolution_rad, {p[0], p[1], p[2], p[3], p[4]}, p[5]);
+        return kinematicsMisfit(
+            kId, "parameters: {l1, l2, half base (m, the first two above 0), base forward, base up (m), "
+                 "mounting pitch (rad)} expected");
+    return FiveBarSphericalKinematics(*resolution, descriptor.jawResolution_rad,
+                                      {p[0], p[1], p[2], p[3], p[4]}, p[5]);
 }
 
 core::Result<std::unique_ptr<SimulatedEndoscopeDevice>>
@@ -75,15 +79,17 @@ SimulatedEndoscopeDevice::create(const Configuration& configuration,
         new SimulatedEndoscopeDevice(configuration, start, std::move(strategy)));
 }
 
-SimulatedEndoscopeDevice::SimulatedEndoscopeDevice(const Configuration& configuration, const FiveBarVector& start,
+SimulatedEndoscopeDevice::SimulatedEndoscopeDevice(const Configuration& configuration,
+                                                   const FiveBarVector& start,
                                                    std::unique_ptr<mechanisms::HandStrategy> strategy)
-    : SimulatedMechanism({configuration.hand, configuration.mapping, configuration.seed,
-                          configuration.plant.endoscopeMass_kg + configuration.plant.jointMass_kg +
-                              configuration.plant.distalMass_kg,
-                          configuration.plant.acrossInertia_kgm2 +
-                              configuration.plant.endoscopeMass_kg * configuration.plant.centreOfMassBehindTip_m *
-                                  configuration.plant.centreOfMassBehindTip_m},
-                         describe(configuration), std::move(strategy)),
+    : SimulatedMechanism(
+          {configuration.hand, configuration.mapping, configuration.seed,
+           configuration.plant.endoscopeMass_kg + configuration.plant.jointMass_kg +
+               configuration.plant.distalMass_kg,
+           configuration.plant.acrossInertia_kgm2 + configuration.plant.endoscopeMass_kg *
+                                                        configuration.plant.centreOfMassBehindTip_m *
+                                                        configuration.plant.centreOfMassBehindTip_m},
+          describe(configuration), std::move(strategy)),
       m_kinematics(configuration.plant.resolution, 0.0, configuration.plant.geometry,
                    configuration.plant.mountingPitch_rad),
       m_start(start), m_plant(configuration.plant) {}

@@ -20,10 +20,10 @@ public:
         mechanisms::FingertipArmParameters arm;
         mechanisms::FingertipPlatformParameters platform;
         mechanisms::HandParameters hand;
-        WorkspaceMapping mapping;           ///< converts the cues to D and `measured` to W
+        WorkspaceMapping mapping; ///< converts the cues to D and `measured` to W
         /// Position of the finger's pad, which is the middle of the wrist, at open(), m.
         core::Vec3 start_D = kHeldFrom_D;
-        std::uint64_t seed = 1;             ///< seed of tremor and sensors
+        std::uint64_t seed = 1; ///< seed of tremor and sensors
     };
 
     /// Creates the device. The platform identifies the finger (mechanisms::identifyPad) before it displays
@@ -42,11 +42,14 @@ public:
 
 private:
     friend class SimulatedSecondFinger;
-    SimulatedFingertipDevice(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy);
+    SimulatedFingertipDevice(const Configuration& configuration,
+                             std::unique_ptr<mechanisms::HandStrategy> strategy);
     mechanisms::Plant& movedPlant() noexcept override { return m_arm; }
     void resetPlant() noexcept override;
     void addToSample(core::DeviceSample& sample) const noexcept override;
-    void addToPerception(mechanisms::HandPerception& seen) const noexcept override { m_finger.addToPerception(seen); }
+    void addToPerception(mechanisms::HandPerception& seen) const noexcept override {
+        m_finger.addToPerception(seen);
+    }
     void stepDisplay(const ForceCommand& command) noexcept override;
 
     Configuration m_configuration;
@@ -57,6 +60,7 @@ private:
 };
 
 /// Returns the descriptor of a fingertip device. `pad_T`: this finger's pad from the arm's end, m.
-DeviceDescriptor describeFingertip(const SimulatedFingertipDevice::Configuration& configuration, const core::Vec3& pad_T);
+DeviceDescriptor describeFingertip(const SimulatedFingertipDevice::Configuration& configuration,
+                                   const core::Vec3& pad_T);
 
 } // namespace chiron::devices

@@ -17,13 +17,13 @@ namespace chiron::devices {
 /// The hand that holds a simulated mechanism, whichever mechanism it is.
 struct SimulatedHandSettings {
     mechanisms::HandParameters hand;
-    WorkspaceMapping mapping;     ///< converts the cues to D and `measured` to W
-    std::uint64_t seed = 1;       ///< seed of the hand's tremor
-    double toolMass_kg = 0.0;     ///< mass that the hand moves, for its tremor
+    WorkspaceMapping mapping;      ///< converts the cues to D and `measured` to W
+    std::uint64_t seed = 1;        ///< seed of the hand's tremor
+    double toolMass_kg = 0.0;      ///< mass that the hand moves, for its tremor
     double toolInertia_kgm2 = 0.0; ///< inertia that the wrist turns
     /// Jaw of a grasper; empty: no jaw, and its counts stay 0.
     std::optional<mechanisms::JawParameters> jaw = std::nullopt;
-    int jawDelay_ticks = 0;        ///< delay of its potentiometer, like the encoders'
+    int jawDelay_ticks = 0; ///< delay of its potentiometer, like the encoders'
 };
 
 /// A simulated mechanism with a scripted hand on it, as one in-process tool. The tick steps plant, hand and
@@ -77,7 +77,7 @@ private:
     std::unique_ptr<mechanisms::HandStrategy> m_strategy;
     core::VisibleCues m_cues;
     core::DeviceSample m_sample;
-    core::Wrench m_onHand_D; ///< mean over the last tick
+    core::Wrench m_onHand_D;       ///< mean over the last tick
     core::Wrench m_compensation_D; ///< of the last command
     bool m_turns = false;
     std::uint64_t m_ticks = 0;

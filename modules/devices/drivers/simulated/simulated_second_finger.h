@@ -17,9 +17,9 @@ class SimulatedSecondFinger final : public IDevice {
 public:
     /// Creates the device. `pad_T`: this finger's pad from the first one's.
     /// Errors: badInput without a strategy, or if the pad is too far away.
-    static core::Result<std::unique_ptr<SimulatedSecondFinger>> create(const SimulatedFingertipDevice& first, const core::Vec3& pad_T,
-                                                                       std::uint64_t seed,
-                                                                       std::unique_ptr<mechanisms::HandStrategy> strategy);
+    static core::Result<std::unique_ptr<SimulatedSecondFinger>>
+    create(const SimulatedFingertipDevice& first, const core::Vec3& pad_T, std::uint64_t seed,
+           std::unique_ptr<mechanisms::HandStrategy> strategy);
     ~SimulatedSecondFinger() override;
 
     const DeviceDescriptor& descriptor() const noexcept override { return m_descriptor; }
@@ -34,7 +34,8 @@ public:
     const mechanisms::FingertipPlatform& platform() const noexcept { return m_finger.platform(); }
 
 private:
-    SimulatedSecondFinger(const SimulatedFingertipDevice& first, const SimulatedFingertipDevice::Configuration& configuration,
+    SimulatedSecondFinger(const SimulatedFingertipDevice& first,
+                          const SimulatedFingertipDevice::Configuration& configuration,
                           const core::Vec3& pad_T, std::unique_ptr<mechanisms::HandStrategy> strategy);
     mechanisms::HandPerception perceive() const noexcept;
 

@@ -26,7 +26,8 @@ core::Result<GimbalHprdKinematics> GimbalHprdKinematics::create(const DeviceDesc
 
 mechanisms::PolarMap GimbalHprdKinematics::mapOf(const DeviceDescriptor& descriptor) {
     const auto& parameters = descriptor.kinematicsParameters;
-    return parameters.size() == 2 && parameters[1] == 1.0 ? mechanisms::PolarMap::asPublished : mechanisms::PolarMap::exact;
+    return parameters.size() == 2 && parameters[1] == 1.0 ? mechanisms::PolarMap::asPublished
+                                                          : mechanisms::PolarMap::exact;
 }
 
 namespace {
@@ -65,7 +66,8 @@ core::Result<DeviceDescriptor> describeIdentified(const SimulatedDevice::Configu
         return d;
     if (!(configuration.frictionCompensation > 0.0 && configuration.frictionCompensation <= 1.0))
         return core::fail(core::ErrorCode::badInput, "simulated device: a friction compensation of " +
-                                                         std::to_string(configuration.frictionCompensation) + "; expected a share of 0 to 1");
+                                                         std::to_string(configuration.frictionCompensation) +
+                                                         "; expected a share of 0 to 1");
     mechanisms::GimbalPlant plant(configuration.plant);
     const auto found = mechanisms::identifyFriction(plant, {});
     CHIRON_TRY(found);
@@ -96,23 +98,27 @@ SimulatedDevice::create(const Configuration& configuration,
                                   std::to_string(axis) + " (h, p, r, d)");
     }
     if (const auto& jaw = configuration.jaw;
-        jaw && !(jaw->widest_rad > 0.0 && jaw->widest_rad <= 3.1416 && jaw->steps >= 1 && jaw->fingerLag_s > 0.0 &&
-                 jaw->fingerSpeed_rad_per_s > 0.0))
-        return core::fail(core::ErrorCode::badInput, "simulated device: a jaw that opens by more than 0 and at most half a turn, "
-                                                     "in at least one step, with a lag and a speed above 0, is expected");
+        jaw && !(jaw->widest_rad > 0.0 && jaw->widest_rad <= 3.1416 && jaw->steps >= 1 &&
+                 jaw->fingerLag_s > 0.0 && jaw->fingerSpeed_rad_per_s > 0.0))
+        return core::fail(core::ErrorCode::badInput,
+                          "simulated device: a jaw that opens by more than 0 and at most half a turn, "
+                          "in at least one step, with a lag and a speed above 0, is expected");
     auto descriptor = describeIdentified(configuration);
     CHIRON_TRY(descriptor);
-    return std::unique_ptr<SimulatedDevice>(new SimulatedDevice(configuration, std::move(*descriptor), *start, std::move(strategy)));
+    return std::unique_ptr<SimulatedDevice>(
+        new SimulatedDevice(configuration, std::move(*descriptor), *start, std::move(strategy)));
 }
 
 SimulatedDevice::SimulatedDevice(const Configuration& configuration, DeviceDescriptor descriptor,
                                  const mechanisms::GimbalCoordinates& start,
                                  std::unique_ptr<mechanisms::HandStrategy> strategy)
     : SimulatedMechanism({configuration.hand, configuration.mapping, configuration.seed,
-                          configuration.plant.instrumentMass_kg + configuration.plant.axisInertia[3], 0.0, configuration.jaw,
-                          configuration.plant.sampleDelay_ticks},
+                          configuration.plant.instrumentMass_kg + configuration.plant.axisInertia[3], 0.0,
+                          configuration.jaw, configuration.plant.sampleDelay_ticks},
                          std::move(descriptor), std::move(strategy)),
-      m_kinematics(configuration.plant.resolution, configuration.jaw ? configuration.jaw->resolution_rad() : 0.0, configuration.plant.pivotHeight_m, configuration.map),
+      m_kinematics(configuration.plant.resolution,
+                   configuration.jaw ? configuration.jaw->resolution_rad() : 0.0,
+                   configuration.plant.pivotHeight_m, configuration.map),
       m_start(start), m_plant(configuration.plant) {}
 
 SimulatedDevice::~SimulatedDevice() = default;

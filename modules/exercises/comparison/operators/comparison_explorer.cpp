@@ -14,7 +14,7 @@ using simulation::ComparedAttribute;
 
 namespace {
 
-constexpr double kPull_N = 1.3;     ///< force with which it pulls a usual tube and presses a usual pad
+constexpr double kPull_N = 1.3; ///< force with which it pulls a usual tube and presses a usual pad
 /// If a tube resists with more than this, the next trial's pulls are shorter ...
 constexpr double kTooHard_N = 2.4;
 /// ... so that they reach about this force: people pull to a force, not to a position.
@@ -23,13 +23,13 @@ constexpr double kShortestPull = 0.25; ///< share of the usual distance
 /// It pulls with at least this multiple of the smallest force that is asked for, because the grip gives way,
 /// too.
 constexpr double kOverProbe = 1.5;
-constexpr double kAbove_m = 0.014;  ///< height above a pad while moving to it
+constexpr double kAbove_m = 0.014;   ///< height above a pad while moving to it
 constexpr double kWaiting_m = 0.050; ///< height between trials
 /// The same where it strokes the air meanwhile, because an instrument's friction depends on its depth.
 constexpr double kOverPads_m = 0.010;
 constexpr double kInAir_m = 0.006;   ///< above this height it touches no pad
-constexpr double kSwing_m = 0.007;  ///< half of a stroke
-constexpr int kTracks = 7;          ///< tracks along which a rough pad is stroked ...
+constexpr double kSwing_m = 0.007;   ///< half of a stroke
+constexpr int kTracks = 7;           ///< tracks along which a rough pad is stroked ...
 constexpr double kTracks_m = 0.0048; ///< ... up to this distance on both sides
 constexpr double kTaken_m = 0.0055;  ///< at this distance from a ring it knows that it holds the object
 constexpr double kSetDown_m = 0.003; ///< at this distance below a ring it has put the object down
@@ -38,8 +38,12 @@ constexpr double kSettled_s = 0.15; ///< time after the last movement for the ar
 
 /// Share of a path that is covered at a share of its time, for minimum jerk (Flash & Hogan 1985), and its
 /// slope.
-double minimumJerk(double t) noexcept { return t * t * t * (10.0 + t * (-15.0 + 6.0 * t)); }
-double minimumJerkSlope(double t) noexcept { return 30.0 * t * t * (1.0 - t) * (1.0 - t); }
+double minimumJerk(double t) noexcept {
+    return t * t * t * (10.0 + t * (-15.0 + 6.0 * t));
+}
+double minimumJerkSlope(double t) noexcept {
+    return 30.0 * t * t * (1.0 - t) * (1.0 - t);
+}
 
 } // namespace
 
@@ -49,20 +53,22 @@ Vec3 ComparisonExplorer::ring(int place) const noexcept {
 
 ComparisonExplorer::Way ComparisonExplorer::hookedWay(const Vec3& ring, int step) const noexcept {
     const bool tube = m_briefing.attribute == ComparedAttribute::stiffness;
-    const double up_m = tube ? m_pull * (kPull_N / m_briefing.usualStiffness_N_per_m + kPull_N / m_arm_N_per_m) : 0.020;
+    const double up_m =
+        tube ? m_pull * (kPull_N / m_briefing.usualStiffness_N_per_m + kPull_N / m_arm_N_per_m) : 0.020;
     switch (step) {
     case 0:
         return {ring + Vec3(0.0, 0.0, tube ? -0.003 : 0.0), 0.40};
     case 1:
         return {ring + Vec3(0.0, 0.0, up_m), 0.32};
     case 2:
-        return tube ? Way{ring + Vec3(0.0, 0.0, -0.016), 0.36} : Way{ring + Vec3(0.0, 0.0, up_m - 0.009), 0.20};
+        return tube ? Way{ring + Vec3(0.0, 0.0, -0.016), 0.36}
+                    : Way{ring + Vec3(0.0, 0.0, up_m - 0.009), 0.20};
     case 3:
         return tube ? Way{} : Way{ring + Vec3(0.0, 0.0, up_m), 0.20};
     case 4:
         return tube ? Way{} : Way{ring + Vec3(0.0, 0.0, -0.008), 0.32}; // onto its bed, and pressed
     case 5:
-        return tube ? Way{} : Way{ring + Vec3(0.0, 0.0, 0.006), 0.20};  // let go
+        return tube ? Way{} : Way{ring + Vec3(0.0, 0.0, 0.006), 0.20}; // let go
     case 6:
         return tube ? Way{} : Way{ring + Vec3(0.0, 0.0, 0.022), 0.15};
     default:
@@ -72,28 +78,44 @@ ComparisonExplorer::Way ComparisonExplorer::hookedWay(const Vec3& ring, int step
 
 ComparisonExplorer::Way ComparisonExplorer::pressedWay(const Vec3& pad, int step) const noexcept {
     const double light_N = m_briefing.attribute == ComparedAttribute::friction ? 0.6 * kPull_N : kPull_N;
-    const auto depth = [&](double force_N) { return -force_N / m_briefing.usualStiffness_N_per_m - force_N / m_arm_N_per_m; };
+    const auto depth = [&](double force_N) {
+        return -force_N / m_briefing.usualStiffness_N_per_m - force_N / m_arm_N_per_m;
+    };
     const Vec3 low(0.0, 0.0, depth(light_N));
-    const Vec3 lower(0.0, 0.0, depth(m_briefing.attribute == ComparedAttribute::friction ? 1.5 * kPull_N : kPull_N));
+    const Vec3 lower(0.0, 0.0,
+                     depth(m_briefing.attribute == ComparedAttribute::friction ? 1.5 * kPull_N : kPull_N));
     const Vec3 aside(0.0, kSwing_m, 0.0);
     if (m_briefing.attribute == ComparedAttribute::deformation) {
         switch (step) {
-        case 0: return {pad + Vec3(0.0, 0.0, 0.006), 0.30};
-        case 1: return {pad + lower, 0.12}; // quickly; then it stays
-        case 2: return {pad + lower, 0.90};
-        case 3: return {pad + Vec3(0.0, 0.0, kAbove_m), 0.20};
-        default: return {};
+        case 0:
+            return {pad + Vec3(0.0, 0.0, 0.006), 0.30};
+        case 1:
+            return {pad + lower, 0.12}; // quickly; then it stays
+        case 2:
+            return {pad + lower, 0.90};
+        case 3:
+            return {pad + Vec3(0.0, 0.0, kAbove_m), 0.20};
+        default:
+            return {};
         }
     }
     switch (step) {
-    case 0: return {pad - aside + Vec3(0.0, 0.0, 0.004), 0.34};
-    case 1: return {pad - aside + low, 0.15};
-    case 2: return {pad + aside + low, 0.20};
-    case 3: return {pad - aside + low, 0.20};
-    case 4: return {pad + aside + lower, 0.22};
-    case 5: return {pad - aside + lower, 0.22};
-    case 6: return {pad - aside + Vec3(0.0, 0.0, kAbove_m), 0.18};
-    default: return {};
+    case 0:
+        return {pad - aside + Vec3(0.0, 0.0, 0.004), 0.34};
+    case 1:
+        return {pad - aside + low, 0.15};
+    case 2:
+        return {pad + aside + low, 0.20};
+    case 3:
+        return {pad - aside + low, 0.20};
+    case 4:
+        return {pad + aside + lower, 0.22};
+    case 5:
+        return {pad - aside + lower, 0.22};
+    case 6:
+        return {pad - aside + Vec3(0.0, 0.0, kAbove_m), 0.18};
+    default:
+        return {};
     }
 }
 
@@ -118,7 +140,8 @@ ComparisonExplorer::Way ComparisonExplorer::way(int place, int step) const noexc
 }
 
 bool ComparisonExplorer::strokes() const noexcept {
-    return m_briefing.attribute == ComparedAttribute::viscosity || m_briefing.attribute == ComparedAttribute::friction ||
+    return m_briefing.attribute == ComparedAttribute::viscosity ||
+           m_briefing.attribute == ComparedAttribute::friction ||
            m_briefing.attribute == ComparedAttribute::roughness;
 }
 
@@ -162,13 +185,14 @@ void ComparisonExplorer::learnPull() noexcept {
 }
 
 void ComparisonExplorer::notice(const mechanisms::HandPerception& seen) noexcept {
-    const bool working = seen.cues.phase == core::TrialPhase::running && seen.cues.force == core::ForceState::on;
+    const bool working =
+        seen.cues.phase == core::TrialPhase::running && seen.cues.force == core::ForceState::on;
     if (working && static_cast<int>(seen.cues.trial) != m_trial) {
         m_trial = seen.cues.trial;
         m_calm = false;
         learnPull();
         begin();
-    // The trial is over: moves out of the way and waits for the next one
+        // The trial is over: moves out of the way and waits for the next one
     } else if (!m_calm && seen.cues.phase != core::TrialPhase::running) {
         m_calm = true;
         m_moving = false;
@@ -232,7 +256,8 @@ bool ComparisonExplorer::feels(int place, const Vec3& tip, double& displacement_
 bool ComparisonExplorer::feelsRough(int place, double& displacement_m) const noexcept {
     const Vec3& tip = m_instrument.tip();
     displacement_m = -tip.z();
-    return displacement_m > 0.001 && std::hypot(tip.x() - ring(place).x(), tip.y()) < m_briefing.padRadius_m - kFromEdge_m;
+    return displacement_m > 0.001 &&
+           std::hypot(tip.x() - ring(place).x(), tip.y()) < m_briefing.padRadius_m - kFromEdge_m;
 }
 
 void ComparisonExplorer::feel(const mechanisms::HandPerception& seen) noexcept {
@@ -260,7 +285,8 @@ void ComparisonExplorer::feel(const mechanisms::HandPerception& seen) noexcept {
         if (there)
             m_hardest_N = std::max(m_hardest_N, felt.force.norm());
         if (there && (m_taken[index] || !simulation::isHooked(m_briefing.attribute)))
-            m_places[index].add(m_briefing.attribute, felt, m_air, {m_briefing.usualStiffness_N_per_m, m_briefing.share});
+            m_places[index].add(m_briefing.attribute, felt, m_air,
+                                {m_briefing.usualStiffness_N_per_m, m_briefing.share});
     }
 }
 

@@ -20,12 +20,12 @@ struct ComparisonBriefing {
     simulation::ComparedAttribute attribute = simulation::ComparedAttribute::stiffness;
     int places = 3;
     std::array<double, 3> x_m{};
-    double height_m = 0.030;       ///< of the rings
+    double height_m = 0.030;               ///< of the rings
     double usualStiffness_N_per_m = 200.0; ///< of a usual tube or pad
-    double padRadius_m = 0.009;    ///< of a pad's flat top, which it can see
+    double padRadius_m = 0.009;            ///< of a pad's flat top, which it can see
     /// It was told to feel every object with at least this force; 0: it was told nothing.
     double probe_N = 0.0;
-    double share = 0.0;            ///< k₁/k: how much stiffer a quick press is than a slow one
+    double share = 0.0; ///< k₁/k: how much stiffer a quick press is than a slow one
 };
 
 ComparisonBriefing comparisonBriefing(const simulation::ComparisonParameters& parameters) noexcept;
@@ -79,12 +79,12 @@ private:
     InstrumentFeel m_instrument;
     core::Vec3 m_at = core::Vec3::Zero(); ///< where the present movement began
     Way m_way;
-    double m_way_s = 0.0;   ///< time since it began
+    double m_way_s = 0.0; ///< time since it began
     core::Vec3 m_lastVelocity = core::Vec3::Zero();
     std::array<bool, 3> m_taken{}; ///< the object is held now
     std::array<bool, 3> m_takes{}; ///< the object has not been put down yet in this trial
-    double m_pull = 1.0;      ///< share of the usual distance by which it pulls a tube
-    double m_hardest_N = 0.0; ///< largest force felt in this trial
+    double m_pull = 1.0;           ///< share of the usual distance by which it pulls a tube
+    double m_hardest_N = 0.0;      ///< largest force felt in this trial
     int m_place = 0;
     int m_step = 0;
     int m_trial = -1;

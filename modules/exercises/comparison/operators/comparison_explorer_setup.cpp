@@ -13,9 +13,10 @@ ComparisonBriefing comparisonBriefing(const simulation::ComparisonParameters& p)
     for (int place = 0; place < 3; ++place)
         briefing.x_m[static_cast<std::size_t>(place)] = simulation::placeX_m(p, place);
     briefing.height_m = p.hookHeight_m;
-    briefing.usualStiffness_N_per_m = p.attribute == simulation::ComparedAttribute::stiffness && !p.values.empty()
-                                          ? p.values.front()[0]
-                                          : p.object.stiffness_N_per_m;
+    briefing.usualStiffness_N_per_m =
+        p.attribute == simulation::ComparedAttribute::stiffness && !p.values.empty()
+            ? p.values.front()[0]
+            : p.object.stiffness_N_per_m;
     briefing.padRadius_m = p.padRadius_m;
     briefing.probe_N = p.probeAtLeast_N;
     briefing.share = p.object.recoveryShare;
@@ -28,7 +29,8 @@ mechanisms::HandParameters comparisonHand() noexcept {
     return hand;
 }
 
-ComparisonExplorer::ComparisonExplorer(const ComparisonBriefing& briefing, const mechanisms::HandParameters& hand) noexcept
+ComparisonExplorer::ComparisonExplorer(const ComparisonBriefing& briefing,
+                                       const mechanisms::HandParameters& hand) noexcept
     : m_briefing(briefing), m_grip_N_per_m(hand.gripStiffness_N_per_m), m_arm_N_per_m(hand.stiffness_N_per_m),
       m_reaction_s(hand.reactionDelay_s), m_instrument(hand) {}
 
@@ -36,7 +38,8 @@ ComparisonExplorer::~ComparisonExplorer() = default;
 
 core::Result<std::unique_ptr<ComparisonExplorer>> makeComparisonExplorer(const ComparisonBriefing& briefing) {
     if (briefing.places < 1 || briefing.places > 3 || !(briefing.usualStiffness_N_per_m > 0.0))
-        return core::fail(core::ErrorCode::badInput, "participant: 1 to 3 places and a usual stiffness above 0 are expected");
+        return core::fail(core::ErrorCode::badInput,
+                          "participant: 1 to 3 places and a usual stiffness above 0 are expected");
     return std::make_unique<ComparisonExplorer>(briefing, comparisonHand());
 }
 

@@ -20,7 +20,9 @@ constexpr double kStroking_m_per_s = 0.015;
 constexpr double kSliding_m_per_s = 0.060;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-double way(double v) noexcept { return std::tanh(v / kSticking_m_per_s); }
+double way(double v) noexcept {
+    return std::tanh(v / kSticking_m_per_s);
+}
 
 } // namespace
 
@@ -31,7 +33,8 @@ void ExploredPlace::reset() noexcept {
         fit.reset();
     m_dent.fill(0.0);
     for (std::size_t i = 0; i < kTimes; ++i)
-        m_share[i] = 1.0 - std::exp(-core::kTickSeconds / (kShortest_s * std::pow(kLongest_s / kShortest_s, double(i) / (kTimes - 1))));
+        m_share[i] = 1.0 - std::exp(-core::kTickSeconds / (kShortest_s * std::pow(kLongest_s / kShortest_s,
+                                                                                  double(i) / (kTimes - 1))));
     m_n = 0;
 }
 
@@ -60,7 +63,8 @@ double AirStroke::lift_N(const FeltSample& felt) const noexcept {
     return lift_N;
 }
 
-void ExploredPlace::add(ComparedAttribute attribute, const FeltSample& felt, const AirStroke& air, const KnownObject& known) noexcept {
+void ExploredPlace::add(ComparedAttribute attribute, const FeltSample& felt, const AirStroke& air,
+                        const KnownObject& known) noexcept {
     const double v_z = felt.velocity.z();
     const double v_y = felt.velocity.y();
     const bool strokes = std::abs(v_y) > kStroking_m_per_s;
@@ -76,7 +80,8 @@ void ExploredPlace::add(ComparedAttribute attribute, const FeltSample& felt, con
     case ComparedAttribute::roughness:
         m_known_N_per_m = known.stiffness_N_per_m;
         if (strokes)
-            m_rough.add({1.0}, felt.force.z() - known.stiffness_N_per_m * felt.displacement_m - air.lift_N(felt));
+            m_rough.add({1.0},
+                        felt.force.z() - known.stiffness_N_per_m * felt.displacement_m - air.lift_N(felt));
         break;
     case ComparedAttribute::friction:
         if (std::abs(v_y) > kSliding_m_per_s)
@@ -88,7 +93,8 @@ void ExploredPlace::add(ComparedAttribute attribute, const FeltSample& felt, con
     case ComparedAttribute::deformation: {
         const double k = known.stiffness_N_per_m;
         for (std::size_t i = 0; i < kTimes; ++i) {
-            const double pad_N = k * felt.displacement_m + known.share * k * (felt.displacement_m - m_dent[i]);
+            const double pad_N =
+                k * felt.displacement_m + known.share * k * (felt.displacement_m - m_dent[i]);
             m_bank[i].add({1.0, v_z, way(v_z), felt.acceleration.z()}, felt.force.z() - pad_N);
             m_dent[i] += (felt.displacement_m - m_dent[i]) * m_share[i];
         }

@@ -3,8 +3,8 @@
 
 #include "core/geometry.h"
 #include "core/least_squares.h"
-#include "operators/hand/instrument_feel.h"
 #include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "operators/hand/instrument_feel.h"
 
 #include <array>
 #include <cstddef>
@@ -27,7 +27,7 @@ struct FeltSample {
 class AirStroke {
 public:
     void add(const FeltSample& felt) noexcept;
-    void learn() noexcept; ///< fits the model to all samples so far
+    void learn() noexcept;                                 ///< fits the model to all samples so far
     double force_N(const FeltSample& felt) const noexcept; ///< the device's own −f_y; 0 before learn()
     double lift_N(const FeltSample& felt) const noexcept;  ///< the device's own f_z, up to a constant
 
@@ -49,11 +49,12 @@ struct KnownObject {
 /// remainder belongs to the object:
 ///   stiffness    −f_z = k x + c + f_c tanh(v_z/v₀) + b v_z + m a_z                 k
 ///   mass         −f_z = w + f_c tanh(v_z/v₀) + b v_z + m a_z  in the air            w/g
-///   deformation  f_z − k d − k₁(d − q_τ) = c + b v_z + f_c tanh(v_z/v₀) + m a_z over a bank of 41 τ, q_τ′ = (d − q_τ)/τ, k and k₁ known
+///   deformation  f_z − k d − k₁(d − q_τ) = c + b v_z + f_c tanh(v_z/v₀) + m a_z over a bank of 41 τ, q_τ′ =
+///   (d − q_τ)/τ, k and k₁ known
 ///                from practice: the least residual, by a parabola                  τ
-///   roughness    f_z − k d − device = c while stroking, k known from practice; rms of the residual, over k  rms height
-///   friction     −(f_y + device)·v̂ = μ f_z  while stroking along y                   μ
-///   viscosity    −(f_y + device) = b v_y + c                                         b
+///   roughness    f_z − k d − device = c while stroking, k known from practice; rms of the residual, over k
+///   rms height friction     −(f_y + device)·v̂ = μ f_z  while stroking along y                   μ viscosity
+///   −(f_y + device) = b v_y + c                                         b
 /// For the last two, the device's own −f_y = b v_y + f_c tanh(v_y/v₀) + m a_y + c is fitted to strokes in the
 /// air (AirStroke), and so is f_z for roughness (InstrumentFeel). If they were fitted to the strokes over the
 /// object, the moved mass would absorb the effect of the surface's heights on the hand. Source:
@@ -63,7 +64,8 @@ class ExploredPlace {
 public:
     ExploredPlace() noexcept { reset(); }
     void reset() noexcept;
-    void add(simulation::ComparedAttribute attribute, const FeltSample& felt, const AirStroke& air, const KnownObject& known) noexcept;
+    void add(simulation::ComparedAttribute attribute, const FeltSample& felt, const AirStroke& air,
+             const KnownObject& known) noexcept;
     /// The fitted attribute in SI units; NaN where nothing usable was felt.
     double estimate(simulation::ComparedAttribute attribute) const noexcept;
     int samples() const noexcept { return m_n; }

@@ -15,7 +15,8 @@ void ComparedObject::release() noexcept {
     m_state.reset();
 }
 
-ComparedResponse ComparedObject::respond(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept {
+ComparedResponse ComparedObject::respond(const core::Vec3& p, const core::Vec3& v,
+                                         double mostDamping_Ns_per_m) noexcept {
     ComparedResponse out;
     if (!m_present) {
         out.surfacePoint = p;
@@ -23,13 +24,14 @@ ComparedResponse ComparedObject::respond(const core::Vec3& p, const core::Vec3& 
     }
     out = m_attribute == ComparedAttribute::stiffness ? pull(p, v, mostDamping_Ns_per_m)
           : m_attribute == ComparedAttribute::mass    ? lift(p, v, mostDamping_Ns_per_m)
-                                                       : press(p, v, mostDamping_Ns_per_m);
+                                                      : press(p, v, mostDamping_Ns_per_m);
     m_touching = out.touching;
     out.held = m_held;
     return out;
 }
 
-ComparedResponse ComparedObject::pull(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept {
+ComparedResponse ComparedObject::pull(const core::Vec3& p, const core::Vec3& v,
+                                      double mostDamping_Ns_per_m) noexcept {
     ComparedResponse out;
     out.surfacePoint = p;
     const bool slack = (p - m_foot).norm() <= m_height_m;
@@ -50,7 +52,8 @@ ComparedResponse ComparedObject::pull(const core::Vec3& p, const core::Vec3& v, 
     return out;
 }
 
-ComparedResponse ComparedObject::lift(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept {
+ComparedResponse ComparedObject::lift(const core::Vec3& p, const core::Vec3& v,
+                                      double mostDamping_Ns_per_m) noexcept {
     ComparedResponse out;
     out.surfacePoint = p;
     const double away_m = (p - ring()).norm();
@@ -87,7 +90,8 @@ ComparedResponse ComparedObject::lift(const core::Vec3& p, const core::Vec3& v, 
     return out;
 }
 
-ComparedResponse ComparedObject::press(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept {
+ComparedResponse ComparedObject::press(const core::Vec3& p, const core::Vec3& v,
+                                       double mostDamping_Ns_per_m) noexcept {
     ComparedResponse out;
     ContactPlace place;
     const core::Vec3 across(p.x() - m_foot.x(), p.y() - m_foot.y(), 0.0);

@@ -3,8 +3,8 @@
 
 #include "core/geometry.h"
 #include "modules/exercises/comparison/simulation/comparison_parameters.h"
-#include "simulation/tube/tube_law.h"
 #include "simulation/objects/object_contact.h"
+#include "simulation/tube/tube_law.h"
 
 #include <cstdint>
 
@@ -13,21 +13,23 @@ namespace chiron::simulation {
 /// Response of the object at a place, on the tool.
 /// Frame: W.
 struct ComparedResponse {
-    core::Vec3 force = core::Vec3::Zero(); ///< N
+    core::Vec3 force = core::Vec3::Zero();        ///< N
     core::Vec3 surfacePoint = core::Vec3::Zero(); ///< where to draw the tool
     double energy_J = 0.0;
     double stiffness_N_per_m = 0.0;
     double damping_Ns_per_m = 0.0; ///< the part of the tool's budget that it uses
-    double displacement_m = 0.0; ///< stretch of the tube, lift of the object (negative: pressed into its bed), depth in the pad
-    double depth_m = 0.0;        ///< below the pad's smooth surface, without roughness; signed
-    bool touching = false;       ///< a force may act
-    bool held = false;           ///< the tool has taken hold of it
+    double displacement_m =
+        0.0; ///< stretch of the tube, lift of the object (negative: pressed into its bed), depth in the pad
+    double depth_m = 0.0;  ///< below the pad's smooth surface, without roughness; signed
+    bool touching = false; ///< a force may act
+    bool held = false;     ///< the tool has taken hold of it
 };
 
 /// The object at one place, built from the exercises' laws:
-///   stiffness     a tube fixed at its foot, taken hold of at its free end: T(x) along it, zero when slack (tube_segment.h)
-///   mass          f = (0, 0, k_b d − m g), d = max(0, m g/k_b − lift): an object on a soft bed, lifted; its weight alone in the air
-///   the others    a pad, ObjectContact on z = −max(0, ρ − R)²/(2e): a height field, so that f = −∇U in its conservative part, flat
+///   stiffness     a tube fixed at its foot, taken hold of at its free end: T(x) along it, zero when slack
+///   (tube_segment.h) mass          f = (0, 0, k_b d − m g), d = max(0, m g/k_b − lift): an object on a soft
+///   bed, lifted; its weight alone in the air the others    a pad, ObjectContact on z = −max(0, ρ − R)²/(2e):
+///   a height field, so that f = −∇U in its conservative part, flat
 ///                 where ρ < R and continuous everywhere
 /// A tool takes hold of a tube where it is slack within `hookReach_m` of its end, and lets go of it where it
 /// is slack beyond `hookLeave_m`. A tool takes hold of an object at its ring while the object lies on its bed
@@ -40,7 +42,7 @@ class ComparedObject {
 public:
     /// Force beyond its weight with which an object must be pressed to be let go ...
     static constexpr double kPress_N = 0.25;
-    static constexpr double kLifted_m = 0.005;  ///< ... once it has been lifted by this much
+    static constexpr double kLifted_m = 0.005; ///< ... once it has been lifted by this much
 
     /// Makes the object new and untouched. `value` is that of the attribute, SI; `seed` is that of its
     /// roughness.
@@ -52,7 +54,8 @@ public:
 
     /// Advances by one tick with the tool at `p`, moving with `v` (W, finite). `mostDamping_Ns_per_m` is the
     /// tool's damping budget.
-    ComparedResponse respond(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m = kUnboundedDamping) noexcept;
+    ComparedResponse respond(const core::Vec3& p, const core::Vec3& v,
+                             double mostDamping_Ns_per_m = kUnboundedDamping) noexcept;
     /// Advances by one tick without a tool.
     void release() noexcept;
 

@@ -5,7 +5,8 @@
 
 namespace chiron::simulation {
 
-void ComparedObject::set(const ComparisonParameters& p, int place, double value, std::uint64_t seed) noexcept {
+void ComparedObject::set(const ComparisonParameters& p, int place, double value,
+                         std::uint64_t seed) noexcept {
     release();
     m_present = true;
     m_attribute = p.attribute;

@@ -31,19 +31,20 @@ struct ComparisonParameters {
     static constexpr int kMaxPlaces = 3;
 
     ComparedAttribute attribute = ComparedAttribute::stiffness;
-    int places = 3;                                    ///< 1..kMaxPlaces, from left (−x) to right
-    std::vector<std::array<double, 3>> values;         ///< [candidate][multiple], SI
-    std::vector<std::array<int, kMaxPlaces>> arrangements; ///< multiple at each place; −1 where there is no place
-    ObjectAttributes object;                           ///< all other attributes, the same at all places
+    int places = 3;                            ///< 1..kMaxPlaces, from left (−x) to right
+    std::vector<std::array<double, 3>> values; ///< [candidate][multiple], SI
+    std::vector<std::array<int, kMaxPlaces>>
+        arrangements;        ///< multiple at each place; −1 where there is no place
+    ObjectAttributes object; ///< all other attributes, the same at all places
 
-    double spacing_m = 0.040;     ///< from one place to the next, along x
-    double padRadius_m = 0.009;   ///< of the flat top of a pad
+    double spacing_m = 0.040;   ///< from one place to the next, along x
+    double padRadius_m = 0.009; ///< of the flat top of a pad
     /// How softly it falls off beyond: e metres further out it lies e²/(2·padEdge) lower.
     double padEdge_m = 0.004;
     /// Height above its foot at which a tube or an object is taken hold of; a tube's rest length.
     double hookHeight_m = 0.030;
-    double hookReach_m = 0.006;   ///< how near the tip has to come to that point
-    double hookLeave_m = 0.010;   ///< how far it has to go away to let go, where nothing is stretched
+    double hookReach_m = 0.006; ///< how near the tip has to come to that point
+    double hookLeave_m = 0.010; ///< how far it has to go away to let go, where nothing is stretched
 
     double exploreLimit_s = 30.0; ///< after this time the objects disappear; 0: no limit
     /// Counted after exploreLimit_s; then the trial ends without an answer; 0: no limit.
@@ -51,12 +52,12 @@ struct ComparisonParameters {
     double betweenTrials_s = 1.0;
     /// The tool's mark button, pressed while a place is touched, answers that place.
     bool buttonAnswers = false;
-    bool buttonNeedsAll = false;  ///< only once every place has been touched
+    bool buttonNeedsAll = false; ///< only once every place has been touched
     /// A place counts as touched once its object exerted this force; 0: at any touch, as in earlier versions.
     double probeAtLeast_N = 0.0;
-    bool adjusts = false;         ///< a new `present` in a running trial changes the level
+    bool adjusts = false; ///< a new `present` in a running trial changes the level
     ComparisonControl control = ComparisonControl::none;
-    double maximumForce_N = 4.0;  ///< the exercise's cap for the supervisor
+    double maximumForce_N = 4.0;   ///< the exercise's cap for the supervisor
     std::vector<std::string> cues; ///< "object": the places are drawn, all alike
 };
 

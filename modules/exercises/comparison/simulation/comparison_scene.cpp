@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/comparison/simulation/comparison_scene.h"
 
-#include "core/units.h"
 #include "core/laparoscopy_cues.h"
+#include "core/units.h"
 
 #include <algorithm>
 
@@ -123,7 +123,8 @@ void ComparisonScene::leaveTrial(SceneOutput& out) noexcept {
 /// Sets the objects at all places. `onlyChanged`: sets only places whose word has changed and that nobody
 /// touches.
 void ComparisonScene::setPlaces(bool onlyChanged) noexcept {
-    constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15ull; // golden ratio: streams of trials and places stay apart
+    constexpr std::uint64_t kOdd =
+        0x9E3779B97F4A7C15ull; // golden ratio: streams of trials and places stay apart
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_parameters.places); ++i) {
         if (onlyChanged && (m_set[i] == m_word || !m_objects[i].free()))
             continue;
@@ -156,7 +157,8 @@ std::optional<double> ComparisonScene::valueAt(const core::PresentationWord& wor
 }
 
 bool ComparisonScene::exploring() const noexcept {
-    return m_phase == TrialPhase::ready || (m_phase == TrialPhase::running && (m_exploreTicks == 0 || m_clock <= m_exploreTicks));
+    return m_phase == TrialPhase::ready ||
+           (m_phase == TrialPhase::running && (m_exploreTicks == 0 || m_clock <= m_exploreTicks));
 }
 
 /// Returns the place that the mark button answers; −1: none.
@@ -165,7 +167,8 @@ int ComparisonScene::buttonAnswer(const SceneInput& in) noexcept {
     const bool edge = (down && !m_buttonWasDown) || in.mark;
     m_buttonWasDown = down;
     const std::uint32_t every = (1u << static_cast<unsigned>(m_parameters.places)) - 1u;
-    const bool taken = m_parameters.buttonAnswers && (!m_parameters.buttonNeedsAll || (m_touched & every) == every);
+    const bool taken =
+        m_parameters.buttonAnswers && (!m_parameters.buttonNeedsAll || (m_touched & every) == every);
     return edge && taken && m_place >= 0 ? m_place : -1;
 }
 
@@ -197,11 +200,13 @@ void ComparisonScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
 bool ComparisonScene::countsAsTouched(const ComparedResponse& response) const noexcept {
     if (!response.touching || m_phase != TrialPhase::running)
         return false;
-    return m_parameters.probeAtLeast_N <= 0.0 || (!m_paused && response.force.norm() >= m_parameters.probeAtLeast_N);
+    return m_parameters.probeAtLeast_N <= 0.0 ||
+           (!m_paused && response.force.norm() >= m_parameters.probeAtLeast_N);
 }
 
 /// Lets all places respond and sums their forces. Returns the response of the place that is felt most.
-ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double mostDamping_Ns_per_m, SceneOutput& out) noexcept {
+ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double mostDamping_Ns_per_m,
+                                             SceneOutput& out) noexcept {
     DampingBudget budget(mostDamping_Ns_per_m);
     ComparedResponse felt;
     double most_N = -1.0;
@@ -225,7 +230,8 @@ ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double
     return felt;
 }
 
-void ComparisonScene::fillQuantities(const ComparedResponse& felt, const core::ToolState& tool, SceneOutput& out) const noexcept {
+void ComparisonScene::fillQuantities(const ComparedResponse& felt, const core::ToolState& tool,
+                                     SceneOutput& out) const noexcept {
     namespace q = comparison_quantity;
     out.quantities[q::kPlace] = m_place + 1;
     if (m_begun) {
@@ -250,7 +256,8 @@ void ComparisonScene::fillCues(const SceneInput& in, SceneOutput& out) const noe
     if (m_phase != TrialPhase::ready && m_phase != TrialPhase::running)
         return;
     if (m_phase == TrialPhase::running && m_exploreTicks > 0)
-        cues.timeLeft_s = static_cast<double>(m_exploreTicks - std::min(m_clock, m_exploreTicks)) * core::kTickSeconds;
+        cues.timeLeft_s =
+            static_cast<double>(m_exploreTicks - std::min(m_clock, m_exploreTicks)) * core::kTickSeconds;
     if (!m_showsObjects || !exploring())
         return;
     own.objectShown = true;

@@ -18,17 +18,19 @@ inline constexpr std::size_t kPlace = 0;       ///< touched or held place, from 
 inline constexpr std::size_t kCandidate = 1;   ///< presented, from 1; 0: nothing yet
 inline constexpr std::size_t kArrangement = 2; ///< from 1
 inline constexpr std::size_t kAnswer = 3;      ///< in this trial, from 1; 0: none yet
-inline constexpr std::size_t kTouched = 4;     ///< places touched in this trial (with ComparisonParameters::probeAtLeast_N), one bit each
+inline constexpr std::size_t kTouched =
+    4; ///< places touched in this trial (with ComparisonParameters::probeAtLeast_N), one bit each
 inline constexpr std::size_t kDisplacement = 5; ///< of the touched place: ComparedResponse::displacement_m
-inline constexpr std::size_t kDepth = 6;       ///< ComparedResponse::depth_m, 0 out of contact
-inline constexpr std::size_t kVelocity = 7;    ///< x, y, z of the tool, m/s, as the laws use it
+inline constexpr std::size_t kDepth = 6;        ///< ComparedResponse::depth_m, 0 out of contact
+inline constexpr std::size_t kVelocity = 7;     ///< x, y, z of the tool, m/s, as the laws use it
 inline constexpr std::size_t kCount = 10;
 } // namespace comparison_quantity
 
 /// Objects side by side that are presented and answered one trial after the other (P2's studies). The task
 /// moves through these states:
 ///
-///   idle --present--> ready --forceReady--> running --answer or limits--> between --present, betweenTrials_s--> ready ... finished
+///   idle --present--> ready --forceReady--> running --answer or limits--> between --present,
+///   betweenTrials_s--> ready ... finished
 ///
 /// The events are as in the other scenes. kSceneChanged comes with the first tick of `ready`, so that force
 /// is armed again. kTrialStarted comes with the first running tick. kCompleted (answered), kTimedOut or
@@ -67,8 +69,10 @@ private:
     int buttonAnswer(const SceneInput& in) noexcept;
     bool countsAsTouched(const ComparedResponse& response) const noexcept;
     void touch(const SceneInput& in, SceneOutput& out) noexcept;
-    ComparedResponse respondAll(const core::ToolState& tool, double mostDamping_Ns_per_m, SceneOutput& out) noexcept;
-    void fillQuantities(const ComparedResponse& felt, const core::ToolState& tool, SceneOutput& out) const noexcept;
+    ComparedResponse respondAll(const core::ToolState& tool, double mostDamping_Ns_per_m,
+                                SceneOutput& out) noexcept;
+    void fillQuantities(const ComparedResponse& felt, const core::ToolState& tool,
+                        SceneOutput& out) const noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
 
     ComparisonParameters m_parameters;
@@ -81,15 +85,15 @@ private:
     core::TrialPhase m_phase = core::TrialPhase::idle;
     std::size_t m_trial = 0;
     std::uint64_t m_clock = 0;
-    bool m_begun = false;    ///< a trial was presented before
+    bool m_begun = false; ///< a trial was presented before
     bool m_trialOver = false;
     bool m_finish = false;
-    bool m_pending = false;  ///< a word is waiting
+    bool m_pending = false; ///< a word is waiting
     core::PresentationWord m_next;
     core::PresentationWord m_word; ///< the word that is presented
-    bool m_answering = false; ///< an answer has come
+    bool m_answering = false;      ///< an answer has come
     std::uint16_t m_answerWord = 0;
-    int m_answered = -1;     ///< in this trial
+    int m_answered = -1; ///< in this trial
     bool m_buttonWasDown = true;
     std::uint32_t m_touched = 0;
     int m_place = -1;

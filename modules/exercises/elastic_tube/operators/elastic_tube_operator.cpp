@@ -85,31 +85,33 @@ core::Result<void> check(const ElasticTubeOperatorSettings& s) {
         const char* name;
         double value, low, high;
     };
-    const std::array<Range, 20> ranges{{{"attention_s", s.attention_s, 0.0, 2.0},
-                                        {"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.005, 0.5},
-                                        {"moveGain_per_s", s.moveGain_per_s, 0.2, 10.0},
-                                        {"aim_m", s.aim_m, 0.001, 0.03},
-                                        {"settle_s", s.settle_s, 0.0, 5.0},
-                                        {"jawSpeed_rad_per_s", s.jawSpeed_rad_per_s, 0.05, 20.0},
-                                        {"openJaw_rad", s.openJaw_rad, 0.1, 1.6},
-                                        {"heldJaw_rad", s.heldJaw_rad, 0.0, 0.5},
-                                        {"jawUnsteadySd_rad", s.jawUnsteadySd_rad, 0.0, 0.5},
-                                        {"pullSpeed_m_per_s", s.pullSpeed_m_per_s, 0.001, 0.3},
-                                        {"correctionRate_per_s", s.correctionRate_per_s, 0.1, 10.0},
-                                        {"assumedStiffness_N_per_m", s.assumedStiffness_N_per_m, 1.0, 1000.0},
-                                        {"deadZone", s.deadZone, 0.0, 2.0},
-                                        {"searchSpeed_m_per_s", s.searchSpeed_m_per_s, 0.0005, 0.1},
-                                        {"longestRatio", s.longestRatio, 1.0, 100.0},
-                                        {"bringSpeed_m_per_s", s.bringSpeed_m_per_s, 0.002, 0.3},
-                                        {"retractShare", s.retractShare, 0.0, 5.0},
-                                        {"reach.acceleration_m_per_s2", s.reach.acceleration_m_per_s2, 0.05, 20.0},
-                                        {"reach.smoothing_s", s.reach.smoothing_s, 0.0, 1.0},
-                                        {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5}}};
+    const std::array<Range, 20> ranges{
+        {{"attention_s", s.attention_s, 0.0, 2.0},
+         {"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.005, 0.5},
+         {"moveGain_per_s", s.moveGain_per_s, 0.2, 10.0},
+         {"aim_m", s.aim_m, 0.001, 0.03},
+         {"settle_s", s.settle_s, 0.0, 5.0},
+         {"jawSpeed_rad_per_s", s.jawSpeed_rad_per_s, 0.05, 20.0},
+         {"openJaw_rad", s.openJaw_rad, 0.1, 1.6},
+         {"heldJaw_rad", s.heldJaw_rad, 0.0, 0.5},
+         {"jawUnsteadySd_rad", s.jawUnsteadySd_rad, 0.0, 0.5},
+         {"pullSpeed_m_per_s", s.pullSpeed_m_per_s, 0.001, 0.3},
+         {"correctionRate_per_s", s.correctionRate_per_s, 0.1, 10.0},
+         {"assumedStiffness_N_per_m", s.assumedStiffness_N_per_m, 1.0, 1000.0},
+         {"deadZone", s.deadZone, 0.0, 2.0},
+         {"searchSpeed_m_per_s", s.searchSpeed_m_per_s, 0.0005, 0.1},
+         {"longestRatio", s.longestRatio, 1.0, 100.0},
+         {"bringSpeed_m_per_s", s.bringSpeed_m_per_s, 0.002, 0.3},
+         {"retractShare", s.retractShare, 0.0, 5.0},
+         {"reach.acceleration_m_per_s2", s.reach.acceleration_m_per_s2, 0.05, 20.0},
+         {"reach.smoothing_s", s.reach.smoothing_s, 0.0, 1.0},
+         {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5}}};
     for (const Range& range : ranges)
         if (!(range.value >= range.low && range.value <= range.high))
             return core::fail(core::ErrorCode::badInput, std::string("operator: ") + range.name + " is " +
                                                              std::to_string(range.value) + ", expected " +
-                                                             std::to_string(range.low) + " to " + std::to_string(range.high));
+                                                             std::to_string(range.low) + " to " +
+                                                             std::to_string(range.high));
     return {};
 }
 
@@ -125,27 +127,34 @@ core::Result<ElasticTubeOperatorSettings> elasticTubeOperatorSettings(std::strin
         if (kNames[i] == name)
             return makers[i]();
     return core::fail(core::ErrorCode::notFound,
-                      "operator '" + std::string(name) + "' is unknown; expected novice, intermediate, expert or unsafe");
+                      "operator '" + std::string(name) +
+                          "' is unknown; expected novice, intermediate, expert or unsafe");
 }
 
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>
-makeElasticTubeOperator(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing, std::uint64_t seed) {
+makeElasticTubeOperator(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing,
+                        std::uint64_t seed) {
     CHIRON_TRY(check(settings));
-    const std::size_t hands = briefing.places.size() - (briefing.retracts && !briefing.places.empty() ? 1 : 0);
+    const std::size_t hands =
+        briefing.places.size() - (briefing.retracts && !briefing.places.empty() ? 1 : 0);
     if (hands < 1 || hands > 2)
-        return core::fail(core::ErrorCode::badInput, "operator: " + std::to_string(briefing.places.size()) +
-                                                         " instruments, expected one or two, and one more for a fold");
-    return makeHands(std::make_unique<TubeTrainee>(settings, briefing, seed), settings.perception, settings.reach, briefing.places,
-                     seed);
+        return core::fail(core::ErrorCode::badInput,
+                          "operator: " + std::to_string(briefing.places.size()) +
+                              " instruments, expected one or two, and one more for a fold");
+    return makeHands(std::make_unique<TubeTrainee>(settings, briefing, seed), settings.perception,
+                     settings.reach, briefing.places, seed);
 }
 
-TubeTrainee::TubeTrainee(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing, std::uint64_t seed)
-    : m_settings(settings), m_briefing(briefing), m_random(core::Random::stream(seed, "elastic_tube/trainee")),
-      m_tension(settings), m_retraction(settings), m_all(std::clamp<std::size_t>(briefing.places.size(), 1, GraspLook::kHands)),
+TubeTrainee::TubeTrainee(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing,
+                         std::uint64_t seed)
+    : m_settings(settings), m_briefing(briefing),
+      m_random(core::Random::stream(seed, "elastic_tube/trainee")), m_tension(settings),
+      m_retraction(settings), m_all(std::clamp<std::size_t>(briefing.places.size(), 1, GraspLook::kHands)),
       m_count(m_all - (briefing.retracts ? 1 : 0)) {
     // At least two, to keep the random numbers as they were drawn before there was a third hand
     for (std::size_t i = 0; i < std::max<std::size_t>(m_all, 2); ++i)
-        m_hands[i].jaw = mechanisms::MarkovNoise(settings.jawUnsteadySd_rad, kJawWandering_s, Senses::kLook_s, m_random);
+        m_hands[i].jaw =
+            mechanisms::MarkovNoise(settings.jawUnsteadySd_rad, kJawWandering_s, Senses::kLook_s, m_random);
 }
 
 TubeTrainee::~TubeTrainee() = default;

@@ -28,7 +28,7 @@ struct ElasticTubeBriefing {
     /// mark: length over rest length; used where the screen does not show the mark …
     double markRatio = 1.0;
     double markTolerance = 0.04; ///< … and the distance to it that still counts, in either direction
-    bool retracts = false; ///< the last instrument holds back a fold that lies over the tube
+    bool retracts = false;       ///< the last instrument holds back a fold that lies over the tube
     /// One per instrument: where it enters.
     std::vector<devices::WorkspaceMapping> places{devices::WorkspaceMapping{}};
 };
@@ -48,6 +48,7 @@ core::Result<ElasticTubeOperatorSettings> elasticTubeOperatorSettings(std::strin
 /// Errors: badInput when a setting is out of range or when the places are not those of one to three
 /// instruments.
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>
-makeElasticTubeOperator(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing, std::uint64_t seed);
+makeElasticTubeOperator(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing,
+                        std::uint64_t seed);
 
 } // namespace chiron::operators

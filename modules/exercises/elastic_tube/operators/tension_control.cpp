@@ -8,13 +8,13 @@ namespace chiron::operators {
 
 namespace {
 // Habits that all operators share: assumptions.
-constexpr double kForget = 0.985;        ///< share of past observations that is kept per observation: 0.7 s
-constexpr double kTelling_m = 0.0012;    ///< least SD of the length from which a slope can be estimated
+constexpr double kForget = 0.985;     ///< share of past observations that is kept per observation: 0.7 s
+constexpr double kTelling_m = 0.0012; ///< least SD of the length from which a slope can be estimated
 constexpr double kSoftest_N_per_m = 15.0, kStiffest_N_per_m = 400.0;
-constexpr double kTaut_N = 0.2;          ///< below this tension the tube is not pulled yet
-constexpr double kPatience_s = 0.8;      ///< time without counting before it searches for the tension again
-constexpr double kFeltBand_N = 0.10;     ///< half width of the range that feels the same to it
-constexpr double kSweep_s = 3.0;         ///< searches in one direction for this time, then in the other
+constexpr double kTaut_N = 0.2;      ///< below this tension the tube is not pulled yet
+constexpr double kPatience_s = 0.8;  ///< time without counting before it searches for the tension again
+constexpr double kFeltBand_N = 0.10; ///< half width of the range that feels the same to it
+constexpr double kSweep_s = 3.0;     ///< searches in one direction for this time, then in the other
 } // namespace
 
 void StiffnessSense::begin() noexcept {
@@ -47,7 +47,8 @@ void TensionControl::look(const TensionView& view) noexcept {
     const bool counts = view.dwell > m_dwell + 1e-9;
     if (counts) {
         // average of the felt tension while the screen counts, over a second
-        m_remembered_N = m_remembered_N > 0.0 ? m_remembered_N + 0.01 * (view.tension_N - m_remembered_N) : view.tension_N;
+        m_remembered_N =
+            m_remembered_N > 0.0 ? m_remembered_N + 0.01 * (view.tension_N - m_remembered_N) : view.tension_N;
         m_counted_s = view.time_s;
         m_lost_s = -1.0;
     } else if (m_lost_s < 0.0) {
@@ -58,8 +59,9 @@ void TensionControl::look(const TensionView& view) noexcept {
 
 double TensionControl::speed_m_per_s(const TensionView& view) noexcept {
     const bool shown = view.high_N > 0.0;
-    double speed = shown ? correct(0.5 * (view.low_N + view.high_N) - view.tension_N, 0.5 * (view.high_N - view.low_N))
-                         : search(view);
+    double speed =
+        shown ? correct(0.5 * (view.low_N + view.high_N) - view.tension_N, 0.5 * (view.high_N - view.low_N))
+              : search(view);
     if (view.length_m > m_settings.longestRatio * view.restLength_m)
         speed = std::min(speed, 0.0);
     return speed;
@@ -78,8 +80,10 @@ double TensionControl::search(const TensionView& view) noexcept {
 double TensionControl::correct(double wrong_N, double halfBand_N) const noexcept {
     if (std::abs(wrong_N) < m_settings.deadZone * halfBand_N)
         return 0.0;
-    const double k = m_settings.learnsStiffness ? m_stiffness.stiffness_N_per_m() : m_settings.assumedStiffness_N_per_m;
-    return std::clamp(m_settings.correctionRate_per_s * wrong_N / k, -m_settings.pullSpeed_m_per_s, m_settings.pullSpeed_m_per_s);
+    const double k =
+        m_settings.learnsStiffness ? m_stiffness.stiffness_N_per_m() : m_settings.assumedStiffness_N_per_m;
+    return std::clamp(m_settings.correctionRate_per_s * wrong_N / k, -m_settings.pullSpeed_m_per_s,
+                      m_settings.pullSpeed_m_per_s);
 }
 
 } // namespace chiron::operators

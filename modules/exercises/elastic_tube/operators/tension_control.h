@@ -9,7 +9,8 @@ namespace chiron::operators {
 /// forgetting.
 class StiffnessSense {
 public:
-    explicit StiffnessSense(double assumed_N_per_m) noexcept : m_slope(assumed_N_per_m), m_assumed(assumed_N_per_m) {}
+    explicit StiffnessSense(double assumed_N_per_m) noexcept
+        : m_slope(assumed_N_per_m), m_assumed(assumed_N_per_m) {}
     void begin() noexcept;
     void notice(double length_m, double tension_N) noexcept; ///< once per observation
     double stiffness_N_per_m() const noexcept { return m_slope; }
@@ -22,11 +23,11 @@ private:
 
 /// Inputs of the tension control: the wanted tension and the present pull, as far as the trainee knows them.
 struct TensionView {
-    double tension_N = 0.0;  ///< as read or felt
-    double length_m = 0.0;   ///< between the ends, as seen
+    double tension_N = 0.0; ///< as read or felt
+    double length_m = 0.0;  ///< between the ends, as seen
     double restLength_m = 0.0;
     double low_N = 0.0, high_N = 0.0; ///< the band; 0: not shown
-    double dwell = 0.0;      ///< 0..1: share of the holding time that has passed
+    double dwell = 0.0;               ///< 0..1: share of the holding time that has passed
     double time_s = 0.0;
 };
 
@@ -48,9 +49,9 @@ private:
     ElasticTubeOperatorSettings m_settings;
     StiffnessSense m_stiffness;
     double m_dwell = 0.0;
-    double m_counted_s = -1.0;  ///< when the screen last counted the tension as right
+    double m_counted_s = -1.0;   ///< when the screen last counted the tension as right
     double m_remembered_N = 0.0; ///< tension felt at that time; 0: none yet
-    double m_lost_s = -1.0;     ///< since when the screen has not counted any more
+    double m_lost_s = -1.0;      ///< since when the screen has not counted any more
 };
 
 } // namespace chiron::operators

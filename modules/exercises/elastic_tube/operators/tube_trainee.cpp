@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/elastic_tube/operators/tube_trainee.h"
 
-#include "operators/laparoscopy/movement.h"
 #include "core/laparoscopy_cues.h"
+#include "operators/laparoscopy/movement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,8 @@ bool anchored(const LaparoscopyCues& screen, int grip) noexcept {
 void TubeTrainee::think(const GraspLook& felt, GraspWishes& wishes) noexcept {
     notice(felt);
     const GraspPercept& first = felt.first();
-    const bool working = first.working() && first.screen().present && first.screen().objectShown && first.screen().tube;
+    const bool working =
+        first.working() && first.screen().present && first.screen().objectShown && first.screen().tube;
     if (!working) {
         m_working = m_pulling = false;
         return rest(felt, wishes);
@@ -89,7 +90,8 @@ void TubeTrainee::share(const LaparoscopyCues& screen) noexcept {
         m_hands[0].grip = far;
         m_hands[1].grip = other;
     } else if (m_hands[0].grip == kNone && other != kNone) {
-        const bool onTheRight = screen.p_WGrip[static_cast<std::size_t>(far)][0] >= screen.p_WGrip[static_cast<std::size_t>(other)][0];
+        const bool onTheRight = screen.p_WGrip[static_cast<std::size_t>(far)][0] >=
+                                screen.p_WGrip[static_cast<std::size_t>(other)][0];
         m_hands[0].grip = onTheRight ? far : other;
         m_hands[1].grip = onTheRight ? other : far;
     }
@@ -131,8 +133,9 @@ TensionView TubeTrainee::view(const GraspLook& felt) const noexcept {
     if (m_briefing.goal == TubeGoal::mark) {
         const double k = m_settings.assumedStiffness_N_per_m;
         const bool seen = screen.targetShown;
-        const double mark_m = seen ? (vectorOf(screen.p_WTarget) - otherEnd(0, screen)).norm() - screen.restLength_m
-                                   : (m_briefing.markRatio - 1.0) * screen.restLength_m;
+        const double mark_m =
+            seen ? (vectorOf(screen.p_WTarget) - otherEnd(0, screen)).norm() - screen.restLength_m
+                 : (m_briefing.markRatio - 1.0) * screen.restLength_m;
         const double either_m = seen ? screen.targetRadius_m : m_briefing.markTolerance * screen.restLength_m;
         view.tension_N = k * felt.first().stretch_m;
         view.low_N = k * (mark_m - either_m);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/laparoscopy_cues.h"
 #include "core/random.h"
 #include "mechanisms/markov_noise.h"
 #include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
 #include "modules/exercises/elastic_tube/operators/tension_control.h"
 #include "operators/laparoscopy/laparoscopy_mind.h"
-#include "core/laparoscopy_cues.h"
 
 #include <array>
 #include <cstdint>
@@ -21,7 +21,8 @@ namespace chiron::operators {
 /// Thread: haptic; allocates nothing.
 class TubeTrainee final : public LaparoscopyMind {
 public:
-    TubeTrainee(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing, std::uint64_t seed);
+    TubeTrainee(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing,
+                std::uint64_t seed);
     ~TubeTrainee() override;
     void think(const GraspLook& felt, GraspWishes& wishes) noexcept override;
 
@@ -31,10 +32,10 @@ private:
     struct Hand {
         Doing doing = Doing::wait;
         double began_s = 0.0;
-        int grip = kNone;                        ///< place of the tube that is this hand's in this trial
-        core::Vec3 place = core::Vec3::Zero();   ///< smoothed
-        core::Vec3 force = core::Vec3::Zero();   ///< smoothed
-        core::Vec3 rest = core::Vec3::Zero();    ///< where it waits
+        int grip = kNone;                      ///< place of the tube that is this hand's in this trial
+        core::Vec3 place = core::Vec3::Zero(); ///< smoothed
+        core::Vec3 force = core::Vec3::Zero(); ///< smoothed
+        core::Vec3 rest = core::Vec3::Zero();  ///< where it waits
         mechanisms::MarkovNoise jaw;
     };
 

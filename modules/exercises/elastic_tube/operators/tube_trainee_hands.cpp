@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The actions of the single hands of a TubeTrainee.
+#include "core/laparoscopy_cues.h"
 #include "modules/exercises/elastic_tube/operators/tube_trainee.h"
 #include "operators/laparoscopy/movement.h"
-#include "core/laparoscopy_cues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,19 +14,19 @@ using core::Vec3;
 
 namespace {
 // Habits that all operators share: assumptions.
-constexpr double kHover_m = 0.012;        ///< height from which it approaches a grip
-constexpr double kAbove_m = 0.010;        ///< height that it keeps while it is not yet over the grip
+constexpr double kHover_m = 0.012; ///< height from which it approaches a grip
+constexpr double kAbove_m = 0.010; ///< height that it keeps while it is not yet over the grip
 /// Time that it waits for a hold after closing before it tries again.
 constexpr double kClosing_s = 1.2;
 constexpr double kGetsOff_m_per_s = 0.02; ///< speed with which it moves away after letting go
 constexpr double kGettingOff_s = 0.6;
-constexpr double kSteering_per_s = 1.0;   ///< gain towards the direction in which it wants to pull
+constexpr double kSteering_per_s = 1.0; ///< gain towards the direction in which it wants to pull
 constexpr double kSteering_m_per_s = 0.010;
-constexpr double kUp_m = 0.12;            ///< pulls towards a point at this height over the base …
-constexpr double kInward = 0.5;           ///< … and at this share of the distance to below its entry point
+constexpr double kUp_m = 0.12;  ///< pulls towards a point at this height over the base …
+constexpr double kInward = 0.5; ///< … and at this share of the distance to below its entry point
 /// Direction in which a fold is drawn: away from the hands, and up.
 constexpr double kBack = 0.8, kLift = 0.6;
-constexpr double kSpan_m = 0.045;         ///< height at which a tube is held between two instruments
+constexpr double kSpan_m = 0.045; ///< height at which a tube is held between two instruments
 } // namespace
 
 void TubeTrainee::begin(Hand& hand, Doing doing, double now_s) noexcept {
@@ -60,9 +60,10 @@ void TubeTrainee::decide(std::size_t i, const GraspLook& felt, GraspWish& wish) 
         else if (hand.doing != Doing::letGo || now_s - hand.began_s > kGettingOff_s)
             begin(hand, Doing::wait, hand.doing == Doing::wait ? hand.began_s : now_s);
         wish.jaw_rad = m_settings.openJaw_rad;
-        wish.velocity_m_per_s = hand.doing == Doing::letGo
-                                    ? Vec3(0.0, 0.0, kGetsOff_m_per_s)
-                                    : velocityTo(hand.rest, hand.place, m_settings.moveGain_per_s, m_settings.reachSpeed_m_per_s);
+        wish.velocity_m_per_s =
+            hand.doing == Doing::letGo
+                ? Vec3(0.0, 0.0, kGetsOff_m_per_s)
+                : velocityTo(hand.rest, hand.place, m_settings.moveGain_per_s, m_settings.reachSpeed_m_per_s);
         return;
     }
     if (holds(i, screen)) {
@@ -88,14 +89,16 @@ void TubeTrainee::seek(std::size_t i, const GraspPercept& felt, const Vec3& grip
     if (hand.doing == Doing::close) {
         wish.jaw_rad = m_settings.heldJaw_rad;
         wish.velocity_m_per_s = velocityTo(grip, hand.place, m_settings.moveGain_per_s, 0.01);
-        const double closing_s = kClosing_s + (m_settings.openJaw_rad - m_settings.heldJaw_rad) / m_settings.jawSpeed_rad_per_s;
+        const double closing_s =
+            kClosing_s + (m_settings.openJaw_rad - m_settings.heldJaw_rad) / m_settings.jawSpeed_rad_per_s;
         if (felt.time_s - hand.began_s > closing_s)
             begin(hand, Doing::reach, felt.time_s);
         return;
     }
     const bool beside = off.head<2>().norm() > kAbove_m;
     const Vec3 goal = beside ? Vec3(grip + Vec3(0.0, 0.0, kHover_m)) : grip;
-    wish.velocity_m_per_s = velocityTo(goal, hand.place, m_settings.moveGain_per_s, m_settings.reachSpeed_m_per_s);
+    wish.velocity_m_per_s =
+        velocityTo(goal, hand.place, m_settings.moveGain_per_s, m_settings.reachSpeed_m_per_s);
     if (off.norm() > m_settings.aim_m)
         hand.began_s = felt.time_s;
     else if (felt.time_s - hand.began_s > m_settings.settle_s)
@@ -108,7 +111,8 @@ TensionView TubeTrainee::foldView(const GraspPercept& felt) const noexcept {
     TensionView view;
     view.time_s = felt.time_s;
     view.tension_N = screen.retractionShown ? felt.retraction_N : hand.force.norm();
-    const double beside_N = (m_settings.retractShare - 0.5) * (screen.retractionHigh_N - screen.retractionLow_N);
+    const double beside_N =
+        (m_settings.retractShare - 0.5) * (screen.retractionHigh_N - screen.retractionLow_N);
     if (screen.retractionHigh_N > 0.0) {
         view.low_N = screen.retractionLow_N + beside_N;
         view.high_N = screen.retractionHigh_N + beside_N;
@@ -146,7 +150,8 @@ void TubeTrainee::retract(const GraspPercept& felt, GraspWish& wish) noexcept {
     const Vec3 span = hand.place - from;
     const double length = std::max(span.norm(), 1e-3);
     const Vec3 along = span / length;
-    Vec3 steer = velocityTo(from + length * Vec3(0.0, kBack, kLift), hand.place, kSteering_per_s, kSteering_m_per_s);
+    Vec3 steer =
+        velocityTo(from + length * Vec3(0.0, kBack, kLift), hand.place, kSteering_per_s, kSteering_m_per_s);
     steer -= steer.dot(along) * along;
     wish.velocity_m_per_s = m_retraction.speed_m_per_s(foldView(felt)) * along + steer;
 }
@@ -203,7 +208,8 @@ Vec3 TubeTrainee::bring(std::size_t i, const LaparoscopyCues& screen) const noex
     // Tip and end are seen together, so an error of sight affects both in the same way.
     const Vec3 held = vectorOf(screen.p_WGrip[static_cast<std::size_t>(m_hands[i].grip)]);
     const Vec3 ahead = vectorOf(screen.p_WGrip[static_cast<std::size_t>(end)]) - held;
-    return velocityTo(vectorOf(screen.p_WTarget), m_hands[i].place + ahead, m_settings.moveGain_per_s, m_settings.bringSpeed_m_per_s);
+    return velocityTo(vectorOf(screen.p_WTarget), m_hands[i].place + ahead, m_settings.moveGain_per_s,
+                      m_settings.bringSpeed_m_per_s);
 }
 
 } // namespace chiron::operators

@@ -22,7 +22,8 @@ struct ElasticTubeTrial {
 /// stiffness and target tension are uniform in their ranges. Each comes from its own random stream
 /// ("elastic_tube.base", ...), so that levels that differ in one of them share the others under the same
 /// seed. Pure; allocates.
-std::vector<ElasticTubeTrial> planElasticTubeTrials(const ElasticTubeParameters& parameters, std::uint64_t seed);
+std::vector<ElasticTubeTrial> planElasticTubeTrials(const ElasticTubeParameters& parameters,
+                                                    std::uint64_t seed);
 
 /// The law of one planned trial's tube. Pure.
 TubeLaw elasticTubeLaw(const ElasticTubeParameters& parameters, const ElasticTubeTrial& trial) noexcept;

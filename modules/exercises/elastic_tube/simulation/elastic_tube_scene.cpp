@@ -136,13 +136,15 @@ core::Vec3 ElasticTubeScene::slipping(std::size_t tool, const core::Vec3& pull, 
         slip = {pull, 0, true, 1.0};
         return pull;
     }
-    slip.share = slip.held ? fallen(static_cast<double>(++slip.ticks) / static_cast<double>(kSlipTicks)) : 0.0;
+    slip.share =
+        slip.held ? fallen(static_cast<double>(++slip.ticks) / static_cast<double>(kSlipTicks)) : 0.0;
     slip.held = slip.share > 0.0;
     return slip.share * slip.from;
 }
 
 bool ElasticTubeScene::tubePresent() const noexcept {
-    return m_phase == TrialPhase::ready || m_phase == TrialPhase::running || fade() > 0.0 || (m_parameters.hasFold() && ending() > 0.0);
+    return m_phase == TrialPhase::ready || m_phase == TrialPhase::running || fade() > 0.0 ||
+           (m_parameters.hasFold() && ending() > 0.0);
 }
 
 void ElasticTubeScene::pull(const SceneInput& in, SceneOutput& out) noexcept {
@@ -161,11 +163,14 @@ void ElasticTubeScene::pull(const SceneInput& in, SceneOutput& out) noexcept {
         return chain.step(holds);
     };
     if (m_parameters.hasFold()) {
-        told(m_foldGrips.update(in.tools, m_fold, {m_parameters.retractor(), m_parameters.retractor() + 1, true}));
+        told(m_foldGrips.update(in.tools, m_fold,
+                                {m_parameters.retractor(), m_parameters.retractor() + 1, true}));
         m_foldAnswer = answerOf(m_fold, m_foldGrips);
         openFold();
     }
-    told(m_grips.update(in.tools, m_tube, {0, m_parameters.hasFold() ? m_parameters.hands() : core::kMaxTools, !m_parameters.hasFold() || m_foldOpen}));
+    told(m_grips.update(in.tools, m_tube,
+                        {0, m_parameters.hasFold() ? m_parameters.hands() : core::kMaxTools,
+                         !m_parameters.hasFold() || m_foldOpen}));
     m_answer = answerOf(m_tube, m_grips);
 }
 
@@ -229,7 +234,8 @@ void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noe
         double& stiffest = stiffest_N_per_m[fold ? 1 : 0];
         const int node = used ? (fold ? m_foldGrips : m_grips).nodeOf(i) : TubeGrips::kNobody;
         const bool holds = node != TubeGrips::kNobody;
-        core::Vec3 pull = holds ? core::Vec3(share * answer.force[static_cast<std::size_t>(node)]) : core::Vec3::Zero().eval();
+        core::Vec3 pull = holds ? core::Vec3(share * answer.force[static_cast<std::size_t>(node)])
+                                : core::Vec3::Zero().eval();
         // No more than the tube bears, also in tasks without a tear limit
         if (pull.norm() > m_parameters.yield.force_N)
             pull *= m_parameters.yield.force_N / pull.norm();
@@ -237,7 +243,8 @@ void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noe
         if (!holds && out.tissue.tools[i].force != core::Vec3::Zero()) // friction still holds what slides
             stiffest = std::max(stiffest, m_slips[i].share * first_N_per_m);
         if (holds && !fold && m_task.torn())
-            out.contact[i] = static_cast<std::uint8_t>(contact::kThrough | (m_tornTicks == 1 ? contact::kYielded : 0));
+            out.contact[i] =
+                static_cast<std::uint8_t>(contact::kThrough | (m_tornTicks == 1 ? contact::kYielded : 0));
         if (holds) {
             stiffest = std::max(stiffest, share * answer.stiffness_N_per_m[static_cast<std::size_t>(node)]);
             out.damping_Ns_per_m[i] = share * answer.damping_Ns_per_m[static_cast<std::size_t>(node)];

@@ -15,13 +15,30 @@
 namespace chiron::simulation {
 
 /// The quantities that the scene records, in this order (SceneOutput::quantities).
-enum class TubeQuantity : std::uint8_t { tension_N, stretch_m, grip0, grip1, grip2, freeEndX_m, freeEndY_m, freeEndZ_m, step, dwell,
-                                         retraction_N, foldOpen, foldEdgeX_m, foldEdgeY_m, foldEdgeZ_m, count };
+enum class TubeQuantity : std::uint8_t {
+    tension_N,
+    stretch_m,
+    grip0,
+    grip1,
+    grip2,
+    freeEndX_m,
+    freeEndY_m,
+    freeEndZ_m,
+    step,
+    dwell,
+    retraction_N,
+    foldOpen,
+    foldEdgeX_m,
+    foldEdgeY_m,
+    foldEdgeZ_m,
+    count
+};
 
 /// The running elastic-tube exercise (P2 "Elastic Tube Model", "Control Algorithm for Multiple Instruments";
 /// models.md §2.4). Trials follow one another as in SphereApexScene:
 ///
-///   idle --started--> ready --forceReady--> running --done, torn or limit--> between --betweenTrials_s--> ready ... finished
+///   idle --started--> ready --forceReady--> running --done, torn or limit--> between --betweenTrials_s-->
+///   ready ... finished
 ///
 /// - kSceneChanged comes with the first tick of `ready`, when the next tube appears. Nobody holds it, and
 ///   jaws have to open first. The tube may be grasped while force is armed; the task (tube_task.h) begins
@@ -52,7 +69,9 @@ public:
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
 
-    const std::vector<ElasticTubeTrial>& trials() const noexcept { return m_trials; } ///< the truth, for scoring
+    const std::vector<ElasticTubeTrial>& trials() const noexcept {
+        return m_trials;
+    } ///< the truth, for scoring
 
 private:
     void advance(const SceneInput& in, SceneOutput& out) noexcept;
@@ -67,7 +86,9 @@ private:
     double fade() const noexcept;   ///< share of the tube's pull that is left
     double ending() const noexcept; ///< share of any pull that is left after a trial
     void openFold() noexcept;
-    bool retracts(std::size_t tool) const noexcept { return m_parameters.hasFold() && static_cast<int>(tool) == m_parameters.retractor(); }
+    bool retracts(std::size_t tool) const noexcept {
+        return m_parameters.hasFold() && static_cast<int>(tool) == m_parameters.retractor();
+    }
     void fillFold(core::LaparoscopyCues& cues) const noexcept;
     TubeTaskSample sample() const noexcept;
     void fillQuantities(SceneOutput& out) const noexcept;
@@ -93,9 +114,9 @@ private:
     TubeAnswer m_foldAnswer;
     bool m_foldOpen = false;
     TubeTaskTracker m_task;
-    TubeAnswer m_answer; ///< of this tick, without fading
+    TubeAnswer m_answer;           ///< of this tick, without fading
     std::uint64_t m_tornTicks = 0; ///< since it tore
-    struct Slip { ///< the pull that a tube still exerts on the jaws after it was let go of
+    struct Slip {                  ///< the pull that a tube still exerts on the jaws after it was let go of
         core::Vec3 from = core::Vec3::Zero(); ///< N, at the moment of letting go
         std::uint64_t ticks = 0;
         bool held = false;

@@ -9,10 +9,13 @@ namespace chiron::simulation {
 
 namespace {
 
-std::array<double, 3> arrayOf(const core::Vec3& v) noexcept { return {v.x(), v.y(), v.z()}; }
+std::array<double, 3> arrayOf(const core::Vec3& v) noexcept {
+    return {v.x(), v.y(), v.z()};
+}
 
 std::uint8_t maskOf(int tool) noexcept {
-    return tool == TubeGrips::kNobody ? std::uint8_t{0} : static_cast<std::uint8_t>(1u << static_cast<unsigned>(tool));
+    return tool == TubeGrips::kNobody ? std::uint8_t{0}
+                                      : static_cast<std::uint8_t>(1u << static_cast<unsigned>(tool));
 }
 
 } // namespace
@@ -20,7 +23,9 @@ std::uint8_t maskOf(int tool) noexcept {
 void ElasticTubeScene::fillQuantities(SceneOutput& out) const noexcept {
     if (!tubePresent())
         return;
-    const auto at = [&](TubeQuantity quantity) -> double& { return out.quantities[static_cast<std::size_t>(quantity)]; };
+    const auto at = [&](TubeQuantity quantity) -> double& {
+        return out.quantities[static_cast<std::size_t>(quantity)];
+    };
     at(TubeQuantity::tension_N) = fade() * m_answer.tension_N;
     at(TubeQuantity::stretch_m) = m_answer.stretch_m;
     at(TubeQuantity::grip0) = maskOf(m_grips.holderOf(0));
@@ -51,7 +56,8 @@ void ElasticTubeScene::fillCues(const SceneInput& in, core::VisibleCues& cues) c
     if (!tubePresent())
         return;
     if (m_phase == core::TrialPhase::ready || m_phase == core::TrialPhase::running) {
-        cues.timeLeft_s = static_cast<double>(m_limitTicks - std::min(m_clock, m_limitTicks)) * core::kTickSeconds;
+        cues.timeLeft_s =
+            static_cast<double>(m_limitTicks - std::min(m_clock, m_limitTicks)) * core::kTickSeconds;
         own.step = m_task.step();
     }
     if (m_showsObject) {
@@ -112,7 +118,8 @@ void ElasticTubeScene::fillTube(core::LaparoscopyCues& cues) const noexcept {
         cues.targetRadius_m = goal.targetRadius_m;
     } else if (m_parameters.task == TubeTask::stretch) { // the mark, straight above the base
         cues.targetShown = true;
-        cues.p_WTarget = arrayOf(m_tube.shape().base + core::Vec3(0.0, 0.0, m_parameters.restLength_m + goal.mark_m));
+        cues.p_WTarget =
+            arrayOf(m_tube.shape().base + core::Vec3(0.0, 0.0, m_parameters.restLength_m + goal.mark_m));
         cues.targetRadius_m = goal.markTolerance_m;
     }
 }

@@ -11,7 +11,8 @@ namespace chiron::simulation {
 namespace {
 
 std::uint64_t ticks(double seconds) {
-    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(std::max(0.0, seconds) / core::kTickSeconds)));
+    return std::max<std::uint64_t>(
+        1, static_cast<std::uint64_t>(std::llround(std::max(0.0, seconds) / core::kTickSeconds)));
 }
 
 bool has(const std::vector<std::string>& cues, const char* cue) {
@@ -21,9 +22,10 @@ bool has(const std::vector<std::string>& cues, const char* cue) {
 } // namespace
 
 ElasticTubeScene::ElasticTubeScene(const ElasticTubeParameters& parameters, std::uint64_t seed)
-    : m_parameters(parameters), m_trials(planElasticTubeTrials(parameters, seed)), m_limitTicks(ticks(parameters.trialLimit_s)),
-      m_betweenTicks(ticks(parameters.betweenTrials_s)), m_holdTicks(ticks(parameters.hold_s)),
-      m_showsObject(has(parameters.cues, "object")), m_showsBars(has(parameters.cues, "bars")) {}
+    : m_parameters(parameters), m_trials(planElasticTubeTrials(parameters, seed)),
+      m_limitTicks(ticks(parameters.trialLimit_s)), m_betweenTicks(ticks(parameters.betweenTrials_s)),
+      m_holdTicks(ticks(parameters.hold_s)), m_showsObject(has(parameters.cues, "object")),
+      m_showsBars(has(parameters.cues, "bars")) {}
 
 ElasticTubeScene::~ElasticTubeScene() = default;
 

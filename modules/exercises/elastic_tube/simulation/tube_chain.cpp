@@ -56,7 +56,8 @@ std::size_t TubeChain::neighbour(std::size_t node, int step) const noexcept {
 /// budget to each, and two hands that move against each other meet twice the damping.
 double TubeChain::mostDampingOf(std::size_t a, std::size_t b) const noexcept {
     const auto budget = [this](std::size_t node) {
-        return m_holds[node].held ? m_holds[node].mostDamping_Ns_per_m * (between(node) ? 0.5 : 1.0) : kUnboundedDamping;
+        return m_holds[node].held ? m_holds[node].mostDamping_Ns_per_m * (between(node) ? 0.5 : 1.0)
+                                  : kUnboundedDamping;
     };
     return std::min(budget(a), budget(b)) * (m_holds[a].held && m_holds[b].held ? 0.5 : 1.0);
 }
@@ -166,9 +167,12 @@ TubeAnswer TubeChain::step(const Holds& holds) noexcept {
         if (pulls(a) && pulls(b)) {
             // A recoiling part does not have the velocity of a hand
             const bool damped = attached(a) && attached(b);
-            const core::Vec3 rate = damped ? core::Vec3(m_holds[b].v_W - m_holds[a].v_W) : core::Vec3(core::Vec3::Zero());
-            const SegmentPull pull = pullOf(m_shape.law, m_shape.length_m, rest_m(a, b), m_p[a], m_p[b], rate, mostDampingOf(a, b));
-            const double felt = (damped ? pull.damping_Ns_per_m : 0.0) * (m_holds[a].held && m_holds[b].held ? 2.0 : 1.0);
+            const core::Vec3 rate =
+                damped ? core::Vec3(m_holds[b].v_W - m_holds[a].v_W) : core::Vec3(core::Vec3::Zero());
+            const SegmentPull pull = pullOf(m_shape.law, m_shape.length_m, rest_m(a, b), m_p[a], m_p[b], rate,
+                                            mostDampingOf(a, b));
+            const double felt =
+                (damped ? pull.damping_Ns_per_m : 0.0) * (m_holds[a].held && m_holds[b].held ? 2.0 : 1.0);
             answer.damping_Ns_per_m[a] += felt;
             answer.damping_Ns_per_m[b] += felt;
             answer.force[a] += pull.onFirst;
@@ -189,7 +193,8 @@ bool TubeChain::slackAt(std::size_t node, const core::Vec3& p_W) const noexcept 
         const bool follows = !attached(other) && !between(other); // a free end follows
         return follows || (p_W - m_p[other]).norm() <= rest_m(node, other);
     };
-    return (node == 0 || slack(neighbour(node, -1))) && (node + 1 >= m_shape.nodes || slack(neighbour(node, 1)));
+    return (node == 0 || slack(neighbour(node, -1))) &&
+           (node + 1 >= m_shape.nodes || slack(neighbour(node, 1)));
 }
 
 } // namespace chiron::simulation

@@ -15,30 +15,31 @@ namespace chiron::simulation {
 struct TubeShape {
     static constexpr std::size_t kMaxNodes = core::LaparoscopyCues::kMaxGrips;
     TubeLaw law;
-    double length_m = 0.045;                       ///< L₀, at rest
-    double radius_m = 0.003;                       ///< it lies on the floor at this height
+    double length_m = 0.045; ///< L₀, at rest
+    double radius_m = 0.003; ///< it lies on the floor at this height
     /// Points that are fixed, an end, or where an instrument may grip.
     std::size_t nodes = 2;
     /// Position of each along the tube; first 0, last 1, ascending.
     std::array<double, kMaxNodes> share{0.0, 1.0};
-    bool fixed = true;                             ///< node 0 is fixed to the floor, and the tube stands up from it
+    bool fixed = true; ///< node 0 is fixed to the floor, and the tube stands up from it
     /// Node 0 where it is fixed; otherwise the middle of the tube, which lies along x.
     core::Vec3 base = core::Vec3::Zero();
-    double recovery_s = 0.1;                       ///< time constant with which a released part returns
+    double recovery_s = 0.1; ///< time constant with which a released part returns
 };
 
 /// How a node is held in this tick.
 struct NodeHold {
     bool held = false;
-    core::Vec3 p_W = core::Vec3::Zero(); ///< m
-    core::Vec3 v_W = core::Vec3::Zero(); ///< m/s
+    core::Vec3 p_W = core::Vec3::Zero();             ///< m
+    core::Vec3 v_W = core::Vec3::Zero();             ///< m/s
     double mostDamping_Ns_per_m = kUnboundedDamping; ///< budget of its tool
 };
 
 /// Response of the tube.
 struct TubeAnswer {
     /// Force on the holder of the node, N.
-    std::array<core::Vec3, TubeShape::kMaxNodes> force{core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero()};
+    std::array<core::Vec3, TubeShape::kMaxNodes> force{core::Vec3::Zero(), core::Vec3::Zero(),
+                                                       core::Vec3::Zero()};
     /// Stiffness that the holder feels.
     std::array<double, TubeShape::kMaxNodes> stiffness_N_per_m{};
     /// Part of the holder's budget that is used.
@@ -80,9 +81,13 @@ public:
     const TubeShape& shape() const noexcept { return m_shape; }
 
 private:
-    bool attached(std::size_t node) const noexcept { return m_holds[node].held || (m_shape.fixed && node == 0); }
+    bool attached(std::size_t node) const noexcept {
+        return m_holds[node].held || (m_shape.fixed && node == 0);
+    }
     bool between(std::size_t node) const noexcept { return node > 0 && node + 1 < m_shape.nodes; }
-    bool counts(std::size_t node) const noexcept { return !between(node) || m_holds[node].held || m_lag_m[node] > 0.0; }
+    bool counts(std::size_t node) const noexcept {
+        return !between(node) || m_holds[node].held || m_lag_m[node] > 0.0;
+    }
     double rest_m(std::size_t a, std::size_t b) const noexcept;
     std::size_t attachmentOf(std::size_t end) const noexcept;
     double mostDampingOf(std::size_t a, std::size_t b) const noexcept;
@@ -93,12 +98,15 @@ private:
     void move() noexcept;
     void relaxEnd(std::size_t end) noexcept;
     void relaxBetween(std::size_t node) noexcept;
-    bool pulls(std::size_t node) const noexcept { return between(node) || attached(node) || m_over_m[node] > 0.0; }
+    bool pulls(std::size_t node) const noexcept {
+        return between(node) || attached(node) || m_over_m[node] > 0.0;
+    }
 
     TubeShape m_shape;
     double m_share = 0.0; ///< share of a recoil that is completed in one tick
     Holds m_holds{};
-    std::array<core::Vec3, TubeShape::kMaxNodes> m_p{core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero()};
+    std::array<core::Vec3, TubeShape::kMaxNodes> m_p{core::Vec3::Zero(), core::Vec3::Zero(),
+                                                     core::Vec3::Zero()};
     std::array<double, TubeShape::kMaxNodes> m_over_m{}; ///< of a free end: its remaining stretch
     /// Of a free point between: its remaining distance from its place on the chord.
     std::array<double, TubeShape::kMaxNodes> m_lag_m{};

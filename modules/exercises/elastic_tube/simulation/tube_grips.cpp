@@ -28,13 +28,15 @@ int TubeGrips::count() const noexcept {
     return held;
 }
 
-TubeGrips::Change TubeGrips::update(const core::ToolStates& tools, const TubeChain& tube, const Takers& takers) noexcept {
+TubeGrips::Change TubeGrips::update(const core::ToolStates& tools, const TubeChain& tube,
+                                    const Takers& takers) noexcept {
     Change change;
     const int used = std::min(std::clamp(tools.count, 0, core::kMaxTools), takers.end);
     for (auto i = static_cast<std::size_t>(takers.first); i < static_cast<std::size_t>(used); ++i) {
         const core::ToolState& tool = tools.tools[i];
         const int found = m_held[i] == kNobody && takers.free ? nearestFree(tool.p_WT, tube) : kNobody;
-        switch (m_jaws[i].update(tool.jaw_rad, m_settings.holdsBelow_rad, m_settings.opensAbove_rad, found != kNobody)) {
+        switch (m_jaws[i].update(tool.jaw_rad, m_settings.holdsBelow_rad, m_settings.opensAbove_rad,
+                                 found != kNobody)) {
         case GraspChange::grasped:
             m_held[i] = found;
             m_holder[static_cast<std::size_t>(found)] = static_cast<int>(i);

@@ -12,9 +12,9 @@ namespace chiron::simulation {
 
 /// Thresholds at which a jaw takes hold of a tube and lets go.
 struct TubeGraspSettings {
-    double reach_m = 0.007;        ///< greatest distance of the tip from a place of the tube
-    double holdsBelow_rad = 0.20;  ///< the jaw takes hold when it closes to this angle
-    double opensAbove_rad = 0.35;  ///< and lets go when it opens to this angle: hysteresis
+    double reach_m = 0.007;       ///< greatest distance of the tip from a place of the tube
+    double holdsBelow_rad = 0.20; ///< the jaw takes hold when it closes to this angle
+    double opensAbove_rad = 0.35; ///< and lets go when it opens to this angle: hysteresis
 };
 
 /// Keeps track of which instrument holds which place of a tube. A jaw that closes takes hold of the nearest
@@ -43,11 +43,13 @@ public:
     };
     /// Advances by one tick: applies the jaws to the tube in its present state.
     Change update(const core::ToolStates& tools, const TubeChain& tube, const Takers& takers) noexcept;
-    Change update(const core::ToolStates& tools, const TubeChain& tube) noexcept { return update(tools, tube, Takers()); }
+    Change update(const core::ToolStates& tools, const TubeChain& tube) noexcept {
+        return update(tools, tube, Takers());
+    }
 
     TubeChain::Holds holds() const noexcept { return m_holds; }
-    int holderOf(std::size_t node) const noexcept { return m_holder[node]; }  ///< a tool, or kNobody
-    int nodeOf(std::size_t tool) const noexcept { return m_held[tool]; }      ///< a place, or kNobody
+    int holderOf(std::size_t node) const noexcept { return m_holder[node]; } ///< a tool, or kNobody
+    int nodeOf(std::size_t tool) const noexcept { return m_held[tool]; }     ///< a place, or kNobody
     /// Number of places that are held.
     int count() const noexcept;
 
@@ -58,7 +60,8 @@ private:
     TubeGraspSettings m_settings;
     std::array<GraspLatch, core::kMaxTools> m_jaws{};
     std::array<int, core::kMaxTools> m_held{kNobody, kNobody, kNobody, kNobody};
-    std::array<core::Vec3, core::kMaxTools> m_offset{core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero()};
+    std::array<core::Vec3, core::kMaxTools> m_offset{core::Vec3::Zero(), core::Vec3::Zero(),
+                                                     core::Vec3::Zero(), core::Vec3::Zero()};
     std::array<int, TubeShape::kMaxNodes> m_holder{kNobody, kNobody, kNobody};
     TubeChain::Holds m_holds{};
 };

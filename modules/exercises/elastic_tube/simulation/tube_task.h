@@ -25,7 +25,7 @@ struct TubeGoal {
     double targetRadius_m = 0.0;
     /// Beyond this stretch the tube is damaged; counted again only after it fell below 80 % of it.
     double overStretch_m = 0.0;
-    double tear_m = 0.0;                      ///< the tube is torn beyond this stretch ...
+    double tear_m = 0.0;                                     ///< the tube is torn beyond this stretch ...
     double tear_N = std::numeric_limits<double>::infinity(); ///< ... or beyond this tension
     std::uint64_t hold_ticks = 0;
     bool fold = false; ///< tissue lies over the tube at first
@@ -36,14 +36,15 @@ struct TubeTaskSample {
     double tension_N = 0.0;
     double stretch_m = 0.0;
     core::Vec3 freeEnd_W = core::Vec3::Zero();
-    int held = 0;           ///< number of places that are held
+    int held = 0;            ///< number of places that are held
     bool rightHolds = false; ///< tool 0
     bool leftHolds = false;  ///< tool 1
     bool open = true;        ///< nothing lies over the tube
 };
 
 /// Progress of one trial. The steps are:
-///   hold, stretch, twoHanded: grasp → stretch → hold → done;  transfer: grasp → handOver → carry → hold → done
+///   hold, stretch, twoHanded: grasp → stretch → hold → done;  transfer: grasp → handOver → carry → hold →
+///   done
 /// - grasp ends when the tube is held as the task needs it: by one hand, by both ends (twoHanded), or by the
 ///   right hand (transfer).
 /// - handOver ends when the left hand holds the tube and the right one does not.
@@ -60,14 +61,14 @@ class TubeTaskTracker {
 public:
     /// Longer than a reaction (180 ms) and its correction: our choice.
     static constexpr std::uint64_t kBreak_ticks = 500;
-    static constexpr double kRearmShare = 0.8;         ///< models.md §6
+    static constexpr double kRearmShare = 0.8; ///< models.md §6
 
     void begin(const TubeGoal& goal) noexcept;
 
     struct Change {
-        bool moved = false;     ///< to another step
+        bool moved = false; ///< to another step
         bool dropped = false;
-        bool damaged = false;   ///< over-stretched anew
+        bool damaged = false; ///< over-stretched anew
         bool torn = false;
         bool completed = false;
     };
@@ -80,7 +81,9 @@ public:
     const TubeGoal& goal() const noexcept { return m_goal; }
 
 private:
-    bool begins() const noexcept { return m_step == core::LaparoscopyStep::grasp || m_step == core::LaparoscopyStep::retract; }
+    bool begins() const noexcept {
+        return m_step == core::LaparoscopyStep::grasp || m_step == core::LaparoscopyStep::retract;
+    }
     bool heldAsNeeded(const TubeTaskSample& now) const noexcept;
     bool inGoal(const TubeTaskSample& now) const noexcept;
     core::LaparoscopyStep next(const TubeTaskSample& now) noexcept;

@@ -18,7 +18,7 @@ constexpr double kSlowSmoothing = 0.01; ///< 1 s
 constexpr double kJawRoom_m = 0.004;    ///< room between each open jaw and the object
 /// Squeeze that it infers when an object looks flattened by its whole radius.
 constexpr double kFlat_N = 2.0;
-constexpr double kFirmest = 1.9;        ///< greatest factor over the squeeze that it wanted at first
+constexpr double kFirmest = 1.9; ///< greatest factor over the squeeze that it wanted at first
 } // namespace
 
 void HandlingTrainee::think(const GraspLook& felt, GraspWishes& wishes) noexcept {
@@ -92,7 +92,8 @@ void HandlingTrainee::choose() noexcept {
 }
 
 void HandlingTrainee::act(const GraspPercept& felt, double jaw_rad, GraspWish& wish) noexcept {
-    const bool carrying = m_doing == Doing::lift || m_doing == Doing::weigh || m_doing == Doing::carry || m_doing == Doing::setDown;
+    const bool carrying = m_doing == Doing::lift || m_doing == Doing::weigh || m_doing == Doing::carry ||
+                          m_doing == Doing::setDown;
     if (carrying && lostIt(felt))
         begin(Doing::over, felt.time_s);
     switch (m_doing) {
@@ -141,7 +142,8 @@ double HandlingTrainee::openJaw(double radius_m) const noexcept {
 
 double HandlingTrainee::wantedSqueeze_N(const LaparoscopyCues& screen) const noexcept {
     const bool bar = screen.squeezeShown && screen.squeezeLimit_N > 0.0;
-    return m_firmness * (bar ? m_settings.squeezeShare * screen.squeezeLimit_N : kFlat_N * m_settings.flatteningShare);
+    return m_firmness *
+           (bar ? m_settings.squeezeShare * screen.squeezeLimit_N : kFlat_N * m_settings.flatteningShare);
 }
 
 /// The missing squeeze, in newtons as far as the eye can tell; positive: squeeze more. Without a bar it is
@@ -158,8 +160,9 @@ double HandlingTrainee::wrongSqueeze_N(const GraspPercept& felt) const noexcept 
 void HandlingTrainee::squeeze(const GraspPercept& felt, double jaw_rad, GraspWish& wish) const noexcept {
     const double wrong = wrongSqueeze_N(felt);
     const bool right = std::abs(wrong) < m_settings.squeezeTolerance * wantedSqueeze_N(felt.screen());
-    wish.jawSpeed_rad_per_s =
-        right ? 0.0 : std::min(m_settings.squeezeGain_rad_per_Ns * std::abs(wrong), m_settings.squeezeSpeed_rad_per_s);
+    wish.jawSpeed_rad_per_s = right ? 0.0
+                                    : std::min(m_settings.squeezeGain_rad_per_Ns * std::abs(wrong),
+                                               m_settings.squeezeSpeed_rad_per_s);
     wish.jaw_rad = wrong > 0.0 ? 0.0 : std::min(jaw_rad + 0.2, GraspReach::kWidest_rad);
 }
 

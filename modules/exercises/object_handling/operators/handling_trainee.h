@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/random.h"
-#include "operators/laparoscopy/laparoscopy_mind.h"
 #include "modules/exercises/object_handling/operators/object_handling_operator.h"
 #include "modules/exercises/object_handling/operators/weight_memory.h"
+#include "operators/laparoscopy/laparoscopy_mind.h"
 
 #include <cstdint>
 
@@ -19,7 +19,8 @@ namespace chiron::operators {
 /// Thread: haptic; allocates nothing.
 class HandlingTrainee final : public LaparoscopyMind {
 public:
-    HandlingTrainee(const ObjectHandlingOperatorSettings& settings, const ObjectHandlingBriefing& briefing, std::uint64_t seed);
+    HandlingTrainee(const ObjectHandlingOperatorSettings& settings, const ObjectHandlingBriefing& briefing,
+                    std::uint64_t seed);
     ~HandlingTrainee() override;
     void think(const GraspLook& felt, GraspWishes& wishes) noexcept override;
 
@@ -64,14 +65,14 @@ private:
     double m_slowUp_N = 0.0;                 ///< … and over a second
     double m_free_N = 0.0;                   ///< felt upward force before it took hold of anything
     WeightMemory m_weights;
-    std::size_t m_object = 0;   ///< the object that it wants
-    bool m_deciding = false;    ///< it is still weighing
+    std::size_t m_object = 0; ///< the object that it wants
+    bool m_deciding = false;  ///< it is still weighing
     int m_rounds = 1;
-    core::Vec3 m_grip = core::Vec3::Zero();   ///< where it took hold
-    core::Vec3 m_from = core::Vec3::Zero();   ///< where the object lay
+    core::Vec3 m_grip = core::Vec3::Zero(); ///< where it took hold
+    core::Vec3 m_from = core::Vec3::Zero(); ///< where the object lay
     /// Offset of the object's centre from the tip, as it looked when carrying began.
     core::Vec3 m_hold = core::Vec3::Zero();
-    core::Vec3 m_to = core::Vec3::Zero();     ///< where the tip has to be to set the object down
+    core::Vec3 m_to = core::Vec3::Zero(); ///< where the tip has to be to set the object down
     double m_firmness = 1.0;
     double m_thereSince_s = -1.0;
 };

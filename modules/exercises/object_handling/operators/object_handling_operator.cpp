@@ -3,8 +3,8 @@
 // the tick calls.
 #include "modules/exercises/object_handling/operators/object_handling_operator.h"
 
-#include "operators/laparoscopy/scripted_hand.h"
 #include "modules/exercises/object_handling/operators/handling_trainee.h"
+#include "operators/laparoscopy/scripted_hand.h"
 
 #include <array>
 #include <string>
@@ -99,39 +99,41 @@ core::Result<void> check(const ObjectHandlingOperatorSettings& s, const ObjectHa
         const char* name;
         double value, low, high;
     };
-    const std::array<Range, 28> ranges{{{"attention_s", s.attention_s, 0.0, 2.0},
-                                        {"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.005, 0.5},
-                                        {"carrySpeed_m_per_s", s.carrySpeed_m_per_s, 0.005, 0.5},
-                                        {"lowerSpeed_m_per_s", s.lowerSpeed_m_per_s, 0.002, 0.3},
-                                        {"moveGain_per_s", s.moveGain_per_s, 0.2, 10.0},
-                                        {"aim_m", s.aim_m, 0.0005, 0.02},
-                                        {"placeAim_m", s.placeAim_m, 0.0005, 0.02},
-                                        {"settle_s", s.settle_s, 0.0, 5.0},
-                                        {"jawSpeed_rad_per_s", s.jawSpeed_rad_per_s, 0.05, 20.0},
-                                        {"squeezeShare", s.squeezeShare, 0.05, 3.0},
-                                        {"squeezeGain_rad_per_Ns", s.squeezeGain_rad_per_Ns, 0.01, 10.0},
-                                        {"squeezeSpeed_rad_per_s", s.squeezeSpeed_rad_per_s, 0.01, 20.0},
-                                        {"squeezeTolerance", s.squeezeTolerance, 0.0, 1.0},
-                                        {"flatteningShare", s.flatteningShare, 0.01, 0.6},
-                                        {"regripFactor", s.regripFactor, 1.0, 3.0},
-                                        {"clearance_m", s.clearance_m, 0.0, 0.05},
-                                        {"setDownSpeed_m_per_s", s.setDownSpeed_m_per_s, 0.001, 0.3},
-                                        {"releaseHeight_m", s.releaseHeight_m, 0.0, 0.05},
-                                        {"openSpeed_rad_per_s", s.openSpeed_rad_per_s, 0.05, 20.0},
-                                        {"weighTime_s", s.weighTime_s, 0.0, 30.0},
-                                        {"heft_m", s.heft_m, 0.0, 0.02},
-                                        {"weighAgain", s.weighAgain, 0.0, 1.0},
-                                        {"reach.acceleration_m_per_s2", s.reach.acceleration_m_per_s2, 0.05, 20.0},
-                                        {"reach.smoothing_s", s.reach.smoothing_s, 0.0, 1.0},
-                                        {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5},
-                                        {"liftHeight_m", b.liftHeight_m, 0.0, 0.06},
-                                        {"jawLength_m", b.jawLength_m, 0.005, 0.1},
-                                        {"place.scale", b.place.scale, 0.1, 10.0}}};
+    const std::array<Range, 28> ranges{
+        {{"attention_s", s.attention_s, 0.0, 2.0},
+         {"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.005, 0.5},
+         {"carrySpeed_m_per_s", s.carrySpeed_m_per_s, 0.005, 0.5},
+         {"lowerSpeed_m_per_s", s.lowerSpeed_m_per_s, 0.002, 0.3},
+         {"moveGain_per_s", s.moveGain_per_s, 0.2, 10.0},
+         {"aim_m", s.aim_m, 0.0005, 0.02},
+         {"placeAim_m", s.placeAim_m, 0.0005, 0.02},
+         {"settle_s", s.settle_s, 0.0, 5.0},
+         {"jawSpeed_rad_per_s", s.jawSpeed_rad_per_s, 0.05, 20.0},
+         {"squeezeShare", s.squeezeShare, 0.05, 3.0},
+         {"squeezeGain_rad_per_Ns", s.squeezeGain_rad_per_Ns, 0.01, 10.0},
+         {"squeezeSpeed_rad_per_s", s.squeezeSpeed_rad_per_s, 0.01, 20.0},
+         {"squeezeTolerance", s.squeezeTolerance, 0.0, 1.0},
+         {"flatteningShare", s.flatteningShare, 0.01, 0.6},
+         {"regripFactor", s.regripFactor, 1.0, 3.0},
+         {"clearance_m", s.clearance_m, 0.0, 0.05},
+         {"setDownSpeed_m_per_s", s.setDownSpeed_m_per_s, 0.001, 0.3},
+         {"releaseHeight_m", s.releaseHeight_m, 0.0, 0.05},
+         {"openSpeed_rad_per_s", s.openSpeed_rad_per_s, 0.05, 20.0},
+         {"weighTime_s", s.weighTime_s, 0.0, 30.0},
+         {"heft_m", s.heft_m, 0.0, 0.02},
+         {"weighAgain", s.weighAgain, 0.0, 1.0},
+         {"reach.acceleration_m_per_s2", s.reach.acceleration_m_per_s2, 0.05, 20.0},
+         {"reach.smoothing_s", s.reach.smoothing_s, 0.0, 1.0},
+         {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5},
+         {"liftHeight_m", b.liftHeight_m, 0.0, 0.06},
+         {"jawLength_m", b.jawLength_m, 0.005, 0.1},
+         {"place.scale", b.place.scale, 0.1, 10.0}}};
     for (const Range& range : ranges)
         if (!(range.value >= range.low && range.value <= range.high))
             return core::fail(core::ErrorCode::badInput, std::string("operator: ") + range.name + " is " +
                                                              std::to_string(range.value) + ", expected " +
-                                                             std::to_string(range.low) + " to " + std::to_string(range.high));
+                                                             std::to_string(range.low) + " to " +
+                                                             std::to_string(range.high));
     return {};
 }
 
@@ -142,23 +144,26 @@ std::span<const std::string_view> objectHandlingOperatorNames() noexcept {
 }
 
 core::Result<ObjectHandlingOperatorSettings> objectHandlingOperatorSettings(std::string_view name) {
-    const std::array<ObjectHandlingOperatorSettings (*)(), 4> makers{&novice, &intermediate, &expert, &unsafe};
+    const std::array<ObjectHandlingOperatorSettings (*)(), 4> makers{&novice, &intermediate, &expert,
+                                                                     &unsafe};
     for (std::size_t i = 0; i < kNames.size(); ++i)
         if (kNames[i] == name)
             return makers[i]();
     return core::fail(core::ErrorCode::notFound,
-                      "operator '" + std::string(name) + "' is unknown; expected novice, intermediate, expert or unsafe");
+                      "operator '" + std::string(name) +
+                          "' is unknown; expected novice, intermediate, expert or unsafe");
 }
 
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>
-makeObjectHandlingOperator(const ObjectHandlingOperatorSettings& settings, const ObjectHandlingBriefing& briefing,
-                           std::uint64_t seed) {
+makeObjectHandlingOperator(const ObjectHandlingOperatorSettings& settings,
+                           const ObjectHandlingBriefing& briefing, std::uint64_t seed) {
     CHIRON_TRY(check(settings, briefing));
-    return makeHands(std::make_unique<HandlingTrainee>(settings, briefing, seed), settings.perception, settings.reach,
-                     {briefing.place}, seed);
+    return makeHands(std::make_unique<HandlingTrainee>(settings, briefing, seed), settings.perception,
+                     settings.reach, {briefing.place}, seed);
 }
 
-HandlingTrainee::HandlingTrainee(const ObjectHandlingOperatorSettings& settings, const ObjectHandlingBriefing& briefing, std::uint64_t)
+HandlingTrainee::HandlingTrainee(const ObjectHandlingOperatorSettings& settings,
+                                 const ObjectHandlingBriefing& briefing, std::uint64_t)
     : m_settings(settings), m_briefing(briefing) {}
 
 HandlingTrainee::~HandlingTrainee() = default;

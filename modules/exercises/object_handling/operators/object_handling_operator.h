@@ -17,9 +17,9 @@ namespace chiron::operators {
 /// Instructions to a trainee before it begins. They contain nothing beyond what the instruction on the screen
 /// and the instrument in its hand say.
 struct ObjectHandlingBriefing {
-    bool weigh = false;           ///< the heaviest object is to be set down in the target
-    double liftHeight_m = 0.030;  ///< height to which an object has to be lifted on the way
-    double jawLength_m = 0.020;   ///< of the instrument in its hand
+    bool weigh = false;              ///< the heaviest object is to be set down in the target
+    double liftHeight_m = 0.030;     ///< height to which an object has to be lifted on the way
+    double jawLength_m = 0.020;      ///< of the instrument in its hand
     devices::WorkspaceMapping place; ///< where the instrument enters
 };
 
@@ -36,7 +36,7 @@ core::Result<ObjectHandlingOperatorSettings> objectHandlingOperatorSettings(std:
 /// same perceptions give the same intentions. Allocates; not for use in the tick.
 /// Errors: badInput when a setting or the briefing is out of range.
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>
-makeObjectHandlingOperator(const ObjectHandlingOperatorSettings& settings, const ObjectHandlingBriefing& briefing,
-                           std::uint64_t seed);
+makeObjectHandlingOperator(const ObjectHandlingOperatorSettings& settings,
+                           const ObjectHandlingBriefing& briefing, std::uint64_t seed);
 
 } // namespace chiron::operators

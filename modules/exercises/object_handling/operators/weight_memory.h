@@ -16,7 +16,9 @@ public:
     void feel(std::size_t object, double weight_N) noexcept; ///< once per observation
     void weighed(std::size_t object) noexcept { ++m_times[object]; }
     int times(std::size_t object) const noexcept { return m_times[object]; }
-    double weight_N(std::size_t object) const noexcept { return m_looks[object] > 0.0 ? m_sum_N[object] / m_looks[object] : 0.0; }
+    double weight_N(std::size_t object) const noexcept {
+        return m_looks[object] > 0.0 ? m_sum_N[object] / m_looks[object] : 0.0;
+    }
     /// The next object, in the screen's order, that has been weighed fewer than `times` times; objects() when
     /// there is none.
     std::size_t next(int times) const noexcept;

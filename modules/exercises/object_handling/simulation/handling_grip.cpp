@@ -25,7 +25,8 @@ void HandlingWorld::updateGrip(const HandlingTool& tool, HandlingAnswer& answer)
     } else {
         const double thickness_m = 2.0 * m_parameters.radius_m;
         const int near = m_held == kNone ? nearestInReach(tool) : m_held;
-        switch (m_latch.update(tool.opening_m, thickness_m, thickness_m + m_parameters.releaseClearance_m, near != kNone)) {
+        switch (m_latch.update(tool.opening_m, thickness_m, thickness_m + m_parameters.releaseClearance_m,
+                               near != kNone)) {
         case GraspChange::grasped:
             takeHold(near, tool);
             answer.events |= bits::kGrasped;
@@ -78,7 +79,7 @@ void HandlingWorld::letGo(const HandlingTool& tool) noexcept {
         body.it.v_W.setZero();
     else
         body.dropCounts = !body.it.onBed(); // setting down is not a drop
-    body.inside = body.embraced = true; // the jaws are still around it
+    body.inside = body.embraced = true;     // the jaws are still around it
     m_held = kNone;
 }
 

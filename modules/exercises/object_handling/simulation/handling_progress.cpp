@@ -41,7 +41,9 @@ void HandlingProgress::follow(const HandlingWorld& world, bool clockRuns) noexce
             m_lifted[i] = false;
         const LooseBody& body = world.body(i);
         m_lifted[i] = m_lifted[i] || body.lifted_m() >= m_parameters.liftHeight_m;
-        m_step = !m_lifted[i] ? LaparoscopyStep::lift : isOverTarget(body) ? LaparoscopyStep::place : LaparoscopyStep::carry;
+        m_step = !m_lifted[i]         ? LaparoscopyStep::lift
+                 : isOverTarget(body) ? LaparoscopyStep::place
+                                      : LaparoscopyStep::carry;
     } else {
         m_step = LaparoscopyStep::grasp;
     }

@@ -23,10 +23,11 @@ ObjectContact underBody(ObjectAttributes bed) noexcept {
 } // namespace
 
 HandlingWorld::HandlingWorld(const ObjectHandlingParameters& parameters, SoftBed* soft) noexcept
-    : m_parameters(parameters), m_object(parameters.object), m_bed(parameters.bed), m_bodyBed(underBody(parameters.bed)), m_soft(soft) {}
+    : m_parameters(parameters), m_object(parameters.object), m_bed(parameters.bed),
+      m_bodyBed(underBody(parameters.bed)), m_soft(soft) {}
 
 HandlingProgress::HandlingProgress(const ObjectHandlingParameters& parameters) noexcept
-    : m_parameters(parameters),
-      m_holdTicks(static_cast<std::uint64_t>(std::max(1LL, std::llround(parameters.hold_s / core::kTickSeconds)))) {}
+    : m_parameters(parameters), m_holdTicks(static_cast<std::uint64_t>(
+                                    std::max(1LL, std::llround(parameters.hold_s / core::kTickSeconds)))) {}
 
 } // namespace chiron::simulation

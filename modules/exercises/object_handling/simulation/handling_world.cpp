@@ -143,7 +143,8 @@ void HandlingWorld::touchBody(Body& body, const HandlingTool& tool, HandlingAnsw
     answer.touching = true;
 }
 
-ContactPlace HandlingWorld::bedPlace(std::size_t who, const Vec3& p, const Vec3& v, double radius_m, double reach_m) noexcept {
+ContactPlace HandlingWorld::bedPlace(std::size_t who, const Vec3& p, const Vec3& v, double radius_m,
+                                     double reach_m) noexcept {
     if (m_soft != nullptr)
         return m_soft->place(who, p, v, radius_m, reach_m);
     ContactPlace place;
@@ -168,7 +169,8 @@ void HandlingWorld::layOnBed(std::size_t i) noexcept {
 }
 
 void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) noexcept {
-    const bool clear = m_soft != nullptr ? m_bedYield.gone() && m_soft->isClear(tool.p_W) : tool.p_W.z() > m_bed.reach_m();
+    const bool clear =
+        m_soft != nullptr ? m_bedYield.gone() && m_soft->isClear(tool.p_W) : tool.p_W.z() > m_bed.reach_m();
     if (m_bedYield.gone() && clear) { // out again: whatever it touches next is whole
         m_bedYield.reset();
         m_tipOnBed.reset();
@@ -179,7 +181,8 @@ void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) n
     place.mostDamping_Ns_per_m = m_budget.left_Ns_per_m();
     ObjectContactResponse touch = m_bed.respond(place, kT, m_tipOnBed);
     const bool out = m_soft != nullptr && touch.inContact && m_soft->isOutElsewhere(SoftBed::kTip, tool.p_W);
-    const double holds = m_bedYield.step(touch.force.norm(), !touch.inContact && !m_bedYield.through(), out, kT);
+    const double holds =
+        m_bedYield.step(touch.force.norm(), !touch.inContact && !m_bedYield.through(), out, kT);
     answer.contact |= m_bedYield.bits();
     scale(touch, holds);
     touch.inContact = touch.inContact && holds > 0.0;
@@ -225,7 +228,8 @@ void HandlingWorld::carry(HandlingAnswer& answer) noexcept {
     Body& body = m_bodies[static_cast<std::size_t>(m_held)];
     const Vec3 load = body.load + body.it.heldForce();
     m_budget.spend(body.it.rolling_Ns_per_m());
-    answer.force -= m_slide.step(load, gripLimit_N(m_object.friction(), m_squeeze.force_N), body.it.mass_kg(), kT);
+    answer.force -=
+        m_slide.step(load, gripLimit_N(m_object.friction(), m_squeeze.force_N), body.it.mass_kg(), kT);
     answer.stiffness_N_per_m += body.it.bedStiffness_N_per_m();
     answer.touching = true;
 }
@@ -260,7 +264,8 @@ void HandlingWorld::moveBodies(HandlingAnswer& answer) noexcept {
                 answer.events |= bits::kSlipped;
         }
         body.airborne = inAir;
-        if (!isHeld(i) && !body.touched && !inAir && body.it.v_W.squaredNorm() < kStill_m_per_s * kStill_m_per_s) {
+        if (!isHeld(i) && !body.touched && !inAir &&
+            body.it.v_W.squaredNorm() < kStill_m_per_s * kStill_m_per_s) {
             body.it.lieStill();
             body.dropCounts = false;
         }

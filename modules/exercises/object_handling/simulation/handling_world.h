@@ -21,7 +21,7 @@ struct HandlingTool {
     bool present = false; ///< false: it touches nothing, and what it held is let go
     core::Vec3 p_W = core::Vec3::Zero();
     core::Vec3 v_W = core::Vec3::Zero();
-    double opening_m = 0.0; ///< between the tips of its jaws
+    double opening_m = 0.0;                          ///< between the tips of its jaws
     double mostDamping_Ns_per_m = kUnboundedDamping; ///< its damping budget
 };
 
@@ -31,8 +31,8 @@ struct HandlingAnswer {
     core::Vec3 surfacePoint = core::Vec3::Zero(); ///< where a tool that stays at the surface is drawn
     /// Energy of the contacts that the tool takes part in, above that at rest; ≥ 0.
     double energy_J = 0.0;
-    double stiffness_N_per_m = 0.0;               ///< largest of the active contacts
-    double damping_Ns_per_m = 0.0;                ///< the part of the tool's budget that all of them use
+    double stiffness_N_per_m = 0.0; ///< largest of the active contacts
+    double damping_Ns_per_m = 0.0;  ///< the part of the tool's budget that all of them use
     /// Greatest depth to which the tool or an object presses the bed.
     double bedDepth_m = 0.0;
     bool touching = false;
@@ -66,7 +66,7 @@ public:
 
     int count() const noexcept { return static_cast<int>(m_count); }
     const LooseBody& body(std::size_t i) const noexcept { return m_bodies[i].it; }
-    int held() const noexcept { return m_held; } ///< kNone: none
+    int held() const noexcept { return m_held; }                  ///< kNone: none
     const Squeeze& squeeze() const noexcept { return m_squeeze; } ///< of the jaws on the held object
 
 private:
@@ -76,10 +76,10 @@ private:
         ObjectContactState tip;               ///< state of the tip's contact with it
         ContactYield yield;                   ///< state of its yielding under the tip
         double tipEnergy_J = 0.0;
-        bool inside = false;     ///< the tip was inside it in the previous tick
-        bool embraced = false;   ///< the jaws are around it, or let it go there; the tip does not touch it
-        bool touched = false;    ///< by the tip, in this tick
-        bool airborne = false;   ///< has left the bed
+        bool inside = false;   ///< the tip was inside it in the previous tick
+        bool embraced = false; ///< the jaws are around it, or let it go there; the tip does not touch it
+        bool touched = false;  ///< by the tip, in this tick
+        bool airborne = false; ///< has left the bed
         /// Let go in the air on purpose and not landed yet: a hard landing counts as a drop.
         bool dropCounts = false;
     };
@@ -92,7 +92,8 @@ private:
     void squeezeHeld(const HandlingTool& tool, HandlingAnswer& answer) noexcept;
     void touchBody(Body& body, const HandlingTool& tool, HandlingAnswer& answer) noexcept;
     bool tipTouches(Body& body, double depth_m, const HandlingTool& tool) const noexcept;
-    ContactPlace bedPlace(std::size_t who, const core::Vec3& p, const core::Vec3& v, double radius_m, double reach_m) noexcept;
+    ContactPlace bedPlace(std::size_t who, const core::Vec3& p, const core::Vec3& v, double radius_m,
+                          double reach_m) noexcept;
     void layOnBed(std::size_t i) noexcept;
     void touchBed(const HandlingTool& tool, HandlingAnswer& answer) noexcept;
     void pushApart(HandlingAnswer& answer) noexcept;

@@ -18,7 +18,8 @@ constexpr double kT = core::kTickSeconds;
 /// Depth x at which the bed's law pushes with `force_N`: F(x) = f, for F = k x and for (k/b)(e^{bx} - 1).
 double depthFor(const ElasticLaw& law, double force_N) noexcept {
     const double linear = force_N / law.stiffness_N_per_m;
-    return law.stiffening_per_m > 0.0 ? std::log1p(law.stiffening_per_m * linear) / law.stiffening_per_m : linear;
+    return law.stiffening_per_m > 0.0 ? std::log1p(law.stiffening_per_m * linear) / law.stiffening_per_m
+                                      : linear;
 }
 
 } // namespace
@@ -37,7 +38,8 @@ void LooseBody::lieDown(const core::Vec2& place_m, double height_m, double radiu
     lieStill();
 }
 
-const ObjectContactResponse& LooseBody::pressBed(const ObjectContact& bed, const ContactPlace& place) noexcept {
+const ObjectContactResponse& LooseBody::pressBed(const ObjectContact& bed,
+                                                 const ContactPlace& place) noexcept {
     m_depth_m = place.depth_m;
     m_onBed = bed.respond(place, kT, m_state);
     return m_onBed;

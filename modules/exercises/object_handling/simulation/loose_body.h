@@ -23,7 +23,8 @@ public:
     static constexpr double kRolling_Ns_per_m = 4.0;
 
     /// Puts it at rest on a bed of height `height_m` there, at the depth at which the bed carries it.
-    void lieDown(const core::Vec2& place_m, double height_m, double radius_m, double mass_kg, const ObjectContact& bed) noexcept;
+    void lieDown(const core::Vec2& place_m, double height_m, double radius_m, double mass_kg,
+                 const ObjectContact& bed) noexcept;
     /// Computes the force of the bed on it at its present position and velocity (`place` is that of its ball)
     /// and keeps it for this tick.
     const ObjectContactResponse& pressBed(const ObjectContact& bed, const ContactPlace& place) noexcept;

@@ -15,32 +15,33 @@ enum class HandlingTask {
     weigh, ///< of several objects that look alike, set the heaviest down in the target
 };
 
-/// One level of object handling (P2: mass, deformation, roughness, friction of an ovary; models.md §2.2), filled from content
-/// by the catalogue, which also checks the ranges.
+/// One level of object handling (P2: mass, deformation, roughness, friction of an ovary; models.md §2.2),
+/// filled from content by the catalogue, which also checks the ranges.
 struct ObjectHandlingParameters {
     HandlingTask task = HandlingTask::place;
-    ObjectAttributes object;            ///< from content/objects, e.g. the ovary
-    ObjectAttributes bed;               ///< the surface on which the objects lie
-    bool organBed = false;              ///< the bed is a deformable organ, simulated at the slow rate (P2, two rates)
-    MeshSource bedMesh;                 ///< mesh of the organ
-    double bedRate_Hz = 30.0;           ///< rate of the slow model, 30..50
-    int bedLatency_ticks = 33;          ///< L, 20 to one period; blending takes the same time
-    int objects = 1;                    ///< 1..3
-    double massLow_kg = 0.0;            ///< each object of a trial draws its mass in [low, high]; both 0: the object's own
+    ObjectAttributes object;   ///< from content/objects, e.g. the ovary
+    ObjectAttributes bed;      ///< the surface on which the objects lie
+    bool organBed = false;     ///< the bed is a deformable organ, simulated at the slow rate (P2, two rates)
+    MeshSource bedMesh;        ///< mesh of the organ
+    double bedRate_Hz = 30.0;  ///< rate of the slow model, 30..50
+    int bedLatency_ticks = 33; ///< L, 20 to one period; blending takes the same time
+    int objects = 1;           ///< 1..3
+    double massLow_kg =
+        0.0; ///< each object of a trial draws its mass in [low, high]; both 0: the object's own
     double massHigh_kg = 0.0;
-    double massRatio = 1.5;             ///< weigh: the heaviest is at least this much heavier than the next
-    double radius_m = 0.011;            ///< of the object, half its thickness between the jaws
+    double massRatio = 1.5;  ///< weigh: the heaviest is at least this much heavier than the next
+    double radius_m = 0.011; ///< of the object, half its thickness between the jaws
     /// Radius, around the middle of the field, in which objects and target are placed.
     double placesRadius_m = 0.035;
     double targetRadius_m = 0.014;
-    double squeezeLimit_N = 2.0;        ///< a larger grip force counts as over-squeezing
-    double jawLength_m = 0.020;         ///< from the joint to the tip; determines the opening of the jaws
+    double squeezeLimit_N = 2.0; ///< a larger grip force counts as over-squeezing
+    double jawLength_m = 0.020;  ///< from the joint to the tip; determines the opening of the jaws
     /// Greatest distance of the tip from the object's surface at which it takes hold.
     double graspReach_m = 0.007;
-    double releaseClearance_m = 0.002;  ///< the jaws let go when they are this much wider than the object
-    double liftHeight_m = 0.030;        ///< height to which an object has to be lifted on the way
-    double dropSpeed_m_per_s = 0.15;    ///< setting down faster than this counts as a drop
-    double hold_s = 1.0;                ///< time at rest in the target, let go
+    double releaseClearance_m = 0.002; ///< the jaws let go when they are this much wider than the object
+    double liftHeight_m = 0.030;       ///< height to which an object has to be lifted on the way
+    double dropSpeed_m_per_s = 0.15;   ///< setting down faster than this counts as a drop
+    double hold_s = 1.0;               ///< time at rest in the target, let go
 
     int trials = 4;
     double trialLimit_s = 60.0;

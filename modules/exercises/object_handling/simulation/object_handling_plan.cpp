@@ -66,8 +66,9 @@ void drawMasses(const Parameters& p, core::Random& masses, core::Random& which, 
     if (p.task == HandlingTask::place) {
         for (std::size_t i = 0; i < count; ++i)
             trial.mass_kg[i] = masses.uniform(low, high);
-        trial.heaviest = static_cast<int>(std::max_element(trial.mass_kg.begin(), trial.mass_kg.begin() + trial.objects) -
-                                          trial.mass_kg.begin());
+        trial.heaviest =
+            static_cast<int>(std::max_element(trial.mass_kg.begin(), trial.mass_kg.begin() + trial.objects) -
+                             trial.mass_kg.begin());
         return;
     }
     trial.heaviest = static_cast<int>(which.below(static_cast<std::uint64_t>(trial.objects)));
@@ -79,7 +80,8 @@ void drawMasses(const Parameters& p, core::Random& masses, core::Random& which, 
         trial.mass_kg[i] = masses.uniform(low, lighter);
         next = std::max(next, trial.mass_kg[i]);
     }
-    trial.mass_kg[static_cast<std::size_t>(trial.heaviest)] = masses.uniform(std::min(high, p.massRatio * next), high);
+    trial.mass_kg[static_cast<std::size_t>(trial.heaviest)] =
+        masses.uniform(std::min(high, p.massRatio * next), high);
 }
 
 } // namespace
@@ -92,7 +94,8 @@ double targetSpacing_m(const ObjectHandlingParameters& parameters) noexcept {
     return parameters.targetRadius_m + parameters.radius_m;
 }
 
-std::vector<ObjectHandlingTrial> planObjectHandlingTrials(const ObjectHandlingParameters& parameters, std::uint64_t seed) {
+std::vector<ObjectHandlingTrial> planObjectHandlingTrials(const ObjectHandlingParameters& parameters,
+                                                          std::uint64_t seed) {
     core::Random places = core::Random::stream(seed, "object_handling.place");
     core::Random masses = core::Random::stream(seed, "object_handling.mass");
     core::Random which = core::Random::stream(seed, "object_handling.heaviest");

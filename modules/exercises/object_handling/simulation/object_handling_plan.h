@@ -15,7 +15,8 @@ namespace chiron::simulation {
 struct ObjectHandlingTrial {
     static constexpr std::size_t kMaxObjects = 3;
     int objects = 1;
-    std::array<core::Vec2, kMaxObjects> place_m{core::Vec2::Zero(), core::Vec2::Zero(), core::Vec2::Zero()}; ///< x, y in W at the start
+    std::array<core::Vec2, kMaxObjects> place_m{core::Vec2::Zero(), core::Vec2::Zero(),
+                                                core::Vec2::Zero()}; ///< x, y in W at the start
     std::array<double, kMaxObjects> mass_kg{};
     core::Vec2 target_m = core::Vec2::Zero(); ///< x, y in W
     int heaviest = 0;                         ///< object number, from 0
@@ -32,6 +33,7 @@ double targetSpacing_m(const ObjectHandlingParameters& parameters) noexcept;
 /// are 0, the object's own mass applies. A weigh trial draws which object is the heaviest and lets it weigh
 /// at least `massRatio` times the next. Each quantity has its own random stream ("object_handling.place",
 /// ...). Pure; allocates.
-std::vector<ObjectHandlingTrial> planObjectHandlingTrials(const ObjectHandlingParameters& parameters, std::uint64_t seed);
+std::vector<ObjectHandlingTrial> planObjectHandlingTrials(const ObjectHandlingParameters& parameters,
+                                                          std::uint64_t seed);
 
 } // namespace chiron::simulation

@@ -11,7 +11,8 @@ using core::LaparoscopyStep;
 using core::TrialPhase;
 namespace bits = core::event_bits;
 
-void ObjectHandlingScene::respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept {
+void ObjectHandlingScene::respond(const realtime::HapticTick& now, const SceneInput& in,
+                                  SceneOutput& out) noexcept {
     out = SceneOutput{};
     m_tick = now.index();
     if (m_softBed && m_softBed->update(m_tick, in.slow))

@@ -14,21 +14,23 @@ namespace chiron::simulation {
 
 /// Indices into `SceneOutput::quantities` (object handling).
 namespace handling_quantity {
-inline constexpr std::size_t kStep = 0;      ///< core::LaparoscopyStep
-inline constexpr std::size_t kDwell = 1;     ///< 0..1
-inline constexpr std::size_t kSqueeze = 2;   ///< N
-inline constexpr std::size_t kHeld = 3;      ///< object number + 1; 0: none
-inline constexpr std::size_t kBodies = 4;    ///< x, y, z of each of three objects, m; zero where there is none
+inline constexpr std::size_t kStep = 0;    ///< core::LaparoscopyStep
+inline constexpr std::size_t kDwell = 1;   ///< 0..1
+inline constexpr std::size_t kSqueeze = 2; ///< N
+inline constexpr std::size_t kHeld = 3;    ///< object number + 1; 0: none
+inline constexpr std::size_t kBodies = 4;  ///< x, y, z of each of three objects, m; zero where there is none
 inline constexpr std::size_t kBedDepth = 13; ///< m
-inline constexpr std::size_t kPredictionError = 14; ///< m, PredictionError::predicted_m; zero without a soft bed
-inline constexpr std::size_t kHeldError = 15;       ///< m, PredictionError::held_m
+inline constexpr std::size_t kPredictionError =
+    14;                                       ///< m, PredictionError::predicted_m; zero without a soft bed
+inline constexpr std::size_t kHeldError = 15; ///< m, PredictionError::held_m
 inline constexpr std::size_t kCount = 16;
 } // namespace handling_quantity
 
 /// Running object-handling exercise (P2; models.md §2.2). The task moves through these states, one trial
 /// after the other:
 ///
-///   idle --started--> ready --forceReady--> running --done or limit--> between --betweenTrials_s--> ready ... finished
+///   idle --started--> ready --forceReady--> running --done or limit--> between --betweenTrials_s--> ready
+///   ... finished
 ///
 /// The events are as in the sphere-apex exercise. kSceneChanged comes with the first tick of `ready`,
 /// kTrialStarted with the first running one, kCompleted or kTimedOut with the last one, which still has the
@@ -51,8 +53,10 @@ public:
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
     ISlowModel* slowModel() noexcept override { return m_softBed ? &m_softBed->organ() : nullptr; }
 
-    const std::vector<ObjectHandlingTrial>& trials() const noexcept { return m_trials; } ///< the truth, for scoring
-    const HandlingWorld& world() const noexcept { return m_world; }                      ///< for tests and tables
+    const std::vector<ObjectHandlingTrial>& trials() const noexcept {
+        return m_trials;
+    }                                                               ///< the truth, for scoring
+    const HandlingWorld& world() const noexcept { return m_world; } ///< for tests and tables
 
 private:
     void advance(const SceneInput& in, SceneOutput& out) noexcept;
@@ -79,7 +83,7 @@ private:
     std::uint64_t m_clock = 0; ///< ticks spent in the present phase, without pauses
     bool m_trialOver = false;  ///< the previous tick ended the trial
     bool m_touching = false;
-    double m_opening_m = 0.0; ///< of the jaws, kept while paused
+    double m_opening_m = 0.0;           ///< of the jaws, kept while paused
     std::unique_ptr<SoftBed> m_softBed; ///< null: the bed is a plane
     std::uint64_t m_tick = 0;
     HandlingWorld m_world;

@@ -31,10 +31,10 @@ std::unique_ptr<SoftBed> softBed(const ObjectHandlingParameters& parameters) {
 } // namespace
 
 ObjectHandlingScene::ObjectHandlingScene(const ObjectHandlingParameters& parameters, std::uint64_t seed)
-    : m_parameters(parameters), m_trials(planObjectHandlingTrials(parameters, seed)), m_limitTicks(ticks(parameters.trialLimit_s)),
-      m_betweenTicks(ticks(parameters.betweenTrials_s)), m_showsObjects(has(parameters.cues, "object")),
-      m_showsBars(has(parameters.cues, "bars")), m_softBed(softBed(parameters)), m_world(parameters, m_softBed.get()),
-      m_task(parameters) {}
+    : m_parameters(parameters), m_trials(planObjectHandlingTrials(parameters, seed)),
+      m_limitTicks(ticks(parameters.trialLimit_s)), m_betweenTicks(ticks(parameters.betweenTrials_s)),
+      m_showsObjects(has(parameters.cues, "object")), m_showsBars(has(parameters.cues, "bars")),
+      m_softBed(softBed(parameters)), m_world(parameters, m_softBed.get()), m_task(parameters) {}
 
 ObjectHandlingScene::~ObjectHandlingScene() = default;
 

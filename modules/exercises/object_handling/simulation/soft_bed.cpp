@@ -11,7 +11,9 @@ using core::Vec3;
 
 namespace {
 
-std::array<double, 3> array(const Vec3& v) noexcept { return {v.x(), v.y(), v.z()}; }
+std::array<double, 3> array(const Vec3& v) noexcept {
+    return {v.x(), v.y(), v.z()};
+}
 
 } // namespace
 
@@ -21,7 +23,8 @@ void SoftBed::begin(std::uint64_t tick) noexcept {
     m_organ->restart(tick);
 }
 
-ContactPlace SoftBed::place(std::size_t who, const Vec3& p, const Vec3& v, double radius_m, double reach_m) noexcept {
+ContactPlace SoftBed::place(std::size_t who, const Vec3& p, const Vec3& v, double radius_m,
+                            double reach_m) noexcept {
     Toucher& toucher = m_touchers[who];
     const Vec3 inMesh = p + Vec3(0.0, 0.0, m_lift_m);
     const MeshFoot foot = toucher.tracker.update(*m_organ, inMesh, radius_m, reach_m);
@@ -56,7 +59,8 @@ void SoftBed::touched(std::size_t who, const Vec3& p, double radius_m, const Con
     touch.weights = array(foot.place.weights);
     touch.normal = array(place.normal);
     // The ball's nearest point
-    touch.p_Tool = array(p + Vec3(0.0, 0.0, m_lift_m) - (radius_m - m_touchers[who].felt.less_m()) * place.normal);
+    touch.p_Tool =
+        array(p + Vec3(0.0, 0.0, m_lift_m) - (radius_m - m_touchers[who].felt.less_m()) * place.normal);
     touch.stiffness_N_per_m = felt.stiffness_N_per_m;
 }
 
@@ -66,7 +70,8 @@ void SoftBed::release(std::size_t who) noexcept {
 }
 
 bool SoftBed::isClear(const Vec3& p) const noexcept {
-    return p.z() > m_floor_m && nearestOnMesh(*m_organ, Vec3(p + Vec3(0.0, 0.0, m_lift_m))).signedDistance_m > 0.0;
+    return p.z() > m_floor_m &&
+           nearestOnMesh(*m_organ, Vec3(p + Vec3(0.0, 0.0, m_lift_m))).signedDistance_m > 0.0;
 }
 
 bool SoftBed::isOutElsewhere(std::size_t who, const Vec3& p) const noexcept {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/result.h"
-#include "simulation/deformable/deformable_organ.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "simulation/deformable/deformable_organ.h"
 #include "simulation/geometry/mesh/mesh_tracker.h"
 #include "simulation/objects/felt_place.h"
 #include "simulation/objects/object_contact.h"
@@ -37,7 +37,8 @@ public:
     /// Call once per tick before place(). Returns true when an answer of the slow model took effect.
     bool update(std::uint64_t tick, SlowUpdate when) noexcept { return m_organ->update(tick, when); }
     /// Contact of a ball of `radius_m` at `p`, moving with `v` (W), with the shown surface.
-    ContactPlace place(std::size_t who, const core::Vec3& p, const core::Vec3& v, double radius_m, double reach_m) noexcept;
+    ContactPlace place(std::size_t who, const core::Vec3& p, const core::Vec3& v, double radius_m,
+                       double reach_m) noexcept;
     /// Records the response at that contact, for the slow model.
     void touched(std::size_t who, const core::Vec3& p, double radius_m, const ContactPlace& place,
                  const ObjectContactResponse& felt) noexcept;
@@ -66,7 +67,7 @@ private:
         FeltPlace felt;
         /// How far the touched places have moved with the surface so far, m.
         core::Vec3 carried = core::Vec3::Zero();
-        bool onFloor = false;                    ///< it touches the floor, and the organ is not told about it
+        bool onFloor = false; ///< it touches the floor, and the organ is not told about it
     };
 
     std::unique_ptr<DeformableOrgan> m_organ;

@@ -54,7 +54,8 @@ core::Result<std::unique_ptr<SoftBed>> SoftBed::make(const ObjectHandlingParamet
     std::unique_ptr<SoftBed> bed(new SoftBed);
     bed->m_lift_m = mesh->position(highest).z();
     bed->m_floor_m = mesh->lowest().z() - bed->m_lift_m;
-    bed->m_reach_m = std::min({mesh->highest().x(), mesh->highest().y(), -mesh->lowest().x(), -mesh->lowest().y()});
+    bed->m_reach_m =
+        std::min({mesh->highest().x(), mesh->highest().y(), -mesh->lowest().x(), -mesh->lowest().y()});
     auto organ = DeformableOrgan::create(*mesh, anchored, highest, settingsOf(parameters));
     CHIRON_TRY(organ);
     bed->m_organ = std::move(*organ);

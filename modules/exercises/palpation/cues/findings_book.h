@@ -84,7 +84,8 @@ public:
     }
 
     bool has(int finding) const noexcept {
-        return finding >= 0 && static_cast<std::size_t>(finding) < kMaxFindings && m_findings[static_cast<std::size_t>(finding)].present;
+        return finding >= 0 && static_cast<std::size_t>(finding) < kMaxFindings &&
+               m_findings[static_cast<std::size_t>(finding)].present;
     }
     const std::array<Finding, kMaxFindings>& list() const noexcept { return m_findings; }
     int selected() const noexcept { return m_selected; } ///< kNone: none

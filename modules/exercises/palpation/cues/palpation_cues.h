@@ -47,7 +47,7 @@ struct PalpationCues {
     bool present = false;
 
     std::array<Finding, kMaxFindings> finding{}; ///< the person's own, so always shown
-    int selected = -1; ///< the finding to which further words refer
+    int selected = -1;                           ///< the finding to which further words refer
 
     bool asksSize = false; ///< what the level asks about a finding
     bool asksHardness = false;
@@ -63,13 +63,13 @@ struct PalpationCues {
     double bandLow_N = 0.0; ///< force band for pressing
     double bandHigh_N = 0.0;
 
-    std::array<double, core::kMaxTools> depth_m{};    ///< of each finger's tip in the tissue; cue "bars"
-    std::array<double, core::kMaxTools> lean_rad{};   ///< α, unlimited; cue "bars"
+    std::array<double, core::kMaxTools> depth_m{};  ///< of each finger's tip in the tissue; cue "bars"
+    std::array<double, core::kMaxTools> lean_rad{}; ///< α, unlimited; cue "bars"
     /// One bit per tool: the device leans less than the force does.
     std::uint8_t leanSaturated = 0;
 
-    bool squeezeShown = false;           ///< cue "bars", where the jaws squeeze tissue
-    std::array<double, 2> squeeze_N{};   ///< of each hand's jaws
+    bool squeezeShown = false;         ///< cue "bars", where the jaws squeeze tissue
+    std::array<double, 2> squeeze_N{}; ///< of each hand's jaws
 };
 
 static_assert(std::is_trivially_copyable_v<PalpationCues>);

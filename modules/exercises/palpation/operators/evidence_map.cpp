@@ -9,11 +9,11 @@ namespace chiron::operators {
 using core::Vec2;
 
 namespace {
-constexpr double kDeviationToSd = 1.4826;  ///< for a normal distribution
-constexpr double kLeastSd = 0.08;          ///< least noise that it assumes for stiffness: assumption
+constexpr double kDeviationToSd = 1.4826; ///< for a normal distribution
+constexpr double kLeastSd = 0.08;         ///< least noise that it assumes for stiffness: assumption
 constexpr double kLeastLeanSd_rad = 0.03;
 constexpr double kLeastStiffness_N_per_m = 20.0; ///< anything softer feels like nothing: assumption
-constexpr double kFar2 = 9.0;              ///< (ρ/H)² beyond which a lump is not felt
+constexpr double kFar2 = 9.0;                    ///< (ρ/H)² beyond which a lump is not felt
 constexpr double kWidths_m[] = {0.010, 0.013, 0.017};
 
 /// Effect of a lump of amplitude 1 on a press at that distance: share of stiffness, and lean outwards.
@@ -73,7 +73,8 @@ void EvidenceMap::leaveOutExplained() noexcept {
             const Expected e = expected(distance2, m_explained[lump].width_m, m_depth_m);
             m_residues[i].y -= m_explained[lump].amplitude * e.y;
             if (distance2 > 1e-12)
-                m_residues[i].lean_rad -= m_explained[lump].amplitude * e.lean_rad / std::sqrt(distance2) * away;
+                m_residues[i].lean_rad -=
+                    m_explained[lump].amplitude * e.lean_rad / std::sqrt(distance2) * away;
         }
 }
 
@@ -136,13 +137,15 @@ bool EvidenceMap::advance(int places) noexcept {
     const int until = std::min(all, m_weighed + places);
     for (; m_weighed < until; ++m_weighed) {
         const Vec2 place = placeOf(m_weighed % kSide, m_weighed / kSide);
-        m_evidence[static_cast<std::size_t>(m_weighed)] = nearExplained(place) ? 0.0 : weigh(place, kUsualWidth_m).evidence;
+        m_evidence[static_cast<std::size_t>(m_weighed)] =
+            nearExplained(place) ? 0.0 : weigh(place, kUsualWidth_m).evidence;
     }
     return m_weighed == all;
 }
 
 Suspicion EvidenceMap::strongest() const noexcept {
-    const auto top = static_cast<int>(std::max_element(m_evidence.begin(), m_evidence.end()) - m_evidence.begin());
+    const auto top =
+        static_cast<int>(std::max_element(m_evidence.begin(), m_evidence.end()) - m_evidence.begin());
     Suspicion best;
     const int column = top % kSide, row = top / kSide;
     const auto at = [&](int c, int r) { return m_evidence[static_cast<std::size_t>(r * kSide + c)]; };
@@ -156,9 +159,11 @@ Suspicion EvidenceMap::strongest() const noexcept {
     };
     const double step = 2.0 / (kSide - 1);
     if (column > 0 && column + 1 < kSide)
-        best.place_m.x() += step * m_half_m.x() * between(at(column - 1, row), at(column, row), at(column + 1, row));
+        best.place_m.x() +=
+            step * m_half_m.x() * between(at(column - 1, row), at(column, row), at(column + 1, row));
     if (row > 0 && row + 1 < kSide)
-        best.place_m.y() += step * m_half_m.y() * between(at(column, row - 1), at(column, row), at(column, row + 1));
+        best.place_m.y() +=
+            step * m_half_m.y() * between(at(column, row - 1), at(column, row), at(column, row + 1));
     return this->at(best.place_m);
 }
 

@@ -14,8 +14,8 @@ struct Suspicion {
     core::Vec2 place_m = core::Vec2::Zero();
     /// Share by which the tissue is stiffer than the background, in the middle of the suspected place.
     double amplitude = 0.0;
-    double evidence = 0.0;  ///< amplitude over its standard error
-    double width_m = 0.0;   ///< felt width: H of models.md §3
+    double evidence = 0.0; ///< amplitude over its standard error
+    double width_m = 0.0;  ///< felt width: H of models.md §3
 };
 
 /// Evaluates the presses of one trial for the presence of a lump at each place of a grid. It uses the

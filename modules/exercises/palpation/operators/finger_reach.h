@@ -17,7 +17,7 @@ class FingerReach {
 public:
     /// Speed per remaining distance, so that it slows down before the goal; assumption.
     static constexpr double kGain_per_s = 22.0;
-    static constexpr double kAcceleration_m_per_s2 = 4.0;  ///< brisk: assumption
+    static constexpr double kAcceleration_m_per_s2 = 4.0; ///< brisk: assumption
 
     void start(const core::Vec3& p_D) noexcept {
         m_place = p_D;

@@ -14,13 +14,16 @@ namespace {
 constexpr double kLeastDepth_m = 0.0005; ///< with less depth no stiffness can be judged: assumption
 }
 
-FingerSenses::FingerSenses(const PalpationPerceptionSettings& settings, const mechanisms::HandParameters& hand,
-                           const devices::WorkspaceMapping& place, std::uint64_t seed, const simulation::SurfaceShape& drawn)
-    : m_settings(settings), m_map(place), m_surface(drawn), m_random(core::Random::stream(seed, "palpation/senses")), m_instrument(hand) {}
+FingerSenses::FingerSenses(const PalpationPerceptionSettings& settings,
+                           const mechanisms::HandParameters& hand, const devices::WorkspaceMapping& place,
+                           std::uint64_t seed, const simulation::SurfaceShape& drawn)
+    : m_settings(settings), m_map(place), m_surface(drawn),
+      m_random(core::Random::stream(seed, "palpation/senses")), m_instrument(hand) {}
 
 /// Lean as in models.md §3: roll is about y and tilts along x, pitch is about x and tilts against y (P3's
 /// platform).
-FingerSenses::Touch FingerSenses::padTouch(const mechanisms::HandPerception& real, const Vec3& normal_W) const noexcept {
+FingerSenses::Touch FingerSenses::padTouch(const mechanisms::HandPerception& real,
+                                           const Vec3& normal_W) const noexcept {
     const Vec3 across = m_map.orientationToW(real.q_DT) * Vec3::UnitX();
     const Vec3 x = (across - across.dot(normal_W) * normal_W).normalized();
     const core::DisplayPose pad = m_map.displayToW(real.pad);
@@ -56,8 +59,9 @@ bool FingerSenses::feel(const mechanisms::HandPerception& real, const FingerOrde
     if (!real.fingertip)
         m_instrument.feel(real.p_DT, real.f_T_D);
     const Seen seen = seenAt(m_map.pointToW(real.fingertip ? real.p_DT : m_instrument.tip()), order);
-    const Touch touch = real.fingertip ? padTouch(real, order.normal_W)
-                                       : heldTouch(m_map.wrenchToW({real.f_T_D, Vec3::Zero()}).force, order.normal_W);
+    const Touch touch = real.fingertip
+                            ? padTouch(real, order.normal_W)
+                            : heldTouch(m_map.wrenchToW({real.f_T_D, Vec3::Zero()}).force, order.normal_W);
     if (!m_touching && touch.force_N >= m_settings.touch_N && (real.fingertip || seen.height_m <= 0.0)) {
         m_touching = true;
         m_touchedAt_m = real.fingertip ? seen.height_m : 0.0;
@@ -91,7 +95,8 @@ void FingerSenses::judge(bool platform, int pressure) noexcept {
     const auto noise = [&](double sd) { return sd * m_random.normal(); };
     m_press.pressure = pressure;
     m_press.touched = 2 * m_touchedTicks > m_ticks;
-    m_press.force_N = m_force_N / n * (1.0 + noise(share * hand.forceWeberFraction)) + noise(share * hand.forceFloorSd_N);
+    m_press.force_N =
+        m_force_N / n * (1.0 + noise(share * hand.forceWeberFraction)) + noise(share * hand.forceFloorSd_N);
     m_press.depth_m = m_depth_m / n * (1.0 + noise(m_settings.depthWeberFraction));
     m_press.stiffness_N_per_m =
         m_press.force_N / std::max(m_press.depth_m, kLeastDepth_m) * (1.0 + noise(m_settings.memoryFraction));

@@ -4,10 +4,10 @@
 #include "core/random.h"
 #include "devices/api/workspace_map.h"
 #include "mechanisms/hand_strategy.h"
-#include "operators/hand/instrument_feel.h"
 #include "modules/exercises/palpation/operators/finger_order.h"
 #include "modules/exercises/palpation/operators/operator_settings.h"
 #include "modules/exercises/palpation/operators/press.h"
+#include "operators/hand/instrument_feel.h"
 #include "simulation/palpation/tissue_surface.h"
 
 #include <cstdint>
@@ -23,8 +23,9 @@ namespace chiron::operators {
 /// Thread: haptic; allocates nothing.
 class FingerSenses {
 public:
-    FingerSenses(const PalpationPerceptionSettings& settings, const mechanisms::HandParameters& hand, const devices::WorkspaceMapping& place,
-                 std::uint64_t seed, const simulation::SurfaceShape& drawn = {});
+    FingerSenses(const PalpationPerceptionSettings& settings, const mechanisms::HandParameters& hand,
+                 const devices::WorkspaceMapping& place, std::uint64_t seed,
+                 const simulation::SurfaceShape& drawn = {});
     /// Call in every tick. Returns true when a press is over and press() holds what was felt.
     bool feel(const mechanisms::HandPerception& real, const FingerOrder& order) noexcept;
     const Press& press() const noexcept { return m_press; }

@@ -45,26 +45,26 @@ struct PalpationOperatorSettings {
     mechanisms::HandParameters hand; ///< pass it on as the simulated device's Configuration::hand
 
     SearchKind search = SearchKind::grid;
-    double spacing_m = 0.008;    ///< least distance between spots; larger where the time is too short
-    double reach = 1.0;          ///< share of the area's half-widths that it searches
-    double searchShare = 0.66;   ///< largest share of a trial's time for the search
-    double pressTime_s = 0.68;   ///< duration of a spot, known from experience; used for planning
-    double aimSd_m = 0.001;      ///< error with which it aims at a spot, per axis
+    double spacing_m = 0.008;  ///< least distance between spots; larger where the time is too short
+    double reach = 1.0;        ///< share of the area's half-widths that it searches
+    double searchShare = 0.66; ///< largest share of a trial's time for the search
+    double pressTime_s = 0.68; ///< duration of a spot, known from experience; used for planning
+    double aimSd_m = 0.001;    ///< error with which it aims at a spot, per axis
 
     /// Force that it aims for: 0 is the low, 1 the high end of the instructed band.
     double forceShare = 0.45;
-    double pressSd = 0.06;       ///< unevenness of its presses: SD of the logarithm of depth
-    int pressures = 1;           ///< number of presses at each spot, each deeper than the one before, 1..3
+    double pressSd = 0.06; ///< unevenness of its presses: SD of the logarithm of depth
+    int pressures = 1;     ///< number of presses at each spot, each deeper than the one before, 1..3
     double reachSpeed_m_per_s = 0.15;
     double pressSpeed_m_per_s = 0.06;
-    double hover_m = 0.003;      ///< height above the surface between spots
-    double hold_s = 0.32;        ///< duration of each press
+    double hover_m = 0.003; ///< height above the surface between spots
+    double hold_s = 0.32;   ///< duration of each press
 
-    int revisits = 4;            ///< number of candidates that it presses again before it decides
+    int revisits = 4; ///< number of candidates that it presses again before it decides
     /// A candidate is pressed in the middle and at this distance on four sides.
     double revisitRadius_m = 0.005;
-    double revisitAbove = 1.2;   ///< only candidates with at least this evidence
-    double criterion = 3.6;      ///< evidence, in standard errors, from which it reports a lump
+    double revisitAbove = 1.2; ///< only candidates with at least this evidence
+    double criterion = 3.6;    ///< evidence, in standard errors, from which it reports a lump
 };
 
 } // namespace chiron::operators

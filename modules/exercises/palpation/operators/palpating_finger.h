@@ -18,8 +18,9 @@ namespace chiron::operators {
 /// Thread: haptic; allocates nothing after construction.
 class PalpatingFinger final : public mechanisms::HandStrategy {
 public:
-    PalpatingFinger(std::shared_ptr<PalpationTrainee> mind, std::size_t tool, const PalpationOperatorSettings& settings,
-                    const devices::WorkspaceMapping& place, std::uint64_t seed, const simulation::SurfaceShape& drawn);
+    PalpatingFinger(std::shared_ptr<PalpationTrainee> mind, std::size_t tool,
+                    const PalpationOperatorSettings& settings, const devices::WorkspaceMapping& place,
+                    std::uint64_t seed, const simulation::SurfaceShape& drawn);
     ~PalpatingFinger() override;
     mechanisms::HandIntention decide(const mechanisms::HandPerception& seen) noexcept override;
 

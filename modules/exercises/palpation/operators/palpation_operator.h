@@ -19,16 +19,16 @@ namespace chiron::operators {
 /// screen, the drawn surface and its own hands say. They name no lump; lumps that a level shows come with the
 /// screen's cues.
 struct PalpationBriefing {
-    simulation::SurfaceShape surface;    ///< as drawn
+    simulation::SurfaceShape surface; ///< as drawn
     /// Where the instruction says that firmness is normal; the strategy does not read how firm.
     std::vector<simulation::StiffRegion> normal;
     core::Vec2 areaHalf_m{0.040, 0.040}; ///< area to be searched: |x| ≤ , |y| ≤ around W's origin
     int hands = 1;                       ///< 1..2
     int fingers = 1;                     ///< 1..2 per hand, side by side along x
     double fingerSpacing_m = 0.018;
-    double bandLow_N = 0.8;              ///< instructed force band for pressing
+    double bandLow_N = 0.8; ///< instructed force band for pressing
     double bandHigh_N = 2.5;
-    bool asksSize = false;               ///< what has to be stated about a finding
+    bool asksSize = false; ///< what has to be stated about a finding
     bool asksHardness = false;
     bool asksConfidence = true;
     /// Mapping of each finger's device, in the order of the tools (a hand's fingers together); for missing
@@ -48,6 +48,7 @@ core::Result<PalpationOperatorSettings> palpationOperatorSettings(std::string_vi
 /// perceptions give the same intentions. Allocates; not for use in the tick.
 /// Errors: badInput when a setting or the briefing is out of range.
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>
-makePalpationOperator(const PalpationOperatorSettings& settings, const PalpationBriefing& briefing, std::uint64_t seed);
+makePalpationOperator(const PalpationOperatorSettings& settings, const PalpationBriefing& briefing,
+                      std::uint64_t seed);
 
 } // namespace chiron::operators

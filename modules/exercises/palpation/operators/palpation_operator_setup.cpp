@@ -74,7 +74,8 @@ core::Result<void> within(std::span<const Range> ranges) {
         if (!(range.value >= range.low && range.value <= range.high))
             return core::fail(core::ErrorCode::badInput, std::string("operator: ") + range.name + " is " +
                                                              std::to_string(range.value) + ", expected " +
-                                                             std::to_string(range.low) + " to " + std::to_string(range.high));
+                                                             std::to_string(range.low) + " to " +
+                                                             std::to_string(range.high));
     return {};
 }
 
@@ -113,7 +114,9 @@ core::Result<void> check(const PalpationBriefing& b) {
 
 } // namespace
 
-std::span<const std::string_view> palpationOperatorNames() noexcept { return kNames; }
+std::span<const std::string_view> palpationOperatorNames() noexcept {
+    return kNames;
+}
 
 core::Result<PalpationOperatorSettings> palpationOperatorSettings(std::string_view name) {
     const std::array<PalpationOperatorSettings (*)(), 4> makers{&novice, &intermediate, &expert, &unsafe};
@@ -121,11 +124,13 @@ core::Result<PalpationOperatorSettings> palpationOperatorSettings(std::string_vi
         if (kNames[i] == name)
             return makers[i]();
     return core::fail(core::ErrorCode::notFound,
-                      "operator '" + std::string(name) + "' is unknown; expected novice, intermediate, expert or unsafe");
+                      "operator '" + std::string(name) +
+                          "' is unknown; expected novice, intermediate, expert or unsafe");
 }
 
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>
-makePalpationOperator(const PalpationOperatorSettings& settings, const PalpationBriefing& briefing, std::uint64_t seed) {
+makePalpationOperator(const PalpationOperatorSettings& settings, const PalpationBriefing& briefing,
+                      std::uint64_t seed) {
     CHIRON_TRY(check(settings));
     CHIRON_TRY(check(briefing));
     const auto mind = std::make_shared<PalpationTrainee>(settings, briefing, seed);
@@ -133,24 +138,30 @@ makePalpationOperator(const PalpationOperatorSettings& settings, const Palpation
     const auto tools = static_cast<std::size_t>(briefing.hands * briefing.fingers);
     for (std::size_t tool = 0; tool < tools; ++tool)
         fingers.push_back(std::make_unique<PalpatingFinger>(
-            mind, tool, settings, tool < briefing.places.size() ? briefing.places[tool] : devices::WorkspaceMapping{},
+            mind, tool, settings,
+            tool < briefing.places.size() ? briefing.places[tool] : devices::WorkspaceMapping{},
             core::Random::mix(seed, "finger " + std::to_string(tool)), briefing.surface));
     return fingers;
 }
 
-PalpationTrainee::PalpationTrainee(const PalpationOperatorSettings& settings, const PalpationBriefing& briefing, std::uint64_t seed)
+PalpationTrainee::PalpationTrainee(const PalpationOperatorSettings& settings,
+                                   const PalpationBriefing& briefing, std::uint64_t seed)
     : m_settings(settings), m_briefing(briefing), m_surface(briefing.surface),
       m_random(core::Random::stream(seed, "palpation/trainee")), m_map(briefing.areaHalf_m),
       m_yield_m_per_N(0.0025 / (0.5 * (briefing.bandLow_N + briefing.bandHigh_N))) {
     // Of two hands, the one that stands farther right takes the right half
     const auto& places = briefing.places;
     const auto second = static_cast<std::size_t>(briefing.fingers);
-    m_rightFirst = briefing.hands > 1 && places.size() > second && places[0].origin_m[0] > places[second].origin_m[0];
+    m_rightFirst =
+        briefing.hands > 1 && places.size() > second && places[0].origin_m[0] > places[second].origin_m[0];
 }
 
-PalpatingFinger::PalpatingFinger(std::shared_ptr<PalpationTrainee> mind, std::size_t tool, const PalpationOperatorSettings& settings,
-                                 const devices::WorkspaceMapping& place, std::uint64_t seed, const simulation::SurfaceShape& drawn)
-    : m_mind(std::move(mind)), m_tool(tool), m_map(place), m_senses(settings.perception, settings.hand, place, seed, drawn) {}
+PalpatingFinger::PalpatingFinger(std::shared_ptr<PalpationTrainee> mind, std::size_t tool,
+                                 const PalpationOperatorSettings& settings,
+                                 const devices::WorkspaceMapping& place, std::uint64_t seed,
+                                 const simulation::SurfaceShape& drawn)
+    : m_mind(std::move(mind)), m_tool(tool), m_map(place),
+      m_senses(settings.perception, settings.hand, place, seed, drawn) {}
 
 PalpatingFinger::~PalpatingFinger() = default;
 

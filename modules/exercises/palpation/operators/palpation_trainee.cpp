@@ -14,10 +14,10 @@ namespace {
 constexpr int kTicksPerThought = 10;
 /// Places of the map per tick of the evaluation: about a quarter of a second in all.
 constexpr int kPlacesATick = 4;
-constexpr double kLastPress_s = 0.30;   ///< time after which the last press has been felt
-constexpr double kDeeper_s = 0.13;      ///< time from one pressure to the next
-constexpr double kReport_s = 12.0;      ///< time reserved for the report
-constexpr double kNoLimit_s = 60.0;     ///< time that it assumes where the screen shows no limit
+constexpr double kLastPress_s = 0.30; ///< time after which the last press has been felt
+constexpr double kDeeper_s = 0.13;    ///< time from one pressure to the next
+constexpr double kReport_s = 12.0;    ///< time reserved for the report
+constexpr double kNoLimit_s = 60.0;   ///< time that it assumes where the screen shows no limit
 constexpr int kSoonLearned = 5;       ///< presses until it knows how hard it has to press this tissue
 /// Relative error of seen lengths (Ono 1967, Percept Psychophys 2:201).
 constexpr double kSeenSd = 0.025;
@@ -30,7 +30,8 @@ void PalpationTrainee::wake(std::size_t tool, const Vec3& place_W) noexcept {
     m_orders[tool].goal_W = place_W;
 }
 
-void PalpationTrainee::hear(std::size_t tool, double now_s, const core::VisibleCues& cues, const Vec3& wanted_W) noexcept {
+void PalpationTrainee::hear(std::size_t tool, double now_s, const core::VisibleCues& cues,
+                            const Vec3& wanted_W) noexcept {
     m_wanted_W[tool] = wanted_W;
     if (tool + 1 != tools())
         return;
@@ -57,7 +58,8 @@ void PalpationTrainee::felt(std::size_t tool, const Press& press) noexcept {
     const double yield = intended / std::max(press.force_N, 0.05);
     const bool learning = m_learned < kSoonLearned;
     const double most = learning ? 0.7 : 0.2;
-    m_yield_m_per_N *= std::exp((learning ? 0.6 : 0.05) * std::clamp(std::log(yield / m_yield_m_per_N), -most, most));
+    m_yield_m_per_N *=
+        std::exp((learning ? 0.6 : 0.05) * std::clamp(std::log(yield / m_yield_m_per_N), -most, most));
     m_yield_m_per_N = std::clamp(m_yield_m_per_N, 1.0 / 5000.0, 1.0 / 150.0);
     ++m_learned;
 }
@@ -113,7 +115,8 @@ void PalpationTrainee::beginTrial() noexcept {
     m_seenRadius_m.fill(0.0);
     m_pressing = false;
     m_spots = m_nextSpot = 0;
-    const double spot_s = m_settings.pressTime_s + (m_settings.pressures - 1) * (m_settings.hold_s + kDeeper_s);
+    const double spot_s =
+        m_settings.pressTime_s + (m_settings.pressures - 1) * (m_settings.hold_s + kDeeper_s);
     const int most = static_cast<int>(m_settings.searchShare * m_limit_s / spot_s);
     for (std::size_t hand = 0; hand < hands(); ++hand) {
         m_hands[hand].path.plan(m_settings, shareOf(hand), most, m_random);
@@ -208,7 +211,9 @@ void PalpationTrainee::planRevisits() noexcept {
     m_spots = m_nextSpot = 0;
     for (std::size_t i = 0; i < m_suspected; ++i)
         for (const Vec2& away : cross)
-            m_revisit[m_spots++] = (m_suspicions[i].place_m + away).cwiseMax(-m_briefing.areaHalf_m).cwiseMin(m_briefing.areaHalf_m);
+            m_revisit[m_spots++] = (m_suspicions[i].place_m + away)
+                                       .cwiseMax(-m_briefing.areaHalf_m)
+                                       .cwiseMin(m_briefing.areaHalf_m);
 }
 
 } // namespace chiron::operators

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "core/random.h"
 #include "core/visible_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "modules/exercises/palpation/operators/evidence_map.h"
 #include "modules/exercises/palpation/operators/finger_order.h"
 #include "modules/exercises/palpation/operators/operator_settings.h"
@@ -28,13 +28,15 @@ class PalpationTrainee {
 public:
     static constexpr std::size_t kMostTools = 4;
 
-    PalpationTrainee(const PalpationOperatorSettings& settings, const PalpationBriefing& briefing, std::uint64_t seed);
+    PalpationTrainee(const PalpationOperatorSettings& settings, const PalpationBriefing& briefing,
+                     std::uint64_t seed);
 
     void wake(std::size_t tool, const core::Vec3& place_W) noexcept;
     void felt(std::size_t tool, const Press& press) noexcept;
     /// Call in every tick for each finger, with the position that the finger wants of its hand. The last
     /// finger's call makes decisions, 100 times a second.
-    void hear(std::size_t tool, double now_s, const core::VisibleCues& cues, const core::Vec3& wanted_W) noexcept;
+    void hear(std::size_t tool, double now_s, const core::VisibleCues& cues,
+              const core::Vec3& wanted_W) noexcept;
     const FingerOrder& order(std::size_t tool) const noexcept { return m_orders[tool]; }
 
     enum class Doing { rest, search, suspect, revisit, decide, report, done };
@@ -89,7 +91,9 @@ private:
     bool pressed(std::size_t tool, std::uint32_t buttons) noexcept;
     std::uint32_t wordAbout(const Suspicion& found, int word) const noexcept; ///< 0: not asked for
 
-    std::size_t tools() const noexcept { return static_cast<std::size_t>(m_briefing.hands * m_briefing.fingers); }
+    std::size_t tools() const noexcept {
+        return static_cast<std::size_t>(m_briefing.hands * m_briefing.fingers);
+    }
     std::size_t fingers() const noexcept { return static_cast<std::size_t>(m_briefing.fingers); }
     std::size_t hands() const noexcept { return static_cast<std::size_t>(m_briefing.hands); }
     std::size_t firstFinger(std::size_t hand) const noexcept { return hand * fingers(); }
@@ -109,8 +113,8 @@ private:
     core::VisibleCues m_cues;
     double m_now_s = 0.0;
     int m_ticks = 0;
-    double m_began_s = 0.0;  ///< when the present stage began
-    double m_limit_s = 0.0;  ///< time limit of this trial, as shown at its beginning
+    double m_began_s = 0.0; ///< when the present stage began
+    double m_limit_s = 0.0; ///< time limit of this trial, as shown at its beginning
     bool m_weighing = false;
     Doing m_doing = Doing::rest;
     double m_trialBegan_s = 0.0;
@@ -128,11 +132,11 @@ private:
     std::size_t m_found = 0;
     std::array<Suspicion, kMostFindings> m_findings{};
     std::array<double, kMostFindings> m_seenRadius_m{}; ///< as shown on the screen; 0 where it is not shown
-    std::size_t m_reporting = 0; ///< index of the finding that is being reported
-    int m_word = kRise;          ///< stage of the report: on the way, the mark, the ratings
+    std::size_t m_reporting = 0;                        ///< index of the finding that is being reported
+    int m_word = kRise; ///< stage of the report: on the way, the mark, the ratings
     core::Vec2 m_aim_m = core::Vec2::Zero();
-    bool m_pressing = false;     ///< holds a button down
-    double m_since_s = 0.0;      ///< when it pressed the button or arrived
+    bool m_pressing = false; ///< holds a button down
+    double m_since_s = 0.0;  ///< when it pressed the button or arrived
 };
 
 } // namespace chiron::operators

@@ -11,13 +11,13 @@ using core::Vec3;
 
 namespace {
 // Habits that all operators share: assumptions.
-constexpr double kAway_m = 0.020;     ///< height above the tissue while there is nothing to do
-constexpr double kFarJump_m = 0.015;  ///< over an organ, the hand rises first for a movement this long
-constexpr double kNear_m = 0.0012;    ///< tolerance on the way
-constexpr double kDown_m = 0.0004;    ///< tolerance at the wanted depth
+constexpr double kAway_m = 0.020;    ///< height above the tissue while there is nothing to do
+constexpr double kFarJump_m = 0.015; ///< over an organ, the hand rises first for a movement this long
+constexpr double kNear_m = 0.0012;   ///< tolerance on the way
+constexpr double kDown_m = 0.0004;   ///< tolerance at the wanted depth
 /// It still attends to presses up to this distance outside the search area.
 constexpr double kBeside_m = 0.006;
-constexpr double kSettle_s = 0.10;    ///< time for the arm to settle before a press counts
+constexpr double kSettle_s = 0.10; ///< time for the arm to settle before a press counts
 constexpr double kDeepest_m = 0.016;
 } // namespace
 
@@ -28,7 +28,8 @@ std::size_t PalpationTrainee::handFor(const Vec2& place_m) const noexcept {
 }
 
 SearchShare PalpationTrainee::shareOf(std::size_t hand) const noexcept {
-    SearchShare share{-m_briefing.areaHalf_m, m_briefing.areaHalf_m, m_briefing.fingers, m_briefing.fingerSpacing_m};
+    SearchShare share{-m_briefing.areaHalf_m, m_briefing.areaHalf_m, m_briefing.fingers,
+                      m_briefing.fingerSpacing_m};
     if (hands() < 2)
         return share;
     const bool right = (hand == 0) == m_rightFirst;
@@ -41,8 +42,10 @@ bool PalpationTrainee::inside(const Vec2& spot_m) const noexcept {
 }
 
 double PalpationTrainee::depth_m(const Hand& hand) const noexcept {
-    const double force = m_briefing.bandLow_N + m_settings.forceShare * (m_briefing.bandHigh_N - m_briefing.bandLow_N);
-    const double share = m_settings.pressures < 2 ? 1.0 : 0.5 + 0.5 * hand.pressure / (m_settings.pressures - 1);
+    const double force =
+        m_briefing.bandLow_N + m_settings.forceShare * (m_briefing.bandHigh_N - m_briefing.bandLow_N);
+    const double share =
+        m_settings.pressures < 2 ? 1.0 : 0.5 + 0.5 * hand.pressure / (m_settings.pressures - 1);
     return std::min(kDeepest_m, m_yield_m_per_N * force * share * hand.deep);
 }
 
@@ -58,7 +61,8 @@ bool PalpationTrainee::nextSpot(std::size_t hand, Vec2& spot_m) noexcept {
 /// Sends a hand to a spot; a height < 0 is in the tissue, along the normal of the surface that it sees. Two
 /// fingers form one hand, which turns so that both lie on the surface and presses along the normal between
 /// them.
-void PalpationTrainee::send(std::size_t hand, const Vec2& spot_m, double height_m, double speed_m_per_s) noexcept {
+void PalpationTrainee::send(std::size_t hand, const Vec2& spot_m, double height_m,
+                            double speed_m_per_s) noexcept {
     const Vec3 surface = m_surface.pointAt(spot_m);
     Vec3 along = Vec3::UnitX(), normal = m_surface.normalAt(spot_m);
     core::Quat turn = core::Quat::Identity();
@@ -86,7 +90,8 @@ void PalpationTrainee::send(std::size_t hand, const Vec2& spot_m, double height_
 void PalpationTrainee::rise(std::size_t hand) noexcept {
     for (std::size_t tool = firstFinger(hand); tool < firstFinger(hand) + fingers(); ++tool) {
         m_orders[tool].goal_W = m_wanted_W[tool];
-        m_orders[tool].goal_W.z() = std::max(m_wanted_W[tool].z(), m_surface.highest_m() + m_settings.hover_m);
+        m_orders[tool].goal_W.z() =
+            std::max(m_wanted_W[tool].z(), m_surface.highest_m() + m_settings.hover_m);
         m_orders[tool].speed_m_per_s = m_settings.reachSpeed_m_per_s;
     }
 }

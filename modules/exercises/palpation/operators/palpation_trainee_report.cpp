@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/palpation/operators/palpation_trainee.h"
 
-#include "core/units.h"
 #include "core/report_word.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,13 @@ using core::Vec2;
 
 namespace {
 // Habits that all operators share: assumptions.
-constexpr double kPressed_s = 0.06;  ///< how long it presses a button
-constexpr double kLetGo_s = 0.08;    ///< pause before the next press of a button
+constexpr double kPressed_s = 0.06; ///< how long it presses a button
+constexpr double kLetGo_s = 0.08;   ///< pause before the next press of a button
 /// Time over a place before it marks it, because the hand follows a reaction delay later.
 constexpr double kSettle_s = 0.35;
 constexpr double kMarkHeight_m = 0.003;
 constexpr double kNear_m = 0.0008;
-constexpr double kPad_m = 0.005;     ///< it knows the radius of its finger pad
+constexpr double kPad_m = 0.005;       ///< it knows the radius of its finger pad
 constexpr double kUsualHardness = 1.7; ///< (m − 1)/(1 + 0.4(m − 1)) of the lumps met so far: assumption
 /// Felt stiffness over χ (models.md §3), because pressing brings the finger nearer to the lump.
 constexpr double kUnderDepth = 1.2;
@@ -37,7 +37,9 @@ double feltRadius(const Suspicion& found) {
 } // namespace
 
 std::uint32_t PalpationTrainee::wordAbout(const Suspicion& found, int word) const noexcept {
-    const auto say = [](ReportField field, long value) { return core::reportButtons(core::reportWord(field, static_cast<unsigned>(value))); };
+    const auto say = [](ReportField field, long value) {
+        return core::reportButtons(core::reportWord(field, static_cast<unsigned>(value)));
+    };
     if (word == kMark)
         return core::kButtonMark;
     const auto field = static_cast<ReportField>(word);

@@ -13,8 +13,8 @@ struct Press {
     double stiffness_N_per_m = 0.0;          ///< includes the noise of comparing it with remembered ones
     /// Along W's x and y: direction in which the tissue pushes the finger, away from a stiff place.
     core::Vec2 lean_rad = core::Vec2::Zero();
-    bool touched = false;                    ///< it felt anything
-    int pressure = 0;                        ///< index of the pressure at its spot
+    bool touched = false; ///< it felt anything
+    int pressure = 0;     ///< index of the pressure at its spot
 };
 
 } // namespace chiron::operators

@@ -16,7 +16,8 @@ namespace {
 /// ends.
 struct Steps {
     Steps(double low, double high, double spacing) noexcept
-        : count(std::max(1, static_cast<int>(std::lround((high - low) / spacing)))), step((high - low) / count), first(low + 0.5 * step) {}
+        : count(std::max(1, static_cast<int>(std::lround((high - low) / spacing)))),
+          step((high - low) / count), first(low + 0.5 * step) {}
     double at(int i) const noexcept { return first + step * i; }
     int count;
     double step;
@@ -64,7 +65,8 @@ bool SearchPath::next(Vec2& spot_m) noexcept {
     return true;
 }
 
-void SearchPath::plan(const PalpationOperatorSettings& settings, const SearchShare& whole, int most, core::Random& random_) noexcept {
+void SearchPath::plan(const PalpationOperatorSettings& settings, const SearchShare& whole, int most,
+                      core::Random& random_) noexcept {
     clear();
     SearchShare share = whole;
     const Vec2 middle = 0.5 * (whole.low_m + whole.high_m);
@@ -72,7 +74,8 @@ void SearchPath::plan(const PalpationOperatorSettings& settings, const SearchSha
     share.high_m = middle + settings.reach * (whole.high_m - middle);
     const int spots = std::clamp(most, 4, static_cast<int>(kMost));
     const Vec2 size = share.high_m - share.low_m;
-    const double spacing = std::max(settings.spacing_m, std::sqrt(size.x() * size.y() / (spots * share.fingers)));
+    const double spacing =
+        std::max(settings.spacing_m, std::sqrt(size.x() * size.y() / (spots * share.fingers)));
     switch (settings.search) {
     case SearchKind::grid:
         return grid(settings, share, spots);
@@ -83,7 +86,8 @@ void SearchPath::plan(const PalpationOperatorSettings& settings, const SearchSha
     }
 }
 
-void SearchPath::grid(const PalpationOperatorSettings& settings, const SearchShare& share, int most) noexcept {
+void SearchPath::grid(const PalpationOperatorSettings& settings, const SearchShare& share,
+                      int most) noexcept {
     double spacing = settings.spacing_m;
     const double height = share.high_m.y() - share.low_m.y();
     while (Columns(share, spacing).count * Steps(0.0, height, spacing).count > most && spacing < 0.05)
@@ -92,7 +96,8 @@ void SearchPath::grid(const PalpationOperatorSettings& settings, const SearchSha
     const Columns columns(share, spacing);
     for (int column = 0; column < std::min(columns.count, Columns::kMost); ++column)
         for (int row = 0; row < rows.count; ++row)
-            add({columns.x[static_cast<std::size_t>(column)], rows.at(column % 2 == 0 ? row : rows.count - 1 - row)});
+            add({columns.x[static_cast<std::size_t>(column)],
+                 rows.at(column % 2 == 0 ? row : rows.count - 1 - row)});
 }
 
 /// r = spacing·φ/2π in a square, stretched to the area, with spots one spacing apart along the spiral.
@@ -100,7 +105,8 @@ void SearchPath::spiral(double spacing_m, const SearchShare& share) noexcept {
     const Vec2 middle = 0.5 * (share.low_m + share.high_m), half = 0.5 * (share.high_m - share.low_m);
     const double mean = std::sqrt(half.x() * half.y());
     double angle = 0.0;
-    for (double radius = 0.0; radius < mean && m_count < kMost; radius = spacing_m * angle / (2.0 * core::kPi)) {
+    for (double radius = 0.0; radius < mean && m_count < kMost;
+         radius = spacing_m * angle / (2.0 * core::kPi)) {
         add(middle + radius / mean * Vec2(half.x() * std::cos(angle), half.y() * std::sin(angle)));
         angle += radius < 0.5 * spacing_m ? core::kPi / 3.0 : spacing_m / radius;
     }

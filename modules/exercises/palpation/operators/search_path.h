@@ -28,7 +28,8 @@ public:
 
     /// Plans spots as close together as possible with at most `most` (at least 4) spots, but not closer than
     /// the settings say.
-    void plan(const PalpationOperatorSettings& settings, const SearchShare& share, int most, core::Random& random) noexcept;
+    void plan(const PalpationOperatorSettings& settings, const SearchShare& share, int most,
+              core::Random& random) noexcept;
     void clear() noexcept { m_count = m_next = 0; }
     bool next(core::Vec2& spot_m) noexcept;
     std::size_t spots() const noexcept { return m_count; }

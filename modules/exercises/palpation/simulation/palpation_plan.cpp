@@ -18,10 +18,13 @@ constexpr int kDraws = 1000;
 /// R ≤ 0.75 h: the range in which the lump's law is valid (models.md §3).
 constexpr double kLargestRadiusShare = 0.75;
 
-int regionCount(const Parameters& p) { return std::max(1, p.regionColumns) * std::max(1, p.regionRows); }
+int regionCount(const Parameters& p) {
+    return std::max(1, p.regionColumns) * std::max(1, p.regionRows);
+}
 
 core::Vec2 regionSize_m(const Parameters& p) {
-    return {2.0 * p.areaHalf_m.x() / std::max(1, p.regionColumns), 2.0 * p.areaHalf_m.y() / std::max(1, p.regionRows)};
+    return {2.0 * p.areaHalf_m.x() / std::max(1, p.regionColumns),
+            2.0 * p.areaHalf_m.y() / std::max(1, p.regionRows)};
 }
 
 /// Says whether the place lies in a region and keeps the inset from its border.
@@ -93,7 +96,8 @@ void drawPlaces(const Parameters& p, core::Random& places, Trial& trial) {
         for (int draw = 0; draw < kDraws; ++draw)
             if (drawPlacesOnce(p, places, regions, trial))
                 return;
-    trial.lumps = placeInMiddles(p, static_cast<int>(places.below(static_cast<std::uint64_t>(regionCount(p)))), trial);
+    trial.lumps =
+        placeInMiddles(p, static_cast<int>(places.below(static_cast<std::uint64_t>(regionCount(p)))), trial);
 }
 
 void drawKinds(const Parameters& p, core::Random& kinds, core::Random& depths, Trial& trial) {
@@ -112,7 +116,9 @@ void drawKinds(const Parameters& p, core::Random& kinds, core::Random& depths, T
 std::vector<bool> drawCatchTrials(const Parameters& p, core::Random& which, std::size_t trials) {
     const std::size_t first = p.lumpFirst ? 1 : 0;
     std::vector<bool> isCatch(trials, false);
-    std::fill_n(isCatch.begin() + static_cast<std::ptrdiff_t>(first), std::clamp<std::ptrdiff_t>(p.catchTrials, 0, static_cast<std::ptrdiff_t>(trials - first)), true);
+    std::fill_n(isCatch.begin() + static_cast<std::ptrdiff_t>(first),
+                std::clamp<std::ptrdiff_t>(p.catchTrials, 0, static_cast<std::ptrdiff_t>(trials - first)),
+                true);
     for (std::size_t i = first; i + 1 < trials; ++i) {
         const std::size_t other = i + static_cast<std::size_t>(which.below(trials - i));
         const bool kept = isCatch[i];
@@ -130,7 +136,8 @@ int palpationRegion(const PalpationParameters& parameters, const core::Vec2& p_m
         return -1;
     const int columns = std::max(1, parameters.regionColumns);
     const int rows = std::max(1, parameters.regionRows);
-    const int column = std::min(columns - 1, static_cast<int>((p_m.x() + half.x()) / (2.0 * half.x()) * columns));
+    const int column =
+        std::min(columns - 1, static_cast<int>((p_m.x() + half.x()) / (2.0 * half.x()) * columns));
     const int row = std::min(rows - 1, static_cast<int>((p_m.y() + half.y()) / (2.0 * half.y()) * rows));
     return column + columns * row;
 }
@@ -170,7 +177,9 @@ std::vector<PalpationTrial> planPalpationTrials(const PalpationParameters& param
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const int drawn = low + static_cast<int>(numbers.below(static_cast<std::uint64_t>(high - low + 1)));
         trials[i].introduction = parameters.lumpFirst && i == 0;
-        trials[i].lumps = isCatch[i] || parameters.kinds.empty() ? 0 : trials[i].introduction ? std::max(1, drawn) : drawn;
+        trials[i].lumps = isCatch[i] || parameters.kinds.empty() ? 0
+                          : trials[i].introduction               ? std::max(1, drawn)
+                                                                 : drawn;
         drawPlaces(parameters, places, trials[i]);
         drawKinds(parameters, kinds, depths, trials[i]);
     }

@@ -17,14 +17,14 @@ inline constexpr std::size_t kReportCount = 0;
 inline constexpr std::size_t kReportField = 1;
 inline constexpr std::size_t kReportFinding = 2;
 inline constexpr std::size_t kReportValue = 3;
-inline constexpr std::size_t kFindingPlace = 4; ///< x, y, z, m
-inline constexpr std::size_t kCoverage = 7;     ///< 0..1: share of the search area, in this trial
-inline constexpr std::size_t kDepth = 8;        ///< of each finger, m
-inline constexpr std::size_t kLean = 12;        ///< α of each finger, unlimited, rad
+inline constexpr std::size_t kFindingPlace = 4;   ///< x, y, z, m
+inline constexpr std::size_t kCoverage = 7;       ///< 0..1: share of the search area, in this trial
+inline constexpr std::size_t kDepth = 8;          ///< of each finger, m
+inline constexpr std::size_t kLean = 12;          ///< α of each finger, unlimited, rad
 inline constexpr std::size_t kLeanSaturated = 16; ///< one bit per finger
 inline constexpr std::size_t kLumpsMoved = 17;    ///< 1 once the level's control has moved the lumps
-inline constexpr std::size_t kCount = 18;           ///< number of quantities without a pinch
-inline constexpr std::size_t kSqueeze = 18;         ///< of each hand's jaws, N
+inline constexpr std::size_t kCount = 18;         ///< number of quantities without a pinch
+inline constexpr std::size_t kSqueeze = 18;       ///< of each hand's jaws, N
 inline constexpr std::size_t kSqueezes = 2;
 } // namespace palpation_quantity
 

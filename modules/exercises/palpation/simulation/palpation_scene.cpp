@@ -11,9 +11,11 @@ using core::TrialPhase;
 namespace bits = core::event_bits;
 
 namespace {
-std::uint8_t contactOf(const TissueYield& yield, const TissueYield& pinchYield, const TissueResponse& response) noexcept {
+std::uint8_t contactOf(const TissueYield& yield, const TissueYield& pinchYield,
+                       const TissueResponse& response) noexcept {
     using namespace core::contact_bits;
-    return static_cast<std::uint8_t>((response.beyondChecked ? kBeyondChecked : 0) | (yield.yielded() || pinchYield.yielded() ? kYielded : 0) |
+    return static_cast<std::uint8_t>((response.beyondChecked ? kBeyondChecked : 0) |
+                                     (yield.yielded() || pinchYield.yielded() ? kYielded : 0) |
                                      (yield.through() || pinchYield.through() ? kThrough : 0));
 }
 } // namespace
@@ -112,7 +114,8 @@ bool PalpationScene::tissuePresent() const noexcept {
 void PalpationScene::moveLumps() noexcept {
     if (m_moveTicks == 0 || m_moved || m_clock < m_moveTicks)
         return;
-    if (std::any_of(m_fingers.begin(), m_fingers.end(), [](const Finger& finger) { return finger.response.inContact; }))
+    if (std::any_of(m_fingers.begin(), m_fingers.end(),
+                    [](const Finger& finger) { return finger.response.inContact; }))
         return;
     PalpationTrial moved = m_trials[m_trial];
     for (Lump& lump : moved.lump)
@@ -152,7 +155,8 @@ void PalpationScene::pinch(Finger& finger, const core::ToolState& tool, double d
     response.beyondChecked = response.beyondChecked || (pinched.beyondChecked && finger.squeeze_N > 0.0);
 }
 
-void PalpationScene::touchWith(Finger& finger, bool jaw, const core::ToolState& tool, double mostDamping_Ns_per_m) const noexcept {
+void PalpationScene::touchWith(Finger& finger, bool jaw, const core::ToolState& tool,
+                               double mostDamping_Ns_per_m) const noexcept {
     finger.response = m_tissue.respond(tool, finger.touch, mostDamping_Ns_per_m);
     finger.squeeze_N = 0.0;
     if (jaw && !m_parameters.control.forceOff)
@@ -177,7 +181,8 @@ void PalpationScene::touch(const SceneInput& in, int count, SceneOutput& out) no
         const core::ToolState& tool = tools.tools[i];
         const bool there = static_cast<int>(i) < count;
         // A pose that is not finite touches nothing; the supervisor deals with the sample.
-        finger.used = there && tissuePresent() && tool.p_WT.allFinite() && tool.v_WT.allFinite() && tool.q_WT.coeffs().allFinite();
+        finger.used = there && tissuePresent() && tool.p_WT.allFinite() && tool.v_WT.allFinite() &&
+                      tool.q_WT.coeffs().allFinite();
         if (finger.used) {
             touchWith(finger, hasJaw(i), tool, in.dampingBudget_Ns_per_m[i]);
         } else {

@@ -20,7 +20,8 @@ namespace chiron::simulation {
 /// The running palpation exercise (P3; models.md §3). The task moves through these states, one trial after
 /// the other:
 ///
-///   idle --started--> ready --forceReady--> running --`done` or limit--> between --betweenTrials_s--> ready ... finished
+///   idle --started--> ready --forceReady--> running --`done` or limit--> between --betweenTrials_s--> ready
+///   ... finished
 ///
 /// kSceneChanged comes with the first tick of `ready`, kTrialStarted with the first running one, kCompleted
 /// (the report `done`) or kTimedOut with the last one, which still has the tissue, and kFinished with the
@@ -61,8 +62,10 @@ public:
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
 
-    const std::vector<PalpationTrial>& trials() const noexcept { return m_trials; } ///< the truth, for scoring
-    const SurfaceMap& map() const noexcept { return m_map; }             ///< of this trial; for tests and tables
+    const std::vector<PalpationTrial>& trials() const noexcept {
+        return m_trials;
+    }                                                        ///< the truth, for scoring
+    const SurfaceMap& map() const noexcept { return m_map; } ///< of this trial; for tests and tables
     const FindingsBook& findings() const noexcept { return m_findings; } ///< of this trial
     const TissueContact& tissue() const noexcept { return m_tissue; }
 
@@ -70,11 +73,11 @@ private:
     struct Finger {
         TissueTouch touch;
         TissueResponse response;
-        double above_m = 0.0;  ///< distance of the tip from its nearest surface point; 0 in contact
-        bool used = false;     ///< in this tick: the finger exists and its pose is finite
-        bool touching = false; ///< in the previous tick
-        TissueYield yield;     ///< how much the tissue under it still bears
-        PinchTouch pinched;    ///< of a hand's first finger
+        double above_m = 0.0;   ///< distance of the tip from its nearest surface point; 0 in contact
+        bool used = false;      ///< in this tick: the finger exists and its pose is finite
+        bool touching = false;  ///< in the previous tick
+        TissueYield yield;      ///< how much the tissue under it still bears
+        PinchTouch pinched;     ///< of a hand's first finger
         TissueYield pinchYield; ///< how much the tissue between its jaws still bears
         double squeeze_N = 0.0;
     };
@@ -87,10 +90,13 @@ private:
     void moveLumps() noexcept;
 
     void touch(const SceneInput& in, int count, SceneOutput& out) noexcept;
-    void touchWith(Finger& finger, bool jaw, const core::ToolState& tool, double mostDamping_Ns_per_m) const noexcept;
+    void touchWith(Finger& finger, bool jaw, const core::ToolState& tool,
+                   double mostDamping_Ns_per_m) const noexcept;
     void giveWay(Finger& finger, double dt_s) const noexcept;
     void pinch(Finger& finger, const core::ToolState& tool, double dt_s) const noexcept;
-    bool hasJaw(std::size_t finger) const noexcept { return m_parameters.pinch && static_cast<int>(finger) % std::max(1, m_parameters.fingers) == 0; }
+    bool hasJaw(std::size_t finger) const noexcept {
+        return m_parameters.pinch && static_cast<int>(finger) % std::max(1, m_parameters.fingers) == 0;
+    }
     void follow(const SceneInput& in) noexcept;
     void search() noexcept;
 

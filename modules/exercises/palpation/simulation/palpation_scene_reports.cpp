@@ -134,7 +134,8 @@ void PalpationScene::fillCues(const SceneInput& in, SceneOutput& out) const noex
     shown.asksConfidence = m_parameters.asksConfidence;
     if (!tissuePresent())
         return;
-    cues.timeLeft_s = static_cast<double>(m_limitTicks - std::min(m_limitTicks, m_clock)) * core::kTickSeconds;
+    cues.timeLeft_s =
+        static_cast<double>(m_limitTicks - std::min(m_limitTicks, m_clock)) * core::kTickSeconds;
     shown.finding = m_findings.list();
     shown.selected = m_findings.selected();
     if (m_showsLumps)

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "modules/exercises/palpation/cues/palpation_cues.h"
-#include "core/tool_state.h"
 #include "core/report_word.h"
+#include "core/tool_state.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 
 #include <array>
 #include <cstddef>
@@ -62,7 +62,9 @@ public:
     }
     bool marked(std::size_t tool) const noexcept { return (m_edges[tool] & core::kButtonMark) != 0; }
     bool reported(std::size_t tool) const noexcept { return (m_edges[tool] & core::kButtonReport) != 0; }
-    std::uint16_t word(std::size_t tool) const noexcept { return static_cast<std::uint16_t>(m_down[tool] >> 16); }
+    std::uint16_t word(std::size_t tool) const noexcept {
+        return static_cast<std::uint16_t>(m_down[tool] >> 16);
+    }
 
 private:
     std::array<std::uint32_t, core::kMaxTools> m_down{};

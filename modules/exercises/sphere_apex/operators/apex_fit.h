@@ -5,9 +5,9 @@
 
 namespace chiron::operators {
 
-/// Least-squares fit of slope = b (position − apex): felt slope against felt position, with one b for both axes.
-/// Older observations are forgotten exponentially, because the felt position drifts, and an old observation
-/// says little about where the apex now feels to be. Keeps only sums; allocates nothing.
+/// Least-squares fit of slope = b (position − apex): felt slope against felt position, with one b for both
+/// axes. Older observations are forgotten exponentially, because the felt position drifts, and an old
+/// observation says little about where the apex now feels to be. Keeps only sums; allocates nothing.
 class ApexFit {
 public:
     /// `forgetting_s`: age at which an observation counts 1/e. `look_s`: time between observations.

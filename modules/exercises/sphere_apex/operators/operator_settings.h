@@ -10,8 +10,8 @@ namespace chiron::operators {
 
 /// How a trainee searches for the apex once it has climbed onto something.
 enum class ApexTechniqueKind {
-    wander,         ///< moves about and remembers where it felt highest
-    midpoints,      ///< sweeps across in x, then in y, from slope to slope, and takes the middles
+    wander,    ///< moves about and remembers where it felt highest
+    midpoints, ///< sweeps across in x, then in y, from slope to slope, and takes the middles
     /// Short sweeps to and fro, fits felt slope against felt position, goes where it is zero; repeats.
     slopeCrossings,
 };
@@ -48,10 +48,10 @@ struct SphereApexOperatorSettings {
     double sweepHalfWidth_m = 0.009; ///< slopeCrossings: of the first cross
     /// slopeCrossings: number of crosses; one more if the last moved the apex far.
     int crosses = 2;
-    double wanderRadius_m = 0.014;   ///< wander: radius of the area
-    double wanderTime_s = 6.0;       ///< wander: duration
-    double settle_s = 0.3;           ///< keeps still before it marks
-    double patience_s = 50.0;        ///< after this time it marks where it is
+    double wanderRadius_m = 0.014; ///< wander: radius of the area
+    double wanderTime_s = 6.0;     ///< wander: duration
+    double settle_s = 0.3;         ///< keeps still before it marks
+    double patience_s = 50.0;      ///< after this time it marks where it is
 };
 
 } // namespace chiron::operators

@@ -17,18 +17,18 @@ namespace {
 constexpr double kForceSmoothing = 0.1; ///< share per observation for smoothing the felt force: 0.1 s
 /// The same for its direction: 0.25 s, about the duration of a look in PerceptionSettings.
 constexpr double kLeanSmoothing = 0.04;
-constexpr double kProbe_s = 0.7;        ///< how long it feels the surface that it came down on
-constexpr double kFound_N = 0.5;        ///< pressure that stops a free movement
-constexpr double kSideSlope = 0.6;      ///< sine of 37°: the surface is inclined and is not the table
-constexpr double kHill_m = 0.010;       ///< felt height above the table that makes it a hill
-constexpr double kRise_m = 0.005;       ///< felt rise while climbing that makes it a hill
-constexpr double kFloor_m = 0.085;      ///< below its start position: there is no table
-constexpr double kLift_m_per_s = 0.06;  ///< upwards off the table, before a scan
-constexpr double kSteadying_s = 0.8;    ///< time on top before it moves on
-constexpr double kFollowing = 0.5;      ///< share of the felt slope that it moves along with
+constexpr double kProbe_s = 0.7;       ///< how long it feels the surface that it came down on
+constexpr double kFound_N = 0.5;       ///< pressure that stops a free movement
+constexpr double kSideSlope = 0.6;     ///< sine of 37°: the surface is inclined and is not the table
+constexpr double kHill_m = 0.010;      ///< felt height above the table that makes it a hill
+constexpr double kRise_m = 0.005;      ///< felt rise while climbing that makes it a hill
+constexpr double kFloor_m = 0.085;     ///< below its start position: there is no table
+constexpr double kLift_m_per_s = 0.06; ///< upwards off the table, before a scan
+constexpr double kSteadying_s = 0.8;   ///< time on top before it moves on
+constexpr double kFollowing = 0.5;     ///< share of the felt slope that it moves along with
 /// Distance at which it is near enough to the place that it wants to mark ...
 constexpr double kThere_m = 0.002;
-constexpr double kThere_s = 0.2;        ///< ... and the time that it has to stay there
+constexpr double kThere_s = 0.2; ///< ... and the time that it has to stay there
 constexpr double kLongestClimb_s = 10.0;
 constexpr double kFallen_m = 0.012; ///< below where the search began: it has slid off
 constexpr double kPress_s = 0.15;   ///< how long the button is held

@@ -15,7 +15,8 @@ namespace chiron::simulation {
 HemisphereContact::HemisphereContact(const Parameters& parameters) noexcept : m_parameters(parameters) {
     constexpr int kSteps = 64;
     const Dimple& dimple = parameters.dimple;
-    const double radius = 0.75 * parameters.surface.radius_m, offset = (dimple.centre_m - parameters.surface.centre_m).norm();
+    const double radius = 0.75 * parameters.surface.radius_m,
+                 offset = (dimple.centre_m - parameters.surface.centre_m).norm();
     double square = 1.0;
     for (int i = 0; dimple.depth_m > 0.0 && i <= kSteps; ++i) {
         const double s = dimple.halfWidth_m * i / kSteps;
@@ -26,7 +27,8 @@ HemisphereContact::HemisphereContact(const Parameters& parameters) noexcept : m_
     m_steepest = std::sqrt(square * (1.0 + parameters.friction * parameters.friction));
 }
 
-ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::Vec3& v_WT, double mostDamping_Ns_per_m) const noexcept {
+ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::Vec3& v_WT,
+                                           double mostDamping_Ns_per_m) const noexcept {
     ContactResponse response;
     response.surfacePoint = p_WT;
     const SurfaceDistance surface = m_parameters.surface.distance(p_WT);
@@ -50,7 +52,8 @@ ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::V
     const core::Vec3 elastic = Elasticity::force(k.value_N_per_m, k.gradient_N_per_m2, depth, -outward);
     const double elasticNormal = elastic.dot(response.normal);
     const double damping = std::min(m_parameters.damping_Ns_per_m, mostDamping_Ns_per_m);
-    response.normalForce_N = ContactDamping::normalForce(elasticNormal, damping, depth, v_WT.dot(response.normal));
+    response.normalForce_N =
+        ContactDamping::normalForce(elasticNormal, damping, depth, v_WT.dot(response.normal));
     response.damping_Ns_per_m = damping * std::min(1.0, depth * (1.0 / ContactDamping::kFullDepth_m));
     response.force = elastic + (response.normalForce_N - elasticNormal) * response.normal;
     response.surfacePoint = p_WT + depth * surface.normal;
@@ -58,12 +61,15 @@ ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::V
     response.energy_J = Elasticity::energy(k.value_N_per_m, depth);
     response.stiffness_N_per_m = k.value_N_per_m;
     if (m_steepest > 1.0)
-        response.load_N = m_steepest * std::sqrt(2.0 * m_parameters.stiffness.base_N_per_m * (1.0 + m_parameters.stiffness.variation) * response.energy_J);
+        response.load_N =
+            m_steepest * std::sqrt(2.0 * m_parameters.stiffness.base_N_per_m *
+                                   (1.0 + m_parameters.stiffness.variation) * response.energy_J);
     response.inContact = true;
     return response;
 }
 
-ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::Vec3& v_WT, BristleFriction& bristle,
+ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::Vec3& v_WT,
+                                           BristleFriction& bristle,
                                            double mostDamping_Ns_per_m) const noexcept {
     ContactResponse response = respond(p_WT, v_WT, mostDamping_Ns_per_m);
     if (!response.inContact || m_parameters.friction == 0.0)

@@ -26,7 +26,7 @@ struct ContactResponse {
     double damping_Ns_per_m = 0.0;  ///< the part of the tool's budget that its damping uses
     double load_N = 0.0;            ///< see SceneOutput::load_N; 0: use ‖f‖ itself
     bool inContact = false;
-    std::uint8_t bits = 0;          ///< core::contact_bits
+    std::uint8_t bits = 0; ///< core::contact_bits
 };
 
 /// The force law of the sphere-apex exercise: HemisphereOnPlane with elasticity, weighted damping,
@@ -57,7 +57,8 @@ public:
     ContactResponse respond(const core::Vec3& p_WT, const core::Vec3& v_WT, BristleFriction& bristle,
                             double mostDamping_Ns_per_m = kUnboundedDamping) const noexcept;
     /// Computes the response without friction: a pure function of position and velocity.
-    ContactResponse respond(const core::Vec3& p_WT, const core::Vec3& v_WT, double mostDamping_Ns_per_m = kUnboundedDamping) const noexcept;
+    ContactResponse respond(const core::Vec3& p_WT, const core::Vec3& v_WT,
+                            double mostDamping_Ns_per_m = kUnboundedDamping) const noexcept;
 
     const Parameters& parameters() const noexcept { return m_parameters; }
 

@@ -58,11 +58,13 @@ HemisphereContact hemisphereFrom(std::span<const double> p, double damping_Ns_pe
 std::string hemisphereProblem(std::span<const double> p, std::span<const double> in) {
     if (in.empty() || !(p[4] > 0.0))
         return {};
-    const ContactResponse still = hemisphereFrom(p, 0.0).respond(core::Vec3(in[0], in[1], in[2]), core::Vec3::Zero());
+    const ContactResponse still =
+        hemisphereFrom(p, 0.0).respond(core::Vec3(in[0], in[1], in[2]), core::Vec3::Zero());
     if (!still.inContact || still.normalForce_N > 0.0)
         return {};
     return core::lawProblem("depth_m", still.depth_m,
-                            "a shallower contact, a smaller stiffness_variation or a longer stiffness_wavelength_m: the stiffness changes so "
+                            "a shallower contact, a smaller stiffness_variation or a longer "
+                            "stiffness_wavelength_m: the stiffness changes so "
                             "steeply here that the surface would pull");
 }
 
@@ -81,8 +83,14 @@ void evaluateHemisphere(std::span<const double> p, std::span<const double> in,
 } // namespace
 
 core::LawDescription hemisphereLaw() noexcept {
-    return {"hemisphere", "hemisphere on a plane: elastic and damped contact of the sphere-apex exercise", "models.md §0 and §2.3",
-            kHemisphereInputs, kHemisphereOutputs, kHemisphereParameters, &evaluateHemisphere, &hemisphereProblem};
+    return {"hemisphere",
+            "hemisphere on a plane: elastic and damped contact of the sphere-apex exercise",
+            "models.md §0 and §2.3",
+            kHemisphereInputs,
+            kHemisphereOutputs,
+            kHemisphereParameters,
+            &evaluateHemisphere,
+            &hemisphereProblem};
 }
 
 } // namespace chiron::simulation

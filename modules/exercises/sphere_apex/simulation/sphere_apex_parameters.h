@@ -36,13 +36,14 @@ struct SphereApexParameters {
     double dimpleRadius_m = 0.006;            ///< its half-width across the surface
     double dimpleOffset_m = 0.010;            ///< horizontal distance from the apex; direction by seed
     ApexSurface surface = ApexSurface::exact;
-    // mesh and organ: the generated dome (geometry/mesh/make_mesh.h); stiffness_* is then that of the local model
-    double meshEdge_m = 0.0015;       ///< mean edge length
-    double bumpHeight_m = 0.0;        ///< of smooth bumps; none at the apex, which stays the highest point
+    // mesh and organ: the generated dome (geometry/mesh/make_mesh.h); stiffness_* is then that of the local
+    // model
+    double meshEdge_m = 0.0015; ///< mean edge length
+    double bumpHeight_m = 0.0;  ///< of smooth bumps; none at the apex, which stays the highest point
     double bumpWavelength_m = 0.009;
     /// Seed of the bumps' pattern; each trial rotates the pattern about the vertical by its own angle.
     std::uint64_t bumpSeed = 1;
-    double roughness_m = 0.0;         ///< rms of the micro-height (attributes/roughness.h)
+    double roughness_m = 0.0;             ///< rms of the micro-height (attributes/roughness.h)
     double roughnessWavelength_m = 0.002; ///< shortest; >= 1 mm
     // organ: the slow model (deformable/spring_network.h)
     double organStiffness_N_per_m = 900.0; ///< K: a lasting press feels k K/(k + K)
@@ -53,11 +54,11 @@ struct SphereApexParameters {
     double organDeepest_m = 0.008;
     int slowPeriod_ms = 33;  ///< between two requests to the slow model; also the length of its step
     int slowLatency_ms = 33; ///< L, 20 to slowPeriod_ms; blending takes the same time
-    int trials = 10;                          ///< 1..32
+    int trials = 10;         ///< 1..32
     double trialLimit_s = 60.0;
     double betweenTrials_s = 1.0;  ///< after a mark, before the next scene appears
     double maximumForce_N = 4.0;   ///< the exercise's cap for the supervisor and the limit of force metrics
-    YieldLaw yield; ///< when the touched tissue gives way; by default never
+    YieldLaw yield;                ///< when the touched tissue gives way; by default never
     std::vector<std::string> cues; ///< object, tool, arrow, bars, numbers, plots, sound, coverage
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 
-#include "core/units.h"
 #include "core/laparoscopy_cues.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,8 @@ namespace chiron::simulation {
 using core::TrialPhase;
 namespace bits = core::event_bits;
 
-void SphereApexScene::respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept {
+void SphereApexScene::respond(const realtime::HapticTick& now, const SceneInput& in,
+                              SceneOutput& out) noexcept {
     out = SceneOutput{};
     advance(now.index(), in, out);
     if (m_dome && m_dome->update(now.index(), in.slow))
@@ -20,7 +21,8 @@ void SphereApexScene::respond(const realtime::HapticTick& now, const SceneInput&
     touch(in, out);
     if (m_dome && objectPresent())
         m_dome->ask(now.index());
-    if (const DeformableOrgan* organ = m_dome ? m_dome->organ() : nullptr; organ != nullptr && objectPresent()) {
+    if (const DeformableOrgan* organ = m_dome ? m_dome->organ() : nullptr;
+        organ != nullptr && objectPresent()) {
         out.quantities[apex_quantity::kPredictionError] = organ->predictionError().predicted_m;
         out.quantities[apex_quantity::kHeldError] = organ->predictionError().held_m;
     }
@@ -117,13 +119,16 @@ double SphereApexScene::steepest(const ContactResponse& response, const core::Ve
     const Dimple& dimple = m_contact.parameters().dimple;
     if (const HeightSample micro = dimple.sample(p_WT.x(), p_WT.y()); micro.height_m != 0.0) {
         const double slope = micro.gradient.norm();
-        share += 2.0 * slope + slope * slope + d * 8.0 * dimple.depth_m / (dimple.halfWidth_m * dimple.halfWidth_m);
+        share += 2.0 * slope + slope * slope +
+                 d * 8.0 * dimple.depth_m / (dimple.halfWidth_m * dimple.halfWidth_m);
     }
     return share * response.stiffness_N_per_m;
 }
 
-ContactResponse SphereApexScene::touchExact(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept {
-    ContactResponse response = m_contact.respond(state.p_WT, state.v_WT, m_bristles[tool], mostDamping_Ns_per_m);
+ContactResponse SphereApexScene::touchExact(std::size_t tool, const core::ToolState& state,
+                                            double mostDamping_Ns_per_m) noexcept {
+    ContactResponse response =
+        m_contact.respond(state.p_WT, state.v_WT, m_bristles[tool], mostDamping_Ns_per_m);
     ContactYield& yield = m_yields[tool];
     if (response.inContact)
         response.stiffness_N_per_m = steepest(response, state.p_WT);
@@ -133,7 +138,8 @@ ContactResponse SphereApexScene::touchExact(std::size_t tool, const core::ToolSt
     return response;
 }
 
-ContactResponse SphereApexScene::touchWith(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept {
+ContactResponse SphereApexScene::touchWith(std::size_t tool, const core::ToolState& state,
+                                           double mostDamping_Ns_per_m) noexcept {
     if (m_dome)
         return m_dome->respond(tool, state.p_WT, state.v_WT, mostDamping_Ns_per_m);
     if (m_parameters.surface == ApexSurface::exact)
@@ -192,7 +198,8 @@ void SphereApexScene::fillCues(const SceneInput& in, SceneOutput& out) const noe
     cues.objectRadius_m = m_parameters.radius_m;
     if (m_dome) { // its bumps lie elsewhere in each trial, because it is rotated about the vertical
         const double half_rad = 0.5 * m_trials[m_trial].turn_rad;
-        cues.exercise.own<core::LaparoscopyCues>().body[0].q_W = {std::cos(half_rad), 0.0, 0.0, std::sin(half_rad)};
+        cues.exercise.own<core::LaparoscopyCues>().body[0].q_W = {std::cos(half_rad), 0.0, 0.0,
+                                                                  std::sin(half_rad)};
     }
 }
 

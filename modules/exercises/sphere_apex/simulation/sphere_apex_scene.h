@@ -72,10 +72,12 @@ private:
     void leaveTrial(SceneOutput& out) noexcept;
     bool markPressed(const SceneInput& in) noexcept;
     bool objectPresent() const noexcept;
-    ContactResponse touchWith(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept;
+    ContactResponse touchWith(std::size_t tool, const core::ToolState& state,
+                              double mostDamping_Ns_per_m) noexcept;
     /// Bounds how fast the force changes with position, N/m.
     double steepest(const ContactResponse& response, const core::Vec3& p_WT) const noexcept;
-    ContactResponse touchExact(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept;
+    ContactResponse touchExact(std::size_t tool, const core::ToolState& state,
+                               double mostDamping_Ns_per_m) noexcept;
     void touch(const SceneInput& in, SceneOutput& out) noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
 
@@ -87,9 +89,9 @@ private:
 
     core::TrialPhase m_phase = core::TrialPhase::idle;
     std::size_t m_trial = 0;
-    std::uint64_t m_clock = 0;   ///< ticks spent in the present phase, without pauses
-    bool m_trialOver = false;    ///< the previous tick ended the trial
-    bool m_buttonWasDown = true; ///< so that a button held at the first tick is not an edge
+    std::uint64_t m_clock = 0;           ///< ticks spent in the present phase, without pauses
+    bool m_trialOver = false;            ///< the previous tick ended the trial
+    bool m_buttonWasDown = true;         ///< so that a button held at the first tick is not an edge
     HemisphereContact m_contact;         ///< for an exact surface
     std::unique_ptr<TouchedDome> m_dome; ///< for the other surfaces; null: exact, or it could not be made
     std::array<BristleFriction, core::kMaxTools> m_bristles{};

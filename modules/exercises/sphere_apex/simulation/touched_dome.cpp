@@ -16,7 +16,9 @@ core::Vec3 turned(double cosine, double sine, const core::Vec3& v) noexcept {
     return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y(), v.z()};
 }
 
-std::array<double, 3> array(const core::Vec3& v) noexcept { return {v.x(), v.y(), v.z()}; }
+std::array<double, 3> array(const core::Vec3& v) noexcept {
+    return {v.x(), v.y(), v.z()};
+}
 
 ContactPlace placeOnPlane(const core::Vec3& p, const core::Vec3& v) noexcept {
     ContactPlace place;
@@ -61,8 +63,8 @@ core::Vec3 TouchedDome::toMesh(const Place& place, const core::Vec3& p_W) const 
 }
 
 template <class Surface>
-ContactPlace TouchedDome::placeOn(const Surface& surface, Tool& tool, const core::Vec3& p, const core::Vec3& v,
-                                  double reach_m) noexcept {
+ContactPlace TouchedDome::placeOn(const Surface& surface, Tool& tool, const core::Vec3& p,
+                                  const core::Vec3& v, double reach_m) noexcept {
     const double across = std::hypot(p.x(), p.y());
     ContactPlace plane = placeOnPlane(p, v);
     const bool wasOnPlane = tool.onPlane;
@@ -93,7 +95,8 @@ ContactPlace TouchedDome::placeOn(const Surface& surface, Tool& tool, const core
         place.foot += s * (plane.foot - place.foot);
     }
     place.depthGradient = -place.normal;
-    return tool.felt.step(place, p, !wasOnPlane && foot.track == MeshTrack::acquired, 1.0 + turnsPerWay(tool.felt.felt_m()));
+    return tool.felt.step(place, p, !wasOnPlane && foot.track == MeshTrack::acquired,
+                          1.0 + turnsPerWay(tool.felt.felt_m()));
 }
 
 /// The force turns with the ball's nearest point by 1/(R − d) per distance moved, and between facets by up to
@@ -120,7 +123,8 @@ bool TouchedDome::isBreached(const Tool& tool, const core::Vec3& p) const noexce
         return false;
     if (tool.yield.everYields() && depth_m > m_deepest_m)
         return true;
-    const bool elsewhere = !tool.onPlane && (depth_m > kSure_m || tool.tracker.foot().track == MeshTrack::followed);
+    const bool elsewhere =
+        !tool.onPlane && (depth_m > kSure_m || tool.tracker.foot().track == MeshTrack::followed);
     return elsewhere && isClear(p);
 }
 
@@ -143,7 +147,8 @@ ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, c
     const ObjectContactResponse felt = at.contact.respond(place, core::kTickSeconds, state.object);
 
     const bool outside = !felt.inContact && !state.yield.through();
-    const double holds = state.yield.step(felt.force.norm(), outside, isBreached(state, p), core::kTickSeconds);
+    const double holds =
+        state.yield.step(felt.force.norm(), outside, isBreached(state, p), core::kTickSeconds);
 
     ContactResponse response;
     response.surfacePoint = p_WT;

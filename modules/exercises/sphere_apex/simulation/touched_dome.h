@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/result.h"
-#include "simulation/deformable/deformable_organ.h"
 #include "modules/exercises/sphere_apex/simulation/hemisphere_contact.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
+#include "simulation/deformable/deformable_organ.h"
 #include "simulation/geometry/mesh/mesh_source.h"
 #include "simulation/geometry/mesh/mesh_tracker.h"
 #include "simulation/objects/contact_yield.h"
@@ -60,7 +60,7 @@ public:
     void ask(std::uint64_t tick) noexcept;
 
     double organEnergy_J() const noexcept { return m_organ ? m_organ->elasticEnergy_J() : 0.0; }
-    DeformableOrgan* organ() noexcept { return m_organ.get(); } ///< null for a mesh that does not move
+    DeformableOrgan* organ() noexcept { return m_organ.get(); }  ///< null for a mesh that does not move
     const TriangleMesh& mesh() const noexcept { return m_mesh; } ///< at rest
 
     /// Where a tool that stays at the rest surface is drawn, W; p itself outside. Playback uses it, with the
@@ -101,7 +101,7 @@ private:
     YieldLaw m_yield;
     double m_planeHeight_m = 0.0;
     double m_radius_m = 0.0;
-    double m_deepest_m = 0.0; ///< the dome gives way below this depth
+    double m_deepest_m = 0.0;   ///< the dome gives way below this depth
     double m_blendFrom_m = 0.0; ///< horizontal distance at which the plane begins to blend in ...
     double m_blendTo_m = 0.0;   ///< ... and at which only the plane is left
     std::size_t m_trial = 0;

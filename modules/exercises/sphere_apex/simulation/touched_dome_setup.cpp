@@ -43,7 +43,8 @@ DeformableOrgan::Settings organSettings(const SphereApexParameters& p) {
     return settings;
 }
 
-core::Result<std::unique_ptr<DeformableOrgan>> makeOrgan(const TriangleMesh& mesh, const SphereApexParameters& p) {
+core::Result<std::unique_ptr<DeformableOrgan>> makeOrgan(const TriangleMesh& mesh,
+                                                         const SphereApexParameters& p) {
     // The ball is free and anchored to the plate under it; the stiffness refers to the apex.
     constexpr double kFoot_m = 1e-4;
     std::vector<bool> anchored;

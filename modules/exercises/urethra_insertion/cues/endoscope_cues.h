@@ -23,10 +23,10 @@ struct EndoscopeCues {
     /// Zero if not pictureShown, or where the picture shows only wall (simulation's LumenSight has the rule).
     std::array<double, 3> toLumen_T{};
     double lumenDistance_m = 0.0;
-    bool landmarkShown = false;          ///< the next landmark of the bladder lies in the picture
+    bool landmarkShown = false;           ///< the next landmark of the bladder lies in the picture
     std::array<double, 3> toLandmark_T{}; ///< m, from the tip; zero unless landmarkShown
-    int landmarks = 0;                   ///< number to be visited in this trial
-    std::uint32_t landmarksSeen = 0;     ///< one bit each, in the order of the content
+    int landmarks = 0;                    ///< number to be visited in this trial
+    std::uint32_t landmarksSeen = 0;      ///< one bit each, in the order of the content
     /// 0..1: share of the holding time that the landmark in view has had.
     double dwell = 0.0;
 };

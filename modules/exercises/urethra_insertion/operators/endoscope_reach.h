@@ -22,7 +22,7 @@ struct EndoscopeWish {
 /// Frame: D.
 class EndoscopeReach {
 public:
-    static constexpr double kAcceleration_m_per_s2 = 0.3;   ///< fine movements of a held instrument: assumption
+    static constexpr double kAcceleration_m_per_s2 = 0.3; ///< fine movements of a held instrument: assumption
     static constexpr double kAcceleration_rad_per_s2 = 6.0; ///< assumption
     static constexpr double kLowestPitch_rad = -0.45, kHighestPitch_rad = 1.6;
     static constexpr double kWidestYaw_rad = 0.5;

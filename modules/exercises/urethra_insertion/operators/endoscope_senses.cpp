@@ -59,7 +59,8 @@ void EndoscopeSenses::look(const mechanisms::HandPerception& real) noexcept {
     const Vec3 lumen(cues.toLumen_T[0], cues.toLumen_T[1], cues.toLumen_T[2]);
     const Vec3 landmark(cues.toLandmark_T[0], cues.toLandmark_T[1], cues.toLandmark_T[2]);
     m_percept.lumen = cues.pictureShown ? see(lumen, cues.lumenDistance_m, unmarked) : SeenThing{};
-    m_percept.landmark = cues.pictureShown && cues.landmarkShown ? see(landmark, landmark.norm(), unmarked) : SeenThing{};
+    m_percept.landmark =
+        cues.pictureShown && cues.landmarkShown ? see(landmark, landmark.norm(), unmarked) : SeenThing{};
 }
 
 /// `to_T` is the direction to it in T, which looks along −z with x to the right and y up; zero: it is not in
@@ -82,8 +83,10 @@ void EndoscopeSenses::feelForces(double pitch_rad, double yaw_rad) noexcept {
     const double size = 1.0 + m_weber.advance(m_random);
     const double turn = m_direction.advance(m_random) + m_directionBias.advance(m_random);
     const double along = force.dot(joint.view_D()), across = force.dot(joint.yawAxis_D());
-    m_percept.along_N = size * (along * std::cos(turn) - across * std::sin(turn)) + m_floor[0].advance(m_random);
-    m_percept.across_N = size * (along * std::sin(turn) + across * std::cos(turn)) + m_floor[1].advance(m_random);
+    m_percept.along_N =
+        size * (along * std::cos(turn) - across * std::sin(turn)) + m_floor[0].advance(m_random);
+    m_percept.across_N =
+        size * (along * std::sin(turn) + across * std::cos(turn)) + m_floor[1].advance(m_random);
     const double torqueSize = 1.0 + m_torqueWeber.advance(m_random);
     m_percept.pitchTorque_Nm = torqueSize * torque.x() + m_torqueFloor[0].advance(m_random);
     m_percept.yawTorque_Nm = torqueSize * torque.dot(joint.yawAxis_D()) + m_torqueFloor[1].advance(m_random);

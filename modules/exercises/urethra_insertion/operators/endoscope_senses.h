@@ -26,8 +26,8 @@ struct EndoscopePercept {
     double time_s = 0.0;
     double pitch_rad = 0.0; ///< felt pitch of the instrument above the table
     double yaw_rad = 0.0;
-    double along_N = 0.0;   ///< on the hand; positive pushes the instrument in
-    double across_N = 0.0;  ///< positive upwards (of the instrument)
+    double along_N = 0.0;        ///< on the hand; positive pushes the instrument in
+    double across_N = 0.0;       ///< positive upwards (of the instrument)
     double pitchTorque_Nm = 0.0; ///< on the hand
     double yawTorque_Nm = 0.0;
     double depth_m = 0.0;

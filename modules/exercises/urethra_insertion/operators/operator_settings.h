@@ -12,10 +12,11 @@ namespace chiron::operators {
 enum class SteeringKind {
     /// Turns while it advances, along the arc that leads to where it sees the lumen (pure pursuit).
     followsCurve,
-    turnsInPlace, ///< stops to turn, and advances without turning (P1: "orientation changes without translation")
+    turnsInPlace, ///< stops to turn, and advances without turning (P1: "orientation changes without
+                  ///< translation")
     /// Keeps turning until the lumen is in the middle of the picture, which anticipates the bend.
     centres,
-    centresLate,  ///< turns only once the lumen is far off the middle, and then turns too far
+    centresLate, ///< turns only once the lumen is far off the middle, and then turns too far
 };
 
 /// One scripted endoscopist: how it moves, turns and reacts to force. The values are assumptions that are
@@ -42,7 +43,7 @@ struct UrethraInsertionOperatorSettings {
     double stopAngle_rad = 0.30;
     /// Felt force across at which it goes back a little and tries again; 0: never.
     double drawsBackAt_N = 0.0;
-    bool stopsBlind = true;          ///< does not advance while the picture shows only wall
+    bool stopsBlind = true; ///< does not advance while the picture shows only wall
 
     /// Felt resistance at which it stops advancing; it slows down from half of that.
     double pushLimit_N = 3.0;
@@ -51,11 +52,11 @@ struct UrethraInsertionOperatorSettings {
     double reliefGain_m_per_Ns = 0.008;
     double reliefTurn_rad_per_Nms = 3.0; ///< rate with which it yields to torque
 
-    double lookRate_rad_per_s = 0.35;   ///< rate of turning towards a landmark
+    double lookRate_rad_per_s = 0.35; ///< rate of turning towards a landmark
     /// Satisfied when a landmark is this near to the middle; the task asks for 15°.
     double lookWithin_rad = 0.19;
-    double searchAngle_rad = 0.35;      ///< searches in circles that grow to this angle
-    bool stopsWhenCounted = true;       ///< stops turning once the screen says that the landmark counts
+    double searchAngle_rad = 0.35; ///< searches in circles that grow to this angle
+    bool stopsWhenCounted = true;  ///< stops turning once the screen says that the landmark counts
     /// While withdrawing, turns for the position that it will reach this much later.
     double anticipation_s = 0.5;
     /// While withdrawing, moves across as long as the lumen is not where it was; 0: does not look.

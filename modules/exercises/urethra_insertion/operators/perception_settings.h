@@ -22,11 +22,11 @@ struct EndoscopePerceptionSettings {
     /// … and larger by this factor where it is not marked (level without guidance): assumption.
     double unmarkedFactor = 2.0;
     double distanceWeberFraction = 0.25; ///< distance ahead as judged from a monocular picture: assumption
-    double depthNoiseSd_m = 0.0015;  ///< reading the marks on the shaft, 10 mm apart: assumption
+    double depthNoiseSd_m = 0.0015;      ///< reading the marks on the shaft, 10 mm apart: assumption
     double depthNoiseTime_s = 1.0;
-    /// Force magnitude: Weber fraction of about 7 % (Pang, Tan & Durlach 1991, Percept Psychophys 49:531), and a floor in newtons
-    /// (assumption). Torque likewise; discrimination of torque is coarser, about 13 % (Jandura & Srinivasan 1994, ASME DSC
-    /// 55-1:369).
+    /// Force magnitude: Weber fraction of about 7 % (Pang, Tan & Durlach 1991, Percept Psychophys 49:531),
+    /// and a floor in newtons (assumption). Torque likewise; discrimination of torque is coarser, about 13 %
+    /// (Jandura & Srinivasan 1994, ASME DSC 55-1:369).
     double forceWeberFraction = 0.07;
     double forceFloorSd_N = 0.03;
     double torqueWeberFraction = 0.13;

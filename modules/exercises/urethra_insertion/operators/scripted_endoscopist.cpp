@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/urethra_insertion/operators/scripted_endoscopist.h"
 
-#include "core/units.h"
 #include "core/procedure_stage.h"
+#include "core/units.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <algorithm>
@@ -12,25 +12,25 @@ namespace chiron::operators {
 
 namespace {
 // Habits that all operators share: assumptions.
-constexpr double kForceSmoothing = 0.15;    ///< share per observation for smoothing the felt force: 0.07 s
-constexpr double kPictureSmoothing = 0.2;   ///< share per observation for smoothing what is seen
+constexpr double kForceSmoothing = 0.15;  ///< share per observation for smoothing the felt force: 0.07 s
+constexpr double kPictureSmoothing = 0.2; ///< share per observation for smoothing what is seen
 /// Force across to which it yields; above the mechanism's own force.
 constexpr double kNoticed_N = 0.25;
-constexpr double kNoticed_Nm = 0.008;       ///< the same for torque
+constexpr double kNoticed_Nm = 0.008;        ///< the same for torque
 constexpr double kGivingWay_m_per_s = 0.006; ///< greatest speed of yielding
-constexpr double kNear_m = 0.012;           ///< no distance is taken to be shorter than this
+constexpr double kNear_m = 0.012;            ///< no distance is taken to be shorter than this
 /// Time without getting deeper, after which it goes back a little or pushes on.
 constexpr double kStuck_s = 4.0;
 constexpr double kProgress_m = 0.002;
 constexpr double kBack_s = 0.8;
 constexpr double kBack_m_per_s = 0.005;
-constexpr double kHolding_s = 0.4;          ///< keeps still for this time before it begins to search
+constexpr double kHolding_s = 0.4; ///< keeps still for this time before it begins to search
 /// Time without the landmark in the picture, after which it searches.
 constexpr double kLost_s = 0.7;
-constexpr double kCircle_s = 5.0;           ///< duration of one circle of the search
+constexpr double kCircle_s = 5.0; ///< duration of one circle of the search
 /// Time with one landmark, after which it brings it nearer to the middle.
 constexpr double kImpatient_s = 6.0;
-constexpr double kLateBack = 0.25;           ///< share of the dead zone, because the way out is known
+constexpr double kLateBack = 0.25; ///< share of the dead zone, because the way out is known
 constexpr double kAligned_rad = 0.07;
 constexpr double kAligning_s = 4.0;
 
@@ -70,7 +70,8 @@ bool ScriptedEndoscopist::isStuck(const EndoscopePercept& felt) const noexcept {
 }
 
 bool ScriptedEndoscopist::drawsBack(const EndoscopePercept& felt) const noexcept {
-    return m_settings.drawsBackAt_N > 0.0 && std::abs(m_across_N) > m_settings.drawsBackAt_N && since(felt) > kBack_s;
+    return m_settings.drawsBackAt_N > 0.0 && std::abs(m_across_N) > m_settings.drawsBackAt_N &&
+           since(felt) > kBack_s;
 }
 
 ScriptedEndoscopist::Doing ScriptedEndoscopist::next(const EndoscopePercept& felt) const noexcept {
@@ -88,8 +89,10 @@ ScriptedEndoscopist::Doing ScriptedEndoscopist::next(const EndoscopePercept& fel
         if (m_doing == Doing::withdraw || !m_settings.alignsBeforeWithdrawal)
             return Doing::withdraw;
         const EndoscopeWish left = align(felt, felt.depth_m);
-        const bool aligned = std::hypot(left.pitch_rad_per_s, left.yaw_rad_per_s) < kAligned_rad * m_settings.turnGain_per_s;
-        return m_doing == Doing::align && (aligned || since(felt) > kAligning_s) ? Doing::withdraw : Doing::align;
+        const bool aligned =
+            std::hypot(left.pitch_rad_per_s, left.yaw_rad_per_s) < kAligned_rad * m_settings.turnGain_per_s;
+        return m_doing == Doing::align && (aligned || since(felt) > kAligning_s) ? Doing::withdraw
+                                                                                 : Doing::align;
     }
     case core::ProcedureStage::completed:
         break;
@@ -173,8 +176,8 @@ EndoscopeWish ScriptedEndoscopist::steer(const EndoscopePercept& felt) noexcept 
 EndoscopeWish ScriptedEndoscopist::followCurve(const SeenThing& lumen) const noexcept {
     const double curvature = m_settings.curveGain * 2.0 * std::sin(lumen.up_rad) / lumen.distance_m;
     EndoscopeWish wish;
-    wish.along_m_per_s =
-        std::min(m_settings.insertSpeed_m_per_s, m_settings.turnRate_rad_per_s / std::max(std::abs(curvature), 1.0));
+    wish.along_m_per_s = std::min(m_settings.insertSpeed_m_per_s,
+                                  m_settings.turnRate_rad_per_s / std::max(std::abs(curvature), 1.0));
     wish.pitch_rad_per_s = wish.along_m_per_s * ease() * curvature;
     wish.yaw_rad_per_s = turning(lumen.left_rad);
     return wish;
@@ -208,7 +211,8 @@ EndoscopeWish ScriptedEndoscopist::inspect(const EndoscopePercept& felt) noexcep
     }
     if (felt.landmark.seen) {
         m_lastSeen_s = felt.time_s;
-        const bool counted = m_settings.stopsWhenCounted && felt.cues.exercise.of<simulation::EndoscopeCues>().dwell > 0.0;
+        const bool counted =
+            m_settings.stopsWhenCounted && felt.cues.exercise.of<simulation::EndoscopeCues>().dwell > 0.0;
         return counted ? EndoscopeWish{} : turnTo(felt.landmark);
     }
     return felt.time_s - m_lastSeen_s > kLost_s ? search(felt) : EndoscopeWish{};
@@ -217,7 +221,8 @@ EndoscopeWish ScriptedEndoscopist::inspect(const EndoscopePercept& felt) noexcep
 EndoscopeWish ScriptedEndoscopist::turnTo(const SeenThing& landmark) const noexcept {
     const double off = std::hypot(landmark.up_rad, landmark.left_rad);
     const double left = beyond(off, m_lookWithin_rad);
-    const double rate = std::min(m_settings.lookRate_rad_per_s, m_settings.turnGain_per_s * left) / std::max(off, 1e-6);
+    const double rate =
+        std::min(m_settings.lookRate_rad_per_s, m_settings.turnGain_per_s * left) / std::max(off, 1e-6);
     return {0.0, 0.0, rate * landmark.up_rad, rate * landmark.left_rad};
 }
 
@@ -250,26 +255,32 @@ EndoscopeWish ScriptedEndoscopist::withdraw(const EndoscopePercept& felt) const 
     if (!way.kept || !felt.lumen.seen)
         return wish;
     // If the lumen appears higher than on the way in, the tip is too low by that angle times the distance.
-    const double low_m = std::sin(felt.pitch_rad + m_up_rad - way.lumen_rad) * std::max(felt.lumen.distance_m, kNear_m);
-    wish.across_m_per_s = std::clamp(m_settings.centringGain_per_s * low_m, -kGivingWay_m_per_s, kGivingWay_m_per_s);
+    const double low_m =
+        std::sin(felt.pitch_rad + m_up_rad - way.lumen_rad) * std::max(felt.lumen.distance_m, kNear_m);
+    wish.across_m_per_s =
+        std::clamp(m_settings.centringGain_per_s * low_m, -kGivingWay_m_per_s, kGivingWay_m_per_s);
     return wish;
 }
 
 void ScriptedEndoscopist::giveWay(EndoscopeWish& wish) const noexcept {
-    wish.across_m_per_s += std::clamp(m_settings.reliefGain_m_per_Ns * beyond(m_across_N, kNoticed_N), -kGivingWay_m_per_s,
-                                      kGivingWay_m_per_s);
+    wish.across_m_per_s += std::clamp(m_settings.reliefGain_m_per_Ns * beyond(m_across_N, kNoticed_N),
+                                      -kGivingWay_m_per_s, kGivingWay_m_per_s);
     const double most = m_settings.turnRate_rad_per_s;
-    wish.pitch_rad_per_s += std::clamp(m_settings.reliefTurn_rad_per_Nms * beyond(m_pitchTorque_Nm, kNoticed_Nm), -most, most);
-    wish.yaw_rad_per_s += std::clamp(m_settings.reliefTurn_rad_per_Nms * beyond(m_yawTorque_Nm, kNoticed_Nm), -most, most);
+    wish.pitch_rad_per_s +=
+        std::clamp(m_settings.reliefTurn_rad_per_Nms * beyond(m_pitchTorque_Nm, kNoticed_Nm), -most, most);
+    wish.yaw_rad_per_s +=
+        std::clamp(m_settings.reliefTurn_rad_per_Nms * beyond(m_yawTorque_Nm, kNoticed_Nm), -most, most);
 }
 
 double ScriptedEndoscopist::ease() const noexcept {
-    const double most = std::max(std::abs(m_along_N) / m_settings.pushLimit_N, std::abs(m_across_N) / m_settings.acrossLimit_N);
+    const double most = std::max(std::abs(m_along_N) / m_settings.pushLimit_N,
+                                 std::abs(m_across_N) / m_settings.acrossLimit_N);
     return std::clamp(2.0 * (1.0 - most), 0.0, 1.0);
 }
 
 double ScriptedEndoscopist::turning(double rad) const noexcept {
-    return std::clamp(m_settings.turnGain_per_s * rad, -m_settings.turnRate_rad_per_s, m_settings.turnRate_rad_per_s);
+    return std::clamp(m_settings.turnGain_per_s * rad, -m_settings.turnRate_rad_per_s,
+                      m_settings.turnRate_rad_per_s);
 }
 
 } // namespace chiron::operators

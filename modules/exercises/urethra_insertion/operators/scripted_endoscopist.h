@@ -62,7 +62,7 @@ private:
     /// centresLate: angle upwards to which it wants to bring the lumen.
     double m_turnsTo_rad = 0.0;
     double m_deepest_m = -1.0;
-    double m_progress_s = 0.0;  ///< time of the last gain in depth
+    double m_progress_s = 0.0; ///< time of the last gain in depth
     double m_neutralYaw_rad = 0.0;
     double m_neutralPitch_rad = 0.0; ///< desired pitch when the inspection began
     double m_lastSeen_s = 0.0;       ///< time at which a landmark was last in the picture

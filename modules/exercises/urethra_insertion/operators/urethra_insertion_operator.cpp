@@ -115,7 +115,8 @@ core::Result<void> check(const UrethraInsertionOperatorSettings& s) {
         if (!(range.value >= range.low && range.value <= range.high))
             return core::fail(core::ErrorCode::badInput, std::string("operator: ") + range.name + " is " +
                                                              std::to_string(range.value) + ", expected " +
-                                                             std::to_string(range.low) + " to " + std::to_string(range.high));
+                                                             std::to_string(range.low) + " to " +
+                                                             std::to_string(range.high));
     return {};
 }
 
@@ -126,15 +127,18 @@ std::span<const std::string_view> urethraInsertionOperatorNames() noexcept {
 }
 
 core::Result<UrethraInsertionOperatorSettings> urethraInsertionOperatorSettings(std::string_view name) {
-    const std::array<UrethraInsertionOperatorSettings (*)(), 5> makers{&novice, &intermediate, &expert, &unsafe, &hesitant};
+    const std::array<UrethraInsertionOperatorSettings (*)(), 5> makers{&novice, &intermediate, &expert,
+                                                                       &unsafe, &hesitant};
     for (std::size_t i = 0; i < kNames.size(); ++i)
         if (kNames[i] == name)
             return makers[i]();
     return core::fail(core::ErrorCode::notFound,
-                      "operator '" + std::string(name) + "' is unknown; expected novice, intermediate, expert, unsafe or hesitant");
+                      "operator '" + std::string(name) +
+                          "' is unknown; expected novice, intermediate, expert, unsafe or hesitant");
 }
 
-core::Result<std::unique_ptr<mechanisms::HandStrategy>> makeUrethraInsertionOperator(std::string_view name, std::uint64_t seed) {
+core::Result<std::unique_ptr<mechanisms::HandStrategy>> makeUrethraInsertionOperator(std::string_view name,
+                                                                                     std::uint64_t seed) {
     const auto settings = urethraInsertionOperatorSettings(name);
     CHIRON_TRY(settings);
     return makeUrethraInsertionOperator(*settings, seed);

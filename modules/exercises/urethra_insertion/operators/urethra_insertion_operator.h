@@ -25,7 +25,8 @@ core::Result<UrethraInsertionOperatorSettings> urethraInsertionOperatorSettings(
 /// SimulatedEndoscopeDevice. It is seeded: the same seed and the same perceptions give the same intentions.
 /// Allocates; not for use in the tick.
 /// Errors: notFound for an unknown name.
-core::Result<std::unique_ptr<mechanisms::HandStrategy>> makeUrethraInsertionOperator(std::string_view name, std::uint64_t seed);
+core::Result<std::unique_ptr<mechanisms::HandStrategy>> makeUrethraInsertionOperator(std::string_view name,
+                                                                                     std::uint64_t seed);
 /// Makes the same with the caller's own settings.
 /// Errors: badInput when one of them is out of range.
 core::Result<std::unique_ptr<mechanisms::HandStrategy>>

@@ -22,7 +22,8 @@ public:
     };
 
     void keep(double depth_m, double pitch_rad, double lumen_rad) noexcept {
-        Place& place = m_places[static_cast<std::size_t>(std::clamp((depth_m - kFirst_m) / kCell_m, 0.0, kLast))];
+        Place& place =
+            m_places[static_cast<std::size_t>(std::clamp((depth_m - kFirst_m) / kCell_m, 0.0, kLast))];
         const double share = place.kept ? kNew : 1.0;
         place.pitch_rad += share * (pitch_rad - place.pitch_rad);
         place.lumen_rad += share * (lumen_rad - place.lumen_rad);
@@ -37,7 +38,8 @@ public:
         if (!a.kept || !b.kept)
             return a.kept ? a : b;
         const double share = cell - static_cast<double>(low);
-        return {true, a.pitch_rad + share * (b.pitch_rad - a.pitch_rad), a.lumen_rad + share * (b.lumen_rad - a.lumen_rad)};
+        return {true, a.pitch_rad + share * (b.pitch_rad - a.pitch_rad),
+                a.lumen_rad + share * (b.lumen_rad - a.lumen_rad)};
     }
 
 private:

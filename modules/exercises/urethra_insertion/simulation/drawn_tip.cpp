@@ -9,8 +9,8 @@
 namespace chiron::simulation {
 
 DrawnTip::DrawnTip(const UrethraInsertionParameters& parameters) noexcept
-    : m_line(parameters.anatomy), m_pose(parameters.pose),
-      m_neck(m_line.atZ(parameters.anatomy.zEnd_m)), m_bladderCentre(bladderCentre_A(parameters.anatomy, m_line)),
+    : m_line(parameters.anatomy), m_pose(parameters.pose), m_neck(m_line.atZ(parameters.anatomy.zEnd_m)),
+      m_bladderCentre(bladderCentre_A(parameters.anatomy, m_line)),
       m_bladderRadius_m(parameters.anatomy.bladderRadius_m),
       m_bladderRoom_m(std::max(0.0, parameters.anatomy.bladderRadius_m - parameters.endoscope.radius_m)),
       m_beak_m(parameters.endoscope.beak_m) {}

@@ -6,7 +6,8 @@
 
 namespace chiron::simulation {
 
-LumenSight::View LumenSight::look(const core::Vec3& p_A, const core::Vec3& axis_A, const CentrelineFoot& foot) const noexcept {
+LumenSight::View LumenSight::look(const core::Vec3& p_A, const core::Vec3& axis_A,
+                                  const CentrelineFoot& foot) const noexcept {
     Rings rings;
     View view;
     for (std::size_t n = ringsAhead(p_A, foot, rings); n > 0; --n) {
@@ -20,7 +21,8 @@ LumenSight::View LumenSight::look(const core::Vec3& p_A, const core::Vec3& axis_
     return view;
 }
 
-std::size_t LumenSight::ringsAhead(const core::Vec3& p_A, const CentrelineFoot& foot, Rings& rings) const noexcept {
+std::size_t LumenSight::ringsAhead(const core::Vec3& p_A, const CentrelineFoot& foot,
+                                   Rings& rings) const noexcept {
     const double tip_s_m = foot.at.s_m;
     const double first = std::ceil(tip_s_m / kStep_m) + 1.0;
     const std::size_t from = first > 0.0 ? static_cast<std::size_t>(first) : 0;
@@ -29,7 +31,8 @@ std::size_t LumenSight::ringsAhead(const core::Vec3& p_A, const CentrelineFoot& 
     for (std::size_t i = from; i < m_stations.size() && count < kAhead; ++i) {
         const Station& station = m_stations[i];
         const double open = m_wall.opening(station.s_m, tip_s_m);
-        const double stretched_m = station.radius_m + std::max(0.0, m_wall.endoscope().radius_m - station.radius_m) * open;
+        const double stretched_m =
+            station.radius_m + std::max(0.0, m_wall.endoscope().radius_m - station.radius_m) * open;
         rings[count].toMiddle = station.p_A + open * e_A - p_A;
         rings[count].radius2_m2 = stretched_m * stretched_m;
         ++count;

@@ -8,7 +8,8 @@
 namespace chiron::simulation {
 
 LumenSight::LumenSight(const UrethraInsertionParameters& parameters)
-    : m_wall(parameters.anatomy, parameters.endoscope), m_cosHalfView(std::cos(0.5 * parameters.endoscope.fieldOfView_rad)) {
+    : m_wall(parameters.anatomy, parameters.endoscope),
+      m_cosHalfView(std::cos(0.5 * parameters.endoscope.fieldOfView_rad)) {
     const UrethraCentreline line(parameters.anatomy);
     const double bladder_m = parameters.anatomy.bladderRadius_m;
     const double end_m = line.length_m() + bladder_m;

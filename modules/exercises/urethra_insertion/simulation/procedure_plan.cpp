@@ -11,11 +11,14 @@ core::Vec3 bladderCentre_A(const UrethraAnatomy& anatomy, const UrethraCentrelin
     return neck.p_A + anatomy.bladderRadius_m * neck.t_A;
 }
 
-core::Vec3 landmark_A(const UrethraAnatomy& anatomy, const UrethraCentreline& line, const BladderLandmark& landmark) noexcept {
+core::Vec3 landmark_A(const UrethraAnatomy& anatomy, const UrethraCentreline& line,
+                      const BladderLandmark& landmark) noexcept {
     const CentrelinePoint neck = line.atZ(anatomy.zEnd_m);
-    const core::Vec3 across = std::cos(landmark.azimuth_rad) * core::Vec3::UnitX() + std::sin(landmark.azimuth_rad) * neck.n_A;
+    const core::Vec3 across =
+        std::cos(landmark.azimuth_rad) * core::Vec3::UnitX() + std::sin(landmark.azimuth_rad) * neck.n_A;
     return bladderCentre_A(anatomy, line) +
-           anatomy.bladderRadius_m * (std::cos(landmark.polar_rad) * neck.t_A + std::sin(landmark.polar_rad) * across);
+           anatomy.bladderRadius_m *
+               (std::cos(landmark.polar_rad) * neck.t_A + std::sin(landmark.polar_rad) * across);
 }
 
 ProcedurePlan procedurePlan(const UrethraInsertionParameters& parameters) noexcept {

@@ -22,13 +22,16 @@ core::Vec3 bladderCentre_A(const UrethraAnatomy& anatomy, const UrethraCentrelin
 /// φ azimuth in the frame of C.
 /// Unit: m.
 /// Frame: A.
-core::Vec3 landmark_A(const UrethraAnatomy& anatomy, const UrethraCentreline& line, const BladderLandmark& landmark) noexcept;
+core::Vec3 landmark_A(const UrethraAnatomy& anatomy, const UrethraCentreline& line,
+                      const BladderLandmark& landmark) noexcept;
 
 /// The requirements of a level as the tracker follows them. Landmarks beyond the sixteenth are omitted
 /// (content with more is refused before).
 ProcedurePlan procedurePlan(const UrethraInsertionParameters& parameters) noexcept;
 
 /// The endoscope's axis in W, a unit vector: the endoscope looks along −z of T.
-inline core::Vec3 endoscopeAxis_W(const core::Quat& q_WT) noexcept { return -(q_WT * core::Vec3::UnitZ()); }
+inline core::Vec3 endoscopeAxis_W(const core::Quat& q_WT) noexcept {
+    return -(q_WT * core::Vec3::UnitZ());
+}
 
 } // namespace chiron::simulation

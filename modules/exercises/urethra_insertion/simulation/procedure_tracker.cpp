@@ -12,13 +12,16 @@ using core::ProcedureStage;
 
 namespace {
 
-core::Vec3 vectorOf(const std::array<double, 3>& a) noexcept { return {a[0], a[1], a[2]}; }
+core::Vec3 vectorOf(const std::array<double, 3>& a) noexcept {
+    return {a[0], a[1], a[2]};
+}
 
 } // namespace
 
 ProcedureStep ProcedureTracker::advance(const ProcedureSample& now, std::uint64_t dt_us) noexcept {
     ProcedureStep step;
-    if (!std::isfinite(now.s_m) || !std::isfinite(now.offset_m) || !now.p_A.allFinite() || !now.axis_A.allFinite())
+    if (!std::isfinite(now.s_m) || !std::isfinite(now.offset_m) || !now.p_A.allFinite() ||
+        !now.axis_A.allFinite())
         return step;
     m_now_us += m_began ? dt_us : 0;
     measureSpeed(now.p_A);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "core/geometry.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "modules/exercises/urethra_insertion/simulation/meatus_gate.h"
 
 #include <array>
@@ -21,14 +21,14 @@ struct ProcedurePlan {
     double beak_m = 0.010; ///< ℓ: the tip is inside from s > −ℓ on
     /// Greatest distance from the centre-line at which it enters there (MeatusGate); 0: anywhere.
     double meatus_m = 0.0;
-    double goal_m = 0.0;   ///< arc length of the tip that ends the insertion
-    double neck_m = 0.0;   ///< L: landmarks are seen only with the tip beyond it, where nothing lies between
+    double goal_m = 0.0; ///< arc length of the tip that ends the insertion
+    double neck_m = 0.0; ///< L: landmarks are seen only with the tip beyond it, where nothing lies between
     bool withdraws = true;
     std::array<std::array<double, 3>, kMaxLandmarks> landmark_A{}; ///< on the bladder's wall
     std::size_t landmarks = 0;
-    double cosHalfAngle = 1.0;        ///< of the cone about the centre of the view
-    double distance_m = 0.0;          ///< a landmark has to be nearer than this
-    double speed_m_per_s = 0.0;       ///< and the tip no faster than this
+    double cosHalfAngle = 1.0;       ///< of the cone about the centre of the view
+    double distance_m = 0.0;         ///< a landmark has to be nearer than this
+    double speed_m_per_s = 0.0;      ///< and the tip no faster than this
     std::uint64_t hold_us = 1000000; ///< for this long without a break
 };
 
@@ -68,7 +68,8 @@ class ProcedureTracker {
 public:
     static constexpr std::uint64_t kSpeedWindow_us = 100000;
 
-    explicit ProcedureTracker(const ProcedurePlan& plan) noexcept : m_plan(plan), m_gate(plan.meatus_m, plan.beak_m) {}
+    explicit ProcedureTracker(const ProcedurePlan& plan) noexcept
+        : m_plan(plan), m_gate(plan.meatus_m, plan.beak_m) {}
 
     /// `dt_us` is the time since the last sample without pauses; that of the first sample is ignored. A pose
     /// that is not finite is skipped.

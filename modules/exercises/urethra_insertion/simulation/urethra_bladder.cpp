@@ -28,7 +28,8 @@ Weight weightAlong(double x, const core::Vec3& xGradient, double xBend) noexcept
 }
 
 Weight operator*(const Weight& a, const Weight& b) noexcept {
-    return {a.value * b.value, a.gradient * b.value + b.gradient * a.value, a.slope * b.value + b.slope * a.value,
+    return {a.value * b.value, a.gradient * b.value + b.gradient * a.value,
+            a.slope * b.value + b.slope * a.value,
             a.bend * b.value + b.bend * a.value + 2.0 * a.slope * b.slope};
 }
 
@@ -39,7 +40,8 @@ UrethraBladder::UrethraBladder(const UrethraAnatomy& anatomy, const Endoscope& e
     : m_neck_A(neck.p_A), m_out_A(neck.t_A), m_centre_A(neck.p_A + anatomy.bladderRadius_m * neck.t_A),
       m_free_m(std::max(anatomy.bladderRadius_m - endoscope.radius_m, kShortest)),
       m_stiffness_N_per_m(anatomy.bladderStiffness_N_per_m), m_opening_rad(anatomy.bladderOpening_rad),
-      m_edge_rad(std::max(anatomy.bladderOpeningEdge_rad, kShortest)), m_cosFull(std::cos(m_opening_rad + m_edge_rad)) {}
+      m_edge_rad(std::max(anatomy.bladderOpeningEdge_rad, kShortest)),
+      m_cosFull(std::cos(m_opening_rad + m_edge_rad)) {}
 
 BladderResponse UrethraBladder::respond(const core::Vec3& p_A) const noexcept {
     BladderResponse response;
@@ -57,8 +59,8 @@ BladderResponse UrethraBladder::respond(const core::Vec3& p_A) const noexcept {
         const double sine = std::sqrt(std::max(1.0 - cosine * cosine, kShortest * kShortest));
         const core::Vec3 angleGradient = (m_out_A + cosine * u) / (distance * sine);
         const double angleBend = (1.0 + std::abs(cosine) / sine) / (distance * distance);
-        weight = weight * weightAlong((std::acos(cosine) - m_opening_rad) / m_edge_rad, angleGradient / m_edge_rad,
-                                     angleBend / m_edge_rad);
+        weight = weight * weightAlong((std::acos(cosine) - m_opening_rad) / m_edge_rad,
+                                      angleGradient / m_edge_rad, angleBend / m_edge_rad);
     }
     const double k = m_stiffness_N_per_m;
     response.energy_J = 0.5 * k * d * d * weight.value;

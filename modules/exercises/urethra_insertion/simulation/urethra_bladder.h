@@ -26,7 +26,8 @@ public:
     static constexpr double kBodyDepth_m = 0.010;
 
     /// `neck` is C on the centre-line.
-    UrethraBladder(const UrethraAnatomy& anatomy, const Endoscope& endoscope, const CentrelinePoint& neck) noexcept;
+    UrethraBladder(const UrethraAnatomy& anatomy, const Endoscope& endoscope,
+                   const CentrelinePoint& neck) noexcept;
 
     BladderResponse respond(const core::Vec3& p_A) const noexcept;
     const core::Vec3& centre_A() const noexcept { return m_centre_A; }

@@ -63,20 +63,24 @@ struct FreeHold {
 
 FreeHold holdFreePart(const UrethraForces::Tables& tables, const CentrelineFoot& foot) noexcept {
     FreeHold hold;
-    const double offset = std::sqrt(foot.ex_m * foot.ex_m + foot.en_m * foot.en_m), beyond = offset - core::kCanalReach_m;
+    const double offset = std::sqrt(foot.ex_m * foot.ex_m + foot.en_m * foot.en_m),
+                 beyond = offset - core::kCanalReach_m;
     if (!(tables.freeHold_N_per_m > 0.0 && beyond > 0.0))
         return hold;
-    const double s = foot.at.s_m, in = (s + tables.ahead_m) / tables.freeRise_m, on = 0.5 + 0.5 * (s - tables.freeFrom_m) / tables.freeBlend_m;
+    const double s = foot.at.s_m, in = (s + tables.ahead_m) / tables.freeRise_m,
+                 on = 0.5 + 0.5 * (s - tables.freeFrom_m) / tables.freeBlend_m;
     const double rise = smoothstep(in), fall = 1.0 - smoothstep(on);
     const double k = tables.freeHold_N_per_m, half = 0.5 * k * beyond * beyond;
     hold.energy_J = half * rise * fall;
-    const double weightSlope = smoothstepSlope(in) / tables.freeRise_m * fall - rise * smoothstepSlope(on) * 0.5 / tables.freeBlend_m;
+    const double weightSlope = smoothstepSlope(in) / tables.freeRise_m * fall -
+                               rise * smoothstepSlope(on) * 0.5 / tables.freeBlend_m;
     hold.slope_N = half * weightSlope;
     hold.cross_N_per_m = k * beyond * std::abs(weightSlope);
     hold.gradient_N = k * beyond * rise * fall / offset * core::Vec2(foot.ex_m, foot.en_m);
     hold.stiffness_N_per_m = k * rise * fall;
     // Bounds the second derivatives of the two smoothsteps
-    const double steep = 6.0 * (1.0 / (tables.freeRise_m * tables.freeRise_m) + 0.25 / (tables.freeBlend_m * tables.freeBlend_m));
+    const double steep = 6.0 * (1.0 / (tables.freeRise_m * tables.freeRise_m) +
+                                0.25 / (tables.freeBlend_m * tables.freeBlend_m));
     hold.axial_N_per_m = (in > 0.0 && in < 1.0) || (on > 0.0 && on < 1.0) ? half * steep : 0.0;
     return hold;
 }
@@ -136,36 +140,47 @@ UrethraResponse UrethraForces::respond(const EndoscopeMotion& motion) const noex
                          k_phi * (twist.x() * (at.curvature_per_m + pivot.slope_per_m2 * r.foot.en_m) -
                                   twist.y() * pivot.slope_per_m2 * r.foot.ex_m);
     r.elastic_N = -slope * r.foot.gradientOfS_A.dot(at.t_A);
-    const core::Vec2 gradient = sums.gradient_N + hold.gradient_N + k_phi * pivot.turn_per_m * core::Vec2(-twist.y(), twist.x());
+    const core::Vec2 gradient =
+        sums.gradient_N + hold.gradient_N + k_phi * pivot.turn_per_m * core::Vec2(-twist.y(), twist.x());
     r.lateral_A = -gradient.x() * core::Vec3::UnitX() - gradient.y() * at.n_A + bladder.force_A;
     r.normal_N = sums.normal_N;
-    const double stretch = r.foot.gradientOfS_A.norm(), offset = std::sqrt(r.foot.ex_m * r.foot.ex_m + r.foot.en_m * r.foot.en_m);
-    const double turning = bent + turned * offset, stiffening = std::abs(tables.angular.slope(at.s_m)), lever = std::abs(pivot.turn_per_m);
+    const double stretch = r.foot.gradientOfS_A.norm(),
+                 offset = std::sqrt(r.foot.ex_m * r.foot.ex_m + r.foot.en_m * r.foot.en_m);
+    const double turning = bent + turned * offset, stiffening = std::abs(tables.angular.slope(at.s_m)),
+                 lever = std::abs(pivot.turn_per_m);
     const double across = sums.stiffness_N_per_m + hold.stiffness_N_per_m + k_phi * lever * lever;
-    const double axial = sums.axial_N_per_m + hold.axial_N_per_m + 0.5 * tilt2 * tables.angular.bend() + 2.0 * stiffening * tilt * turning +
-                         k_phi * (turning * turning + tilt * (std::abs(at.bending_per_m2) + pivot.bend_per_m3 * offset));
-    const double mixed = sums.cross_N_per_m + hold.cross_N_per_m + tilt * (stiffening * lever + k_phi * turned) + k_phi * lever * turning;
-    r.stiffness_N_per_m = bladder.stiffness_N_per_m + std::abs(slope) * r.foot.bendOfS_per_m +
-                          largestStretch(across, stretch * (stretch * axial + bent * std::abs(gradient.y())), stretch * mixed);
+    const double axial =
+        sums.axial_N_per_m + hold.axial_N_per_m + 0.5 * tilt2 * tables.angular.bend() +
+        2.0 * stiffening * tilt * turning +
+        k_phi * (turning * turning + tilt * (std::abs(at.bending_per_m2) + pivot.bend_per_m3 * offset));
+    const double mixed = sums.cross_N_per_m + hold.cross_N_per_m +
+                         tilt * (stiffening * lever + k_phi * turned) + k_phi * lever * turning;
+    r.stiffness_N_per_m =
+        bladder.stiffness_N_per_m + std::abs(slope) * r.foot.bendOfS_per_m +
+        largestStretch(across, stretch * (stretch * axial + bent * std::abs(gradient.y())), stretch * mixed);
 
     const double along = motion.v_A.dot(a);
     const double spin = motion.w_A.dot(a);
     const double around = spin * tables.scopeRadius_m;
     // Viscosity and friction's slope share the tool's budget; friction keeps at least half of it.
-    const double viscous = std::min(tables.viscosity_Ns_per_m2 * sums.opened_m, 0.5 * motion.mostDamping_Ns_per_m);
+    const double viscous =
+        std::min(tables.viscosity_Ns_per_m2 * sums.opened_m, 0.5 * motion.mostDamping_Ns_per_m);
     const double steepest = std::min(tables.maximumDamping_Ns_per_m, motion.mostDamping_Ns_per_m - viscous);
-    const double v0 = steepest > 0.0 ? std::max(tables.leastSpeed_m_per_s, sums.friction_N / steepest) : std::numeric_limits<double>::infinity();
+    const double v0 = steepest > 0.0 ? std::max(tables.leastSpeed_m_per_s, sums.friction_N / steepest)
+                                     : std::numeric_limits<double>::infinity();
     const double coulomb = sums.friction_N / std::sqrt(along * along + around * around + v0 * v0);
     // The wall is not purely elastic (Kelvin–Voigt). It damps across the axis, where friction and viscosity
     // do not act, so each direction has the whole budget.
-    const double wall = std::min(tables.wallRetardation_s * sums.yielding_N_per_m, motion.mostDamping_Ns_per_m);
+    const double wall =
+        std::min(tables.wallRetardation_s * sums.yielding_N_per_m, motion.mostDamping_Ns_per_m);
     const core::Vec3 across_A = motion.v_A - along * a;
     r.wallDamped_N = wall * across_A.norm();
     r.damping_Ns_per_m = std::max(coulomb + viscous, wall);
     r.friction_N = -coulomb * along;
     r.viscous_N = -viscous * along;
     r.torqueZ_Nm = -(coulomb + viscous) * around * tables.scopeRadius_m;
-    r.wrench_A.force = r.lateral_A - slope * r.foot.gradientOfS_A + (r.friction_N + r.viscous_N) * a - wall * across_A;
+    r.wrench_A.force =
+        r.lateral_A - slope * r.foot.gradientOfS_A + (r.friction_N + r.viscous_N) * a - wall * across_A;
     r.wrench_A.torque += r.torqueZ_Nm * a;
     return r;
 }

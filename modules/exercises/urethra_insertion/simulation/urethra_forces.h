@@ -21,7 +21,7 @@ struct UrethraForceSettings {
     /// For ForceSections::fine: Δs = L/⌈L/step⌉, where step is this value or, if less, the narrowest edge of
     /// a local change / 3.2.
     double maximumStep_m = 0.00125;
-    int basicSections = 26;           ///< of p1Basic: number of sections, equidistant along z; ≥ 2
+    int basicSections = 26; ///< of p1Basic: number of sections, equidistant along z; ≥ 2
     /// One count at the tip, V₀ ≥ count/15 ms (models.md §0); a session sets its device's value here.
     double count_m = 25e-6;
     /// Bound on friction's slope, V₀ ≥ μN/b_max; a session sets its device's value where that is smaller.
@@ -43,28 +43,29 @@ struct EndoscopeMotion {
 /// Unit: SI.
 /// Frame: A.
 struct UrethraResponse {
-    core::Wrench wrench_A;    ///< the total: force at the tip, torque about it
-    CentrelineFoot foot;      ///< s_t and e
-    double phiX_rad = 0.0;    ///< ψ(s_t) − atan2(a_y, a_z)
-    double phiY_rad = 0.0;    ///< asin a_x
-    double normal_N = 0.0;    ///< N = Σ k Δ(1+βΔ)
-    double friction_N = 0.0;  ///< F1, along the axis (signed)
-    double viscous_N = 0.0;   ///< F2, along the axis (signed)
+    core::Wrench wrench_A;     ///< the total: force at the tip, torque about it
+    CentrelineFoot foot;       ///< s_t and e
+    double phiX_rad = 0.0;     ///< ψ(s_t) − atan2(a_y, a_z)
+    double phiY_rad = 0.0;     ///< asin a_x
+    double normal_N = 0.0;     ///< N = Σ k Δ(1+βΔ)
+    double friction_N = 0.0;   ///< F1, along the axis (signed)
+    double viscous_N = 0.0;    ///< F2, along the axis (signed)
     double wallDamped_N = 0.0; ///< the wall's damping force against a motion across the axis; ≥ 0
-    double elastic_N = 0.0;   ///< −F3: elastic force along t (signed; negative pushes out), without the bladder's wall
+    double elastic_N =
+        0.0; ///< −F3: elastic force along t (signed; negative pushes out), without the bladder's wall
     core::Vec3 lateral_A = core::Vec3::Zero(); ///< −∂U/∂e, in the tip's section, plus the bladder's wall
     core::Vec3 bladder_A = core::Vec3::Zero(); ///< the part due to the bladder's wall
-    double torqueX_Nm = 0.0;  ///< T_x = −k_φ (φ_x + c e_n), c: UrethraPivot
-    double torqueY_Nm = 0.0;  ///< T_y = −k_φ (φ_y − c e_x)
-    double torqueZ_Nm = 0.0;  ///< T_z, about the axis
-    double energy_J = 0.0;    ///< U
+    double torqueX_Nm = 0.0;                   ///< T_x = −k_φ (φ_x + c e_n), c: UrethraPivot
+    double torqueY_Nm = 0.0;                   ///< T_y = −k_φ (φ_y − c e_x)
+    double torqueZ_Nm = 0.0;                   ///< T_z, about the axis
+    double energy_J = 0.0;                     ///< U
     /// Upper bound of the present stiffness of the elastic forces, across and along, for the passivity
     /// credit.
     double stiffness_N_per_m = 0.0;
     /// Used part of the tool's budget: friction at this speed plus viscosity along the axis, or the wall
     /// across it, whichever is larger.
     double damping_Ns_per_m = 0.0;
-    bool touching = false;    ///< the beak is inside, or the bladder's wall is touched
+    bool touching = false; ///< the beak is inside, or the bladder's wall is touched
 };
 
 /// Computes P1's forces and torques (eq. 1–6) with every elastic term from one potential (models.md §1.2).
@@ -74,7 +75,8 @@ struct UrethraResponse {
 /// Thread: any (immutable after construction).
 class UrethraForces {
 public:
-    UrethraForces(const UrethraAnatomy& anatomy, const Endoscope& endoscope, const UrethraForceSettings& settings = {});
+    UrethraForces(const UrethraAnatomy& anatomy, const Endoscope& endoscope,
+                  const UrethraForceSettings& settings = {});
     ~UrethraForces();
     UrethraForces(const UrethraForces&) = delete;
     UrethraForces& operator=(const UrethraForces&) = delete;

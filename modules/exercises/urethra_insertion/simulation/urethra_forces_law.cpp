@@ -164,13 +164,32 @@ UrethraForceSettings settingsFrom(std::span<const double> p) noexcept {
 
 void write(const UrethraResponse& r, std::span<double> out) noexcept {
     const core::Array6 whole = core::toArray(r.wrench_A);
-    const std::array<double, kOutputs.size()> values{
-        r.foot.at.s_m,   r.foot.ex_m,     r.foot.en_m,     r.phiX_rad,     r.phiY_rad,
-        r.normal_N,      r.friction_N,    r.viscous_N,     r.elastic_N,    r.lateral_A.x(),
-        r.lateral_A.y(), r.lateral_A.z(), r.torqueX_Nm,    r.torqueY_Nm,   r.torqueZ_Nm,
-        whole[0],        whole[1],        whole[2],        whole[3],       whole[4],
-        whole[5],        r.energy_J,      r.stiffness_N_per_m, r.bladder_A.norm(), r.touching ? 1.0 : 0.0,
-        r.wallDamped_N};
+    const std::array<double, kOutputs.size()> values{r.foot.at.s_m,
+                                                     r.foot.ex_m,
+                                                     r.foot.en_m,
+                                                     r.phiX_rad,
+                                                     r.phiY_rad,
+                                                     r.normal_N,
+                                                     r.friction_N,
+                                                     r.viscous_N,
+                                                     r.elastic_N,
+                                                     r.lateral_A.x(),
+                                                     r.lateral_A.y(),
+                                                     r.lateral_A.z(),
+                                                     r.torqueX_Nm,
+                                                     r.torqueY_Nm,
+                                                     r.torqueZ_Nm,
+                                                     whole[0],
+                                                     whole[1],
+                                                     whole[2],
+                                                     whole[3],
+                                                     whole[4],
+                                                     whole[5],
+                                                     r.energy_J,
+                                                     r.stiffness_N_per_m,
+                                                     r.bladder_A.norm(),
+                                                     r.touching ? 1.0 : 0.0,
+                                                     r.wallDamped_N};
     for (std::size_t i = 0; i < values.size(); ++i)
         out[i] = values[i];
 }
@@ -180,7 +199,9 @@ std::string problem(std::span<const double> p, std::span<const double> in) {
         return problems.front().field + ": " + problems.front().reason;
     if (const double basic = p[kOthersFrom + 6]; basic == 1.0)
         return core::lawProblem("basic_sections", basic, "0 for the fine grid, or at least 2");
-    return !in.empty() && !(core::Vec3(in[3], in[4], in[5]).norm() > 0.0) ? "ax, ay, az 0: expected the endoscope's axis, of any length but 0" : "";
+    return !in.empty() && !(core::Vec3(in[3], in[4], in[5]).norm() > 0.0)
+               ? "ax, ay, az 0: expected the endoscope's axis, of any length but 0"
+               : "";
 }
 
 /// The output is NaN for an endoscope without a direction and for an invalid urethra, as in the laws of

@@ -26,7 +26,13 @@ inline SpringResult taut(double A, double b, double beta) noexcept {
     constexpr double n = RadialSprings::kCount;
     const double square = A * A + 0.5 * b * b;
     const double half = n * (0.5 + beta * A);
-    return {n * (0.5 * square + beta / 3.0 * A * (square + b * b)), n * (A + beta * square), b * half, 0.0, half, half, 0.0};
+    return {n * (0.5 * square + beta / 3.0 * A * (square + b * b)),
+            n * (A + beta * square),
+            b * half,
+            0.0,
+            half,
+            half,
+            0.0};
 }
 
 /// Some springs are slack: the same sums over the compressed ones.
@@ -53,7 +59,8 @@ public:
         : m_springs(ex_m, en_m), m_offset_m(m_springs.offset_m()), m_beta(beta), m_sums(centred) {}
 
     /// Adds a section behind the tip, whose centre follows the tip by B.
-    void addBehind(const UrethraForceSection& at, const UrethraForcePassed* centred, double B, double slopeOfB) noexcept {
+    void addBehind(const UrethraForceSection& at, const UrethraForcePassed* centred, double B,
+                   double slopeOfB) noexcept {
         const double b = at.constrained * B * m_offset_m, touching = touchingWeight(at.squeeze_m + b);
         m_sums.length_m += at.step_m * touching - at.dragged_m;
         addYielding(at, at.squeeze_m, B, touching);
@@ -63,8 +70,10 @@ public:
             addNormal(at, at.stiffness_N_per_m * r.normal - (centred[1].normal_N - centred[0].normal_N));
             addLateral(at, r, B, slopeOfB);
             const double moved_m = at.constrained * m_offset_m;
-            m_axialBehind += at.stiffness_N_per_m * moved_m * (moved_m * B * (1.0 - B) * r.alongSlope + 0.5 * std::abs(r.along));
-            m_crossBehind += at.stiffness_N_per_m * at.constrained * std::abs(slopeOfB) * (b * r.alongSlope + std::abs(r.along));
+            m_axialBehind += at.stiffness_N_per_m * moved_m *
+                             (moved_m * B * (1.0 - B) * r.alongSlope + 0.5 * std::abs(r.along));
+            m_crossBehind += at.stiffness_N_per_m * at.constrained * std::abs(slopeOfB) *
+                             (b * r.alongSlope + std::abs(r.along));
             return;
         }
         const double follow = at.follow_N_per_m * B;
@@ -105,10 +114,12 @@ public:
         sums.opened_m = std::max(0.0, m_sums.length_m);
         sums.slope_N = m_slope + 2.0 * half2 * m_followSlope;
         sums.gradient_N = m_springs.inSection(m_along + m_offset_m * m_followSquare, m_across);
-        const double ahead2 = core::kPi * core::kPi / (ahead_m * ahead_m), behind2 = core::kPi * core::kPi / (behind_m * behind_m);
+        const double ahead2 = core::kPi * core::kPi / (ahead_m * ahead_m),
+                     behind2 = core::kPi * core::kPi / (behind_m * behind_m);
         sums.axial_N_per_m = ahead2 * m_axialAhead + behind2 * (m_axialBehind + 2.0 * half2 * m_axialFollow);
         // The two have opposite signs
-        sums.cross_N_per_m = std::max(m_crossAhead, m_crossBehind + 2.0 * m_offset_m * std::abs(m_followSlope));
+        sums.cross_N_per_m =
+            std::max(m_crossAhead, m_crossBehind + 2.0 * m_offset_m * std::abs(m_followSlope));
         sums.yielding_N_per_m = 0.5 * RadialSprings::kCount * m_yielding;
         sums.stiffness_N_per_m = m_followSquare + std::max(m_alongSlope, m_acrossSlope) + m_coupling;
         return sums;
@@ -123,7 +134,8 @@ private:
         const double aB = at.constrained * B;
         m_yielding += at.stiffness_N_per_m * aB * aB * (1.0 + 2.0 * m_beta * std::max(0.0, A)) * touching;
     }
-    void addLateral(const UrethraForceSection& at, const SpringResult& r, double B, double slopeOfB) noexcept {
+    void addLateral(const UrethraForceSection& at, const SpringResult& r, double B,
+                    double slopeOfB) noexcept {
         const double ka = at.stiffness_N_per_m * at.constrained;
         const double square = ka * at.constrained * B * B;
         m_slope += ka * slopeOfB * m_offset_m * r.along;
@@ -154,7 +166,8 @@ UrethraSectionSums sumUrethraSections(const UrethraForces::Tables& tables, doubl
     const UrethraForceSection* const at = tables.sections.data();
     const int middle = tables.firstFrom(tip_s_m);
     const int end = tables.firstFrom(tip_s_m + tables.ahead_m);
-    const int first = std::min(middle, std::max(tables.firstFrom(tip_s_m - tables.behind_m), tables.firstConstrained));
+    const int first =
+        std::min(middle, std::max(tables.firstFrom(tip_s_m - tables.behind_m), tables.firstConstrained));
     const UrethraForcePassed* const passed = tables.passed.data();
     Summation sum(ex_m, en_m, tables.stiffening_per_m, passed[middle]);
     const double behind = core::kPi / tables.behind_m;

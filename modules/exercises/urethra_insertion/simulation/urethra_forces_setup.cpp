@@ -12,9 +12,9 @@ namespace chiron::simulation {
 
 namespace {
 
-constexpr double kLeastSpeed_m_per_s = 0.001;  // models.md §0
-constexpr double kVelocityWindow_s = 0.015;    // models.md §0: the estimator's longest window
-constexpr double kShortest_m = 1e-6;           // keeps invalid data finite; content refuses such data
+constexpr double kLeastSpeed_m_per_s = 0.001; // models.md §0
+constexpr double kVelocityWindow_s = 0.015;   // models.md §0: the estimator's longest window
+constexpr double kShortest_m = 1e-6;          // keeps invalid data finite; content refuses such data
 constexpr int kMostSections = 4096;
 constexpr double kSectionsOnAnEdge = 3.2;
 
@@ -62,13 +62,14 @@ UrethraForceSection sectionAt(const Place& place, const UrethraWall& wall, doubl
     const double radius_m = wall.radius_m(place.s_m);
     section.s_m = place.s_m;
     section.step_m = place.step_m;
-    section.stiffness_N_per_m = wall.stiffness_N_per_m3(place.s_m) * 2.0 * core::kPi * radius_m / RadialSprings::kCount *
-                                place.step_m;
+    section.stiffness_N_per_m = wall.stiffness_N_per_m3(place.s_m) * 2.0 * core::kPi * radius_m /
+                                RadialSprings::kCount * place.step_m;
     section.squeeze_m = wall.endoscope().radius_m - radius_m;
     section.friction = wall.friction(place.s_m);
     section.constrained = wall.constrained(place.s_m);
     section.dragged_m = place.step_m * touchingWeight(section.squeeze_m);
-    const double all = RadialSprings::kCount * section.stiffness_N_per_m * section.constrained * section.constrained;
+    const double all =
+        RadialSprings::kCount * section.stiffness_N_per_m * section.constrained * section.constrained;
     section.follow_N_per_m = all * (0.5 + beta * section.squeeze_m);
     section.press_N_per_m2 = all * beta;
     section.cosAhead = std::cos(core::kPi * place.s_m / ahead_m);
@@ -78,7 +79,8 @@ UrethraForceSection sectionAt(const Place& place, const UrethraWall& wall, doubl
     return section;
 }
 
-UrethraForcePassed withSection(const UrethraForcePassed& before, const UrethraForceSection& section, double beta) {
+UrethraForcePassed withSection(const UrethraForcePassed& before, const UrethraForceSection& section,
+                               double beta) {
     const double d = std::max(0.0, section.squeeze_m);
     const double normal = RadialSprings::kCount * section.stiffness_N_per_m * d * (1.0 + beta * d);
     UrethraForcePassed sum = before;
@@ -140,7 +142,8 @@ UrethraForces::Tables::Tables(const UrethraCentreline& centreline, const Urethra
     }
 }
 
-UrethraForces::UrethraForces(const UrethraAnatomy& anatomy, const Endoscope& endoscope, const UrethraForceSettings& settings)
+UrethraForces::UrethraForces(const UrethraAnatomy& anatomy, const Endoscope& endoscope,
+                             const UrethraForceSettings& settings)
     : m_centreline(anatomy), m_wall(anatomy, endoscope), m_settings(settings),
       m_tables(std::make_unique<const Tables>(m_centreline, m_wall, settings)) {}
 

@@ -8,9 +8,9 @@ namespace chiron::simulation {
 
 namespace {
 
-constexpr double kC1 = 0.92387953251128674; // cos π/8
-constexpr double kS1 = 0.38268343236508977; // sin π/8
-constexpr double kC2 = 0.70710678118654752; // cos π/4
+constexpr double kC1 = 0.92387953251128674;    // cos π/8
+constexpr double kS1 = 0.38268343236508977;    // sin π/8
+constexpr double kC2 = 0.70710678118654752;    // cos π/4
 constexpr double kTan1 = 0.41421356237309505;  // tan π/8
 constexpr double kTan05 = 0.19891236737965800; // tan π/16
 
@@ -52,7 +52,8 @@ constexpr auto kArcs = [] {
 
 } // namespace
 
-RadialSprings::RadialSprings(double ex_m, double en_m) noexcept : m_offset_m(std::sqrt(ex_m * ex_m + en_m * en_m)) {
+RadialSprings::RadialSprings(double ex_m, double en_m) noexcept
+    : m_offset_m(std::sqrt(ex_m * ex_m + en_m * en_m)) {
     if (m_offset_m > 0.0) {
         m_ex = ex_m / m_offset_m;
         m_en = en_m / m_offset_m;

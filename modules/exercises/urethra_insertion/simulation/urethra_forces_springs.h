@@ -51,7 +51,7 @@ private:
     void sum(int compressed) noexcept;
 
     double m_offset_m;
-    double m_ex = 1.0, m_en = 0.0; ///< ê
+    double m_ex = 1.0, m_en = 0.0;   ///< ê
     double m_cos = 1.0, m_sin = 0.0; ///< ê mirrored into the wedge 0 … π/16 from a spring
     double m_turn = 1.0;             ///< −1 where that took an odd number of reflections
     bool m_ordered = false;

@@ -21,8 +21,8 @@ struct UrethraForceSection {
     /// While no spring of an opened section (W = 1) is slack, its sums over the springs are as follows, with
     /// e² = |e|²B²: energy ½ e² `follow`, normal force ½ e² `press`, lateral force |e|B² `follow`. Each adds
     /// to what the centred tip causes.
-    double follow_N_per_m = 0.0;    ///< 16 k a² (½ + β(r_e − r_u))
-    double press_N_per_m2 = 0.0;    ///< 16 k a² β
+    double follow_N_per_m = 0.0; ///< 16 k a² (½ + β(r_e − r_u))
+    double press_N_per_m2 = 0.0; ///< 16 k a² β
     double cosAhead = 0.0, sinAhead = 0.0;
     double cosBehind = 0.0, sinBehind = 0.0;
 };
@@ -80,21 +80,22 @@ struct UrethraForces::Tables {
     UrethraAngularStiffness angular;
     UrethraPivot pivot;
     UrethraBladder bladder;
-    double stiffening_per_m = 0.0;     ///< β
-    double viscosity_Ns_per_m2 = 0.0;  ///< b′
-    double wallRetardation_s = 0.0;    ///< τ
+    double stiffening_per_m = 0.0;    ///< β
+    double viscosity_Ns_per_m2 = 0.0; ///< b′
+    double wallRetardation_s = 0.0;   ///< τ
     double freeHold_N_per_m = 0.0;
     double freeFrom_m = 0.0, freeBlend_m = 0.0; ///< s_B, and half the range over which a(s) rises
     /// Distance, from the first contact to s_B − the blend, over which the hold sets in; at least the beak's
     /// length.
     double freeRise_m = 0.0;
-    double ahead_m = 0.0;              ///< ℓ
-    double behind_m = 0.0;             ///< ℓ_b
-    double scopeRadius_m = 0.0;        ///< r_e
-    double leastSpeed_m_per_s = 0.0;   ///< V₀ without friction: max(1 mm/s, count/15 ms)
+    double ahead_m = 0.0;            ///< ℓ
+    double behind_m = 0.0;           ///< ℓ_b
+    double scopeRadius_m = 0.0;      ///< r_e
+    double leastSpeed_m_per_s = 0.0; ///< V₀ without friction: max(1 mm/s, count/15 ms)
     double maximumDamping_Ns_per_m = 0.0;
 
-    Tables(const UrethraCentreline& centreline, const UrethraWall& wall, const UrethraForceSettings& settings);
+    Tables(const UrethraCentreline& centreline, const UrethraWall& wall,
+           const UrethraForceSettings& settings);
 
     /// Index of the first section with s_i ≥ s; the number of sections if there is none.
     int firstFrom(double s_m) const noexcept;

@@ -44,7 +44,7 @@ struct UrethraInsertionParameters {
     AnatomyPose pose;
 
     std::string tissue = "normal"; ///< name of the preset, shown to people: normal, tight, stricture
-    YieldLaw yield;           ///< when the wall gives way to a false passage; by default never
+    YieldLaw yield;                ///< when the wall gives way to a false passage; by default never
     /// The shaft enters only within this distance of the centre-line (MeatusGate); 0: anywhere.
     double meatus_m = 0.0;
     /// Depth of the tip that ends the insertion; 0: the bladder neck C and 10 mm beyond.
@@ -54,14 +54,14 @@ struct UrethraInsertionParameters {
     std::vector<BladderLandmark> landmarks; ///< to be inspected after the goal; at most 16
     /// A landmark counts as seen within this angle of the centre of the view …
     double landmarkHalfAngle_rad = 0.2617993877991494;
-    double landmarkDistance_m = 0.080;                 ///< … and nearer than this …
-    double landmarkHold_s = 1.0;                       ///< … for this long …
-    double landmarkSpeed_m_per_s = 0.005;              ///< … with the tip no faster than this
+    double landmarkDistance_m = 0.080;    ///< … and nearer than this …
+    double landmarkHold_s = 1.0;          ///< … for this long …
+    double landmarkSpeed_m_per_s = 0.005; ///< … with the tip no faster than this
     double trialLimit_s = 180.0;
-    double maximumForce_N = 4.0;   ///< the exercise's cap and the limit of force metrics
+    double maximumForce_N = 4.0; ///< the exercise's cap and the limit of force metrics
     double maximumTorque_Nm = 0.150;
-    double lateralLimit_N = 2.0;   ///< trauma: lateral force above this for 20 ms, re-armed below 80 %
-    bool depthOfField = false;     ///< initial setting of the level
+    double lateralLimit_N = 2.0;    ///< trauma: lateral force above this for 20 ms, re-armed below 80 %
+    bool depthOfField = false;      ///< initial setting of the level
     bool depthOfFieldFixed = false; ///< the user may not switch it
     std::vector<std::string> cues;
 };

@@ -21,15 +21,18 @@ constexpr double kCheckedOffset_m = 0.006, kCheckedTilt_rad = core::kPi / 6.0;
 constexpr double kRounding = 1.0 + 1e-9;
 
 bool isPose(const core::ToolState& tool) noexcept {
-    return tool.p_WT.allFinite() && tool.v_WT.allFinite() && tool.w_WT.allFinite() && tool.q_WT.coeffs().allFinite() &&
-           tool.q_WT.squaredNorm() > 0.5;
+    return tool.p_WT.allFinite() && tool.v_WT.allFinite() && tool.w_WT.allFinite() &&
+           tool.q_WT.coeffs().allFinite() && tool.q_WT.squaredNorm() > 0.5;
 }
 
-std::array<double, 3> arrayOf(const core::Vec3& v) noexcept { return {v.x(), v.y(), v.z()}; }
+std::array<double, 3> arrayOf(const core::Vec3& v) noexcept {
+    return {v.x(), v.y(), v.z()};
+}
 
 } // namespace
 
-void UrethraInsertionScene::respond(const realtime::HapticTick&, const SceneInput& in, SceneOutput& out) noexcept {
+void UrethraInsertionScene::respond(const realtime::HapticTick&, const SceneInput& in,
+                                    SceneOutput& out) noexcept {
     out = SceneOutput{};
     sense(in.tools, in.dampingBudget_Ns_per_m[0]);
     advance(in, out);
@@ -63,7 +66,8 @@ bool UrethraInsertionScene::beyondChecked() const noexcept {
     if (foot.at.s_m > m_tracker.plan().neck_m)
         return (m_motion.p_A - m_bladderCentre_A).norm() > m_bladderReach_m;
     return std::max(std::abs(foot.ex_m), std::abs(foot.en_m)) > kCheckedOffset_m * kRounding ||
-           std::max(std::abs(m_response.phiX_rad), std::abs(m_response.phiY_rad)) > kCheckedTilt_rad * kRounding;
+           std::max(std::abs(m_response.phiX_rad), std::abs(m_response.phiY_rad)) >
+               kCheckedTilt_rad * kRounding;
 }
 
 void UrethraInsertionScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
@@ -101,8 +105,8 @@ void UrethraInsertionScene::runTrial(SceneOutput& out) noexcept {
     ++m_clock;
     if (m_sensed) {
         const CentrelineFoot& foot = m_response.foot;
-        const ProcedureStep step =
-            m_tracker.advance({foot.at.s_m, m_motion.p_A, m_motion.axis_A, std::hypot(foot.ex_m, foot.en_m)}, kTick_us);
+        const ProcedureStep step = m_tracker.advance(
+            {foot.at.s_m, m_motion.p_A, m_motion.axis_A, std::hypot(foot.ex_m, foot.en_m)}, kTick_us);
         out.events |= step.stageChanged ? bits::kStageChanged : 0u;
         out.events |= step.seenNow != 0 ? bits::kLandmarkSeen : 0u;
     }
@@ -131,14 +135,16 @@ void UrethraInsertionScene::answer(const core::ToolStates& tools, SceneOutput& o
     m_touching = touching;
     if (!felt)
         m_yield.reset(); // nothing has been seen there yet
-    const double whole = !felt ? 1.0
-                               : m_yield.step(touching ? m_response.wrench_A.force.norm() : 0.0, !touching, core::kTickSeconds,
-                                              touching ? m_response.wrench_A.torque.norm() : 0.0);
+    const double whole =
+        !felt ? 1.0
+              : m_yield.step(touching ? m_response.wrench_A.force.norm() : 0.0, !touching, core::kTickSeconds,
+                             touching ? m_response.wrench_A.torque.norm() : 0.0);
     if (!touching)
         return;
     namespace contact = core::contact_bits;
-    out.contact[0] = static_cast<std::uint8_t>((m_yield.yielded() ? contact::kYielded : 0) | (m_yield.through() ? contact::kThrough : 0) |
-                                               (m_yield.through() || beyondChecked() ? contact::kBeyondChecked : 0));
+    out.contact[0] = static_cast<std::uint8_t>(
+        (m_yield.yielded() ? contact::kYielded : 0) | (m_yield.through() ? contact::kThrough : 0) |
+        (m_yield.through() || beyondChecked() ? contact::kBeyondChecked : 0));
     out.tissue.tools[0].force = whole * m_pose.vectorToW(m_response.wrench_A.force);
     out.tissue.tools[0].torque = whole * m_pose.vectorToW(m_response.wrench_A.torque);
     out.storedEnergy_J = whole * m_response.energy_J;

@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kCheckedWall_m = 0.002;
 
-bool has(const std::vector<std::string>& cues, const char* cue) { return std::find(cues.begin(), cues.end(), cue) != cues.end(); }
+bool has(const std::vector<std::string>& cues, const char* cue) {
+    return std::find(cues.begin(), cues.end(), cue) != cues.end();
+}
 
 } // namespace
 
@@ -25,7 +27,8 @@ UrethraInsertionScene::UrethraInsertionScene(const UrethraInsertionParameters& p
       m_sight(parameters), m_tracker(procedurePlan(parameters)),
       m_limitTicks(static_cast<std::uint64_t>(
           std::max<long long>(1, std::llround(std::max(0.0, parameters.trialLimit_s) / core::kTickSeconds)))),
-      m_cosHalfView(std::cos(0.5 * parameters.endoscope.fieldOfView_rad)), m_showsPicture(has(parameters.cues, "object")),
+      m_cosHalfView(std::cos(0.5 * parameters.endoscope.fieldOfView_rad)),
+      m_showsPicture(has(parameters.cues, "object")),
       m_showsGuidance(m_showsPicture && has(parameters.cues, "guidance")) {}
 
 UrethraInsertionScene::~UrethraInsertionScene() = default;

@@ -35,18 +35,22 @@ std::vector<OutlinePoint> outline(const MeshSource& s) {
     const double fade2 = std::max(0.25 * R * R, 4.0 * R * s.bumpHeight_m);
     const double margin = std::min(s.bumpWavelength_m, 0.25 * R); // the bumps fade out within this distance
     std::vector<OutlinePoint> points;
-    const auto steps = [&](double length) { return std::max(1, static_cast<int>(std::lround(length / s.edge_m))); };
+    const auto steps = [&](double length) {
+        return std::max(1, static_cast<int>(std::lround(length / s.edge_m)));
+    };
     const int onDome = std::max(3, steps(0.5 * core::kPi * R));
     for (int i = 0; i <= onDome; ++i) {
         const double angle = 0.5 * core::kPi * i / onDome;
         const double rho = i == 0 ? 0.0 : R * std::sin(angle), z = i == onDome ? 0.0 : R * std::cos(angle);
         const double toPlate = R * (0.5 * core::kPi - angle);
-        points.push_back({rho, z, std::sin(angle), std::cos(angle), std::min(1.0, rho * rho / fade2) * smooth(toPlate / margin)});
+        points.push_back({rho, z, std::sin(angle), std::cos(angle),
+                          std::min(1.0, rho * rho / fade2) * smooth(toPlate / margin)});
     }
     const int onPlate = steps(s.plateRadius_m - R);
     for (int i = 1; i <= onPlate; ++i) {
         const double rho = R + (s.plateRadius_m - R) * i / onPlate;
-        points.push_back({rho, 0.0, 0.0, 1.0, smooth((rho - R) / margin) * smooth((s.plateRadius_m - rho) / margin)});
+        points.push_back(
+            {rho, 0.0, 0.0, 1.0, smooth((rho - R) / margin) * smooth((s.plateRadius_m - rho) / margin)});
     }
     const int onSide = steps(s.plateThickness_m);
     for (int i = 1; i <= onSide; ++i)
@@ -77,12 +81,15 @@ Ring addRing(const OutlinePoint& at, double edge, bool odd, const MeshBumps& bum
 /// by angle, advances.
 void stitch(const Ring& inner, const Ring& outer, MeshShape& shape) {
     const auto vertex = [](const Ring& ring, std::uint32_t i) { return ring.first + i % ring.count; };
-    const auto angle = [](const Ring& ring, std::uint32_t i) { return ring.turn + static_cast<double>(i) / ring.count; };
+    const auto angle = [](const Ring& ring, std::uint32_t i) {
+        return ring.turn + static_cast<double>(i) / ring.count;
+    };
     const std::uint32_t innerSteps = inner.count == 1 ? 0 : inner.count;
     const std::uint32_t outerSteps = outer.count == 1 ? 0 : outer.count;
     std::uint32_t i = 0, o = 0;
     while (i < innerSteps || o < outerSteps) {
-        const bool goOuter = i == innerSteps || (o < outerSteps && angle(outer, o + 1) <= angle(inner, i + 1));
+        const bool goOuter =
+            i == innerSteps || (o < outerSteps && angle(outer, o + 1) <= angle(inner, i + 1));
         if (goOuter) {
             shape.triangles.push_back({vertex(inner, i), vertex(outer, o), vertex(outer, o + 1)});
             ++o;

@@ -22,9 +22,21 @@ struct Icosahedron {
 
 Icosahedron icosahedron() {
     const double g = 0.5 * (1.0 + std::sqrt(5.0)), n = 1.0 / std::sqrt(1.0 + g * g), a = n, b = g * n;
-    return {{{{-a, b, 0}, {a, b, 0}, {-a, -b, 0}, {a, -b, 0}, {0, -a, b}, {0, a, b}, {0, -a, -b}, {0, a, -b}, {b, 0, -a}, {b, 0, a}, {-b, 0, -a}, {-b, 0, a}}},
-            {{{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-              {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}}};
+    return {{{{-a, b, 0},
+              {a, b, 0},
+              {-a, -b, 0},
+              {a, -b, 0},
+              {0, -a, b},
+              {0, a, b},
+              {0, -a, -b},
+              {0, a, -b},
+              {b, 0, -a},
+              {b, 0, a},
+              {-b, 0, -a},
+              {-b, 0, a}}},
+            {{{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+              {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+              {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}}};
 }
 
 /// Divides every side of an icosahedron into n parts and puts the vertices on the unit sphere.
@@ -56,8 +68,10 @@ private:
         std::vector<std::uint32_t> above, row;
         for (std::uint32_t r = 0; r <= m_n; ++r) {
             row.clear();
-            const core::Vec3 left = ((m_n - r) * m_base.vertices[face[0]] + r * m_base.vertices[face[1]]) / m_n;
-            const core::Vec3 right = ((m_n - r) * m_base.vertices[face[0]] + r * m_base.vertices[face[2]]) / m_n;
+            const core::Vec3 left =
+                ((m_n - r) * m_base.vertices[face[0]] + r * m_base.vertices[face[1]]) / m_n;
+            const core::Vec3 right =
+                ((m_n - r) * m_base.vertices[face[0]] + r * m_base.vertices[face[2]]) / m_n;
             for (std::uint32_t c = 0; c <= r; ++c)
                 row.push_back(place(face, left, right, r, c));
             for (std::uint32_t c = 0; c < r; ++c) {
@@ -68,7 +82,8 @@ private:
             above = row;
         }
     }
-    std::uint32_t place(const Corners& face, const core::Vec3& left, const core::Vec3& right, std::uint32_t r, std::uint32_t c) {
+    std::uint32_t place(const Corners& face, const core::Vec3& left, const core::Vec3& right, std::uint32_t r,
+                        std::uint32_t c) {
         if (c == 0)
             return onSide(face[0], face[1], r);
         if (c == r)
@@ -89,7 +104,8 @@ private:
 
 MeshShape ellipsoidShape(const MeshSource& source) {
     const core::Vec3 axes(source.halfAxisX_m, source.halfAxisY_m, source.halfAxisZ_m);
-    const auto cuts = static_cast<std::uint32_t>(std::max(1L, std::lround(kIcosahedronEdge_rad * axes.mean() / source.edge_m)));
+    const auto cuts = static_cast<std::uint32_t>(
+        std::max(1L, std::lround(kIcosahedronEdge_rad * axes.mean() / source.edge_m)));
     const MeshBumps bumps(source.bumpHeight_m, source.bumpWavelength_m, source.seed);
     MeshShape shape = CutIcosahedron(cuts).take();
     for (core::Vec3& vertex : shape.vertices) {

@@ -16,10 +16,20 @@ namespace {
 using core::LawColumn;
 using core::LawParameter;
 
-constexpr std::array<LawColumn, 6> kInputs{
-    {{"px_m", "m"}, {"py_m", "m"}, {"pz_m", "m"}, {"vx_m_per_s", "m/s"}, {"vy_m_per_s", "m/s"}, {"vz_m_per_s", "m/s"}}};
-constexpr std::array<LawColumn, 8> kOutputs{
-    {{"fx_N", "N"}, {"fy_N", "N"}, {"fz_N", "N"}, {"depth_m", "m"}, {"nx", "1"}, {"ny", "1"}, {"nz", "1"}, {"energy_J", "J"}}};
+constexpr std::array<LawColumn, 6> kInputs{{{"px_m", "m"},
+                                            {"py_m", "m"},
+                                            {"pz_m", "m"},
+                                            {"vx_m_per_s", "m/s"},
+                                            {"vy_m_per_s", "m/s"},
+                                            {"vz_m_per_s", "m/s"}}};
+constexpr std::array<LawColumn, 8> kOutputs{{{"fx_N", "N"},
+                                             {"fy_N", "N"},
+                                             {"fz_N", "N"},
+                                             {"depth_m", "m"},
+                                             {"nx", "1"},
+                                             {"ny", "1"},
+                                             {"nz", "1"},
+                                             {"energy_J", "J"}}};
 
 /// The first kOfMesh parameters describe the mesh; `dome` 1 makes a dome of half_axis_x_m on a plate, 0 an
 /// ellipsoid.
@@ -80,7 +90,8 @@ std::string meshProblem(std::span<const double> p, std::span<const double> in) {
     return mesh ? std::string() : "the mesh: " + mesh.error().message;
 }
 
-void evaluateMeshContact(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
+void evaluateMeshContact(std::span<const double> p, std::span<const double> in,
+                         std::span<double> out) noexcept {
     const std::optional<TriangleMesh>& mesh = meshFor(p);
     if (!mesh) {
         std::fill(out.begin(), out.end(), std::numeric_limits<double>::quiet_NaN());
@@ -92,7 +103,8 @@ void evaluateMeshContact(std::span<const double> p, std::span<const double> in, 
     attributes.damping_Ns_per_m = p[13];
     MeshContactState state;
     const MeshResponse response =
-        MeshContact(attributes, p[10]).respond(*mesh, core::Vec3(in[0], in[1], in[2]), core::Vec3(in[3], in[4], in[5]), 0, state);
+        MeshContact(attributes, p[10])
+            .respond(*mesh, core::Vec3(in[0], in[1], in[2]), core::Vec3(in[3], in[4], in[5]), 0, state);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         out[axis] = response.contact.force[static_cast<Eigen::Index>(axis)];
         out[4 + axis] = response.contact.normal[static_cast<Eigen::Index>(axis)];
@@ -104,8 +116,14 @@ void evaluateMeshContact(std::span<const double> p, std::span<const double> in, 
 } // namespace
 
 core::LawDescription meshContactLaw() noexcept {
-    return {"mesh-contact", "spherical tool tip on a triangle mesh with blended normals (not conservative)", "P2 \"Deformation\", figure 6; models.md §2.2",
-            kInputs, kOutputs, kParameters, &evaluateMeshContact, &meshProblem};
+    return {"mesh-contact",
+            "spherical tool tip on a triangle mesh with blended normals (not conservative)",
+            "P2 \"Deformation\", figure 6; models.md §2.2",
+            kInputs,
+            kOutputs,
+            kParameters,
+            &evaluateMeshContact,
+            &meshProblem};
 }
 
 } // namespace chiron::simulation

@@ -13,7 +13,8 @@ namespace {
 core::Result<void> positive(const char* name, double value) {
     if (std::isfinite(value) && value > 0.0)
         return {};
-    return core::fail(core::ErrorCode::badInput, std::string("mesh: ") + name + ": " + std::to_string(value) + ", expected more than 0");
+    return core::fail(core::ErrorCode::badInput,
+                      std::string("mesh: ") + name + ": " + std::to_string(value) + ", expected more than 0");
 }
 
 /// Estimates the number of triangles as the area divided by that of an equilateral triangle with the
@@ -29,34 +30,42 @@ double expectedTriangles(const MeshSource& s) {
 }
 
 core::Result<void> checkGenerator(const MeshSource& s) {
-    for (const auto& [name, value] : {std::pair{"halfAxisX_m", s.halfAxisX_m}, {"halfAxisY_m", s.halfAxisY_m}, {"halfAxisZ_m", s.halfAxisZ_m},
-                                      {"edge_m", s.edge_m}, {"bumpWavelength_m", s.bumpWavelength_m}})
+    for (const auto& [name, value] : {std::pair{"halfAxisX_m", s.halfAxisX_m},
+                                      {"halfAxisY_m", s.halfAxisY_m},
+                                      {"halfAxisZ_m", s.halfAxisZ_m},
+                                      {"edge_m", s.edge_m},
+                                      {"bumpWavelength_m", s.bumpWavelength_m}})
         if (auto ok = positive(name, value); !ok)
             return ok;
     if (!(s.bumpHeight_m >= 0.0) || s.bumpHeight_m * 2.0 * core::kPi > s.bumpWavelength_m)
-        return core::fail(core::ErrorCode::badInput, "mesh: bumpHeight_m: " + std::to_string(s.bumpHeight_m) +
-                                                         ", expected 0 to bumpWavelength_m / 2π (a slope of 1)");
+        return core::fail(core::ErrorCode::badInput,
+                          "mesh: bumpHeight_m: " + std::to_string(s.bumpHeight_m) +
+                              ", expected 0 to bumpWavelength_m / 2π (a slope of 1)");
     if (s.shape == MeshSource::Shape::dome) {
         if (auto ok = positive("plateThickness_m", s.plateThickness_m); !ok)
             return ok;
         if (!(s.plateRadius_m > s.halfAxisX_m + s.edge_m))
-            return core::fail(core::ErrorCode::badInput, "mesh: plateRadius_m: " + std::to_string(s.plateRadius_m) +
-                                                             ", expected more than the dome's radius and an edge");
+            return core::fail(core::ErrorCode::badInput,
+                              "mesh: plateRadius_m: " + std::to_string(s.plateRadius_m) +
+                                  ", expected more than the dome's radius and an edge");
     }
     if (expectedTriangles(s) > static_cast<double>(TriangleMesh::kMostTriangles))
-        return core::fail(core::ErrorCode::badInput, "mesh: edge_m: " + std::to_string(s.edge_m) + " makes more than " +
-                                                         std::to_string(TriangleMesh::kMostTriangles) + " triangles");
+        return core::fail(core::ErrorCode::badInput,
+                          "mesh: edge_m: " + std::to_string(s.edge_m) + " makes more than " +
+                              std::to_string(TriangleMesh::kMostTriangles) + " triangles");
     return {};
 }
 
 core::Result<MeshShape> storedShape(const MeshSource& s) {
     if (s.vertices_um.size() % 3 != 0 || s.triangles.size() % 3 != 0)
-        return core::fail(core::ErrorCode::badInput, "mesh: " + std::to_string(s.vertices_um.size()) + " coordinates and " +
-                                                         std::to_string(s.triangles.size()) + " corners, expected three each");
+        return core::fail(core::ErrorCode::badInput,
+                          "mesh: " + std::to_string(s.vertices_um.size()) + " coordinates and " +
+                              std::to_string(s.triangles.size()) + " corners, expected three each");
     MeshShape shape;
     shape.vertices.reserve(s.vertices_um.size() / 3);
     for (std::size_t i = 0; i < s.vertices_um.size(); i += 3)
-        shape.vertices.push_back(1e-6 * core::Vec3(s.vertices_um[i], s.vertices_um[i + 1], s.vertices_um[i + 2]));
+        shape.vertices.push_back(1e-6 *
+                                 core::Vec3(s.vertices_um[i], s.vertices_um[i + 1], s.vertices_um[i + 2]));
     shape.triangles.reserve(s.triangles.size() / 3);
     for (std::size_t i = 0; i < s.triangles.size(); i += 3)
         shape.triangles.push_back({s.triangles[i], s.triangles[i + 1], s.triangles[i + 2]});

@@ -24,7 +24,8 @@ public:
         for (std::size_t i = 0; i < kWaves; ++i) {
             const double z = random.uniform(-1.0, 1.0), angle = random.uniform(0.0, 2.0 * core::kPi);
             const double rho = std::sqrt(1.0 - z * z);
-            m_waves[i] = 2.0 * core::kPi / wavelength_m * core::Vec3(rho * std::cos(angle), rho * std::sin(angle), z);
+            m_waves[i] =
+                2.0 * core::kPi / wavelength_m * core::Vec3(rho * std::cos(angle), rho * std::sin(angle), z);
             m_phases[i] = random.uniform(0.0, 2.0 * core::kPi);
         }
     }

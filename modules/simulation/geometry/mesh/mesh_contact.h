@@ -19,14 +19,14 @@ struct MeshContactState {
     ObjectContactState object;
     /// How far the touched places have moved with the surface so far, m.
     core::Vec3 carried = core::Vec3::Zero();
-    double depth_m = 0.0;                    ///< depth in the previous tick
+    double depth_m = 0.0; ///< depth in the previous tick
     void reset() noexcept { *this = MeshContactState(); }
 };
 
 /// Response of a mesh to a tool. Forces are on the tool, in the mesh's frame.
 struct MeshResponse {
     ObjectContactResponse contact; ///< force and its parts, normal, depth, energy, stiffness, inContact
-    MeshFoot foot;                 ///< place on the surface: triangle, weights, point, blended normal, how it was found
+    MeshFoot foot; ///< place on the surface: triangle, weights, point, blended normal, how it was found
     /// Where a tool that is shown to stay at the surface is drawn: its centre, raised by the depth; p out of
     /// contact.
     core::Vec3 surfaced = core::Vec3::Zero();
@@ -50,13 +50,14 @@ public:
     static constexpr bool kConservative = false;
 
     MeshContact() = default;
-    MeshContact(const ObjectAttributes& attributes, double toolRadius_m) noexcept : m_object(attributes), m_toolRadius_m(toolRadius_m) {}
+    MeshContact(const ObjectAttributes& attributes, double toolRadius_m) noexcept
+        : m_object(attributes), m_toolRadius_m(toolRadius_m) {}
 
     /// Advances to tick number `tick`. `p` (m) and `v` (m/s) are those of the tip's centre, in the mesh's
     /// frame. Call it in every tick.
     template <class Surface>
-    MeshResponse respond(const Surface& surface, const core::Vec3& p, const core::Vec3& v, std::uint64_t tick, MeshContactState& state,
-                         MeshDents* dents = nullptr) const noexcept {
+    MeshResponse respond(const Surface& surface, const core::Vec3& p, const core::Vec3& v, std::uint64_t tick,
+                         MeshContactState& state, MeshDents* dents = nullptr) const noexcept {
         MeshResponse out;
         out.foot = state.tracker.update(surface, p, m_toolRadius_m, m_object.reach_m());
         state.carried += out.foot.surfaceMotion;
@@ -72,13 +73,15 @@ public:
         if (dented) {
             const SurfaceTriangle& triangle = surface.triangle(out.foot.place.triangle);
             // the dent of the previous tick, because press() advances it from there
-            const double stretch = dents->at(triangle, out.foot.place.weights, tick > 0 ? tick - 1 : 0, core::kTickSeconds);
+            const double stretch =
+                dents->at(triangle, out.foot.place.weights, tick > 0 ? tick - 1 : 0, core::kTickSeconds);
             state.object.dent.resume(stretch, state.depth_m);
         }
         out.contact = m_object.respond(place, core::kTickSeconds, state.object);
         state.depth_m = out.contact.depth_m;
         if (dented)
-            dents->set(surface.triangle(out.foot.place.triangle), out.foot.place.weights, state.object.dent.stretch_m(), tick, core::kTickSeconds);
+            dents->set(surface.triangle(out.foot.place.triangle), out.foot.place.weights,
+                       state.object.dent.stretch_m(), tick, core::kTickSeconds);
         out.surfaced = out.contact.inContact ? core::Vec3(p + out.contact.depth_m * place.normal) : p;
         return out;
     }

@@ -31,17 +31,21 @@ public:
             return dent.stretch_m;
         return dent.stretch_m * std::exp(-static_cast<double>(now - dent.tick) * tick_s / m_recoveryTime_s);
     }
-    double at(const SurfaceTriangle& triangle, const core::Vec3& weights, std::uint64_t now, double tick_s) const noexcept {
-        return weights[0] * at(triangle.vertex[0], now, tick_s) + weights[1] * at(triangle.vertex[1], now, tick_s) +
+    double at(const SurfaceTriangle& triangle, const core::Vec3& weights, std::uint64_t now,
+              double tick_s) const noexcept {
+        return weights[0] * at(triangle.vertex[0], now, tick_s) +
+               weights[1] * at(triangle.vertex[1], now, tick_s) +
                weights[2] * at(triangle.vertex[2], now, tick_s);
     }
 
     /// Changes q of the three corners by as little as possible so that q at `weights` becomes `stretch_m`. No
     /// corner falls below 0.
-    void set(const SurfaceTriangle& triangle, const core::Vec3& weights, double stretch_m, std::uint64_t now, double tick_s) noexcept {
+    void set(const SurfaceTriangle& triangle, const core::Vec3& weights, double stretch_m, std::uint64_t now,
+             double tick_s) noexcept {
         const double step = (stretch_m - at(triangle, weights, now, tick_s)) / weights.squaredNorm();
         for (std::size_t i = 0; i < 3; ++i) {
-            const double q = at(triangle.vertex[i], now, tick_s) + step * weights[static_cast<Eigen::Index>(i)];
+            const double q =
+                at(triangle.vertex[i], now, tick_s) + step * weights[static_cast<Eigen::Index>(i)];
             m_dents[triangle.vertex[i]] = {q > 0.0 ? q : 0.0, now};
         }
     }

@@ -22,7 +22,8 @@ MeshImport finish(ReadMesh read, MeshReport report) {
         dropVertices(read, report);
     }
     if (report.usable() && read.shape.triangles.empty())
-        report.add({MeshProblem::noTriangles, "the end of the file", "no triangle with an area", "four at least"});
+        report.add(
+            {MeshProblem::noTriangles, "the end of the file", "no triangle with an area", "four at least"});
     if (report.usable() && checkEdges(read, report) && turnTriangles(read, report))
         splitVertices(read, report);
     out.shape = std::move(read.shape);
@@ -34,7 +35,8 @@ MeshImport finish(ReadMesh read, MeshReport report) {
                 report.size_m[axis] = (mesh->highest() - mesh->lowest())[static_cast<Eigen::Index>(axis)];
             out.mesh = std::move(*mesh);
         } else {
-            report.add({MeshProblem::degenerateTriangle, "the mesh", mesh.error().message, "a closed surface"});
+            report.add(
+                {MeshProblem::degenerateTriangle, "the mesh", mesh.error().message, "a closed surface"});
         }
     }
     out.report = std::move(report);
@@ -43,12 +45,15 @@ MeshImport finish(ReadMesh read, MeshReport report) {
 
 void appendPoint(std::string& out, const char* tag, const core::Vec3& p, double metresPerUnit) {
     char line[120];
-    std::snprintf(line, sizeof line, "%s %.9g %.9g %.9g\n", tag, p.x() / metresPerUnit, p.y() / metresPerUnit, p.z() / metresPerUnit);
+    std::snprintf(line, sizeof line, "%s %.9g %.9g %.9g\n", tag, p.x() / metresPerUnit, p.y() / metresPerUnit,
+                  p.z() / metresPerUnit);
     out += line;
 }
 
 core::Vec3 normalOf(const MeshShape& shape, const std::array<std::uint32_t, 3>& t) {
-    return (shape.vertices[t[1]] - shape.vertices[t[0]]).cross(shape.vertices[t[2]] - shape.vertices[t[0]]).normalized();
+    return (shape.vertices[t[1]] - shape.vertices[t[0]])
+        .cross(shape.vertices[t[2]] - shape.vertices[t[0]])
+        .normalized();
 }
 
 void appendWhole(std::string& out, std::uint32_t value) {
@@ -58,9 +63,11 @@ void appendWhole(std::string& out, std::uint32_t value) {
 
 core::Result<MeshSource> inMicrometres(const MeshShape& shape) {
     if (shape.vertices.size() > kMostStoredVertices || shape.triangles.size() > kMostStoredTriangles)
-        return core::fail(core::ErrorCode::badInput, "mesh: " + std::to_string(shape.vertices.size()) + " vertices and " + std::to_string(shape.triangles.size()) +
-                                                         " triangles, expected at most " + std::to_string(kMostStoredVertices) + " and " +
-                                                         std::to_string(kMostStoredTriangles) + " in content");
+        return core::fail(core::ErrorCode::badInput,
+                          "mesh: " + std::to_string(shape.vertices.size()) + " vertices and " +
+                              std::to_string(shape.triangles.size()) + " triangles, expected at most " +
+                              std::to_string(kMostStoredVertices) + " and " +
+                              std::to_string(kMostStoredTriangles) + " in content");
     MeshSource source;
     source.shape = MeshSource::Shape::stored;
     source.vertices_um.reserve(3 * shape.vertices.size());
@@ -68,7 +75,9 @@ core::Result<MeshSource> inMicrometres(const MeshShape& shape) {
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
             const double um = std::nearbyint(1e6 * shape.vertices[v][axis]);
             if (!(std::abs(um) <= kFarthestStored_um))
-                return core::fail(core::ErrorCode::badInput, "mesh: vertex " + std::to_string(v) + ": " + std::to_string(1e-6 * um) + " m, expected within 1 m");
+                return core::fail(core::ErrorCode::badInput, "mesh: vertex " + std::to_string(v) + ": " +
+                                                                 std::to_string(1e-6 * um) +
+                                                                 " m, expected within 1 m");
             source.vertices_um.push_back(static_cast<std::int32_t>(um));
         }
     source.triangles.reserve(3 * shape.triangles.size());
@@ -83,14 +92,17 @@ MeshImport importMesh(std::string_view bytes, MeshFormat format, double metresPe
     MeshReport report;
     if (!(metresPerUnit > 0.0) || !std::isfinite(metresPerUnit))
         report.add({MeshProblem::badNumber, "the unit", std::to_string(metresPerUnit) + " m", "more than 0"});
-    else if (!guessMeshFormat(bytes) && bytes.substr(0, 5) != "solid" && (format == MeshFormat::obj || bytes.empty()))
-        report.add({MeshProblem::wrongFile, "the beginning", bytes.empty() ? "an empty file" : "neither OBJ nor STL", "OBJ or STL"});
+    else if (!guessMeshFormat(bytes) && bytes.substr(0, 5) != "solid" &&
+             (format == MeshFormat::obj || bytes.empty()))
+        report.add({MeshProblem::wrongFile, "the beginning",
+                    bytes.empty() ? "an empty file" : "neither OBJ nor STL", "OBJ or STL"});
     if (!report.usable()) {
         MeshImport out;
         out.report = std::move(report);
         return out;
     }
-    ReadMesh read = format == MeshFormat::obj ? readObj(bytes, metresPerUnit, report) : readStl(bytes, metresPerUnit, report);
+    ReadMesh read = format == MeshFormat::obj ? readObj(bytes, metresPerUnit, report)
+                                              : readStl(bytes, metresPerUnit, report);
     return finish(std::move(read), std::move(report));
 }
 
@@ -98,13 +110,17 @@ MeshImport importMesh(MeshShape shape) {
     MeshReport report;
     for (std::size_t v = 0; v < shape.vertices.size(); ++v)
         if (!shape.vertices[v].allFinite())
-            report.add({MeshProblem::badNumber, "vertex " + std::to_string(v + 1), "not a finite number", "a finite number"});
+            report.add({MeshProblem::badNumber, "vertex " + std::to_string(v + 1), "not a finite number",
+                        "a finite number"});
     for (std::size_t t = 0; t < shape.triangles.size(); ++t)
         for (const std::uint32_t corner : shape.triangles[t])
             if (corner >= shape.vertices.size())
-                report.add({MeshProblem::badIndex, "triangle " + std::to_string(t + 1), "vertex " + std::to_string(corner + 1ULL), "1 to " + std::to_string(shape.vertices.size())});
+                report.add({MeshProblem::badIndex, "triangle " + std::to_string(t + 1),
+                            "vertex " + std::to_string(corner + 1ULL),
+                            "1 to " + std::to_string(shape.vertices.size())});
     if (shape.triangles.size() > TriangleMesh::kMostTriangles)
-        report.add(tooMany("triangle " + std::to_string(TriangleMesh::kMostTriangles + 1), shape.triangles.size()));
+        report.add(
+            tooMany("triangle " + std::to_string(TriangleMesh::kMostTriangles + 1), shape.triangles.size()));
     return finish({std::move(shape), {}}, std::move(report));
 }
 
@@ -116,7 +132,9 @@ core::Result<MeshSource> storedMesh(const MeshShape& shape, std::string id) {
     const MeshImport again = importMesh(*whole);
     for (const MeshFinding& finding : again.report.findings)
         if (!finding.repaired)
-            return core::fail(core::ErrorCode::badInput, "mesh in whole micrometres: " + finding.place + ": " + finding.found + ", expected " + finding.expected);
+            return core::fail(core::ErrorCode::badInput, "mesh in whole micrometres: " + finding.place +
+                                                             ": " + finding.found + ", expected " +
+                                                             finding.expected);
     auto source = inMicrometres(again.shape);
     if (source)
         source->id = std::move(id);
@@ -128,7 +146,8 @@ std::string writeObj(const MeshShape& shape, double metresPerUnit) {
     for (const core::Vec3& p : shape.vertices)
         appendPoint(out, "v", p, metresPerUnit);
     for (const auto& t : shape.triangles)
-        out += "f " + std::to_string(t[0] + 1ULL) + " " + std::to_string(t[1] + 1ULL) + " " + std::to_string(t[2] + 1ULL) + "\n";
+        out += "f " + std::to_string(t[0] + 1ULL) + " " + std::to_string(t[1] + 1ULL) + " " +
+               std::to_string(t[2] + 1ULL) + "\n";
     return out;
 }
 
@@ -148,7 +167,9 @@ std::string writeBinaryStl(const MeshShape& shape, double metresPerUnit) {
     std::string out(80, ' ');
     appendWhole(out, static_cast<std::uint32_t>(shape.triangles.size()));
     for (const auto& t : shape.triangles) {
-        std::array<core::Vec3, 4> rows{normalOf(shape, t), shape.vertices[t[0]] / metresPerUnit, shape.vertices[t[1]] / metresPerUnit, shape.vertices[t[2]] / metresPerUnit};
+        std::array<core::Vec3, 4> rows{normalOf(shape, t), shape.vertices[t[0]] / metresPerUnit,
+                                       shape.vertices[t[1]] / metresPerUnit,
+                                       shape.vertices[t[2]] / metresPerUnit};
         for (const core::Vec3& row : rows)
             for (Eigen::Index axis = 0; axis < 3; ++axis)
                 appendWhole(out, std::bit_cast<std::uint32_t>(static_cast<float>(row[axis])));

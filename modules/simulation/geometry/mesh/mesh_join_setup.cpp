@@ -19,7 +19,8 @@ using Key = std::array<double, 3>;
 
 std::size_t openEdges(const MeshShape& shape) {
     std::size_t open = 0;
-    forEachEdge(sortedSides(shape.triangles), [&](std::span<const MeshSide> edge) { open += edge.size() == 1 ? 1 : 0; });
+    forEachEdge(sortedSides(shape.triangles),
+                [&](std::span<const MeshSide> edge) { open += edge.size() == 1 ? 1 : 0; });
     return open;
 }
 
@@ -48,7 +49,9 @@ template <class KeyOf> std::pair<std::size_t, std::size_t> joinBy(MeshShape& sha
         keys.push_back(keyOf(p));
     std::vector<std::uint32_t> order(keys.size()), into(keys.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return keys[a] != keys[b] ? keys[a] < keys[b] : a < b; });
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return keys[a] != keys[b] ? keys[a] < keys[b] : a < b;
+    });
     std::vector<bool> keep(keys.size(), false);
     std::size_t first = std::numeric_limits<std::size_t>::max(), joined = 0;
     std::uint32_t head = 0;
@@ -69,24 +72,28 @@ template <class KeyOf> std::pair<std::size_t, std::size_t> joinBy(MeshShape& sha
 
 void tell(const std::pair<std::size_t, std::size_t>& joined, const char* how, MeshReport& report) {
     if (joined.second > 0)
-        report.add({MeshProblem::duplicateVertices, "vertex " + std::to_string(joined.first + 1), how, "one vertex a place", joined.second, true});
+        report.add({MeshProblem::duplicateVertices, "vertex " + std::to_string(joined.first + 1), how,
+                    "one vertex a place", joined.second, true});
 }
 
 /// Two positions that are nearer than `near` along every axis share a cell of twice that size in one of eight
 /// grids, which are shifted by half a cell or not along each axis.
 void joinNear(MeshShape& shape, double near, MeshReport& report) {
     for (int grid = 0; grid < 8; ++grid)
-        tell(joinBy(shape, [&](const core::Vec3& p) {
-                 Key key{};
-                 for (std::size_t axis = 0; axis < 3; ++axis)
-                     key[axis] = std::floor(p[static_cast<Eigen::Index>(axis)] / (2.0 * near) + ((grid >> axis & 1) != 0 ? 0.5 : 0.0));
-                 return key;
-             }),
+        tell(joinBy(shape,
+                    [&](const core::Vec3& p) {
+                        Key key{};
+                        for (std::size_t axis = 0; axis < 3; ++axis)
+                            key[axis] = std::floor(p[static_cast<Eigen::Index>(axis)] / (2.0 * near) +
+                                                   ((grid >> axis & 1) != 0 ? 0.5 : 0.0));
+                        return key;
+                    }),
              "lies within a millionth of the size of another one, joined", report);
 }
 
 bool noArea(const MeshShape& shape, const std::array<std::uint32_t, 3>& t) {
-    const core::Vec3 a = shape.vertices[t[1]] - shape.vertices[t[0]], b = shape.vertices[t[2]] - shape.vertices[t[0]];
+    const core::Vec3 a = shape.vertices[t[1]] - shape.vertices[t[0]],
+                     b = shape.vertices[t[2]] - shape.vertices[t[0]];
     const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
     return !(a.cross(b).norm() > 1e-9 * longest2);
 }
@@ -111,12 +118,15 @@ void dropDoubled(ReadMesh& mesh, MeshReport& report) {
         std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     std::vector<std::uint32_t> order(turned.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return turned[a] != turned[b] ? turned[a] < turned[b] : a < b; });
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return turned[a] != turned[b] ? turned[a] < turned[b] : a < b;
+    });
     std::vector<bool> again(turned.size(), false);
     for (std::size_t i = 1; i < order.size(); ++i)
         if (turned[order[i]] == turned[order[i - 1]]) {
             again[order[i]] = true;
-            report.add({MeshProblem::doubledTriangle, trianglePlace(mesh, order[i]), "the same three corners as " + trianglePlace(mesh, order[i - 1]) + ", dropped",
+            report.add({MeshProblem::doubledTriangle, trianglePlace(mesh, order[i]),
+                        "the same three corners as " + trianglePlace(mesh, order[i - 1]) + ", dropped",
                         "every triangle once", 1, true});
         }
     dropWhere(mesh, [&](std::size_t t) { return again[t]; });
@@ -126,7 +136,11 @@ void dropDoubled(ReadMesh& mesh, MeshReport& report) {
 
 void joinVertices(ReadMesh& mesh, MeshReport& report) {
     MeshShape& shape = mesh.shape;
-    tell(joinBy(shape, [](const core::Vec3& p) { return Key{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}; }), "lies where another one does, joined", report);
+    tell(joinBy(shape,
+                [](const core::Vec3& p) {
+                    return Key{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
+                }),
+         "lies where another one does, joined", report);
     if (shape.vertices.empty() || openEdges(shape) == 0)
         return;
     core::Vec3 low = shape.vertices[0], high = low;
@@ -145,7 +159,8 @@ void dropTriangles(ReadMesh& mesh, MeshReport& report) {
     };
     for (std::size_t t = 0; t < mesh.shape.triangles.size(); ++t)
         if (same(t))
-            report.add({MeshProblem::degenerateTriangle, trianglePlace(mesh, t), "two corners at one place, dropped", "three corners", 1, true});
+            report.add({MeshProblem::degenerateTriangle, trianglePlace(mesh, t),
+                        "two corners at one place, dropped", "three corners", 1, true});
     dropWhere(mesh, same); // its other two sides were one edge, so no hole opens
     dropDoubled(mesh, report);
     std::vector<bool> flat(mesh.shape.triangles.size());
@@ -160,7 +175,8 @@ void dropTriangles(ReadMesh& mesh, MeshReport& report) {
     ReadMesh without = mesh;
     dropWhere(without, [&](std::size_t t) { return flat[t]; });
     finding.repaired = openEdges(without.shape) <= openEdges(mesh.shape);
-    finding.found = finding.repaired ? "three corners on a line, dropped" : "three corners on a line; without it there would be a hole";
+    finding.found = finding.repaired ? "three corners on a line, dropped"
+                                     : "three corners on a line; without it there would be a hole";
     if (finding.repaired)
         mesh = std::move(without);
     report.add(std::move(finding));
@@ -175,7 +191,8 @@ void dropVertices(ReadMesh& mesh, MeshReport& report) {
     if (unused == 0)
         return;
     const auto first = std::find(used.begin(), used.end(), false) - used.begin();
-    report.add({MeshProblem::unusedVertices, "vertex " + std::to_string(first + 1), "in no triangle, dropped", "vertices of triangles", unused, true});
+    report.add({MeshProblem::unusedVertices, "vertex " + std::to_string(first + 1), "in no triangle, dropped",
+                "vertices of triangles", unused, true});
     std::vector<std::uint32_t> into(used.size());
     std::iota(into.begin(), into.end(), 0U);
     renumber(mesh.shape, into, used);

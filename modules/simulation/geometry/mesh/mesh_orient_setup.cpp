@@ -40,7 +40,8 @@ struct Shell {
 
 /// Collects one shell from triangle `start`. It visits every neighbour and records which triangles face the
 /// other way than the first. Returns false if the shell is one-sided.
-bool gather(const Neighbours& neighbours, std::uint32_t start, std::vector<std::uint8_t>& flip, Shell& shell) {
+bool gather(const Neighbours& neighbours, std::uint32_t start, std::vector<std::uint8_t>& flip,
+            Shell& shell) {
     constexpr std::uint8_t kUnseen = 2;
     flip[start] = 0;
     shell.triangles.push_back(start);
@@ -66,7 +67,8 @@ void measure(const MeshShape& shape, Shell& shell) {
     shell.low = shell.high = origin;
     shell.volume_m3 = 0.0;
     for (const std::uint32_t t : shell.triangles) {
-        const core::Vec3 a = shape.vertices[shape.triangles[t][0]], b = shape.vertices[shape.triangles[t][1]], c = shape.vertices[shape.triangles[t][2]];
+        const core::Vec3 a = shape.vertices[shape.triangles[t][0]], b = shape.vertices[shape.triangles[t][1]],
+                         c = shape.vertices[shape.triangles[t][2]];
         shell.volume_m3 += (a - origin).dot((b - origin).cross(c - origin)) / 6.0;
         shell.low = shell.low.cwiseMin(a).cwiseMin(b).cwiseMin(c);
         shell.high = shell.high.cwiseMax(a).cwiseMax(b).cwiseMax(c);
@@ -80,9 +82,12 @@ bool windsRound(const MeshShape& shape, const Shell& shell, const core::Vec3& p)
         return false;
     double sum = 0.0;
     for (const std::uint32_t t : shell.triangles) {
-        const core::Vec3 a = shape.vertices[shape.triangles[t][0]] - p, b = shape.vertices[shape.triangles[t][1]] - p, c = shape.vertices[shape.triangles[t][2]] - p;
+        const core::Vec3 a = shape.vertices[shape.triangles[t][0]] - p,
+                         b = shape.vertices[shape.triangles[t][1]] - p,
+                         c = shape.vertices[shape.triangles[t][2]] - p;
         const double la = a.norm(), lb = b.norm(), lc = c.norm();
-        sum += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+        sum +=
+            2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
     }
     return std::abs(sum) > 2.0 * core::kPi;
 }
@@ -93,12 +98,14 @@ void turn(MeshShape& shape, std::uint32_t triangle) {
 
 /// Orients a shell consistently by turning the minority of its triangles.
 void turnFew(ReadMesh& mesh, const std::vector<std::uint8_t>& flip, const Shell& shell, MeshReport& report) {
-    const auto others = static_cast<std::size_t>(std::count_if(shell.triangles.begin(), shell.triangles.end(), [&](std::uint32_t t) { return flip[t] == 1; }));
+    const auto others = static_cast<std::size_t>(std::count_if(
+        shell.triangles.begin(), shell.triangles.end(), [&](std::uint32_t t) { return flip[t] == 1; }));
     const std::uint8_t few = 2 * others > shell.triangles.size() ? 0 : 1;
     for (const std::uint32_t t : shell.triangles)
         if (flip[t] == few) {
             turn(mesh.shape, t);
-            report.add({MeshProblem::flippedTriangle, trianglePlace(mesh, t), "looks the other way than its neighbours, turned", "all one way", 1, true});
+            report.add({MeshProblem::flippedTriangle, trianglePlace(mesh, t),
+                        "looks the other way than its neighbours, turned", "all one way", 1, true});
         }
 }
 
@@ -115,15 +122,19 @@ void turnOut(ReadMesh& mesh, std::vector<Shell>& shells, MeshReport& report) {
         for (const std::uint32_t t : shells[s].triangles)
             turn(mesh.shape, t);
         shells[s].volume_m3 = -shells[s].volume_m3;
-        report.add({MeshProblem::insideOut, "shell " + std::to_string(s + 1) + ", from " + trianglePlace(mesh, shells[s].triangles[0]),
-                    "its inside is outside, turned", hollow ? "the wall of a hollow looks into it" : "outwards, counter-clockwise", 1, true});
+        report.add(
+            {MeshProblem::insideOut,
+             "shell " + std::to_string(s + 1) + ", from " + trianglePlace(mesh, shells[s].triangles[0]),
+             "its inside is outside, turned",
+             hollow ? "the wall of a hollow looks into it" : "outwards, counter-clockwise", 1, true});
     }
 }
 
 } // namespace
 
 bool checkEdges(const ReadMesh& mesh, MeshReport& report) {
-    MeshFinding hole{MeshProblem::hole, {}, "an edge of one triangle: a hole", "every edge in two triangles", 0, false};
+    MeshFinding hole{
+        MeshProblem::hole, {}, "an edge of one triangle: a hole", "every edge in two triangles", 0, false};
     MeshFinding many{MeshProblem::nonManifoldEdge, {}, {}, "every edge in two triangles", 0, false};
     forEachEdge(sortedSides(mesh.shape.triangles), [&](std::span<const MeshSide> edge) {
         if (edge.size() == 1 && hole.count++ == 0)
@@ -150,7 +161,8 @@ bool turnTriangles(ReadMesh& mesh, MeshReport& report) {
             continue;
         Shell shell;
         if (!gather(neighbours, t, flip, shell)) {
-            report.add({MeshProblem::oneSided, trianglePlace(mesh, t), "a surface with one side only", "an inside and an outside", 1, false});
+            report.add({MeshProblem::oneSided, trianglePlace(mesh, t), "a surface with one side only",
+                        "an inside and an outside", 1, false});
             return false;
         }
         turnFew(mesh, flip, shell, report);
@@ -162,7 +174,9 @@ bool turnTriangles(ReadMesh& mesh, MeshReport& report) {
     for (const Shell& shell : shells)
         report.volume_m3 += shell.volume_m3;
     if (shells.size() > 1)
-        report.add({MeshProblem::severalShells, "shell 2, from " + trianglePlace(mesh, shells[1].triangles[0]), std::to_string(shells.size()) + " parts, kept", "one part", 1, true});
+        report.add({MeshProblem::severalShells,
+                    "shell 2, from " + trianglePlace(mesh, shells[1].triangles[0]),
+                    std::to_string(shells.size()) + " parts, kept", "one part", 1, true});
     return true;
 }
 
@@ -180,8 +194,10 @@ void splitVertices(ReadMesh& mesh, MeshReport& report) {
             if (taken[vertex]) {
                 name = static_cast<std::uint32_t>(mesh.shape.vertices.size());
                 mesh.shape.vertices.push_back(core::Vec3(mesh.shape.vertices[vertex]));
-                report.add({MeshProblem::nonManifoldVertex, "vertex " + std::to_string(vertex + 1ULL) + ", " + trianglePlace(mesh, start),
-                            "two fans of triangles meet in it alone, given one each", "one fan a vertex", 1, true});
+                report.add({MeshProblem::nonManifoldVertex,
+                            "vertex " + std::to_string(vertex + 1ULL) + ", " + trianglePlace(mesh, start),
+                            "two fans of triangles meet in it alone, given one each", "one fan a vertex", 1,
+                            true});
             }
             taken[vertex] = true;
             std::uint32_t t = start;
@@ -190,7 +206,8 @@ void splitVertices(ReadMesh& mesh, MeshReport& report) {
                 seen[t][at] = true;
                 mesh.shape.triangles[t][at] = name;
                 t = neighbours[t][(at + 1) % 3].triangle;
-                at = static_cast<std::size_t>(std::find(corners[t].begin(), corners[t].end(), vertex) - corners[t].begin());
+                at = static_cast<std::size_t>(std::find(corners[t].begin(), corners[t].end(), vertex) -
+                                              corners[t].begin());
                 if (at == 3)
                     t = kNone;
             }

@@ -17,7 +17,8 @@ struct MeshPlace {
 
 template <class Surface> core::Vec3 pointAt(const Surface& surface, const MeshPlace& place) noexcept {
     const SurfaceTriangle& t = surface.triangle(place.triangle);
-    return place.weights[0] * surface.position(t.vertex[0]) + place.weights[1] * surface.position(t.vertex[1]) +
+    return place.weights[0] * surface.position(t.vertex[0]) +
+           place.weights[1] * surface.position(t.vertex[1]) +
            place.weights[2] * surface.position(t.vertex[2]);
 }
 
@@ -39,9 +40,11 @@ template <class Surface> core::Vec3 facet(const Surface& surface, std::uint32_t 
 /// Weights of the triangle's point nearest to p. A weight is exactly 0 where that point lies on a side or in
 /// a corner.
 /// Source: Ericson, Real-Time Collision Detection (2005), §5.1.5.
-inline core::Vec3 nearestWeights(const core::Vec3& a, const core::Vec3& b, const core::Vec3& c, const core::Vec3& p) noexcept {
+inline core::Vec3 nearestWeights(const core::Vec3& a, const core::Vec3& b, const core::Vec3& c,
+                                 const core::Vec3& p) noexcept {
     const core::Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-    const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
+    const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp),
+                 d6 = ac.dot(cp);
     if (d1 <= 0.0 && d2 <= 0.0)
         return {1.0, 0.0, 0.0};
     if (d3 >= 0.0 && d4 <= d3)
@@ -76,7 +79,8 @@ inline std::size_t cornerOf(const SurfaceTriangle& triangle, std::uint32_t verte
 }
 
 /// Expresses a place on the side opposite to `corner` in the triangle across that side.
-template <class Surface> MeshPlace across(const Surface& surface, const MeshPlace& place, std::size_t corner) noexcept {
+template <class Surface>
+MeshPlace across(const Surface& surface, const MeshPlace& place, std::size_t corner) noexcept {
     const SurfaceTriangle& here = surface.triangle(place.triangle);
     MeshPlace there{here.neighbour[corner], core::Vec3::Zero()};
     const SurfaceTriangle& beyond = surface.triangle(there.triangle);

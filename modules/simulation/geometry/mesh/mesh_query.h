@@ -59,11 +59,13 @@ inline double reachable2(double distance2, double moved_m) noexcept {
 }
 
 template <class Surface>
-void nearestInLeaf(const Surface& surface, const MeshTree::Node& leaf, const core::Vec3& p, NearestOnMesh& best, double& best2) noexcept {
+void nearestInLeaf(const Surface& surface, const MeshTree::Node& leaf, const core::Vec3& p,
+                   NearestOnMesh& best, double& best2) noexcept {
     for (std::uint32_t i = 0; i < leaf.count; ++i) {
         const std::uint32_t index = leaf.first + i;
         const SurfaceTriangle& t = surface.triangle(index);
-        const core::Vec3 &a = surface.position(t.vertex[0]), &b = surface.position(t.vertex[1]), &c = surface.position(t.vertex[2]);
+        const core::Vec3 &a = surface.position(t.vertex[0]), &b = surface.position(t.vertex[1]),
+                         &c = surface.position(t.vertex[2]);
         const core::Vec3 w = nearestWeights(a, b, c, p);
         const core::Vec3 point = w[0] * a + w[1] * b + w[2] * c;
         const double d2 = (p - point).squaredNorm();
@@ -81,7 +83,8 @@ void nearestInLeaf(const Surface& surface, const MeshTree::Node& leaf, const cor
 /// visits each node once; it takes 1 µs in 50,000 triangles, and more where many are equally near. Defined
 /// for every finite p. `guess` is a triangle to look at first; a near one saves most of the search.
 /// Thread: haptic.
-template <class Surface> NearestOnMesh nearestOnMesh(const Surface& surface, const core::Vec3& p, std::uint32_t guess = 0) noexcept {
+template <class Surface>
+NearestOnMesh nearestOnMesh(const Surface& surface, const core::Vec3& p, std::uint32_t guess = 0) noexcept {
     NearestOnMesh best;
     double best2 = std::numeric_limits<double>::infinity();
     const auto nodes = surface.tree().nodes();
@@ -114,11 +117,13 @@ template <class Surface> NearestOnMesh nearestOnMesh(const Surface& surface, con
 namespace detail {
 
 /// Says whether the path from p along `way` (0..`until` of it) meets the box, widened by `moved`.
-inline bool meetsBox(const MeshTree::Node& node, const core::Vec3& p, const core::Vec3& way, double until, double moved) noexcept {
+inline bool meetsBox(const MeshTree::Node& node, const core::Vec3& p, const core::Vec3& way, double until,
+                     double moved) noexcept {
     double from = 0.0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<Eigen::Index>(axis);
-        const double low = static_cast<double>(node.low[axis]) - moved - p[k], high = static_cast<double>(node.high[axis]) + moved - p[k];
+        const double low = static_cast<double>(node.low[axis]) - moved - p[k],
+                     high = static_cast<double>(node.high[axis]) + moved - p[k];
         if (way[k] == 0.0) {
             if (low > 0.0 || high < 0.0)
                 return false;
@@ -133,7 +138,8 @@ inline bool meetsBox(const MeshTree::Node& node, const core::Vec3& p, const core
 
 /// Returns where `way` enters the triangle from outside, as a share of `way`, and the weights there; nothing
 /// if it does not. Source: Möller & Trumbore 1997.
-inline std::optional<std::pair<double, core::Vec3>> enters(const core::Vec3& a, const core::Vec3& b, const core::Vec3& c, const core::Vec3& p,
+inline std::optional<std::pair<double, core::Vec3>> enters(const core::Vec3& a, const core::Vec3& b,
+                                                           const core::Vec3& c, const core::Vec3& p,
                                                            const core::Vec3& way) noexcept {
     constexpr double kEdge = 1e-9; // a path along an edge meets at least one of its two triangles
     const core::Vec3 ab = b - a, ac = c - a, h = way.cross(ac);
@@ -153,7 +159,8 @@ inline std::optional<std::pair<double, core::Vec3>> enters(const core::Vec3& a, 
 /// it does not. Bounded.
 /// Thread: haptic.
 template <class Surface>
-std::optional<MeshPlace> firstEntry(const Surface& surface, const core::Vec3& from, const core::Vec3& to) noexcept {
+std::optional<MeshPlace> firstEntry(const Surface& surface, const core::Vec3& from,
+                                    const core::Vec3& to) noexcept {
     const auto nodes = surface.tree().nodes();
     const core::Vec3 way = to - from;
     std::optional<MeshPlace> found;
@@ -173,7 +180,8 @@ std::optional<MeshPlace> firstEntry(const Surface& surface, const core::Vec3& fr
         for (std::uint32_t i = 0; i < node.count; ++i) {
             const std::uint32_t index = node.first + i;
             const SurfaceTriangle& t = surface.triangle(index);
-            const auto hit = detail::enters(surface.position(t.vertex[0]), surface.position(t.vertex[1]), surface.position(t.vertex[2]), from, way);
+            const auto hit = detail::enters(surface.position(t.vertex[0]), surface.position(t.vertex[1]),
+                                            surface.position(t.vertex[2]), from, way);
             if (hit && hit->first <= until) {
                 until = hit->first;
                 found = MeshPlace{index, hit->second.cwiseMax(0.0) / hit->second.cwiseMax(0.0).sum()};

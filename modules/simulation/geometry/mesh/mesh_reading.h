@@ -22,10 +22,10 @@ struct ReadMesh {
 class MeshLines {
 public:
     explicit MeshLines(std::string_view bytes) noexcept : m_rest(bytes) {}
-    bool next() noexcept;                          ///< goes to the next line; false at the end
+    bool next() noexcept;                                      ///< goes to the next line; false at the end
     std::uint32_t number() const noexcept { return m_number; } ///< from 1
     std::string place() const { return "line " + std::to_string(m_number); }
-    std::string_view word() noexcept;              ///< the next word of the line; empty if none is left
+    std::string_view word() noexcept; ///< the next word of the line; empty if none is left
 
 private:
     std::string_view m_rest;
@@ -37,7 +37,8 @@ private:
 /// number or not finite.
 bool readPoint(MeshLines& lines, double scale, core::Vec3& out, MeshReport& report);
 /// Adds one triangle. Returns false, with a finding, if that is one too many.
-bool addTriangle(ReadMesh& mesh, const std::array<std::uint32_t, 3>& corners, std::uint32_t line, MeshReport& report);
+bool addTriangle(ReadMesh& mesh, const std::array<std::uint32_t, 3>& corners, std::uint32_t line,
+                 MeshReport& report);
 MeshFinding tooMany(const std::string& place, std::size_t found);
 
 /// The readers stop at the first thing that they cannot read; the report says what it was.
@@ -46,13 +47,13 @@ ReadMesh readStl(std::string_view bytes, double metresPerUnit, MeshReport& repor
 
 /// Repairs and checks, in the order in which importMesh() applies them. Each adds its findings to the report.
 void joinVertices(ReadMesh& mesh, MeshReport& report);
-void dropTriangles(ReadMesh& mesh, MeshReport& report);  ///< drops those that have no area or occur twice
+void dropTriangles(ReadMesh& mesh, MeshReport& report); ///< drops those that have no area or occur twice
 /// False: there are holes, or edges of three triangles.
 bool checkEdges(const ReadMesh& mesh, MeshReport& report);
 /// Turns all of a shell the same way, outwards; false: the shell is one-sided.
 bool turnTriangles(ReadMesh& mesh, MeshReport& report);
-void splitVertices(ReadMesh& mesh, MeshReport& report);  ///< gives every fan of triangles its own vertex
-void dropVertices(ReadMesh& mesh, MeshReport& report);   ///< drops those that no triangle uses
+void splitVertices(ReadMesh& mesh, MeshReport& report); ///< gives every fan of triangles its own vertex
+void dropVertices(ReadMesh& mesh, MeshReport& report);  ///< drops those that no triangle uses
 
 std::string trianglePlace(const ReadMesh& mesh, std::size_t triangle);
 std::string edgePlace(const ReadMesh& mesh, std::uint64_t key);

@@ -34,9 +34,12 @@ bool readPoint(MeshLines& lines, double scale, core::Vec3& out, MeshReport& repo
             word.remove_prefix(1);
         double value = 0.0;
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (word.empty() || error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value) || !std::isfinite(value * scale)) {
+        if (word.empty() || error != std::errc{} || end != word.data() + word.size() ||
+            !std::isfinite(value) || !std::isfinite(value * scale)) {
             report.add({MeshProblem::badNumber, lines.place(),
-                        word.empty() ? std::string("a missing coordinate") : "\"" + std::string(word.substr(0, 40)) + "\"", "a finite number"});
+                        word.empty() ? std::string("a missing coordinate")
+                                     : "\"" + std::string(word.substr(0, 40)) + "\"",
+                        "a finite number"});
             return false;
         }
         out[axis] = value * scale;
@@ -45,10 +48,12 @@ bool readPoint(MeshLines& lines, double scale, core::Vec3& out, MeshReport& repo
 }
 
 MeshFinding tooMany(const std::string& place, std::size_t found) {
-    return {MeshProblem::tooManyTriangles, place, std::to_string(found) + " triangles or more", "at most " + std::to_string(TriangleMesh::kMostTriangles)};
+    return {MeshProblem::tooManyTriangles, place, std::to_string(found) + " triangles or more",
+            "at most " + std::to_string(TriangleMesh::kMostTriangles)};
 }
 
-bool addTriangle(ReadMesh& mesh, const std::array<std::uint32_t, 3>& corners, std::uint32_t line, MeshReport& report) {
+bool addTriangle(ReadMesh& mesh, const std::array<std::uint32_t, 3>& corners, std::uint32_t line,
+                 MeshReport& report) {
     if (mesh.shape.triangles.size() == TriangleMesh::kMostTriangles) {
         report.add(tooMany("line " + std::to_string(line), TriangleMesh::kMostTriangles + 1));
         return false;
@@ -69,7 +74,8 @@ std::string edgePlace(const ReadMesh& mesh, std::uint64_t key) {
     const auto low = static_cast<std::size_t>(key >> 32U), high = static_cast<std::size_t>(key & 0xffffffffU);
     const core::Vec3 middle = 500.0 * (mesh.shape.vertices[low] + mesh.shape.vertices[high]); // mm
     char text[120];
-    std::snprintf(text, sizeof text, "edge %zu-%zu at (%.2f, %.2f, %.2f) mm", low + 1, high + 1, middle.x(), middle.y(), middle.z());
+    std::snprintf(text, sizeof text, "edge %zu-%zu at (%.2f, %.2f, %.2f) mm", low + 1, high + 1, middle.x(),
+                  middle.y(), middle.z());
     return text;
 }
 

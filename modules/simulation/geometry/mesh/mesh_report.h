@@ -11,16 +11,16 @@ namespace chiron::simulation {
 
 /// Problems that an imported mesh can have.
 enum class MeshProblem : std::uint8_t {
-    wrongFile,          ///< neither OBJ nor STL
-    truncated,          ///< the file ends in the middle of its data
-    badLine,            ///< a line without meaning
-    badNumber,          ///< not a number, or not finite
-    badIndex,           ///< a corner that refers to no vertex
-    tooManyTriangles,   ///< more than TriangleMesh::kMostTriangles
+    wrongFile,        ///< neither OBJ nor STL
+    truncated,        ///< the file ends in the middle of its data
+    badLine,          ///< a line without meaning
+    badNumber,        ///< not a number, or not finite
+    badIndex,         ///< a corner that refers to no vertex
+    tooManyTriangles, ///< more than TriangleMesh::kMostTriangles
     noTriangles,
-    polygons,           ///< faces of more than three corners; they are cut into triangles
+    polygons, ///< faces of more than three corners; they are cut into triangles
     bytesBehindTheEnd,
-    duplicateVertices,  ///< the same position more than once
+    duplicateVertices, ///< the same position more than once
     unusedVertices,
     degenerateTriangle, ///< no area
     doubledTriangle,    ///< the same three corners twice
@@ -52,10 +52,10 @@ struct MeshFinding {
 struct MeshReport {
     /// At most one for each MeshProblem, in the order in which they were met.
     std::vector<MeshFinding> findings;
-    std::size_t vertices = 0;          ///< of the resulting mesh
+    std::size_t vertices = 0; ///< of the resulting mesh
     std::size_t triangles = 0;
     std::size_t shells = 0;
-    std::array<double, 3> size_m{};    ///< of the bounding box
+    std::array<double, 3> size_m{}; ///< of the bounding box
     double volume_m3 = 0.0;
 
     /// Adds to the finding with the same problem, or as a new one.

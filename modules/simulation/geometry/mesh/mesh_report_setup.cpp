@@ -16,7 +16,8 @@ void MeshReport::add(MeshFinding finding) {
 }
 
 const MeshFinding* MeshReport::find(MeshProblem problem) const noexcept {
-    const auto found = std::find_if(findings.begin(), findings.end(), [&](const MeshFinding& f) { return f.problem == problem; });
+    const auto found = std::find_if(findings.begin(), findings.end(),
+                                    [&](const MeshFinding& f) { return f.problem == problem; });
     return found == findings.end() ? nullptr : &*found;
 }
 
@@ -35,8 +36,10 @@ std::string MeshReport::text() const {
     }
     if (usable()) {
         char line[200];
-        std::snprintf(line, sizeof line, "%zu triangles, %zu vertices, %zu shell%s, %.1f x %.1f x %.1f mm, %.2f ml\n", triangles, vertices, shells,
-                      shells == 1 ? "" : "s", 1e3 * size_m[0], 1e3 * size_m[1], 1e3 * size_m[2], 1e6 * volume_m3);
+        std::snprintf(line, sizeof line,
+                      "%zu triangles, %zu vertices, %zu shell%s, %.1f x %.1f x %.1f mm, %.2f ml\n", triangles,
+                      vertices, shells, shells == 1 ? "" : "s", 1e3 * size_m[0], 1e3 * size_m[1],
+                      1e3 * size_m[2], 1e6 * volume_m3);
         out += line;
     }
     return out;

@@ -15,7 +15,9 @@ std::vector<MeshSide> sortedSides(std::span<const std::array<std::uint32_t, 3>> 
             sides.push_back({low << 32U | high, t, i, from < to});
         }
     std::sort(sides.begin(), sides.end(), [](const MeshSide& a, const MeshSide& b) {
-        return a.key != b.key ? a.key < b.key : (a.triangle != b.triangle ? a.triangle < b.triangle : a.opposite < b.opposite);
+        return a.key != b.key
+                   ? a.key < b.key
+                   : (a.triangle != b.triangle ? a.triangle < b.triangle : a.opposite < b.opposite);
     });
     return sides;
 }

@@ -26,7 +26,7 @@ struct MeshFoot {
     MeshPlace place;
     core::Vec3 point = core::Vec3::Zero();   ///< x, on the surface; p while apart
     core::Vec3 normal = core::Vec3::UnitZ(); ///< n, outward, unit, of the blended field at x
-    double depth_m = 0.0; ///< (x − p)·n + r, signed; −clearance while apart
+    double depth_m = 0.0;                    ///< (x − p)·n + r, signed; −clearance while apart
     /// How far x's place has moved since the last tick (on a moving mesh), m.
     core::Vec3 surfaceMotion = core::Vec3::Zero();
     bool within() const noexcept { return track != MeshTrack::apart; }
@@ -59,11 +59,13 @@ public:
     /// plus some 0.03 N; with kFollow, 0.3 mm would change it by 1 N.
     static constexpr double kFollowFast = 2.0;
     static constexpr double kCatchUp_m = 5e-5;
-    static constexpr double kStill_m = 1e-9;     ///< a place may settle by this much per tick
+    static constexpr double kStill_m = 1e-9; ///< a place may settle by this much per tick
 
     /// `p` is the tip's centre in the mesh's frame, m; `radius_m` ≥ 0. `reach_m` ≥ 0 is the height above the
     /// surface from which on the foot is needed (roughness may begin there).
-    template <class Surface> MeshFoot update(const Surface& surface, const core::Vec3& p, double radius_m, double reach_m = 0.0) noexcept {
+    template <class Surface>
+    MeshFoot update(const Surface& surface, const core::Vec3& p, double radius_m,
+                    double reach_m = 0.0) noexcept {
         const bool jumped = !m_known || (p - m_tool).squaredNorm() > kTeleport_m * kTeleport_m;
         MeshFoot foot;
         if (m_foot.within() && !jumped)
@@ -81,7 +83,9 @@ public:
     const MeshFoot& foot() const noexcept { return m_foot; }
 
 private:
-    template <class Surface> MeshFoot footAt(const Surface& surface, const core::Vec3& p, const MeshPlace& place, double radius_m, MeshTrack track) const noexcept {
+    template <class Surface>
+    MeshFoot footAt(const Surface& surface, const core::Vec3& p, const MeshPlace& place, double radius_m,
+                    MeshTrack track) const noexcept {
         MeshFoot foot;
         foot.track = track;
         foot.place = place;
@@ -91,7 +95,8 @@ private:
         return foot;
     }
 
-    template <class Surface> MeshFoot keepUp(const Surface& surface, const core::Vec3& p, double radius_m) noexcept {
+    template <class Surface>
+    MeshFoot keepUp(const Surface& surface, const core::Vec3& p, double radius_m) noexcept {
         core::Vec3 here = m_foot.point;
         if constexpr (Surface::kMoves)
             here = pointAt(surface, m_foot.place);
@@ -113,7 +118,8 @@ private:
                 foot = footAt(surface, p, glide(surface, m_foot.place, part), radius_m, MeshTrack::followed);
             }
         } else {
-            foot = footAt(surface, p, glide(surface, m_foot.place, here + sideways(motion, here - p)), radius_m, MeshTrack::followed);
+            foot = footAt(surface, p, glide(surface, m_foot.place, here + sideways(motion, here - p)),
+                          radius_m, MeshTrack::followed);
             m_along_m = foot.depth_m - radius_m;
         }
         foot.surfaceMotion = surfaceMotion;
@@ -125,12 +131,15 @@ private:
     /// round would roll off it.
     core::Vec3 sideways(const core::Vec3& motion, const core::Vec3& toPlace) const noexcept {
         const double length2 = toPlace.squaredNorm();
-        const core::Vec3 turned = length2 > 0.0 ? core::Vec3(motion - toPlace * (toPlace.dot(motion) / length2)) : motion;
+        const core::Vec3 turned =
+            length2 > 0.0 ? core::Vec3(motion - toPlace * (toPlace.dot(motion) / length2)) : motion;
         return turned - m_foot.normal * m_foot.normal.dot(turned);
     }
 
     /// Used out of contact, or when contact has just ended.
-    template <class Surface> MeshFoot search(const Surface& surface, const core::Vec3& p, double radius_m, double reach_m, bool jumped) noexcept {
+    template <class Surface>
+    MeshFoot search(const Surface& surface, const core::Vec3& p, double radius_m, double reach_m,
+                    bool jumped) noexcept {
         const double moved = (p - m_askedAt).norm() + m_displacementThen_m + surface.largestDisplacement_m();
         const bool still = surface.largestDisplacement_m() == 0.0 && m_displacementThen_m == 0.0;
         const double clear = m_clearance_m - (still ? (p - m_askedAt).norm() : moved);
@@ -140,7 +149,8 @@ private:
         if (m_known && !m_foot.within() && clear > radius_m + reach_m)
             return foot;
         // the path since the last tick, if it may have crossed the surface
-        const bool through = !jumped && !m_foot.within() && (p - m_tool).norm() > m_clearance_m - (m_tool - m_askedAt).norm();
+        const bool through =
+            !jumped && !m_foot.within() && (p - m_tool).norm() > m_clearance_m - (m_tool - m_askedAt).norm();
         const NearestOnMesh nearest = nearestOnMesh(surface, p, m_nearest);
         m_nearest = nearest.place.triangle;
         m_askedAt = p;
@@ -153,12 +163,15 @@ private:
         return acquire(surface, p, radius_m, entry ? *entry : nearest.place);
     }
 
-    template <class Surface> MeshFoot acquire(const Surface& surface, const core::Vec3& p, double radius_m, const MeshPlace& at) noexcept {
+    template <class Surface>
+    MeshFoot acquire(const Surface& surface, const core::Vec3& p, double radius_m,
+                     const MeshPlace& at) noexcept {
         MeshPlace place = at;
         m_along_m = (pointAt(surface, at) - p).dot(normalAt(surface, at));
         const double apart = (pointAt(surface, at) - p).norm();
         double along = m_along_m;
-        if (projectAlongNormals(surface, p, place, along) && (pointAt(surface, place) - p).norm() <= 2.0 * apart)
+        if (projectAlongNormals(surface, p, place, along) &&
+            (pointAt(surface, place) - p).norm() <= 2.0 * apart)
             m_along_m = along;
         else
             place = at;
@@ -167,8 +180,8 @@ private:
 
     MeshFoot m_foot;
     core::Vec3 m_tool = core::Vec3::Zero();
-    double m_along_m = 0.0; ///< t of projectAlongNormals
-    bool m_known = false;   ///< m_tool is the position of the previous tick
+    double m_along_m = 0.0;                    ///< t of projectAlongNormals
+    bool m_known = false;                      ///< m_tool is the position of the previous tick
     core::Vec3 m_askedAt = core::Vec3::Zero(); ///< where the tree was searched last
     std::uint32_t m_nearest = 0;               ///< the triangle that this search found
     /// The distance that it found; negative: nothing is known to be clear.

@@ -17,7 +17,7 @@ class MeshTree {
 public:
     /// Capacity of a traversal's stack; medians of 2³² triangles need 32.
     static constexpr int kMostDepth = 48;
-    static constexpr std::uint32_t kLeaf = 4;  ///< most triangles in a leaf
+    static constexpr std::uint32_t kLeaf = 4; ///< most triangles in a leaf
 
     struct Node {
         std::array<float, 3> low{};

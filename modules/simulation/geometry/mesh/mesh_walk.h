@@ -42,14 +42,18 @@ inline std::pair<double, int> within(const core::Vec3& weights, const core::Vec3
 /// and `along` (t, m; > 0 inside) hold the start and receive the result. Returns false and leaves `place`
 /// unchanged if the field is folded, or if no solution was found in kMostSteps. The idea: Phong projection
 /// (Panozzo et al. 2013); P2 figure 6 gives the field.
-template <class Surface> bool projectAlongNormals(const Surface& surface, const core::Vec3& p, MeshPlace& place, double& along) noexcept {
+template <class Surface>
+bool projectAlongNormals(const Surface& surface, const core::Vec3& p, MeshPlace& place,
+                         double& along) noexcept {
     MeshPlace now = place;
     double t = along;
     for (int step = 0; step < MeshWalk::kMostSteps; ++step) {
         const SurfaceTriangle& triangle = surface.triangle(now.triangle);
         const core::Vec3 &a = surface.position(triangle.vertex[0]), &na = surface.normal(triangle.vertex[0]);
-        const core::Vec3 e1 = surface.position(triangle.vertex[1]) - a, e2 = surface.position(triangle.vertex[2]) - a;
-        const core::Vec3 d1 = surface.normal(triangle.vertex[1]) - na, d2 = surface.normal(triangle.vertex[2]) - na;
+        const core::Vec3 e1 = surface.position(triangle.vertex[1]) - a,
+                         e2 = surface.position(triangle.vertex[2]) - a;
+        const core::Vec3 d1 = surface.normal(triangle.vertex[1]) - na,
+                         d2 = surface.normal(triangle.vertex[2]) - na;
         const double u = now.weights[1], v = now.weights[2];
         const core::Vec3 n = na + u * d1 + v * d2;
         const core::Vec3 r = (p - a) - (u * e1 + v * e2) + t * n;
@@ -59,7 +63,8 @@ template <class Surface> bool projectAlongNormals(const Surface& surface, const 
         if (!(volume > MeshWalk::kLeastShrink * e1.cross(e2).dot(n)))
             return false;
         const double inverse = 1.0 / volume;
-        const double du = inverse * r.dot(m2.cross(n)), dv = inverse * r.dot(n.cross(m1)), dt = -inverse * r.dot(area);
+        const double du = inverse * r.dot(m2.cross(n)), dv = inverse * r.dot(n.cross(m1)),
+                     dt = -inverse * r.dot(area);
         const core::Vec3 change(-du - dv, du, dv);
         const auto [share, leaves] = detail::within(now.weights, change);
         now.weights = (now.weights + share * change).cwiseMax(0.0);
@@ -80,16 +85,20 @@ template <class Surface> bool projectAlongNormals(const Surface& surface, const 
 
 namespace detail {
 
-template <class Surface> double nearestIn(const Surface& surface, std::uint32_t index, const core::Vec3& q, MeshPlace& place) noexcept {
+template <class Surface>
+double nearestIn(const Surface& surface, std::uint32_t index, const core::Vec3& q,
+                 MeshPlace& place) noexcept {
     const SurfaceTriangle& t = surface.triangle(index);
     place.triangle = index;
-    place.weights = nearestWeights(surface.position(t.vertex[0]), surface.position(t.vertex[1]), surface.position(t.vertex[2]), q);
+    place.weights = nearestWeights(surface.position(t.vertex[0]), surface.position(t.vertex[1]),
+                                   surface.position(t.vertex[2]), q);
     return (q - pointAt(surface, place)).squaredNorm();
 }
 
 /// Looks for a triangle around the vertex that contains a nearer point; returns false if there is none.
 template <class Surface>
-bool nearerRoundVertex(const Surface& surface, const core::Vec3& q, std::size_t corner, MeshPlace& place, double& distance2) noexcept {
+bool nearerRoundVertex(const Surface& surface, const core::Vec3& q, std::size_t corner, MeshPlace& place,
+                       double& distance2) noexcept {
     const std::uint32_t vertex = surface.triangle(place.triangle).vertex[corner];
     std::uint32_t index = surface.triangle(place.triangle).neighbour[(corner + 1) % 3];
     for (int round = 0; round < MeshWalk::kMostRound && index != place.triangle; ++round) {
@@ -114,7 +123,8 @@ bool nearerRoundVertex(const Surface& surface, const core::Vec3& q, std::size_t 
 /// Every step comes strictly nearer; there are at most kMostSteps. For q near the surface the result is the
 /// nearest place of this sheet.
 /// Thread: haptic.
-template <class Surface> MeshPlace glide(const Surface& surface, MeshPlace place, const core::Vec3& q) noexcept {
+template <class Surface>
+MeshPlace glide(const Surface& surface, MeshPlace place, const core::Vec3& q) noexcept {
     double distance2 = detail::nearestIn(surface, place.triangle, q, place);
     for (int step = 0; step < MeshWalk::kMostSteps; ++step) {
         std::size_t zeros = 0, zero = 0, other = 0;
@@ -131,7 +141,8 @@ template <class Surface> MeshPlace glide(const Surface& surface, MeshPlace place
             continue;
         }
         MeshPlace there;
-        const double d2 = detail::nearestIn(surface, surface.triangle(place.triangle).neighbour[zero], q, there);
+        const double d2 =
+            detail::nearestIn(surface, surface.triangle(place.triangle).neighbour[zero], q, there);
         if (!(d2 < distance2))
             break;
         place = there;

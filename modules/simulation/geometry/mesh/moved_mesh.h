@@ -18,9 +18,10 @@ class MovedMesh {
 public:
     /// `positions` and `normals` are as long as mesh.vertices(); no vertex is farther from rest than
     /// `largestDisplacement_m`.
-    MovedMesh(const TriangleMesh& mesh, std::span<const core::Vec3> positions, std::span<const core::Vec3> normals,
-              double largestDisplacement_m) noexcept
-        : m_mesh(&mesh), m_positions(positions), m_normals(normals), m_largestDisplacement_m(largestDisplacement_m) {}
+    MovedMesh(const TriangleMesh& mesh, std::span<const core::Vec3> positions,
+              std::span<const core::Vec3> normals, double largestDisplacement_m) noexcept
+        : m_mesh(&mesh), m_positions(positions), m_normals(normals),
+          m_largestDisplacement_m(largestDisplacement_m) {}
 
     const core::Vec3& position(std::uint32_t vertex) const noexcept { return m_positions[vertex]; }
     const core::Vec3& normal(std::uint32_t vertex) const noexcept { return m_normals[vertex]; }

@@ -10,12 +10,15 @@ namespace chiron::simulation {
 namespace {
 
 /// The statements of OBJ files other than vertices and faces; they are skipped.
-constexpr std::array<std::string_view, 26> kPassedOver{"vn", "vt", "vp", "o", "g", "s", "usemtl", "mtllib", "l", "p", "mg", "bevel", "c_interp", "d_interp", "lod",
-                                                       "shadow_obj", "trace_obj", "usemap", "maplib", "cstype", "deg", "bmat", "step", "parm", "end", "call"};
+constexpr std::array<std::string_view, 26> kPassedOver{
+    "vn",     "vt",     "vp",    "o",        "g",        "s",    "usemtl",     "mtllib",    "l",
+    "p",      "mg",     "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "usemap",
+    "maplib", "cstype", "deg",   "bmat",     "step",     "parm", "end",        "call"};
 
 class ObjReader {
 public:
-    ObjReader(std::string_view bytes, double scale, MeshReport& report) : m_lines(bytes), m_scale(scale), m_report(report) {}
+    ObjReader(std::string_view bytes, double scale, MeshReport& report)
+        : m_lines(bytes), m_scale(scale), m_report(report) {}
 
     ReadMesh read() {
         while (m_lines.next())
@@ -24,7 +27,8 @@ public:
         for (std::size_t t = 0; t < m_mesh.shape.triangles.size(); ++t)
             for (const std::uint32_t corner : m_mesh.shape.triangles[t])
                 if (corner >= m_mesh.shape.vertices.size()) {
-                    m_report.add({MeshProblem::badIndex, trianglePlace(m_mesh, t), "vertex " + std::to_string(corner + 1ULL),
+                    m_report.add({MeshProblem::badIndex, trianglePlace(m_mesh, t),
+                                  "vertex " + std::to_string(corner + 1ULL),
                                   "1 to " + std::to_string(m_mesh.shape.vertices.size())});
                     return std::move(m_mesh);
                 }
@@ -42,7 +46,8 @@ private:
             return face();
         if (std::find(kPassedOver.begin(), kPassedOver.end(), tag) != kPassedOver.end())
             return true;
-        m_report.add({MeshProblem::badLine, m_lines.place(), "\"" + std::string(tag.substr(0, 40)) + "\"", "an OBJ statement (v, f, vn, ...)"});
+        m_report.add({MeshProblem::badLine, m_lines.place(), "\"" + std::string(tag.substr(0, 40)) + "\"",
+                      "an OBJ statement (v, f, vn, ...)"});
         return false;
     }
 
@@ -66,8 +71,10 @@ private:
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
         const auto count = static_cast<long long>(m_mesh.shape.vertices.size());
         const long long at = index < 0 ? count + index : index - 1;
-        if (digits.empty() || error != std::errc{} || end != digits.data() + digits.size() || index == 0 || at < 0 || at >= 0x7fffffffLL) {
-            m_report.add({MeshProblem::badIndex, m_lines.place(), "\"" + std::string(word.substr(0, 40)) + "\"", "the number of a vertex"});
+        if (digits.empty() || error != std::errc{} || end != digits.data() + digits.size() || index == 0 ||
+            at < 0 || at >= 0x7fffffffLL) {
+            m_report.add({MeshProblem::badIndex, m_lines.place(),
+                          "\"" + std::string(word.substr(0, 40)) + "\"", "the number of a vertex"});
             return false;
         }
         out = static_cast<std::uint32_t>(at);
@@ -77,7 +84,8 @@ private:
     bool face() {
         std::array<std::uint32_t, 3> corners{};
         std::size_t count = 0;
-        for (std::string_view word = m_lines.word(); !word.empty() && word.front() != '#'; word = m_lines.word()) {
+        for (std::string_view word = m_lines.word(); !word.empty() && word.front() != '#';
+             word = m_lines.word()) {
             std::uint32_t at = 0;
             if (!corner(word, at))
                 return false;
@@ -89,11 +97,14 @@ private:
                 return false;
         }
         if (count < 3) {
-            m_report.add({MeshProblem::badLine, m_lines.place(), "a face of " + std::to_string(count) + " corners", "three or more"});
+            m_report.add({MeshProblem::badLine, m_lines.place(),
+                          "a face of " + std::to_string(count) + " corners", "three or more"});
             return false;
         }
         if (count > 3)
-            m_report.add({MeshProblem::polygons, m_lines.place(), "a face of " + std::to_string(count) + " corners, cut into triangles", "triangles", 1, true});
+            m_report.add({MeshProblem::polygons, m_lines.place(),
+                          "a face of " + std::to_string(count) + " corners, cut into triangles", "triangles",
+                          1, true});
         return true;
     }
 

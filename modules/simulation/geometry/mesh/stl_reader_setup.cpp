@@ -15,7 +15,8 @@ constexpr std::size_t kHeader = 80, kBegin = 84, kFacet = 50; // bytes of a bina
 std::uint32_t wholeAt(std::string_view bytes, std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < 4; ++i)
-        value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i])) << (8 * i); // little-endian by definition
+        value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i]))
+                 << (8 * i); // little-endian by definition
     return value;
 }
 
@@ -38,20 +39,25 @@ ReadMesh readBinary(std::string_view bytes, double scale, MeshReport& report) {
         return mesh;
     }
     if (bytes.size() < expectedSize(bytes)) {
-        report.add({MeshProblem::truncated, "byte " + std::to_string(bytes.size()), "the end of the file: cut off, or no STL",
-                    std::to_string(expectedSize(bytes)) + " bytes for " + std::to_string(count) + " triangles"});
+        report.add(
+            {MeshProblem::truncated, "byte " + std::to_string(bytes.size()),
+             "the end of the file: cut off, or no STL",
+             std::to_string(expectedSize(bytes)) + " bytes for " + std::to_string(count) + " triangles"});
         return mesh;
     }
     if (bytes.size() > expectedSize(bytes))
         report.add({MeshProblem::bytesBehindTheEnd, "byte " + std::to_string(expectedSize(bytes)),
-                    std::to_string(bytes.size() - expectedSize(bytes)) + " bytes more, passed over", "the end of the file", 1, true});
+                    std::to_string(bytes.size() - expectedSize(bytes)) + " bytes more, passed over",
+                    "the end of the file", 1, true});
     for (std::uint32_t t = 0; t < count; ++t) {
         std::array<core::Vec3, 3> corners;
         for (std::size_t i = 0; i < 9; ++i) {
             const std::size_t at = kBegin + kFacet * t + 12 + 4 * i;
             const double value = scale * static_cast<double>(std::bit_cast<float>(wholeAt(bytes, at)));
             if (!std::isfinite(value)) {
-                report.add({MeshProblem::badNumber, "triangle " + std::to_string(t + 1) + " (byte " + std::to_string(at) + ")", "not a finite number", "a finite number"});
+                report.add({MeshProblem::badNumber,
+                            "triangle " + std::to_string(t + 1) + " (byte " + std::to_string(at) + ")",
+                            "not a finite number", "a finite number"});
                 return mesh;
             }
             corners[i / 3][static_cast<Eigen::Index>(i % 3)] = value;
@@ -77,7 +83,8 @@ bool readFacet(MeshLines& lines, double scale, ReadMesh& mesh, MeshReport& repor
             continue;
         if (tag == "endfacet") {
             if (count != 3) {
-                report.add({MeshProblem::badLine, "line " + std::to_string(begin), "a facet of " + std::to_string(count) + " vertices", "3"});
+                report.add({MeshProblem::badLine, "line " + std::to_string(begin),
+                            "a facet of " + std::to_string(count) + " vertices", "3"});
                 return false;
             }
             if (mesh.shape.triangles.size() == TriangleMesh::kMostTriangles) {
@@ -88,7 +95,8 @@ bool readFacet(MeshLines& lines, double scale, ReadMesh& mesh, MeshReport& repor
             return true;
         }
         if (tag != "vertex") {
-            report.add({MeshProblem::badLine, lines.place(), "\"" + std::string(tag.substr(0, 40)) + "\"", "vertex or endfacet"});
+            report.add({MeshProblem::badLine, lines.place(), "\"" + std::string(tag.substr(0, 40)) + "\"",
+                        "vertex or endfacet"});
             return false;
         }
         core::Vec3 p;
@@ -115,7 +123,8 @@ ReadMesh readText(std::string_view bytes, double scale, MeshReport& report) {
             if (!readFacet(lines, scale, mesh, report))
                 return mesh;
         } else if (!tag.empty()) {
-            report.add({MeshProblem::badLine, lines.place(), "\"" + std::string(tag.substr(0, 40)) + "\"", "facet or endsolid"});
+            report.add({MeshProblem::badLine, lines.place(), "\"" + std::string(tag.substr(0, 40)) + "\"",
+                        "facet or endsolid"});
             return mesh;
         }
     }
@@ -130,12 +139,14 @@ ReadMesh readStl(std::string_view bytes, double metresPerUnit, MeshReport& repor
     // Binary files may also begin with "solid". Text contains no zero bytes, and the number of triangles
     // always has one.
     static_assert(TriangleMesh::kMostTriangles < 1U << 24);
-    const bool textual = bytes.substr(0, 5) == "solid" && bytes.substr(0, kBegin).find('\0') == std::string_view::npos;
+    const bool textual =
+        bytes.substr(0, 5) == "solid" && bytes.substr(0, kBegin).find('\0') == std::string_view::npos;
     if (bytes.size() >= kBegin && !textual)
         return readBinary(bytes, metresPerUnit, report);
     if (textual)
         return readText(bytes, metresPerUnit, report);
-    report.add({MeshProblem::truncated, "byte " + std::to_string(bytes.size()), "the end of the file", "84 bytes at least, or \"solid\""});
+    report.add({MeshProblem::truncated, "byte " + std::to_string(bytes.size()), "the end of the file",
+                "84 bytes at least, or \"solid\""});
     return {};
 }
 
@@ -149,7 +160,8 @@ std::optional<MeshFormat> guessMeshFormat(std::string_view bytes) noexcept {
             continue;
         if (tag == "solid" || tag == "facet")
             return MeshFormat::stl;
-        if (tag == "v" || tag == "f" || tag == "o" || tag == "g" || tag == "mtllib" || tag == "vn" || tag == "vt" || tag == "s" || tag == "usemtl") {
+        if (tag == "v" || tag == "f" || tag == "o" || tag == "g" || tag == "mtllib" || tag == "vn" ||
+            tag == "vt" || tag == "s" || tag == "usemtl") {
             if (tag == "v" || tag == "f")
                 return MeshFormat::obj;
             continue;

@@ -86,7 +86,7 @@ std::vector<CornerAngles> cornerAngles(const TriangleMesh& mesh);
 /// tangents would take most of an organ's step. `moved` and `normals` are as long as mesh.vertices(),
 /// `weights` as mesh.triangles(). One pass over the triangles.
 /// Thread: any (the slow model's step); allocates nothing.
-void smoothNormals(const TriangleMesh& mesh, std::span<const CornerAngles> weights, std::span<const core::Vec3> moved,
-                   std::span<core::Vec3> normals) noexcept;
+void smoothNormals(const TriangleMesh& mesh, std::span<const CornerAngles> weights,
+                   std::span<const core::Vec3> moved, std::span<core::Vec3> normals) noexcept;
 
 } // namespace chiron::simulation

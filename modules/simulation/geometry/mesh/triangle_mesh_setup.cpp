@@ -24,7 +24,8 @@ core::Result<void> join(std::span<const Corners> corners, std::vector<SurfaceTri
         if (!wrong.empty())
             return;
         if (edge.size() != 2) {
-            wrong = edgeName(edge[0].key) + ": found in " + std::to_string(edge.size()) + " triangles, expected 2";
+            wrong = edgeName(edge[0].key) + ": found in " + std::to_string(edge.size()) +
+                    " triangles, expected 2";
             return;
         }
         if (edge[0].forward == edge[1].forward)
@@ -45,7 +46,8 @@ struct Sorted {
 
 /// Puts triangles in the tree's order and vertices in the order of their first triangle, so that a step to a
 /// neighbour finds its data nearby.
-Sorted sortedForTheTick(std::span<const core::Vec3> vertices, std::span<const Corners> triangles, std::span<const std::uint32_t> order) {
+Sorted sortedForTheTick(std::span<const core::Vec3> vertices, std::span<const Corners> triangles,
+                        std::span<const std::uint32_t> order) {
     constexpr std::uint32_t kNew = 0xffffffffU;
     Sorted out;
     std::vector<std::uint32_t> number(vertices.size(), kNew);
@@ -76,7 +78,8 @@ CornerAngles anglesOf(const std::array<core::Vec3, 3>& p) noexcept {
 }
 
 /// Adds the normal of one triangle to its corners, with these weights.
-void addNormals(const Corners& corners, const CornerAngles& weights, const std::array<core::Vec3, 3>& p, std::span<core::Vec3> normals) noexcept {
+void addNormals(const Corners& corners, const CornerAngles& weights, const std::array<core::Vec3, 3>& p,
+                std::span<core::Vec3> normals) noexcept {
     const core::Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
     for (std::size_t i = 0; i < 3; ++i)
         normals[corners[i]] += weights[i] * normal;
@@ -85,12 +88,14 @@ void addNormals(const Corners& corners, const CornerAngles& weights, const std::
 core::Result<void> checkNumbers(std::span<const core::Vec3> vertices, std::span<const Corners> triangles) {
     for (std::size_t v = 0; v < vertices.size(); ++v)
         if (!vertices[v].allFinite())
-            return core::fail(core::ErrorCode::badInput, "vertex " + std::to_string(v) + ": not a finite number");
+            return core::fail(core::ErrorCode::badInput,
+                              "vertex " + std::to_string(v) + ": not a finite number");
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         for (const std::uint32_t v : triangles[t])
             if (v >= vertices.size())
                 return core::fail(core::ErrorCode::badInput, "triangle " + std::to_string(t) + ": vertex " +
-                                                                 std::to_string(v) + " of " + std::to_string(vertices.size()));
+                                                                 std::to_string(v) + " of " +
+                                                                 std::to_string(vertices.size()));
         const core::Vec3& a = vertices[triangles[t][0]];
         const core::Vec3 side = (vertices[triangles[t][1]] - a).cross(vertices[triangles[t][2]] - a);
         if (!(side.squaredNorm() > 0.0))
@@ -101,9 +106,11 @@ core::Result<void> checkNumbers(std::span<const core::Vec3> vertices, std::span<
 
 } // namespace
 
-core::Result<TriangleMesh> TriangleMesh::create(std::span<const core::Vec3> vertices, std::span<const Corners> triangles) {
+core::Result<TriangleMesh> TriangleMesh::create(std::span<const core::Vec3> vertices,
+                                                std::span<const Corners> triangles) {
     if (triangles.empty() || triangles.size() > kMostTriangles)
-        return core::fail(core::ErrorCode::badInput, std::to_string(triangles.size()) + " triangles, expected 4 to " +
+        return core::fail(core::ErrorCode::badInput, std::to_string(triangles.size()) +
+                                                         " triangles, expected 4 to " +
                                                          std::to_string(kMostTriangles));
     CHIRON_TRY(checkNumbers(vertices, triangles));
     std::vector<SurfaceTriangle> unsorted(triangles.size());
@@ -132,7 +139,8 @@ void TriangleMesh::lay(std::span<const core::Vec3> vertices, std::span<const Cor
     double sum = 0.0;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         m_triangles[t].vertex = triangles[t];
-        const std::array<core::Vec3, 3> p{vertices[triangles[t][0]], vertices[triangles[t][1]], vertices[triangles[t][2]]};
+        const std::array<core::Vec3, 3> p{vertices[triangles[t][0]], vertices[triangles[t][1]],
+                                          vertices[triangles[t][2]]};
         addNormals(triangles[t], anglesOf(p), p, normals);
         for (std::size_t i = 0; i < 3; ++i) {
             const double edge = (p[(i + 1) % 3] - p[i]).norm();
@@ -145,7 +153,8 @@ void TriangleMesh::lay(std::span<const core::Vec3> vertices, std::span<const Cor
     m_vertices.reserve(vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) {
         const double length = normals[v].norm();
-        m_vertices.push_back({vertices[v], length > 0.0 ? core::Vec3(normals[v] / length) : core::Vec3::UnitZ()});
+        m_vertices.push_back(
+            {vertices[v], length > 0.0 ? core::Vec3(normals[v] / length) : core::Vec3::UnitZ()});
         m_lowest = m_lowest.cwiseMin(vertices[v]);
         m_highest = m_highest.cwiseMax(vertices[v]);
     }
@@ -155,12 +164,13 @@ std::vector<CornerAngles> cornerAngles(const TriangleMesh& mesh) {
     std::vector<CornerAngles> angles;
     angles.reserve(mesh.triangles().size());
     for (const SurfaceTriangle& triangle : mesh.triangles())
-        angles.push_back(anglesOf({mesh.position(triangle.vertex[0]), mesh.position(triangle.vertex[1]), mesh.position(triangle.vertex[2])}));
+        angles.push_back(anglesOf({mesh.position(triangle.vertex[0]), mesh.position(triangle.vertex[1]),
+                                   mesh.position(triangle.vertex[2])}));
     return angles;
 }
 
-void smoothNormals(const TriangleMesh& mesh, std::span<const CornerAngles> weights, std::span<const core::Vec3> moved,
-                   std::span<core::Vec3> normals) noexcept {
+void smoothNormals(const TriangleMesh& mesh, std::span<const CornerAngles> weights,
+                   std::span<const core::Vec3> moved, std::span<core::Vec3> normals) noexcept {
     std::fill(normals.begin(), normals.end(), core::Vec3::Zero());
     for (std::size_t t = 0; t < mesh.triangles().size(); ++t) {
         const Corners& v = mesh.triangles()[t].vertex;
@@ -168,7 +178,8 @@ void smoothNormals(const TriangleMesh& mesh, std::span<const CornerAngles> weigh
     }
     for (std::size_t v = 0; v < normals.size(); ++v) {
         const double length = normals[v].norm();
-        normals[v] = length > 0.0 ? core::Vec3(normals[v] / length) : mesh.normal(static_cast<std::uint32_t>(v));
+        normals[v] =
+            length > 0.0 ? core::Vec3(normals[v] / length) : mesh.normal(static_cast<std::uint32_t>(v));
     }
 }
 

@@ -78,8 +78,7 @@ UrethraAnatomy anatomyFrom(std::span<const double> p) noexcept {
     anatomy.freeLength_m = p[5];
     anatomy.freeBlend_m = p[6];
     // The laws evaluated here need no torques and no bladder, so their values must not cause a refusal
-    anatomy.angularCorner_m =
-        std::min(1e-4, p[5]);
+    anatomy.angularCorner_m = std::min(1e-4, p[5]);
     anatomy.bladderRadius_m = 1.0;
     anatomy.straight_m = p[16];
     if (p[10] > 0.0) {
@@ -174,19 +173,27 @@ std::string wallProblem(std::span<const double> p, const UrethraMeshSettings& me
     return problems.empty() ? std::string() : problems.front().field + ": " + problems.front().reason;
 }
 
-std::string profileProblem(std::span<const double> p, std::span<const double>) { return wallProblem(p, {}); }
+std::string profileProblem(std::span<const double> p, std::span<const double>) {
+    return wallProblem(p, {});
+}
 
 std::string surfaceProblem(std::span<const double> p, std::span<const double> in) {
     if (std::string problem = wallProblem(p, meshFrom(p)); !problem.empty() || in.empty())
         return problem;
     const double length_m = UrethraCentreline(anatomyFrom(p)).length_m();
-    return in[0] >= 0.0 && in[0] <= length_m ? std::string() : core::lawProblem("s_m", in[0], "from 0 to the bladder neck, " + std::to_string(length_m) + " m");
+    return in[0] >= 0.0 && in[0] <= length_m
+               ? std::string()
+               : core::lawProblem("s_m", in[0],
+                                  "from 0 to the bladder neck, " + std::to_string(length_m) + " m");
 }
 
 constexpr core::LawDescription kLine{
-    "urethra-centreline", "centre-line of the urethra, straight and then y = c (z - straight)^2, by arc length",
-    "P1; models.md §1.1 and §8", kLineInputs,
-    kLineOutputs,         kLineParameters,
+    "urethra-centreline",
+    "centre-line of the urethra, straight and then y = c (z - straight)^2, by arc length",
+    "P1; models.md §1.1 and §8",
+    kLineInputs,
+    kLineOutputs,
+    kLineParameters,
     &evaluateLine};
 constexpr core::LawDescription kProfile{
     "urethra-profile",
@@ -197,16 +204,16 @@ constexpr core::LawDescription kProfile{
     kProfileParameters,
     &evaluateProfile,
     &profileProblem};
-constexpr core::LawDescription kSurface{
-    "urethra-surface",
-    "drawn surface of the urethra, moved by the tip's offset in its free and its constrained part alike: point "
-    "and normal at arc length and angle, in A",
-    "P1 §3; models.md §1.1",
-    kSurfaceInputs,
-    kSurfaceOutputs,
-    kSurfaceParameters,
-    &evaluateSurface,
-    &surfaceProblem};
+constexpr core::LawDescription kSurface{"urethra-surface",
+                                        "drawn surface of the urethra, moved by the tip's offset in its free "
+                                        "and its constrained part alike: point "
+                                        "and normal at arc length and angle, in A",
+                                        "P1 §3; models.md §1.1",
+                                        kSurfaceInputs,
+                                        kSurfaceOutputs,
+                                        kSurfaceParameters,
+                                        &evaluateSurface,
+                                        &surfaceProblem};
 
 } // namespace
 

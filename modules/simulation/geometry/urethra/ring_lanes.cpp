@@ -27,8 +27,7 @@ constexpr int kSlope = 3 * kFour;
 constexpr int kSlopeStep = 4 * kFour;
 constexpr int kCurve = kCurveFours * kFour;
 /// Added to a normal's squared length (1e-20 or more), so that a wall without extent gives no NaN.
-constexpr float kLeastSquare =
-    1e-36F;
+constexpr float kLeastSquare = 1e-36F;
 
 [[gnu::always_inline]] inline const Lane& lane(const float* from) noexcept {
     return *reinterpret_cast<const Lane*>(from);
@@ -180,8 +179,7 @@ CHIRON_LANES void curveColumns(const SpanColumns& in, const std::array<float, 3>
         four(curve + kEdge) = 0.5F * (stepBefore - step);
         four(curve + kSlopeStep) = four(curve + kCurve + kSlope) - four(curve + kSlope);
         // Added last, so that the differences above keep the precision of their own size
-        four(curve) +=
-            four(in.point + j * kFour);
+        four(curve) += four(in.point + j * kFour);
         stepBefore = step;
     }
 }

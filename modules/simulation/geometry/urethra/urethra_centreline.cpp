@@ -100,13 +100,16 @@ CentrelineFoot UrethraCentreline::foot(const Vec3& p_A) const noexcept {
 CentrelineFoot UrethraCentreline::footOnParabola(const Vec3& p_A) const noexcept {
     const double scale = 1.0 / (2.0 * m_c * m_c);
     CentrelineFoot foot;
-    foot.at = atZ(m_straight_m + cubicRoot((1.0 - 2.0 * m_c * p_A.y()) * scale, (p_A.z() - m_straight_m) * scale));
+    foot.at =
+        atZ(m_straight_m + cubicRoot((1.0 - 2.0 * m_c * p_A.y()) * scale, (p_A.z() - m_straight_m) * scale));
     const Vec3 offset = p_A - foot.at.p_A;
     foot.ex_m = offset.x();
     foot.en_m = foot.at.n_A.dot(offset);
-    const double denominator = std::max(kLeastDenominator, 1.0 - foot.at.curvature_per_m * foot.en_m), along = 1.0 / denominator;
+    const double denominator = std::max(kLeastDenominator, 1.0 - foot.at.curvature_per_m * foot.en_m),
+                 along = 1.0 / denominator;
     foot.gradientOfS_A = foot.at.t_A / denominator;
-    foot.bendOfS_per_m = along * along * (foot.at.curvature_per_m + along * std::abs(foot.at.bending_per_m2 * foot.en_m));
+    foot.bendOfS_per_m =
+        along * along * (foot.at.curvature_per_m + along * std::abs(foot.at.bending_per_m2 * foot.en_m));
     return foot;
 }
 
@@ -127,9 +130,11 @@ CentrelineFoot UrethraCentreline::footBeforeVertex(const Vec3& p_A) const noexce
         const double steepens_per_m2 = u > 0.0 && u < 1.0 ? 6.0 / (kLeadIn_m * kLeadIn_m) : 0.0;
         const double across = 2.0 * m_c * g, turn = std::abs(bend) * rise_per_m, back_m = -past_m;
         const double both = 2.0 * back_m * along; // of the squares of D's derivatives
-        foot.bendOfS_per_m = along * along * (across + back_m * 2.0 * m_c * rise_per_m + both * across * turn +  // ∂²s/∂y∂z
-                                              both * across * across +                                            // ∂²s/∂y²
-                                              2.0 * turn + back_m * std::abs(bend) * steepens_per_m2 + both * turn * turn); // ∂²s/∂z²
+        foot.bendOfS_per_m =
+            along * along *
+            (across + back_m * 2.0 * m_c * rise_per_m + both * across * turn +             // ∂²s/∂y∂z
+             both * across * across +                                                      // ∂²s/∂y²
+             2.0 * turn + back_m * std::abs(bend) * steepens_per_m2 + both * turn * turn); // ∂²s/∂z²
     }
     const double s = m_straight_m + past_m / std::max(kLeastDenominator, denominator);
     foot.at.s_m = s;

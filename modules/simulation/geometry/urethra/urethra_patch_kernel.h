@@ -35,8 +35,7 @@ public:
     /// are the mean of both spans.
     void firstRing(bool endIsKept, const RingPlanes& out) noexcept;
     /// Writes the section after the loaded span, with this span's normals.
-    void
-    lastRing(const RingPlanes& out) noexcept;
+    void lastRing(const RingPlanes& out) noexcept;
     /// Keeps the slopes with which the loaded span arrives at its last section.
     void keepEnd() noexcept;
 

@@ -9,8 +9,7 @@ namespace chiron::simulation {
 namespace {
 
 /// Sections that were nudged are at least this far apart, whatever the rounding.
-constexpr double kApart_m =
-    0.99 * UrethraSectionPlan::kNudge_m;
+constexpr double kApart_m = 0.99 * UrethraSectionPlan::kNudge_m;
 
 } // namespace
 

@@ -15,10 +15,11 @@ namespace chiron::simulation {
 /// Resolution of the drawn urethra. P1's display: n = 17, w = 26. n counts the first point twice (n = 17: 16
 /// distinct).
 struct UrethraMeshSettings {
-    int n = 17;               ///< points per section, first = last; 4 < n ≤ 129
-    int w = 26;               ///< basic sections, equidistant along z; 4 ≤ w ≤ 401
-    int perPatch = 8;         ///< k: each Coons patch is tessellated k × k; 1..32
-    int movingSections = 9;   ///< dense sections of the moving deformation from s_t to s_t + ℓ, both included; 3..33
+    int n = 17;       ///< points per section, first = last; 4 < n ≤ 129
+    int w = 26;       ///< basic sections, equidistant along z; 4 ≤ w ≤ 401
+    int perPatch = 8; ///< k: each Coons patch is tessellated k × k; 1..32
+    int movingSections =
+        9; ///< dense sections of the moving deformation from s_t to s_t + ℓ, both included; 3..33
 };
 
 /// Position of the endoscope, as the drawn surface needs it. `inside` false: the surface is at rest.
@@ -50,7 +51,8 @@ struct VertexRange {
 /// Thread: a single one.
 class UrethraSurface {
 public:
-    UrethraSurface(const UrethraAnatomy& anatomy, const Endoscope& endoscope, const UrethraMeshSettings& settings);
+    UrethraSurface(const UrethraAnatomy& anatomy, const Endoscope& endoscope,
+                   const UrethraMeshSettings& settings);
 
     /// Returns the vertex ranges that it rewrote, in ascending order without overlaps; empty if nothing
     /// changed.
@@ -59,7 +61,8 @@ public:
 
     std::size_t vertexCount() const noexcept;
     std::size_t ringSize() const noexcept; ///< vertices per ring: (n − 1)·k
-    std::span<const float> plane(int component) const noexcept; ///< 0..2 position x, y, z (m), 3..5 normal; vertexCount() long
+    std::span<const float>
+    plane(int component) const noexcept; ///< 0..2 position x, y, z (m), 3..5 normal; vertexCount() long
     /// s of each vertex: texture coordinate along the canal.
     std::span<const float> arcLength_m() const noexcept;
     /// Three indices per triangle; the front faces are those seen from inside the lumen.

@@ -78,14 +78,19 @@ void checkFreePart(Check& check, const UrethraAnatomy& a, double length_m) {
     // Before the entrance no body holds the shaft or turns it back (models.md §1.2).
     const bool corner = check.positive("angularCorner_m", a.angularCorner_m);
     if (corner && std::isfinite(a.freeLength_m) && a.angularCorner_m > a.freeLength_m)
-        check.add("angularCorner_m", "is " + number(a.angularCorner_m) + ": a torque outside the body; it must be at most " +
+        check.add("angularCorner_m", "is " + number(a.angularCorner_m) +
+                                         ": a torque outside the body; it must be at most " +
                                          "freeLength_m, " + number(a.freeLength_m));
     if (corner && a.angularCorner_m <= a.freeLength_m && a.straight_m + a.angularCorner_m > a.freeLength_m)
-        check.add("straight_m", "is " + number(a.straight_m) + ": the curvature begins there with a jump, and the canal must not turn the shaft " +
-                                    "yet; it must be at most freeLength_m less angularCorner_m, " + number(a.freeLength_m - a.angularCorner_m));
+        check.add("straight_m",
+                  "is " + number(a.straight_m) +
+                      ": the curvature begins there with a jump, and the canal must not turn the shaft " +
+                      "yet; it must be at most freeLength_m less angularCorner_m, " +
+                      number(a.freeLength_m - a.angularCorner_m));
     check.notNegative("pivotSpan_m", a.pivotSpan_m);
     if (check.positive("freeBlend_m", a.freeBlend_m) && a.freeBlend_m > a.freeLength_m)
-        check.add("freeBlend_m", "is " + number(a.freeBlend_m) + ": the wall's hold would begin at the entrance with a jump; it " +
+        check.add("freeBlend_m", "is " + number(a.freeBlend_m) +
+                                     ": the wall's hold would begin at the entrance with a jump; it " +
                                      "must be at most freeLength_m, " + number(a.freeLength_m));
 }
 
@@ -188,8 +193,9 @@ std::vector<UrethraProblem> urethraProblems(const UrethraAnatomy& anatomy, const
     Check check;
     const bool curved = check.positive("curvature_per_m", anatomy.curvature_per_m);
     const bool straight = check.range("straight_m", anatomy.straight_m, 0.0, true);
-    const bool line =
-        check.range("zEnd_m", anatomy.zEnd_m, kShortestCanal_m + (straight ? anatomy.straight_m : 0.0), true) && curved && straight;
+    const bool line = check.range("zEnd_m", anatomy.zEnd_m,
+                                  kShortestCanal_m + (straight ? anatomy.straight_m : 0.0), true) &&
+                      curved && straight;
     const UrethraCentreline centreline = line ? UrethraCentreline(anatomy) : UrethraCentreline(1.0, 1.0);
     checkWallNumbers(check, anatomy);
     if (line) {

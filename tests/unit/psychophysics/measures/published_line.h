@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-// One printed line a source of published numbers: how many were compared, how many held, and the worst difference.
+// One printed line a source of published numbers: how many were compared, how many held, and the worst
+// difference.
 class PublishedLine {
 public:
     explicit PublishedLine(const char* source) : m_source(source) {}

@@ -72,7 +72,8 @@ void TestDPrime::sensR() {
     QVERIFY(line.holds());
 }
 
-/// psyphy's help (published_small_checks.json, psyphy_help). Its roots are R's uniroot and optimize at their default tolerance, 1.2e-4.
+/// psyphy's help (published_small_checks.json, psyphy_help). Its roots are R's uniroot and optimize at their
+/// default tolerance, 1.2e-4.
 void TestDPrime::psyphy() {
     PublishedLine line("published_small_checks.json psyphy_help");
     line.compare(dPrimeAt({Discrimination::mAfc, 4}, 0.8), 1.893143, 5e-5);
@@ -84,7 +85,8 @@ void TestDPrime::psyphy() {
     QVERIFY(line.holds());
 }
 
-/// Versfeld, Dai & Green (1996): at d' = 1 differencing is right 0.418 of the time, independent observation 0.447.
+/// Versfeld, Dai & Green (1996): at d' = 1 differencing is right 0.418 of the time, independent observation
+/// 0.447.
 void TestDPrime::oddityRulesApart() {
     PublishedLine line("Versfeld, Dai & Green 1996, oddity at d' = 1");
     line.compare(proportionCorrect(kTriangle, 1.0), 0.418, 5e-4);
@@ -150,15 +152,21 @@ void TestDPrime::sameDifferentByDifferencing() {
             QVERIFY(std::abs(sameDifferentDPrime(rates.hit, rates.falseAlarm) - d) < 1e-6);
         }
     const DPrimeEstimate estimate = sameDifferentOfCounts(80, 120, 30, 120);
-    QVERIFY(estimate.dPrime > 1.5 && estimate.dPrime < 2.5 && estimate.standardError > 0.1 && estimate.standardError < 0.4);
+    QVERIFY(estimate.dPrime > 1.5 && estimate.dPrime < 2.5 && estimate.standardError > 0.1 &&
+            estimate.standardError < 0.4);
     QVERIFY(sameDifferentOfCounts(10, 50, 20, 50).dPrime == 0.0);
-    // The same rates of four and of nine times as many trials: a half and a third of the error. Each kind of pair has its own number.
-    const auto plain = [](long long n, long long m) { return sameDifferentOfCounts(2 * n, 3 * n, m, 4 * m, 0.95, chiron::core::RateCorrection::none); };
+    // The same rates of four and of nine times as many trials: a half and a third of the error. Each kind of
+    // pair has its own number.
+    const auto plain = [](long long n, long long m) {
+        return sameDifferentOfCounts(2 * n, 3 * n, m, 4 * m, 0.95, chiron::core::RateCorrection::none);
+    };
     const double one = plain(40, 30).standardError;
-    QVERIFY(one > 0.0 && std::abs(plain(160, 120).standardError - 0.5 * one) < 1e-6 && std::abs(plain(360, 270).standardError - one / 3.0) < 1e-6);
+    QVERIFY(one > 0.0 && std::abs(plain(160, 120).standardError - 0.5 * one) < 1e-6 &&
+            std::abs(plain(360, 270).standardError - one / 3.0) < 1e-6);
     const double byHits2 = one * one - std::pow(plain(40 * 1000000, 30).standardError, 2);
     QVERIFY(byHits2 > 0.1 * one * one);
-    QVERIFY2(std::abs(one * one - std::pow(plain(160, 30).standardError, 2) - 0.75 * byHits2) < 1e-6, "hits count by pairs that differ");
+    QVERIFY2(std::abs(one * one - std::pow(plain(160, 30).standardError, 2) - 0.75 * byHits2) < 1e-6,
+             "hits count by pairs that differ");
 }
 
 /// Of counts of 2AFC in closed form: √(p q/n) over the slope φ(d′/√2)/√2.
@@ -167,7 +175,8 @@ void TestDPrime::errorFallsWithTheTrials() {
     for (const long long n : {40, 160, 640}) {
         const DPrimeEstimate estimate = dPrimeOfCounts(task, n * 3 / 4, n);
         const double density = std::exp(-0.25 * estimate.dPrime * estimate.dPrime) / std::sqrt(2.0 * M_PI);
-        QVERIFY(std::abs(estimate.standardError - std::sqrt(0.75 * 0.25 / static_cast<double>(n)) / (density / M_SQRT2)) < 1e-6);
+        QVERIFY(std::abs(estimate.standardError -
+                         std::sqrt(0.75 * 0.25 / static_cast<double>(n)) / (density / M_SQRT2)) < 1e-6);
     }
 }
 
@@ -179,7 +188,8 @@ void TestDPrime::intervalsCover() {
             double covered = 0.0;
             for (int right = 0; right <= 60; ++right) {
                 const DPrimeEstimate estimate = dPrimeOfCounts(task, right, 60);
-                const double chance = std::exp(logChoose(60, right) + right * std::log(p) + (60 - right) * std::log1p(-p));
+                const double chance =
+                    std::exp(logChoose(60, right) + right * std::log(p) + (60 - right) * std::log1p(-p));
                 covered += estimate.low <= d && d <= estimate.high ? chance : 0.0;
             }
             QVERIFY2(covered >= 0.95, qPrintable(QString::number(covered)));
@@ -187,20 +197,25 @@ void TestDPrime::intervalsCover() {
 }
 
 void TestDPrime::degenerate() {
-    QVERIFY(std::isnan(dPrimeOfCounts(kTriangle, 0, 0).dPrime) && !dPrimeOfCounts(kTriangle, 0, 0).warnings.empty());
-    QVERIFY(std::isnan(dPrimeOfCounts(kTriangle, 5, 3).dPrime) && std::isnan(dPrimeOfCounts(kTriangle, -1, 3).low));
+    QVERIFY(std::isnan(dPrimeOfCounts(kTriangle, 0, 0).dPrime) &&
+            !dPrimeOfCounts(kTriangle, 0, 0).warnings.empty());
+    QVERIFY(std::isnan(dPrimeOfCounts(kTriangle, 5, 3).dPrime) &&
+            std::isnan(dPrimeOfCounts(kTriangle, -1, 3).low));
     const DPrimeEstimate all = dPrimeOfCounts(kTriangle, 40, 40);
-    QVERIFY(std::isnan(all.dPrime) && all.low > 2.0 && std::isinf(all.high) && all.warnings.front().starts_with("all_right: "));
+    QVERIFY(std::isnan(all.dPrime) && all.low > 2.0 && std::isinf(all.high) &&
+            all.warnings.front().starts_with("all_right: "));
     const DPrimeEstimate chance = dPrimeOfCounts(kTriangle, 9, 40);
     QVERIFY(chance.dPrime == 0.0 && std::isnan(chance.standardError) && chance.low == 0.0);
     const DPrimeEstimate million = dPrimeOfCounts(kTwoAfc, 750000, 1000000);
     QVERIFY(std::abs(million.dPrime - 0.953872552) < 1e-6 && million.high - million.low < 0.01);
-    QVERIFY(std::isnan(dPrimeAt(kTetrad, std::nan(""))) && std::isnan(proportionCorrect(kTetrad, std::nan(""))));
+    QVERIFY(std::isnan(dPrimeAt(kTetrad, std::nan(""))) &&
+            std::isnan(proportionCorrect(kTetrad, std::nan(""))));
     QVERIFY(std::isnan(dPrimeOfRates(kAbx, 1.0, 0.0)) && std::isnan(sameDifferentDPrime(0.0, 0.5)));
     QVERIFY(std::isnan(dPrimeOfCounts({Discrimination::mAfc, -3}, 0, 10).dPrime));
 }
 
-/// Tables: chi-square, t (5 % and 1 % points), binomial tails and Clopper–Pearson limits by R's pchisq, qt, qchisq, binom.test.
+/// Tables: chi-square, t (5 % and 1 % points), binomial tails and Clopper–Pearson limits by R's pchisq, qt,
+/// qchisq, binom.test.
 void TestDPrime::tails() {
     QVERIFY(std::abs(chiSquareUpperTail(3.841458820694124, 1) - 0.05) < 1e-12);
     QVERIFY(std::abs(chiSquareUpperTail(18.30703805327515, 10) - 0.05) < 1e-12);
@@ -210,7 +225,8 @@ void TestDPrime::tails() {
     QVERIFY(std::abs(studentUpperTail(-1.0, 3) + studentUpperTail(1.0, 3) - 1.0) < 1e-14);
     QVERIFY(std::abs(binomialUpperTail(8, 10, 0.5) - 56.0 / 1024.0) < 1e-14);
     QVERIFY(std::abs(binomialLowerTail(2, 10, 0.5) - 56.0 / 1024.0) < 1e-14);
-    QVERIFY(std::abs(exactInterval(7, 20).low - 0.1539092) < 1e-7 && std::abs(exactInterval(7, 20).high - 0.5921885) < 1e-7);
+    QVERIFY(std::abs(exactInterval(7, 20).low - 0.1539092) < 1e-7 &&
+            std::abs(exactInterval(7, 20).high - 0.5921885) < 1e-7);
     QVERIFY(exactInterval(0, 0).low == 0.0 && exactInterval(0, 0).high == 1.0);
 }
 
@@ -238,9 +254,12 @@ void TestDPrime::ratesAtTheirLimitsAreSaid() {
         QCOMPARE(token(hits, falseAlarms), std::string("rate_at_limit"));
     for (const auto& [hits, falseAlarms] : {std::pair{1, 1}, {19, 23}, {19, 1}})
         QCOMPARE(token(hits, falseAlarms), std::string());
-    const auto first = [](const DPrimeEstimate& estimate) { return estimate.warnings.empty() ? std::string() : estimate.warnings.front(); };
+    const auto first = [](const DPrimeEstimate& estimate) {
+        return estimate.warnings.empty() ? std::string() : estimate.warnings.front();
+    };
     QVERIFY(first(sameDifferentOfCounts(20, 20, 0, 24)).starts_with("rate_at_limit: "));
-    QVERIFY(first(sameDifferentOfCounts(20, 20, 0, 24, 0.95, chiron::core::RateCorrection::none)).starts_with("no_limit: "));
+    QVERIFY(first(sameDifferentOfCounts(20, 20, 0, 24, 0.95, chiron::core::RateCorrection::none))
+                .starts_with("no_limit: "));
     QCOMPARE(first(sameDifferentOfCounts(19, 20, 1, 24)), std::string());
 }
 

@@ -32,7 +32,8 @@ Questionnaire sus() {
     return out;
 }
 
-constexpr std::array<const char*, 6> kScales{"mental", "physical", "temporal", "performance", "effort", "frustration"};
+constexpr std::array<const char*, 6> kScales{"mental",      "physical", "temporal",
+                                             "performance", "effort",   "frustration"};
 
 Questionnaire tlx(bool weighted) {
     Questionnaire out;
@@ -107,16 +108,19 @@ private slots:
         QCOMPARE(scores[3].value, 60.0);
     }
 
-    /// Each scale counts as often as it was chosen of its five pairs: weights 3 0 5 1 3 3, ratings 30 15 60 40 40 30, 640 of 15 (Hart & Staveland 1988).
+    /// Each scale counts as often as it was chosen of its five pairs: weights 3 0 5 1 3 3, ratings 30 15 60
+    /// 40 40 30, 640 of 15 (Hart & Staveland 1988).
     void weightedWorkloadCountsThePairs() {
         const std::array<double, 6> ratings{30, 15, 60, 40, 40, 30};
-        const std::array<int, 6> rank{3, 0, 5, 1, 4, 2}; // a strict order gives 3 0 5 1 4 2; one pair turned gives 3 and 3
+        const std::array<int, 6> rank{
+            3, 0, 5, 1, 4, 2}; // a strict order gives 3 0 5 1 4 2; one pair turned gives 3 and 3
         QuestionnaireReply reply;
         for (std::size_t i = 0; i < ratings.size(); ++i)
             reply.numbers[kScales[i]] = ratings[i] / 5.0 + 1.0;
         for (std::size_t a = 0; a < kScales.size(); ++a)
             for (std::size_t b = a + 1; b < kScales.size(); ++b)
-                reply.numbers[std::string("pair_") + kScales[a] + "_" + kScales[b]] = rank[a] > rank[b] ? 0 : 1;
+                reply.numbers[std::string("pair_") + kScales[a] + "_" + kScales[b]] =
+                    rank[a] > rank[b] ? 0 : 1;
         reply.numbers["pair_effort_frustration"] = 1;
         QVERIFY(std::abs(instrumentScores(tlx(true), reply).front().value - 640.0 / 15.0) < 1e-12);
     }
@@ -124,7 +128,8 @@ private slots:
     /// 100 (R - L)/(R + L) (Oldfield 1971).
     void lateralityFromLeftToRight() {
         QCOMPARE(instrumentScores(hands(), all(hands(), 4)).front().value, 100.0);
-        QCOMPARE(instrumentScores(hands(), all(hands(), 3)).front().value, 100.0); // all of it right, if weakly
+        QCOMPARE(instrumentScores(hands(), all(hands(), 3)).front().value,
+                 100.0); // all of it right, if weakly
         QCOMPARE(instrumentScores(hands(), all(hands(), 0)).front().value, -100.0);
         QCOMPARE(instrumentScores(hands(), all(hands(), 2)).front().value, 0.0);
         auto reply = all(hands(), 4); // nine strongly right, one either: (19 - 1)/(19 + 1)
@@ -150,7 +155,8 @@ private slots:
         Questionnaire pairs = tlx(true);
         pairs.items.back().id = "pair_effort_boredom";
         QVERIFY(!scoreFault(pairs).empty());
-        QVERIFY(scoreFault(tlx(true)).empty() && scoreFault(tlx(false)).empty() && scoreFault(hands()).empty());
+        QVERIFY(scoreFault(tlx(true)).empty() && scoreFault(tlx(false)).empty() &&
+                scoreFault(hands()).empty());
     }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What answers of many kinds say, from single tails to groups and studies of the apex, figure by figure against what was kept: published
-// cases and laws show that measures are right, this that none of them changes unsaid, with data that carry little, too.
+// What answers of many kinds say, from single tails to groups and studies of the apex, figure by figure
+// against what was kept: published cases and laws show that measures are right, this that none of them
+// changes unsaid, with data that carry little, too.
 #include "support/kept_figures.h"
 #include "tests/unit/psychophysics/measures/thurstone_runs.h"
 
@@ -36,9 +37,15 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 const QString kFile = QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/psychophysics/data/kept_measures.txt");
 
-const std::vector<DiscriminationTask> kRules{{Discrimination::mAfc, 2},           {Discrimination::mAfc, 3},          {Discrimination::mAfc, 7},
-                                             {Discrimination::oddityDifferencing, 3}, {Discrimination::oddityIndependent, 3}, {Discrimination::sameDifferentIndependent, 2},
-                                             {Discrimination::abxDifferencing, 2},    {Discrimination::abxIndependent, 2},    {Discrimination::tetrad, 4}};
+const std::vector<DiscriminationTask> kRules{{Discrimination::mAfc, 2},
+                                             {Discrimination::mAfc, 3},
+                                             {Discrimination::mAfc, 7},
+                                             {Discrimination::oddityDifferencing, 3},
+                                             {Discrimination::oddityIndependent, 3},
+                                             {Discrimination::sameDifferentIndependent, 2},
+                                             {Discrimination::abxDifferencing, 2},
+                                             {Discrimination::abxIndependent, 2},
+                                             {Discrimination::tetrad, 4}};
 
 void warn(Figures& out, const std::vector<Warning>& warnings) {
     for (const Warning& warning : warnings)
@@ -46,13 +53,18 @@ void warn(Figures& out, const std::vector<Warning>& warnings) {
 }
 
 void tell(Figures& out, const RunEstimate& of) {
-    out.add(QStringLiteral("run"), of.weber, of.weber95.low, of.weber95.high, of.jnd, of.sigma_log10, of.sigma95.low, of.sigma95.high, of.priorInfluence);
-    out.add(QStringLiteral("also"), of.pse, of.pse95.low, of.pse95.high, of.criterion, of.lapse, of.tie, of.tie95.low, of.tie95.high, of.exponent, of.exponent95.low, of.exponent95.high);
-    out.add(QStringLiteral("curve"), of.threshold, of.threshold95.low, of.threshold95.high, of.fitThreshold, of.fitThreshold95.low, of.fitThreshold95.high, of.deviance, of.pValue, of.trials);
+    out.add(QStringLiteral("run"), of.weber, of.weber95.low, of.weber95.high, of.jnd, of.sigma_log10,
+            of.sigma95.low, of.sigma95.high, of.priorInfluence);
+    out.add(QStringLiteral("also"), of.pse, of.pse95.low, of.pse95.high, of.criterion, of.lapse, of.tie,
+            of.tie95.low, of.tie95.high, of.exponent, of.exponent95.low, of.exponent95.high);
+    out.add(QStringLiteral("curve"), of.threshold, of.threshold95.low, of.threshold95.high, of.fitThreshold,
+            of.fitThreshold95.low, of.fitThreshold95.high, of.deviance, of.pValue, of.trials);
     for (const CurvePoint& point : of.points)
         out.add(QStringLiteral("point"), point.difference, point.right, point.of);
     for (std::size_t i = 0; i < of.curveDifference.size(); i += 17)
-        out.add(QStringLiteral("at"), of.curveDifference[i], of.curveProportion[i], of.curveLow.size() > i ? of.curveLow[i] : kNaN, of.curveHigh.size() > i ? of.curveHigh[i] : kNaN);
+        out.add(QStringLiteral("at"), of.curveDifference[i], of.curveProportion[i],
+                of.curveLow.size() > i ? of.curveLow[i] : kNaN,
+                of.curveHigh.size() > i ? of.curveHigh[i] : kNaN);
     out.say(QStringLiteral("by"), std::string(methodText(of.method)) + ", " + of.unit);
     warn(out, of.warnings);
 }
@@ -75,17 +87,20 @@ void tell(Figures& out, const Concordance& of) {
 }
 
 void tell(Figures& out, const PageTrend& of) {
-    out.add(QStringLiteral("L"), of.l, of.expected, of.z, of.exactP, of.normalP, of.pValue, of.judges, of.objects);
+    out.add(QStringLiteral("L"), of.l, of.expected, of.z, of.exactP, of.normalP, of.pValue, of.judges,
+            of.objects);
     out.say(QStringLiteral("warns"), of.warnings);
 }
 
 void tell(Figures& out, const DPrimeEstimate& of) {
-    out.add(QStringLiteral("d'"), of.proportion, of.dPrime, of.standardError, of.low, of.high, of.pValue, of.scoreChiSquare, of.scoreP);
+    out.add(QStringLiteral("d'"), of.proportion, of.dPrime, of.standardError, of.low, of.high, of.pValue,
+            of.scoreChiSquare, of.scoreP);
     out.say(QStringLiteral("warns"), of.warnings);
 }
 
 void tell(Figures& out, const RankingSummary& of) {
-    out.add(QStringLiteral("rankings"), of.rankings, of.tied, of.judges, of.complete.right, of.complete.of, of.complete.share, of.complete.low, of.complete.high, of.complete.pValue, of.adaptive);
+    out.add(QStringLiteral("rankings"), of.rankings, of.tied, of.judges, of.complete.right, of.complete.of,
+            of.complete.share, of.complete.low, of.complete.high, of.complete.pValue, of.adaptive);
     out.add(QStringLiteral("intervals"), of.wLow, of.wHigh, of.tau, of.tauLow, of.tauHigh, of.davidsonTie);
     tell(out, of.agreement);
     tell(out, of.trend);
@@ -95,7 +110,8 @@ void tell(Figures& out, const RankingSummary& of) {
 }
 
 /// A run at the given differences by an observer of that σ.
-std::vector<ScoredTrial> answered(Task task, const std::vector<double>& differences, int each, double sigma, double lapse, std::uint64_t seed) {
+std::vector<ScoredTrial> answered(Task task, const std::vector<double>& differences, int each, double sigma,
+                                  double lapse, std::uint64_t seed) {
     core::Random random(seed);
     std::vector<ScoredTrial> trials;
     for (int i = 0; i < each; ++i)
@@ -142,19 +158,25 @@ private:
 
 void TestKeptMeasures::tails() {
     Figures out;
-    for (const auto& [k, n] : std::vector<std::pair<int, int>>{{0, 0}, {0, 5}, {5, 5}, {3, 5}, {-1, 5}, {6, 5}, {38, 50}, {0, 400}, {211, 400}, {7, -1}}) {
+    for (const auto& [k, n] : std::vector<std::pair<int, int>>{
+             {0, 0}, {0, 5}, {5, 5}, {3, 5}, {-1, 5}, {6, 5}, {38, 50}, {0, 400}, {211, 400}, {7, -1}}) {
         for (const double p : {-0.1, 0.0, 0.2, 0.5, 1.0, 1.1})
-            out.add(QStringLiteral("binomial %1 of %2").arg(k).arg(n), p, binomialUpperTail(k, n, p), binomialLowerTail(k, n, p));
+            out.add(QStringLiteral("binomial %1 of %2").arg(k).arg(n), p, binomialUpperTail(k, n, p),
+                    binomialLowerTail(k, n, p));
         for (const double level : {0.5, 0.95, 0.99}) {
-            const ProportionInterval exact = exactInterval(k, n, level), score = wilsonInterval(k, n, level), corrected = wilsonInterval(k, n, level, true);
-            out.add(QStringLiteral("interval"), level, exact.low, exact.high, score.low, score.high, corrected.low, corrected.high);
+            const ProportionInterval exact = exactInterval(k, n, level), score = wilsonInterval(k, n, level),
+                                     corrected = wilsonInterval(k, n, level, true);
+            out.add(QStringLiteral("interval"), level, exact.low, exact.high, score.low, score.high,
+                    corrected.low, corrected.high);
         }
     }
-    for (const auto& [n, k] : std::vector<std::pair<double, double>>{{0, 0}, {5, 0}, {5, 2}, {5, 5}, {1000, 321}})
+    for (const auto& [n, k] :
+         std::vector<std::pair<double, double>>{{0, 0}, {5, 0}, {5, 2}, {5, 5}, {1000, 321}})
         out.add(QStringLiteral("choose"), n, k, logChoose(n, k));
     for (const double a : {0.3, 1.0, 2.5, 30.0})
         for (const double x : {-0.1, 0.0, 0.1, 0.5, 0.9, 1.0, 1.1, 3.0, 12.0, 60.0})
-            out.add(QStringLiteral("beta, gamma"), a, x, betaRegularised(x, a, 0.7), betaRegularised(x, a, 6.0), gammaUpperRegularised(a, x));
+            out.add(QStringLiteral("beta, gamma"), a, x, betaRegularised(x, a, 0.7),
+                    betaRegularised(x, a, 6.0), gammaUpperRegularised(a, x));
     for (const double degrees : {0.5, 1.0, 2.0, 3.0, 9.0, 80.0, HUGE_VAL}) {
         for (const double t : {-HUGE_VAL, -3.0, -0.5, 0.0, 1.0, 2.3, 20.0})
             out.add(QStringLiteral("t"), degrees, t, studentUpperTail(t, degrees));
@@ -163,9 +185,11 @@ void TestKeptMeasures::tails() {
     }
     for (const double degrees : {1.0, 2.0, 7.0, 90.0})
         for (const double p : {0.0, 0.01, 0.3, 0.5, 0.975, 0.999})
-            out.add(QStringLiteral("chi-square"), degrees, p, chiSquareQuantile(p, degrees), chiSquareUpperTail(10.0 * p * degrees, degrees));
+            out.add(QStringLiteral("chi-square"), degrees, p, chiSquareQuantile(p, degrees),
+                    chiSquareUpperTail(10.0 * p * degrees, degrees));
     for (const double share : {-0.1, 0.0, 0.1, 0.5, 0.77, 1.0, 1.1})
-        out.add(QStringLiteral("quantile"), share, quantileOf({1.0, 2.0, 4.0, 8.0}, share), quantileOf({3.0}, share), quantileOf({}, share));
+        out.add(QStringLiteral("quantile"), share, quantileOf({1.0, 2.0, 4.0, 8.0}, share),
+                quantileOf({3.0}, share), quantileOf({}, share));
     hold("tails", out);
 }
 
@@ -179,8 +203,10 @@ void TestKeptMeasures::discrimination() {
             out.add(QStringLiteral("d' at"), p, dPrimeAt(task, p));
         for (const double d : {0.0, 0.8, 1.6}) {
             for (const int trials : {0, 1, 20, 90})
-                out.add(QStringLiteral("power"), d, trials, discriminationPower(task, d, trials), discriminationPower(task, d, trials, 0.01));
-            out.add(QStringLiteral("trials"), d, d > 0.0 ? trialsForPower(task, d, 0.8) : 0, d > 0.0 ? trialsForPower(task, d, 0.9, 0.01) : 0);
+                out.add(QStringLiteral("power"), d, trials, discriminationPower(task, d, trials),
+                        discriminationPower(task, d, trials, 0.01));
+            out.add(QStringLiteral("trials"), d, d > 0.0 ? trialsForPower(task, d, 0.8) : 0,
+                    d > 0.0 ? trialsForPower(task, d, 0.9, 0.01) : 0);
         }
         for (const double hit : {0.0, 0.3, 0.8, 1.0})
             for (const double falseAlarm : {0.1, 0.5, 0.9})
@@ -192,27 +218,57 @@ void TestKeptMeasures::discrimination() {
     }
     for (const double d : {0.0, 0.7, 2.0})
         for (const double k : {0.0, 1.0, 2.5})
-            out.add(QStringLiteral("same-different"), d, k, sameDifferentRates(d, k).hit, sameDifferentRates(d, k).falseAlarm);
+            out.add(QStringLiteral("same-different"), d, k, sameDifferentRates(d, k).hit,
+                    sameDifferentRates(d, k).falseAlarm);
     for (const double hit : {0.0, 0.2, 0.6, 0.9, 1.0})
         for (const double falseAlarm : {0.0, 0.1, 0.2, 0.7, 1.0})
-            out.add(QStringLiteral("same-different d'"), hit, falseAlarm, sameDifferentDPrime(hit, falseAlarm));
+            out.add(QStringLiteral("same-different d'"), hit, falseAlarm,
+                    sameDifferentDPrime(hit, falseAlarm));
     hold("discrimination", out);
 }
 
 void TestKeptMeasures::counts() {
     Figures out;
     for (const DiscriminationTask& task : kRules)
-        for (const auto& [k, n] : std::vector<std::pair<int, int>>{{0, 0}, {0, 8}, {8, 8}, {5, 8}, {9, 8}, {-1, 8}, {9, 10}, {38, 60}, {200, 1000}, {1000, 1000}})
+        for (const auto& [k, n] : std::vector<std::pair<int, int>>{{0, 0},
+                                                                   {0, 8},
+                                                                   {8, 8},
+                                                                   {5, 8},
+                                                                   {9, 8},
+                                                                   {-1, 8},
+                                                                   {9, 10},
+                                                                   {38, 60},
+                                                                   {200, 1000},
+                                                                   {1000, 1000}})
             for (const ProportionLimits limits : {ProportionLimits::exact, ProportionLimits::score}) {
-                out.add(QStringLiteral("counts"), static_cast<int>(task.rule), task.alternatives, k, n, static_cast<int>(limits));
+                out.add(QStringLiteral("counts"), static_cast<int>(task.rule), task.alternatives, k, n,
+                        static_cast<int>(limits));
                 tell(out, dPrimeOfCounts(task, k, n, limits));
                 if (n == 60)
                     tell(out, dPrimeOfCounts(task, k, n, limits, 0.8));
             }
-    for (const std::vector<int>& row : std::vector<std::vector<int>>{{30, 50, 5, 50}, {0, 20, 0, 20}, {20, 20, 20, 20}, {20, 20, 0, 20}, {3, 20, 9, 20}, {10, 20, 10, 20}, {1, 1, 0, 1}, {5, 0, 5, 9}, {5, 9, 5, 0}, {7, 6, 1, 6}, {-1, 6, 1, 6}, {0, 20, 0, 4}, {8, 9, 2, 12}, {0, 20, 3, 20}, {20, 20, 3, 20}, {5, 20, 0, 20}, {5, 20, 20, 20}})
-        for (const core::RateCorrection correction : {core::RateCorrection::logLinear, core::RateCorrection::none})
+    for (const std::vector<int>& row : std::vector<std::vector<int>>{{30, 50, 5, 50},
+                                                                     {0, 20, 0, 20},
+                                                                     {20, 20, 20, 20},
+                                                                     {20, 20, 0, 20},
+                                                                     {3, 20, 9, 20},
+                                                                     {10, 20, 10, 20},
+                                                                     {1, 1, 0, 1},
+                                                                     {5, 0, 5, 9},
+                                                                     {5, 9, 5, 0},
+                                                                     {7, 6, 1, 6},
+                                                                     {-1, 6, 1, 6},
+                                                                     {0, 20, 0, 4},
+                                                                     {8, 9, 2, 12},
+                                                                     {0, 20, 3, 20},
+                                                                     {20, 20, 3, 20},
+                                                                     {5, 20, 0, 20},
+                                                                     {5, 20, 20, 20}})
+        for (const core::RateCorrection correction :
+             {core::RateCorrection::logLinear, core::RateCorrection::none})
             for (const double level : {0.95, 0.8}) {
-                out.add(QStringLiteral("hits"), row[0], row[1], row[2], row[3], static_cast<int>(correction), level);
+                out.add(QStringLiteral("hits"), row[0], row[1], row[2], row[3], static_cast<int>(correction),
+                        level);
                 tell(out, sameDifferentOfCounts(row[0], row[1], row[2], row[3], level, correction));
                 out.say(QStringLiteral("of rates"), warningsOfRates(row[0], row[1], row[2], row[3]));
             }
@@ -236,8 +292,12 @@ void TestKeptMeasures::agreement() {
         wide.push_back(b);
         tied.push_back(c);
     }
-    for (const Rows& rows : {Rows{}, Rows{{1, 2, 3}}, Rows{{1, 2, 3}, {1, 2, 3}}, Rows{{1, 2, 3}, {3, 2, 1}, {1, 3, 2}}, Rows{{1, 1, 3}, {2, 2, 2}, {1, 2, 2}}, Rows{{5, 5, 5}, {2, 2, 2}}, Rows{{1}, {1}}, Rows{{1, 2}, {1, 2}, {2, 1}, {1, 2}},
-                             Rows{{1, 2, 3, 4}, {1, kNaN, 3, 4}, {4, 3, 2}, {2, 1, 3, 4}, {1, 2, 4, HUGE_VAL}}, many, wide, tied, Rows(many.begin(), many.begin() + 5), Rows(many.begin(), many.begin() + 8)}) {
+    for (const Rows& rows :
+         {Rows{}, Rows{{1, 2, 3}}, Rows{{1, 2, 3}, {1, 2, 3}}, Rows{{1, 2, 3}, {3, 2, 1}, {1, 3, 2}},
+          Rows{{1, 1, 3}, {2, 2, 2}, {1, 2, 2}}, Rows{{5, 5, 5}, {2, 2, 2}}, Rows{{1}, {1}},
+          Rows{{1, 2}, {1, 2}, {2, 1}, {1, 2}},
+          Rows{{1, 2, 3, 4}, {1, kNaN, 3, 4}, {4, 3, 2}, {2, 1, 3, 4}, {1, 2, 4, HUGE_VAL}}, many, wide, tied,
+          Rows(many.begin(), many.begin() + 5), Rows(many.begin(), many.begin() + 8)}) {
         tell(out, kendallW(rows));
         tell(out, pageTrend(rows));
     }
@@ -263,9 +323,11 @@ void TestKeptMeasures::agreement() {
         tell(out, kendallTau(a, rounded));
         tell(out, kendallTau(rounded, b));
     }
-    for (const auto& [right, of] : std::vector<std::pair<int, int>>{{0, 0}, {0, 12}, {12, 12}, {5, 12}, {40, 100}, {13, 12}}) {
+    for (const auto& [right, of] :
+         std::vector<std::pair<int, int>>{{0, 0}, {0, 12}, {12, 12}, {5, 12}, {40, 100}, {13, 12}}) {
         const CompleteOrders orders = completeOrders(right, of);
-        out.add(QStringLiteral("orders"), orders.right, orders.of, orders.share, orders.low, orders.high, orders.pValue);
+        out.add(QStringLiteral("orders"), orders.right, orders.of, orders.share, orders.low, orders.high,
+                orders.pValue);
     }
     hold("agreement", out);
 }
@@ -275,8 +337,10 @@ void TestKeptMeasures::trends() {
     for (const int objects : {1, 2, 3, 5, 7, 8})
         for (const int judges : {1, 2, 6, 15})
             for (const double share : {0.0, 0.4, 0.6, 0.8, 1.0}) {
-                const double least = objects * (objects + 1.0) * (objects + 2.0) / 6.0 * judges, most = objects * (objects + 1.0) * (2.0 * objects + 1.0) / 6.0 * judges;
-                out.add(QStringLiteral("tail"), objects, judges, share, pageUpperTail(objects, judges, std::floor(least + share * (most - least))));
+                const double least = objects * (objects + 1.0) * (objects + 2.0) / 6.0 * judges,
+                             most = objects * (objects + 1.0) * (2.0 * objects + 1.0) / 6.0 * judges;
+                out.add(QStringLiteral("tail"), objects, judges, share,
+                        pageUpperTail(objects, judges, std::floor(least + share * (most - least))));
             }
     hold("trends", out);
 }
@@ -298,8 +362,18 @@ void TestKeptMeasures::worths() {
         pairs.push_back({best[0], {best[1 + static_cast<std::size_t>(i) % 3]}, 1.0});
         pairs.push_back({best[2], {best[3]}, 1.0});
     }
-    const std::vector<Selection> chain{{2, {1}, 5.0}, {1, {0}, 4.0}}, odd{{2, {1}, 5.0}, {1, {2}, 3.0}, {0, {1}, 2.0}, {1, {0}, 4.0}, {3, {0}, 1.0}, {0, {0}, 1.0}, {0, {1, 1}, 1.0}, {0, {}, 1.0}, {0, {2}, 0.0}, {0, {2}, kNaN}, {-1, {2}, 1.0}};
-    for (const auto& [objects, selections] : std::vector<std::pair<int, std::vector<Selection>>>{{4, pairs}, {4, sets}, {3, chain}, {3, odd}, {3, {}}, {0, {}}, {1, {}}, {2, {{0, {1}, 3.0}, {1, {0}, 1.0}}}}) {
+    const std::vector<Selection> chain{{2, {1}, 5.0}, {1, {0}, 4.0}},
+        odd{{2, {1}, 5.0},    {1, {2}, 3.0}, {0, {1}, 2.0}, {1, {0}, 4.0},  {3, {0}, 1.0}, {0, {0}, 1.0},
+            {0, {1, 1}, 1.0}, {0, {}, 1.0},  {0, {2}, 0.0}, {0, {2}, kNaN}, {-1, {2}, 1.0}};
+    for (const auto& [objects, selections] :
+         std::vector<std::pair<int, std::vector<Selection>>>{{4, pairs},
+                                                             {4, sets},
+                                                             {3, chain},
+                                                             {3, odd},
+                                                             {3, {}},
+                                                             {0, {}},
+                                                             {1, {}},
+                                                             {2, {{0, {1}, 3.0}, {1, {0}, 1.0}}}}) {
         for (const double regularisation : {0.0, 0.5})
             tell(out, fitPlackettLuce(objects, selections, {regularisation, 20000}));
         tell(out, fitPlackettLuce(objects, selections, {0.0, 1}));
@@ -310,8 +384,18 @@ void TestKeptMeasures::worths() {
     tell(out, fitThurstoneOrders(4, orders));
     tell(out, fitThurstoneOrders(3, {{0, 1, 2}, {2, 1, 0}, {1, 0}}));
     tell(out, fitThurstoneOrders(3, {{0, 1, 2}, {0, 1, 2}}));
-    const std::vector<std::vector<PairCount>> tied{{{0, 1, 8, 5, 4}, {1, 2, 9, 3, 2}, {0, 2, 7, 6, 5}}, {{0, 1, 8, 0, 0}, {1, 2, 5, 0, 0}}, {{0, 1, 0, 0, 4}, {1, 2, 0, 0, 3}}, {{0, 1, 8, 5, 0}, {1, 2, 9, 3, 0}},
-                                                   {{0, 1, 3, 0, 1}, {1, 2, 3, 0, 1}, {2, 0, 1, 1, 0}}, {}, {{0, 1, -1, 2, 3}, {1, 1, 2, 2, 2}, {0, 5, 1, 1, 1}, {0, 2, 2, 1, 1}, {1, 2, 2, 3, 1}, {1, 0, kNaN, 1, 1}}};
+    const std::vector<std::vector<PairCount>> tied{{{0, 1, 8, 5, 4}, {1, 2, 9, 3, 2}, {0, 2, 7, 6, 5}},
+                                                   {{0, 1, 8, 0, 0}, {1, 2, 5, 0, 0}},
+                                                   {{0, 1, 0, 0, 4}, {1, 2, 0, 0, 3}},
+                                                   {{0, 1, 8, 5, 0}, {1, 2, 9, 3, 0}},
+                                                   {{0, 1, 3, 0, 1}, {1, 2, 3, 0, 1}, {2, 0, 1, 1, 0}},
+                                                   {},
+                                                   {{0, 1, -1, 2, 3},
+                                                    {1, 1, 2, 2, 2},
+                                                    {0, 5, 1, 1, 1},
+                                                    {0, 2, 2, 1, 1},
+                                                    {1, 2, 2, 3, 1},
+                                                    {1, 0, kNaN, 1, 1}}};
     for (const TieModel model : {TieModel::davidson, TieModel::raoKupper})
         for (const std::vector<PairCount>& rows : tied) {
             const TiedWorthEstimate of = fitTiedPairs(model, 3, rows);
@@ -326,7 +410,8 @@ void TestKeptMeasures::rankings() {
     std::vector<std::vector<SaidRanks>> people;
     for (const Task task : {Task::rank3, Task::rank3Ties})
         for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-            std::vector<ScoredTrial> trials = answered(task, {0.04, 0.08, 0.12}, 6, 0.05 + 0.02 * static_cast<double>(seed), 0.05, seed);
+            std::vector<ScoredTrial> trials =
+                answered(task, {0.04, 0.08, 0.12}, 6, 0.05 + 0.02 * static_cast<double>(seed), 0.05, seed);
             trials[3].outcome = trials[3].answer = -1;
             trials[5].outcome = trials[5].answer = 13;
             const std::vector<SaidRanks> said = saidRanks(trials);
@@ -355,10 +440,17 @@ void TestKeptMeasures::solving() {
     rows("inverse", inverseOf({{0, 2, 1}, {1, 0, 3}, {4, 1, 1}}));
     rows("singular", inverseOf({{1, 2}, {2, 4}}));
     rows("of none", inverseOf({}));
-    const auto hill = [](const std::vector<double>& x) { return -std::pow(x[0] - 0.7, 2) - 0.5 * std::pow(x[1] + 0.3 * x[0], 2) - 0.1 * std::pow(x[0] - 0.7, 4); };
+    const auto hill = [](const std::vector<double>& x) {
+        return -std::pow(x[0] - 0.7, 2) - 0.5 * std::pow(x[1] + 0.3 * x[0], 2) -
+               0.1 * std::pow(x[0] - 0.7, 4);
+    };
     const auto ridge = [](const std::vector<double>& x) { return -std::log(std::cosh(x[0] + x[1] - 1.0)); };
-    for (const auto& [name, f, start] : std::vector<std::tuple<const char*, std::function<double(const std::vector<double>&)>, std::vector<double>>>{
-             {"hill", hill, {0, 0}}, {"far hill", hill, {4, -3}}, {"ridge", ridge, {0, 0}}, {"rising", [](const std::vector<double>& x) { return x[0]; }, {0}}}) {
+    for (const auto& [name, f, start] : std::vector<
+             std::tuple<const char*, std::function<double(const std::vector<double>&)>, std::vector<double>>>{
+             {"hill", hill, {0, 0}},
+             {"far hill", hill, {4, -3}},
+             {"ridge", ridge, {0, 0}},
+             {"rising", [](const std::vector<double>& x) { return x[0]; }, {0}}}) {
         const Maximum top = maximise(f, start);
         out.add(QLatin1String(name), top.found, std::round(1e4 * top.value) / 1e4);
         if (top.found)
@@ -372,7 +464,8 @@ void TestKeptMeasures::subjects() {
     Figures out;
     const auto effects = [&](const std::vector<double>& y, const std::vector<double>& v) {
         const RandomEffects of = randomEffects(y, v);
-        out.add(QStringLiteral("effects"), of.mean, of.standardError, of.low, of.high, of.predictionLow, of.predictionHigh, of.tau, of.q, of.qP, of.iSquared, of.pZero, of.subjects);
+        out.add(QStringLiteral("effects"), of.mean, of.standardError, of.low, of.high, of.predictionLow,
+                of.predictionHigh, of.tau, of.q, of.qP, of.iSquared, of.pZero, of.subjects);
         out.each(QStringLiteral("weights"), of.weights);
     };
     effects({}, {});
@@ -393,10 +486,23 @@ void TestKeptMeasures::subjects() {
                 sum += values[static_cast<std::size_t>(i)];
             return drawn.empty() ? 0.0 : sum / static_cast<double>(drawn.size());
         };
-        const BootstrapInterval of = bootstrapSubjects(subjects, mean, 17, 300), constant = bootstrapSubjects(subjects, [](const std::vector<int>&) { return 2.0; }, 17, 50);
-        out.add(QStringLiteral("drawn"), subjects, of.low, of.high, of.percentileLow, of.percentileHigh, constant.low, constant.high, constant.percentileLow, constant.percentileHigh);
+        const BootstrapInterval of = bootstrapSubjects(subjects, mean, 17, 300),
+                                constant = bootstrapSubjects(
+                                    subjects, [](const std::vector<int>&) { return 2.0; }, 17, 50);
+        out.add(QStringLiteral("drawn"), subjects, of.low, of.high, of.percentileLow, of.percentileHigh,
+                constant.low, constant.high, constant.percentileLow, constant.percentileHigh);
     }
-    for (const std::vector<std::vector<double>>& groups : std::vector<std::vector<std::vector<double>>>{{}, {{}}, {{1}}, {{1, 2, 4}}, {{1, 2}, {5, 6.5, 7}, {3}}, {{1, 4}, {2, 3}, {0, 5, 2.6}}, {{1}, {3}, {4}}, {{2, 2}, {2, 2}}, {{}, {1, 1.5, 2, 2.5}, {4, 4.5}, {9, 9.1, 9.2, 8.7, 8}}, {{2, 2}, {3, 3}}}) {
+    for (const std::vector<std::vector<double>>& groups : std::vector<std::vector<std::vector<double>>>{
+             {},
+             {{}},
+             {{1}},
+             {{1, 2, 4}},
+             {{1, 2}, {5, 6.5, 7}, {3}},
+             {{1, 4}, {2, 3}, {0, 5, 2.6}},
+             {{1}, {3}, {4}},
+             {{2, 2}, {2, 2}},
+             {{}, {1, 1.5, 2, 2.5}, {4, 4.5}, {9, 9.1, 9.2, 8.7, 8}},
+             {{2, 2}, {3, 3}}}) {
         const VarianceComponents of = varianceComponents(groups);
         out.add(QStringLiteral("components"), of.mean, of.within, of.between, of.cut);
     }
@@ -406,9 +512,16 @@ void TestKeptMeasures::subjects() {
 void TestKeptMeasures::settingsAndNumbers() {
     Figures out;
     for (const double reference : {0.0, kNaN, 200.0})
-        for (const std::vector<double>& settings : std::vector<std::vector<double>>{{}, {210}, {190, 230}, {200, 200, 200}, {205, 180, 240, 231, 199, 188, 0, -3, kNaN}, {190, 200, 210, 220, 215, 205, 195, 185, 200, 230, 207}}) {
+        for (const std::vector<double>& settings :
+             std::vector<std::vector<double>>{{},
+                                              {210},
+                                              {190, 230},
+                                              {200, 200, 200},
+                                              {205, 180, 240, 231, 199, 188, 0, -3, kNaN},
+                                              {190, 200, 210, 220, 215, 205, 195, 185, 200, 230, 207}}) {
             const AdjustmentSummary of = summariseSettings(reference, settings);
-            out.add(QStringLiteral("settings"), of.settings, of.pse, of.pseLow, of.pseHigh, of.constantErrorLog10, of.sdLog10, of.sdLow, of.sdHigh, of.jndLog10);
+            out.add(QStringLiteral("settings"), of.settings, of.pse, of.pseLow, of.pseHigh,
+                    of.constantErrorLog10, of.sdLog10, of.sdLow, of.sdHigh, of.jndLog10);
             warn(out, of.warnings);
         }
     core::Random random(41);
@@ -416,7 +529,9 @@ void TestKeptMeasures::settingsAndNumbers() {
     for (int subject = 0; subject < 5; ++subject)
         for (const double stimulus : {50.0, 100.0, 200.0, 400.0})
             for (int i = 0; i < 2; ++i)
-                several.push_back({subject, stimulus, (3.0 + subject) * std::pow(stimulus, 0.6 + 0.05 * subject) * std::exp(0.2 * random.normal())});
+                several.push_back({subject, stimulus,
+                                   (3.0 + subject) * std::pow(stimulus, 0.6 + 0.05 * subject) *
+                                       std::exp(0.2 * random.normal())});
     for (const MagnitudeAnswer& answer : several)
         if (answer.subject == 2)
             one.push_back(answer);
@@ -427,13 +542,24 @@ void TestKeptMeasures::settingsAndNumbers() {
     spoiled.push_back({9, 100.0, 3.0});
     spoiled.push_back({8, 100.0, 3.0});
     spoiled.push_back({8, 100.0, 5.0});
-    for (const std::vector<MagnitudeAnswer>& answers : {std::vector<MagnitudeAnswer>{}, {{0, 100, 5}}, {{0, 100, 5}, {0, 200, 9}}, {{0, 100, 5}, {0, 100, 9}}, one, several, spoiled, std::vector<MagnitudeAnswer>(several.begin(), several.begin() + 16)}) {
+    for (const std::vector<MagnitudeAnswer>& answers :
+         {std::vector<MagnitudeAnswer>{},
+          {{0, 100, 5}},
+          {{0, 100, 5}, {0, 200, 9}},
+          {{0, 100, 5}, {0, 100, 9}},
+          one,
+          several,
+          spoiled,
+          std::vector<MagnitudeAnswer>(several.begin(), several.begin() + 16)}) {
         const MagnitudeScale of = magnitudeScale(answers);
-        out.add(QStringLiteral("scale"), of.exponent, of.exponentLow, of.exponentHigh, of.sdBetween, of.constant);
+        out.add(QStringLiteral("scale"), of.exponent, of.exponentLow, of.exponentHigh, of.sdBetween,
+                of.constant);
         for (const SubjectPower& subject : of.subjects)
-            out.add(QStringLiteral("subject"), subject.subject, subject.exponent, subject.intercept, subject.answers);
+            out.add(QStringLiteral("subject"), subject.subject, subject.exponent, subject.intercept,
+                    subject.answers);
         for (const MagnitudeLevel& level : of.levels)
-            out.add(QStringLiteral("level"), level.stimulus, level.geometricMean, level.sdLog10, level.subjects);
+            out.add(QStringLiteral("level"), level.stimulus, level.geometricMean, level.sdLog10,
+                    level.subjects);
         warn(out, of.warnings);
     }
     hold("settings and numbers", out);
@@ -443,9 +569,17 @@ void TestKeptMeasures::questionnaires() {
     Figures out;
     Questionnaire asked;
     using Kind = QuestionnaireItem::Kind;
-    for (const auto& [id, kind, scale, construct] : std::vector<std::tuple<const char*, Kind, int, const char*>>{{"real", Kind::likert, 5, "face"}, {"useful", Kind::likert, 5, "face"}, {"teaches", Kind::likert, 4, "content"},
-                                                                                                                 {"liked", Kind::likert, 7, "content"}, {"alone", Kind::likert, 5, ""}, {"years", Kind::number, 5, ""}, {"hand", Kind::choice, 5, ""},
-                                                                                                                 {"words", Kind::text, 5, ""}, {"unanswered", Kind::likert, 5, "none"}}) {
+    for (const auto& [id, kind, scale, construct] :
+         std::vector<std::tuple<const char*, Kind, int, const char*>>{
+             {"real", Kind::likert, 5, "face"},
+             {"useful", Kind::likert, 5, "face"},
+             {"teaches", Kind::likert, 4, "content"},
+             {"liked", Kind::likert, 7, "content"},
+             {"alone", Kind::likert, 5, ""},
+             {"years", Kind::number, 5, ""},
+             {"hand", Kind::choice, 5, ""},
+             {"words", Kind::text, 5, ""},
+             {"unanswered", Kind::likert, 5, "none"}}) {
         QuestionnaireItem item;
         item.id = id;
         item.kind = kind;
@@ -460,8 +594,16 @@ void TestKeptMeasures::questionnaires() {
     for (int i = 0; i < 9; ++i) {
         QuestionnaireReply reply;
         reply.performance = random.normal();
-        const auto rated = [&](int scale) { return static_cast<double>(1 + random.below(static_cast<std::uint64_t>(scale))); };
-        reply.numbers = {{"real", i < 7 ? 4.0 + i % 2 : rated(5)}, {"useful", 5.0}, {"teaches", rated(4)}, {"liked", rated(7)}, {"alone", rated(5)}, {"years", random.uniform(0.0, 20.0)}, {"hand", static_cast<double>(random.below(3))}};
+        const auto rated = [&](int scale) {
+            return static_cast<double>(1 + random.below(static_cast<std::uint64_t>(scale)));
+        };
+        reply.numbers = {{"real", i < 7 ? 4.0 + i % 2 : rated(5)},
+                         {"useful", 5.0},
+                         {"teaches", rated(4)},
+                         {"liked", rated(7)},
+                         {"alone", rated(5)},
+                         {"years", random.uniform(0.0, 20.0)},
+                         {"hand", static_cast<double>(random.below(3))}};
         reply.texts = {{"words", i % 3 == 0 ? "" : "said " + std::to_string(i)}};
         replies.push_back(reply);
     }
@@ -474,21 +616,24 @@ void TestKeptMeasures::questionnaires() {
     replies[7].numbers["years"] = kNaN;
     replies[8].performance = kNaN;
     for (const std::size_t count : {0U, 1U, 4U, 5U, 9U}) {
-        const QuestionnaireSummary of = summariseQuestionnaire(asked, {replies.begin(), replies.begin() + static_cast<std::ptrdiff_t>(count)});
+        const QuestionnaireSummary of = summariseQuestionnaire(
+            asked, {replies.begin(), replies.begin() + static_cast<std::ptrdiff_t>(count)});
         out.add(QStringLiteral("replies"), of.replies);
         out.say(QStringLiteral("warns"), of.warnings);
         for (const LikertSummary& item : of.likert) {
             out.say(QStringLiteral("item"), item.item + ", " + item.construct);
             out.each(QStringLiteral("counts"), item.counts);
-            out.add(QStringLiteral("rated"), item.scale, item.answered, item.missing, item.median, item.lowerQuartile, item.upperQuartile, item.agreement, item.agreementLow, item.agreementHigh, item.contentValidityIndex,
-                    item.contentValidityKappa);
+            out.add(QStringLiteral("rated"), item.scale, item.answered, item.missing, item.median,
+                    item.lowerQuartile, item.upperQuartile, item.agreement, item.agreementLow,
+                    item.agreementHigh, item.contentValidityIndex, item.contentValidityKappa);
             tell(out, item.withPerformance);
             out.say(QStringLiteral("warns"), item.warnings);
         }
         for (const ConstructSummary& construct : of.constructs) {
             out.say(QStringLiteral("construct"), construct.construct);
-            out.add(QStringLiteral("rated"), construct.items, construct.answers, construct.median, construct.agreement, construct.agreementLow, construct.agreementHigh, construct.contentValidityAverage,
-                    construct.contentValidityUniversal);
+            out.add(QStringLiteral("rated"), construct.items, construct.answers, construct.median,
+                    construct.agreement, construct.agreementLow, construct.agreementHigh,
+                    construct.contentValidityAverage, construct.contentValidityUniversal);
         }
         for (const NumberSummary& item : of.numbers) {
             out.say(QStringLiteral("number"), item.item);
@@ -515,7 +660,8 @@ void TestKeptMeasures::sortedAnswers() {
         trials[5].answer = -1;
         trials[5].outcome = 1;
         const ScoredAnswers of = sortAnswers(which, trials);
-        out.add(QStringLiteral("task"), task, of.used, of.right, of.leftOut, of.binned, of.smallestDifference, of.largestDifference, of.levels, kindOfCurve(which));
+        out.add(QStringLiteral("task"), task, of.used, of.right, of.leftOut, of.binned, of.smallestDifference,
+                of.largestDifference, of.levels, kindOfCurve(which));
         for (const AnswerCount& count : of.counts)
             out.add(QStringLiteral("count"), count.difference, count.kind, count.count);
         for (const CurvePoint& point : of.points)
@@ -524,9 +670,11 @@ void TestKeptMeasures::sortedAnswers() {
     core::Random random(62);
     std::vector<ScoredTrial> many;
     for (int i = 0; i < 600; ++i)
-        many.push_back(thurstone_runs::simulated(Task::twoAfc, random.uniform(0.001, 0.3), 0.08, 0.02, random));
+        many.push_back(
+            thurstone_runs::simulated(Task::twoAfc, random.uniform(0.001, 0.3), 0.08, 0.02, random));
     const ScoredAnswers of = sortAnswers(Task::twoAfc, many);
-    out.add(QStringLiteral("many"), of.used, of.right, of.leftOut, of.binned, of.smallestDifference, of.largestDifference, of.levels, of.counts.size(), of.points.size());
+    out.add(QStringLiteral("many"), of.used, of.right, of.leftOut, of.binned, of.smallestDifference,
+            of.largestDifference, of.levels, of.counts.size(), of.points.size());
     for (std::size_t i = 0; i < of.counts.size(); i += 29)
         out.add(QStringLiteral("count"), of.counts[i].difference, of.counts[i].kind, of.counts[i].count);
     hold("sorted answers", out);
@@ -539,9 +687,11 @@ void TestKeptMeasures::observers() {
         const bool rates = which == Task::sameDifferent || which == Task::yesNo;
         const int kinds = rates ? 4 : ranksThree(which) ? outcomes(which) : 2;
         for (const double difference : {-0.1, 0.0, 0.03, 0.2})
-            for (const ThurstonePoint& at : {ThurstonePoint{-1.2, 0.0, 0.4}, ThurstonePoint{-0.8, 0.1, 0.0}, ThurstonePoint{-2.5, 0.02, 1.1}}) {
+            for (const ThurstonePoint& at : {ThurstonePoint{-1.2, 0.0, 0.4}, ThurstonePoint{-0.8, 0.1, 0.0},
+                                             ThurstonePoint{-2.5, 0.02, 1.1}}) {
                 std::vector<double> shares;
-                for (int kind = 0; kind < kinds && which != Task::adjustment && which != Task::magnitude; ++kind)
+                for (int kind = 0; kind < kinds && which != Task::adjustment && which != Task::magnitude;
+                     ++kind)
                     shares.push_back(answerProbability(which, difference, kind, at));
                 out.each(QStringLiteral("task %1 at %2").arg(task).arg(difference), shares);
             }
@@ -554,10 +704,13 @@ void TestKeptMeasures::observers() {
             prior.lowCriterion = -0.5;
             prior.highCriterion = 0.5;
         }
-        const ScoredAnswers answers = sortAnswers(which, answered(which, {0.02, 0.06, 0.12}, 14, 0.06, 0.02, 71));
+        const ScoredAnswers answers =
+            sortAnswers(which, answered(which, {0.02, 0.06, 0.12}, 14, 0.06, 0.02, 71));
         const ThurstonePosterior of = thurstonePosterior(which, answers.counts, prior, 30);
-        out.add(QStringLiteral("posterior"), of.known, of.medianLog10Sigma, of.meanLog10Sigma, of.sdLog10Sigma, of.lowLog10Sigma, of.highLog10Sigma, of.meanLapse, of.criterion, of.lowCriterion, of.highCriterion,
-                of.densityAtLowSigma, of.densityAtHighSigma, of.draws.size());
+        out.add(QStringLiteral("posterior"), of.known, of.medianLog10Sigma, of.meanLog10Sigma,
+                of.sdLog10Sigma, of.lowLog10Sigma, of.highLog10Sigma, of.meanLapse, of.criterion,
+                of.lowCriterion, of.highCriterion, of.densityAtLowSigma, of.densityAtHighSigma,
+                of.draws.size());
         for (std::size_t i = 0; i < of.draws.size(); i += 7)
             out.add(QStringLiteral("draw"), of.draws[i].log10Sigma, of.draws[i].lapse, of.draws[i].criterion);
     }
@@ -573,7 +726,10 @@ void TestKeptMeasures::runs() {
             out.say(QStringLiteral("-- %1").arg(QLatin1String(name)), std::string(token(which)));
             core::Random random(9);
             for (ScoredTrial& trial : trials)
-                trial.value = which == Task::adjustment ? 205.0 * std::exp(0.1 * random.normal()) : which == Task::magnitude ? 10.0 * std::pow(10.0, 0.8 * trial.difference + 0.05 * random.normal()) : trial.value;
+                trial.value = which == Task::adjustment ? 205.0 * std::exp(0.1 * random.normal())
+                              : which == Task::magnitude
+                                  ? 10.0 * std::pow(10.0, 0.8 * trial.difference + 0.05 * random.normal())
+                                  : trial.value;
             tell(out, estimateRun(condition, trials, 1));
         };
         of("usual", answered(which, condition.stimulus.differences, 10, 0.07, 0.02, 81));
@@ -624,8 +780,11 @@ void TestKeptMeasures::groups() {
         yes.push_back(runOf(Task::yesNo, 0.06, 300 + i));
     const auto group = [&](const std::vector<RunEstimate>& runs) {
         const GroupEstimate of = estimateGroup(runs, 5);
-        out.add(QStringLiteral("group"), of.weber, of.weber95.low, of.weber95.high, of.bootstrap95.low, of.bootstrap95.high, of.prediction95.low, of.prediction95.high, of.jnd, of.sigma_log10);
-        out.add(QStringLiteral("between"), of.sdBetweenLog10, of.iSquared, of.heterogeneityP, of.pse, of.pse95.low, of.pse95.high, of.exponent, of.exponent95.low, of.exponent95.high, of.participants, of.leftOut);
+        out.add(QStringLiteral("group"), of.weber, of.weber95.low, of.weber95.high, of.bootstrap95.low,
+                of.bootstrap95.high, of.prediction95.low, of.prediction95.high, of.jnd, of.sigma_log10);
+        out.add(QStringLiteral("between"), of.sdBetweenLog10, of.iSquared, of.heterogeneityP, of.pse,
+                of.pse95.low, of.pse95.high, of.exponent, of.exponent95.low, of.exponent95.high,
+                of.participants, of.leftOut);
         for (const GroupMember& member : of.members)
             out.add(QStringLiteral("member"), member.index, member.weber, member.errorLog10, member.weight);
         out.say(QStringLiteral("by"), of.method + ", " + of.unit);
@@ -640,16 +799,25 @@ void TestKeptMeasures::groups() {
     group(second);
     group(yes);
     const auto comparison = [&](const ConditionComparison& of) {
-        out.add(QStringLiteral("compared"), of.ratio, of.ratio95.low, of.ratio95.high, of.bootstrap95.low, of.bootstrap95.high, of.pValue, of.pHolm, of.sdBetweenLog10, of.paired, of.participants, of.first, of.second);
+        out.add(QStringLiteral("compared"), of.ratio, of.ratio95.low, of.ratio95.high, of.bootstrap95.low,
+                of.bootstrap95.high, of.pValue, of.pHolm, of.sdBetweenLog10, of.paired, of.participants,
+                of.first, of.second);
         warn(out, of.warnings);
     };
-    ConditionComparison a = compareConditions(first, second, 6), b = compareGroups(first, second), c = compareConditions({first[0], first[1], first[2]}, {first[3], first[4]}, 6), d = compareConditions({}, {}, 6);
+    ConditionComparison a = compareConditions(first, second, 6), b = compareGroups(first, second),
+                        c = compareConditions({first[0], first[1], first[2]}, {first[3], first[4]}, 6),
+                        d = compareConditions({}, {}, 6);
     adjustHolm({&a, &b, &c, &d});
-    for (const ConditionComparison& each : {a, b, c, d, compareGroups({first[0]}, second), compareGroups({}, second), compareGroups({first[0], first[1]}, {second[0], second[1], shut}), compareConditions({first[0]}, {second[0]}, 6)})
+    for (const ConditionComparison& each :
+         {a, b, c, d, compareGroups({first[0]}, second), compareGroups({}, second),
+          compareGroups({first[0], first[1]}, {second[0], second[1], shut}),
+          compareConditions({first[0]}, {second[0]}, 6)})
         comparison(each);
-    const auto models = [&](Task x, const std::vector<RunEstimate>& runsX, Task y, const std::vector<RunEstimate>& runsY) {
+    const auto models = [&](Task x, const std::vector<RunEstimate>& runsX, Task y,
+                            const std::vector<RunEstimate>& runsY) {
         const ThresholdModels of = compareThresholdModels(x, runsX, y, runsY);
-        out.add(QStringLiteral("models"), of.likelihoodRatio, of.freedom, of.pValue, of.aicDifference, of.participants);
+        out.add(QStringLiteral("models"), of.likelihoodRatio, of.freedom, of.pValue, of.aicDifference,
+                of.participants);
     };
     models(Task::twoAfc, first, Task::twoAfc, second);
     models(Task::twoAfc, first, Task::threeAfc, second);
@@ -664,14 +832,19 @@ void TestKeptMeasures::apex() {
     Figures out;
     const auto summary = [&](const std::vector<ApexTrial>& trials, double radius_m) {
         const ApexSummary of = summariseApex(trials, radius_m, 3);
-        out.add(QStringLiteral("apex"), of.participants, of.trials, of.leftOut, of.meanAbsolutePercent, of.sdAbsolutePercent, of.meanAbsolute95.low, of.meanAbsolute95.high, of.meanAbsoluteBootstrap95.low,
-                of.meanAbsoluteBootstrap95.high, of.meanAbsolute_mm, of.sdOverMean, of.meanDistance_mm, of.impliedSdPercent, of.impliedSd_mm);
+        out.add(QStringLiteral("apex"), of.participants, of.trials, of.leftOut, of.meanAbsolutePercent,
+                of.sdAbsolutePercent, of.meanAbsolute95.low, of.meanAbsolute95.high,
+                of.meanAbsoluteBootstrap95.low, of.meanAbsoluteBootstrap95.high, of.meanAbsolute_mm,
+                of.sdOverMean, of.meanDistance_mm, of.impliedSdPercent, of.impliedSd_mm);
         for (const ApexAxis& axis : of.axes)
-            out.add(QStringLiteral("axis"), axis.bias_mm, axis.bias95_mm.low, axis.bias95_mm.high, axis.biasPercent, axis.sd_mm, axis.sdWithin_mm, axis.sdBetween_mm, axis.sdPercent);
+            out.add(QStringLiteral("axis"), axis.bias_mm, axis.bias95_mm.low, axis.bias95_mm.high,
+                    axis.biasPercent, axis.sd_mm, axis.sdWithin_mm, axis.sdBetween_mm, axis.sdPercent);
         for (const ApexBar& bar : of.bars)
-            out.add(QStringLiteral("bar"), bar.participant, bar.trials, bar.meanPercent, bar.sdPercent, bar.biasXPercent, bar.biasYPercent);
+            out.add(QStringLiteral("bar"), bar.participant, bar.trials, bar.meanPercent, bar.sdPercent,
+                    bar.biasXPercent, bar.biasYPercent);
         for (std::size_t i = 0; i < of.points.size(); i += 11)
-            out.add(QStringLiteral("point"), of.points[i].participant, of.points[i].xPercent, of.points[i].yPercent);
+            out.add(QStringLiteral("point"), of.points[i].participant, of.points[i].xPercent,
+                    of.points[i].yPercent);
         warn(out, of.warnings);
     };
     const std::vector<ApexTrial> five = simulateApex({17.8, 6.0}, 5, 10, 0.02, 9);
@@ -690,9 +863,11 @@ void TestKeptMeasures::apex() {
     summary({}, 0.02);
     summary(five, 0.0);
     summary(simulateApex({}, 2, 3, 0.01, 4), 0.01);
-    for (const auto& [people, trials, other] : std::vector<std::tuple<int, int, double>>{{5, 10, 29.7}, {3, 4, 14.0}, {1, 5, 20.0}, {0, 0, 20.0}, {2, 2, 14.2}}) {
+    for (const auto& [people, trials, other] : std::vector<std::tuple<int, int, double>>{
+             {5, 10, 29.7}, {3, 4, 14.0}, {1, 5, 20.0}, {0, 0, 20.0}, {2, 2, 14.2}}) {
         const ApexPlan plan = planApex({17.8, 4.0}, people, trials, other, 25, 7);
-        out.add(QStringLiteral("plan"), plan.meanAbsolutePercent, plan.halfWidthPercent, plan.power, plan.meanError, plan.halfWidthError, plan.powerError);
+        out.add(QStringLiteral("plan"), plan.meanAbsolutePercent, plan.halfWidthPercent, plan.power,
+                plan.meanError, plan.halfWidthError, plan.powerError);
     }
     hold("apex", out);
 }

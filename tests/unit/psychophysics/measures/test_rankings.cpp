@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Agreement, trend and worths of rankings against published numbers and closed forms.
-#include "core/random.h"
 #include "core/normal_distribution.h"
+#include "core/random.h"
 #include "psychophysics/measures/agreement.h"
 #include "psychophysics/measures/page_trend.h"
 #include "psychophysics/measures/pairwise_ranking.h"
@@ -30,11 +30,13 @@ private slots:
     void thurstone();
 };
 
-/// choix, tests/data (published_small_checks.json, choix): maximum likelihood log strengths, mean 0. The published rankings-2 are short of
-/// their maximum (gradient 2e-5), so that they hold to 5e-5 only; ours must be the likelier.
+/// choix, tests/data (published_small_checks.json, choix): maximum likelihood log strengths, mean 0. The
+/// published rankings-2 are short of their maximum (gradient 2e-5), so that they hold to 5e-5 only; ours must
+/// be the likelier.
 void TestRankings::choix() {
     PublishedLine line("published_small_checks.json choix");
-    const auto check = [&](int objects, const std::vector<Selection>& data, const std::vector<double>& published, double tolerance = 1e-6) {
+    const auto check = [&](int objects, const std::vector<Selection>& data,
+                           const std::vector<double>& published, double tolerance = 1e-6) {
         const WorthEstimate estimate = fitPlackettLuce(objects, data);
         for (std::size_t i = 0; i < published.size(); ++i)
             line.compare(estimate.logWorth[i], published[i], tolerance);
@@ -46,12 +48,13 @@ void TestRankings::choix() {
                 all.push_back(selection);
         return all;
     };
-    check(3, {{0, {1}}, {1, {2}}, {2, {0}}}, {0.0, 0.0, 0.0});                                                        // pairwise-1
-    check(3, {{0, {1}}, {0, {1}}, {1, {2}}, {2, {0}}}, {0.419617624, -0.419617624, 0.0});                             // pairwise-2
-    check(3, orders({{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}), {0.0, 0.0, 0.0});                                             // rankings-1
-    check(4, orders({{0, 1, 2}, {3, 2, 0}, {1, 3}}), {-0.44328117, 0.69506219, -0.67061442, 0.4188334}, 5e-5);        // rankings-2
-    check(3, {{0, {1, 2}}, {1, {0, 2}}, {2, {0, 1}}}, {0.0, 0.0, 0.0});                                               // top1-1
-    check(3, {{0, {1}}, {1, {2}}, {2, {0, 1}}}, {0.16040395, -0.32080789, 0.16040394});                               // top1-2
+    check(3, {{0, {1}}, {1, {2}}, {2, {0}}}, {0.0, 0.0, 0.0});                            // pairwise-1
+    check(3, {{0, {1}}, {0, {1}}, {1, {2}}, {2, {0}}}, {0.419617624, -0.419617624, 0.0}); // pairwise-2
+    check(3, orders({{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}), {0.0, 0.0, 0.0});                 // rankings-1
+    check(4, orders({{0, 1, 2}, {3, 2, 0}, {1, 3}}), {-0.44328117, 0.69506219, -0.67061442, 0.4188334},
+          5e-5);                                                                        // rankings-2
+    check(3, {{0, {1, 2}}, {1, {0, 2}}, {2, {0, 1}}}, {0.0, 0.0, 0.0});                 // top1-1
+    check(3, {{0, {1}}, {1, {2}}, {2, {0, 1}}}, {0.16040395, -0.32080789, 0.16040394}); // top1-2
     QVERIFY(line.holds());
     const auto likelihood = [&](const std::vector<double>& logs) {
         double sum = 0.0;
@@ -68,7 +71,8 @@ void TestRankings::choix() {
     QVERIFY(std::abs(likelihood(ours.logWorth) - ours.logLikelihood) < 1e-12);
 }
 
-/// Siegel & Castellan (1988): three executives rank six applicants, W = .16; and a table with ties worked by hand.
+/// Siegel & Castellan (1988): three executives rank six applicants, W = .16; and a table with ties worked by
+/// hand.
 void TestRankings::kendallPublished() {
     PublishedLine line("Kendall's W: Siegel & Castellan 1988, and by hand with ties");
     const Concordance applicants = kendallW({{1, 6, 3, 2, 5, 4}, {1, 5, 6, 4, 2, 3}, {6, 3, 2, 5, 4, 1}});
@@ -81,7 +85,8 @@ void TestRankings::kendallPublished() {
     QVERIFY(line.holds());
 }
 
-/// Friedman's (1937) tables of the exact distribution (three objects, 3 and 4 judges; four objects, 2 judges).
+/// Friedman's (1937) tables of the exact distribution (three objects, 3 and 4 judges; four objects, 2
+/// judges).
 void TestRankings::kendallExactTables() {
     PublishedLine line("Friedman 1937, exact probabilities of rank sums");
     line.compare(kendallW({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}).exactP, 1.0 / 36.0, 1e-12);
@@ -94,10 +99,12 @@ void TestRankings::kendallExactTables() {
 }
 
 void TestRankings::kendallDegenerate() {
-    QVERIFY(std::isnan(kendallW({}).w) && std::isnan(kendallW({{1, 2, 3}}).w) && std::isnan(kendallW({{1}, {1}}).w));
+    QVERIFY(std::isnan(kendallW({}).w) && std::isnan(kendallW({{1, 2, 3}}).w) &&
+            std::isnan(kendallW({{1}, {1}}).w));
     QVERIFY(std::isnan(kendallW({{1, 1, 1}, {2, 2, 2}}).w));
     const Concordance part = kendallW({{1, 2, 3}, {1, std::nan(""), 3}, {1, 2, 3}, {1, 2}, {1, HUGE_VAL, 2}});
-    QVERIFY(part.judges == 2 && std::abs(part.w - 1.0) < 1e-12 && part.warnings.front().starts_with("left_out: 3"));
+    QVERIFY(part.judges == 2 && std::abs(part.w - 1.0) < 1e-12 &&
+            part.warnings.front().starts_with("left_out: 3"));
     std::vector<std::vector<double>> many(400, std::vector<double>(30));
     for (std::size_t i = 0; i < many.size(); ++i)
         for (std::size_t j = 0; j < 30; ++j)
@@ -105,10 +112,12 @@ void TestRankings::kendallDegenerate() {
     QVERIFY(std::isnan(kendallW(many).exactP) && kendallW(many).w >= 0.0);
 }
 
-/// Hollander & Wolfe (1973), p. 187, lightness of canned tuna, as in R's cor.test: tau 0.4444, T = 26, p = 0.1194.
+/// Hollander & Wolfe (1973), p. 187, lightness of canned tuna, as in R's cor.test: tau 0.4444, T = 26, p =
+/// 0.1194.
 void TestRankings::tauPublished() {
     PublishedLine line("Kendall's tau: Hollander & Wolfe 1973 (R, cor.test)");
-    const RankCorrelation tuna = kendallTau({44.4, 45.9, 41.9, 53.3, 44.7, 44.1, 50.7, 45.2, 60.1}, {2.6, 3.1, 2.5, 5.0, 3.6, 4.0, 5.2, 2.8, 3.8});
+    const RankCorrelation tuna = kendallTau({44.4, 45.9, 41.9, 53.3, 44.7, 44.1, 50.7, 45.2, 60.1},
+                                            {2.6, 3.1, 2.5, 5.0, 3.6, 4.0, 5.2, 2.8, 3.8});
     line.compare(tuna.tau, 4.0 / 9.0, 1e-8);
     line.compare(tuna.pValue, 0.1194, 5e-5);
     QVERIFY(line.holds() && tuna.exact);
@@ -143,10 +152,11 @@ void TestRankings::pageTables() {
         double l;
         double level;
     };
-    const std::vector<Row> rows{{3, 2, 28, 0.05},  {3, 3, 41, 0.05},  {3, 3, 42, 0.01},  {3, 4, 54, 0.05},   {3, 4, 55, 0.01},
-                                {3, 4, 56, 0.001}, {3, 5, 66, 0.05},  {3, 5, 68, 0.01},  {3, 5, 70, 0.001},  {3, 10, 128, 0.05},
-                                {3, 10, 131, 0.01}, {3, 10, 134, 0.001}, {4, 2, 58, 0.05}, {4, 2, 60, 0.01}, {4, 3, 84, 0.05},
-                                {4, 3, 87, 0.01},  {4, 3, 89, 0.001}, {4, 5, 137, 0.05}, {4, 5, 141, 0.01},  {4, 5, 145, 0.001}};
+    const std::vector<Row> rows{
+        {3, 2, 28, 0.05},   {3, 3, 41, 0.05},    {3, 3, 42, 0.01},  {3, 4, 54, 0.05},  {3, 4, 55, 0.01},
+        {3, 4, 56, 0.001},  {3, 5, 66, 0.05},    {3, 5, 68, 0.01},  {3, 5, 70, 0.001}, {3, 10, 128, 0.05},
+        {3, 10, 131, 0.01}, {3, 10, 134, 0.001}, {4, 2, 58, 0.05},  {4, 2, 60, 0.01},  {4, 3, 84, 0.05},
+        {4, 3, 87, 0.01},   {4, 3, 89, 0.001},   {4, 5, 137, 0.05}, {4, 5, 141, 0.01}, {4, 5, 145, 0.001}};
     PublishedLine line("Page 1963, critical values of L");
     for (const Row& row : rows) {
         const auto tail = [&](double l) { return pageUpperTail(row.objects, row.judges, l); };
@@ -163,9 +173,11 @@ void TestRankings::pageLargeAgreesWithNormal() {
         for (std::size_t j = 0; j < 4; ++j)
             judge[j] = 0.15 * static_cast<double>(j) + random.normal();
     const PageTrend trend = pageTrend(judges);
-    qInfo("Page: L %.0f, expected %.0f, exact p %.5f, normal p %.5f", trend.l, trend.expected, trend.exactP, trend.normalP);
+    qInfo("Page: L %.0f, expected %.0f, exact p %.5f, normal p %.5f", trend.l, trend.expected, trend.exactP,
+          trend.normalP);
     QVERIFY(std::abs(trend.exactP - trend.normalP) < 0.01);
-    QVERIFY(std::isnan(pageTrend({}).l) && std::isnan(pageTrend({{1, 1, 1}}).pValue) && std::isnan(pageTrend({{2}}).pValue));
+    QVERIFY(std::isnan(pageTrend({}).l) && std::isnan(pageTrend({{1, 1, 1}}).pValue) &&
+            std::isnan(pageTrend({{2}}).pValue));
     QVERIFY(std::abs(pageTrend({{1, 1, 2}}).l - (1.5 + 3.0 + 9.0)) < 1e-12);
     judges.assign(3000, {1, 2, 3, 4, 5, 6, 8, 7, 9});
     QVERIFY(std::isnan(pageTrend(judges).exactP) && pageTrend(judges).pValue < 1e-10);
@@ -175,7 +187,8 @@ void TestRankings::wholeOrders() {
     const CompleteOrders orders = completeOrders(5, 12); // P(X ≥ 5), 1/6: 1 − pbinom(4, 12, 1/6)
     double p = 0.0;
     for (int k = 5; k <= 12; ++k)
-        p += std::tgamma(13.0) / std::tgamma(k + 1.0) / std::tgamma(13.0 - k) * std::pow(1.0 / 6.0, k) * std::pow(5.0 / 6.0, 12 - k);
+        p += std::tgamma(13.0) / std::tgamma(k + 1.0) / std::tgamma(13.0 - k) * std::pow(1.0 / 6.0, k) *
+             std::pow(5.0 / 6.0, 12 - k);
     QVERIFY(std::abs(orders.pValue - p) < 1e-12 && orders.low < orders.share && orders.share < orders.high);
     QVERIFY(std::isnan(completeOrders(0, 0).pValue) && std::isnan(completeOrders(4, 3).share));
 }
@@ -191,7 +204,8 @@ void TestRankings::worthClosedForms() {
     const std::vector<double> worth{0.5, 0.3, 0.2};
     std::vector<int> order{0, 1, 2};
     do {
-        const double p = worth[static_cast<std::size_t>(order[0])] * worth[static_cast<std::size_t>(order[1])] /
+        const double p = worth[static_cast<std::size_t>(order[0])] *
+                         worth[static_cast<std::size_t>(order[1])] /
                          (1.0 - worth[static_cast<std::size_t>(order[0])]);
         for (const Selection& selection : selectionsOf(order, 1000.0 * p))
             data.push_back(selection);
@@ -212,9 +226,11 @@ void TestRankings::worthErrors() {
         for (int judge = 0; judge < 60; ++judge) {
             std::vector<std::pair<double, int>> felt; // Gumbel noise gives Plackett–Luce
             for (int i = 0; i < 4; ++i)
-                felt.emplace_back(-(logs[static_cast<std::size_t>(i)] - std::log(-std::log(random.uniform()))), i);
+                felt.emplace_back(
+                    -(logs[static_cast<std::size_t>(i)] - std::log(-std::log(random.uniform()))), i);
             std::sort(felt.begin(), felt.end());
-            for (const Selection& selection : selectionsOf({felt[0].second, felt[1].second, felt[2].second, felt[3].second}))
+            for (const Selection& selection :
+                 selectionsOf({felt[0].second, felt[1].second, felt[2].second, felt[3].second}))
                 data.push_back(selection);
         }
         const WorthEstimate estimate = fitPlackettLuce(4, data);
@@ -228,16 +244,21 @@ void TestRankings::worthErrors() {
 void TestRankings::worthRefusals() {
     const std::vector<Selection> oneWay{{0, {1}}, {1, {2}}, {0, {2}}};
     const WorthEstimate refused = fitPlackettLuce(3, oneWay);
-    QVERIFY(!refused.fitted && std::isnan(refused.logWorth[0]) && refused.warnings.back().starts_with("not_connected: "));
+    QVERIFY(!refused.fitted && std::isnan(refused.logWorth[0]) &&
+            refused.warnings.back().starts_with("not_connected: "));
     const WorthEstimate pulled = fitPlackettLuce(3, oneWay, {.regularisation = 0.1});
-    QVERIFY(pulled.fitted && pulled.logWorth[0] > pulled.logWorth[1] && pulled.logWorth[1] > pulled.logWorth[2]);
+    QVERIFY(pulled.fitted && pulled.logWorth[0] > pulled.logWorth[1] &&
+            pulled.logWorth[1] > pulled.logWorth[2]);
     QVERIFY(pulled.warnings.back().starts_with("regularised: "));
-    QVERIFY(!fitPlackettLuce(3, {}).fitted && !fitPlackettLuce(0, {}).fitted && !fitPlackettLuce(-2, {{0, {1}}}).fitted);
-    QVERIFY(!fitPlackettLuce(2, {{0, {0}}, {5, {1}}, {0, {}}, {0, {1}, std::nan("")}, {0, {1}, -1.0}}).fitted);
+    QVERIFY(!fitPlackettLuce(3, {}).fitted && !fitPlackettLuce(0, {}).fitted &&
+            !fitPlackettLuce(-2, {{0, {1}}}).fitted);
+    QVERIFY(
+        !fitPlackettLuce(2, {{0, {0}}, {5, {1}}, {0, {}}, {0, {1}, std::nan("")}, {0, {1}, -1.0}}).fitted);
     QVERIFY(!fitPlackettLuce(4, {{0, {1}}, {1, {0}}, {2, {3}}, {3, {2}}}).fitted); // two islands
 }
 
-/// Two objects: Davidson's worth ratio is wins to losses and ν = t/√(ab); Rao & Kupper's θ² = (1−p)(1−q)/(pq).
+/// Two objects: Davidson's worth ratio is wins to losses and ν = t/√(ab); Rao & Kupper's θ² =
+/// (1−p)(1−q)/(pq).
 void TestRankings::tiedPairs() {
     const std::vector<PairCount> counts{{0, 1, 40.0, 20.0, 15.0}};
     const TiedWorthEstimate davidson = fitTiedPairs(TieModel::davidson, 2, counts);
@@ -249,16 +270,20 @@ void TestRankings::tiedPairs() {
     const double theta = std::sqrt((1.0 - p) * (1.0 - q) / (p * q));
     QVERIFY(std::abs(rao.tie - theta) < 1e-5);
     QVERIFY(std::abs(rao.logWorth[0] - rao.logWorth[1] - std::log(p * theta / (1.0 - p))) < 1e-5);
-    // Standard errors in closed form: of ln(a/b), of ln t − ½ ln(ab), of ½ (logit p − logit q); a centred worth has half of a difference.
+    // Standard errors in closed form: of ln(a/b), of ln t − ½ ln(ab), of ½ (logit p − logit q); a centred
+    // worth has half of a difference.
     QVERIFY(std::abs(davidson.standardError[0] - 0.5 * std::sqrt(1.0 / 40.0 + 1.0 / 20.0)) < 1e-5);
     QVERIFY(std::abs(davidson.standardError[1] - davidson.standardError[0]) < 1e-9);
     QVERIFY(std::abs(davidson.tieStandardError - std::sqrt(1.0 / 15.0 + 1.0 / 160.0 + 1.0 / 80.0)) < 1e-5);
-    const double variance = (0.25 / (p * (1.0 - p)) + 0.25 / (q * (1.0 - q)) + 0.5 / ((1.0 - p) * (1.0 - q))) / 75.0;
+    const double variance =
+        (0.25 / (p * (1.0 - p)) + 0.25 / (q * (1.0 - q)) + 0.5 / ((1.0 - p) * (1.0 - q))) / 75.0;
     QVERIFY(std::abs(rao.standardError[0] - 0.5 * std::sqrt(variance)) < 1e-5);
     QVERIFY(!fitTiedPairs(TieModel::davidson, 2, {{0, 1, 3.0, 2.0, 0.0}}).fitted);
     QVERIFY(!fitTiedPairs(TieModel::raoKupper, 2, {{0, 1, 0.0, 0.0, 4.0}}).fitted);
     QVERIFY(!fitTiedPairs(TieModel::raoKupper, 3, {{0, 1, 4.0, 1.0, 4.0}}).fitted);
-    QVERIFY(!fitTiedPairs(TieModel::davidson, 2, {{0, 0, 1.0, 1.0, 1.0}, {0, 9, 1.0, 1.0, 1.0}, {0, 1, -1.0, 1.0, 1.0}}).fitted);
+    QVERIFY(!fitTiedPairs(TieModel::davidson, 2,
+                          {{0, 0, 1.0, 1.0, 1.0}, {0, 9, 1.0, 1.0, 1.0}, {0, 1, -1.0, 1.0, 1.0}})
+                 .fitted);
 }
 
 void TestRankings::thurstone() {
@@ -273,7 +298,10 @@ void TestRankings::thurstone() {
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
             if (i != j)
-                pairs.push_back({i, {j}, 100.0 * chiron::core::normalCumulative(scale[static_cast<std::size_t>(i)] - scale[static_cast<std::size_t>(j)])});
+                pairs.push_back({i,
+                                 {j},
+                                 100.0 * chiron::core::normalCumulative(scale[static_cast<std::size_t>(i)] -
+                                                                        scale[static_cast<std::size_t>(j)])});
     const WorthEstimate four = fitThurstonePairs(4, pairs);
     for (std::size_t i = 0; i < 4; ++i)
         QVERIFY(std::abs(four.logWorth[i] - scale[i]) < 1e-5);
@@ -294,7 +322,8 @@ void TestRankings::thurstone() {
     }
     const WorthEstimate wide = fitThurstoneOrders(30, many);
     QVERIFY(wide.fitted && wide.warnings.empty());
-    for (std::size_t i = 0; i < 30; ++i) // best first is smallest first here; case V of differences: sd √2 a difference
+    for (std::size_t i = 0; i < 30;
+         ++i) // best first is smallest first here; case V of differences: sd √2 a difference
         QVERIFY(std::abs(wide.logWorth[i] * std::sqrt(2.0) - (1.45 - 0.1 * static_cast<double>(i))) < 0.2);
 }
 

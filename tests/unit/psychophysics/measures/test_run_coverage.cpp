@@ -31,7 +31,8 @@ void TestRunCoverage::coverage() {
     QFETCH(int, task);
     QFETCH(int, trials);
     const Coverage seen = coverageOf(static_cast<Task>(task), trials, 0.05, 0.02, 2000);
-    qInfo("%s: covered %.4f, bias %+.4f log10, sd %.4f", QTest::currentDataTag(), seen.covered, seen.bias, seen.sd);
+    qInfo("%s: covered %.4f, bias %+.4f log10, sd %.4f", QTest::currentDataTag(), seen.covered, seen.bias,
+          seen.sd);
     QVERIFY(seen.covered >= 0.92);
     QVERIFY(std::abs(seen.bias) < 0.02);
 }
@@ -49,7 +50,8 @@ void TestRunCoverage::adaptive() {
     QFETCH(int, trials);
     QFETCH(double, sd);
     const Coverage seen = adaptiveCoverage(2000, trials);
-    qInfo("rank-3 QUEST+, %d trials: covered %.4f, bias %+.4f log10, sd %.4f (%.3f in the design)", trials, seen.covered, seen.bias, seen.sd, sd);
+    qInfo("rank-3 QUEST+, %d trials: covered %.4f, bias %+.4f log10, sd %.4f (%.3f in the design)", trials,
+          seen.covered, seen.bias, seen.sd, sd);
     QVERIFY(seen.covered >= 0.92);
     QVERIFY(std::abs(seen.bias) < 0.02);
 }

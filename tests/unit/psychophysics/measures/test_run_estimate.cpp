@@ -59,7 +59,8 @@ void TestRunEstimate::coverageAndBias() {
     QFETCH(int, task);
     QFETCH(int, trials);
     const Coverage seen = coverageOf(static_cast<Task>(task), trials, 0.05, 0.02, 60);
-    qInfo("%s: %d trials, 60 runs: covered %.3f, bias %+.4f log10, sd %.4f", QTest::currentDataTag(), trials, seen.covered, seen.bias, seen.sd);
+    qInfo("%s: %d trials, 60 runs: covered %.3f, bias %+.4f log10, sd %.4f", QTest::currentDataTag(), trials,
+          seen.covered, seen.bias, seen.sd);
     QVERIFY(seen.covered >= 0.87); // 52 of 60 is the 0.5 % point of 95 %
     QVERIFY(std::abs(seen.bias) < 0.02 + 3.0 * seen.sd / std::sqrt(60.0));
 }
@@ -67,14 +68,16 @@ void TestRunEstimate::coverageAndBias() {
 /// Trials placed by rank-3 QUEST+ itself, 60 seeds, true σ across its grid.
 void TestRunEstimate::adaptivePlacement() {
     const Coverage seen = adaptiveCoverage(60, 40);
-    qInfo("rank-3 QUEST+, 40 trials: covered %.3f, bias %+.4f log10, sd %.4f", seen.covered, seen.bias, seen.sd);
+    qInfo("rank-3 QUEST+, 40 trials: covered %.3f, bias %+.4f log10, sd %.4f", seen.covered, seen.bias,
+          seen.sd);
     QVERIFY(seen.covered >= 0.87 && std::abs(seen.bias) < 0.02 + 3.0 * seen.sd / std::sqrt(60.0));
 }
 
 void TestRunEstimate::nothingToEstimateFrom() {
     for (int task = 0; task < kTasks; ++task) {
         const RunEstimate none = estimateRun(conditionOf(static_cast<Task>(task)), {}, 1);
-        QVERIFY(std::isnan(none.weber) && std::isnan(none.sigma95.low) && std::isnan(none.pse) && none.trials == 0);
+        QVERIFY(std::isnan(none.weber) && std::isnan(none.sigma95.low) && std::isnan(none.pse) &&
+                none.trials == 0);
         QVERIFY(warns(none, "no_trials"));
     }
     Condition condition = conditionOf(Task::rank3);
@@ -88,15 +91,24 @@ void TestRunEstimate::degenerateRuns_data() {
     QTest::addColumn<QString>("token");
     for (int task = 0; task < 6; ++task) {
         const QByteArray name(token(static_cast<Task>(task)).data());
-        const bool saysYes = static_cast<Task>(task) == Task::sameDifferent || static_cast<Task>(task) == Task::yesNo;
-        QTest::newRow((name + " right").constData()) << task << "right" << (saysYes ? "step_function" : "all_right");
-        QTest::newRow((name + " wrong").constData()) << task << "wrong" << (saysYes ? "prior_edge" : "chance");
-        QTest::newRow((name + " random").constData()) << task << "random" << (saysYes ? "prior_edge" : "chance");
-        QTest::newRow((name + " one level").constData()) << task << "one level" << "one_level";
-        QTest::newRow((name + " infinite").constData()) << task << "infinite" << "left_out";
-        QTest::newRow((name + " no answers").constData()) << task << "no answers" << "left_out";
-        QTest::newRow((name + " no difference").constData()) << task << "no difference" << "no_difference";
-        QTest::newRow((name + " few").constData()) << task << "few" << "few_trials";
+        const bool saysYes =
+            static_cast<Task>(task) == Task::sameDifferent || static_cast<Task>(task) == Task::yesNo;
+        QTest::newRow((name + " right").constData())
+            << task << "right" << (saysYes ? "step_function" : "all_right");
+        QTest::newRow((name + " wrong").constData())
+            << task << "wrong" << (saysYes ? "prior_edge" : "chance");
+        QTest::newRow((name + " random").constData())
+            << task << "random" << (saysYes ? "prior_edge" : "chance");
+        QTest::newRow((name + " one level").constData()) << task << "one level"
+                                                         << "one_level";
+        QTest::newRow((name + " infinite").constData()) << task << "infinite"
+                                                        << "left_out";
+        QTest::newRow((name + " no answers").constData()) << task << "no answers"
+                                                          << "left_out";
+        QTest::newRow((name + " no difference").constData()) << task << "no difference"
+                                                             << "no_difference";
+        QTest::newRow((name + " few").constData()) << task << "few"
+                                                   << "few_trials";
     }
 }
 
@@ -110,7 +122,8 @@ void TestRunEstimate::degenerateRuns() {
     std::vector<ScoredTrial> trials;
     for (int i = 0; i < (kind == "few" ? 6 : 120); ++i) {
         const double sigma = kind == "random" ? 1e6 : 0.05;
-        ScoredTrial trial = simulated(which, condition.stimulus.differences[static_cast<std::size_t>(i) % 8], sigma, 0.0, random);
+        ScoredTrial trial = simulated(which, condition.stimulus.differences[static_cast<std::size_t>(i) % 8],
+                                      sigma, 0.0, random);
         if (kind == "right" || kind == "wrong") {
             trial.answer = correctAnswer(which, trial.arrangement);
             if (kind == "wrong")
@@ -139,10 +152,12 @@ void TestRunEstimate::oneLevelIsHeldExactly_data() {
     QTest::addColumn<int>("of");
     for (const Task task : {Task::rank3, Task::twoAfc, Task::threeAfc, Task::oddity})
         for (const int of : {5, 10, 20})
-            QTest::newRow((std::string(token(task)) + ' ' + std::to_string(of)).c_str()) << static_cast<int>(task) << of;
+            QTest::newRow((std::string(token(task)) + ' ' + std::to_string(of)).c_str())
+                << static_cast<int>(task) << of;
 }
 
-/// Few answers at one difference have few outcomes: their chances are summed for every observer within the prior, so that nothing is left to chance.
+/// Few answers at one difference have few outcomes: their chances are summed for every observer within the
+/// prior, so that nothing is left to chance.
 void TestRunEstimate::oneLevelIsHeldExactly() {
     QFETCH(int, task);
     QFETCH(int, of);
@@ -163,7 +178,8 @@ void TestRunEstimate::oneLevelIsHeldExactly() {
         }
         const RunEstimate estimate = estimateRun(conditionOf(which), trials, 1);
         QVERIFY(warns(estimate, "one_level"));
-        QVERIFY(estimate.sigma95.low <= estimate.sigma_log10 && estimate.sigma_log10 <= estimate.sigma95.high);
+        QVERIFY(estimate.sigma95.low <= estimate.sigma_log10 &&
+                estimate.sigma_log10 <= estimate.sigma95.high);
         held.push_back(estimate.sigma95);
     }
     const int kind = which == Task::rank3 ? 0 : 1;
@@ -172,12 +188,16 @@ void TestRunEstimate::oneLevelIsHeldExactly() {
         const double p = answerProbability(which, difference, kind, {log10Sigma, 0.02, 0.0});
         double covered = 0.0;
         for (int right = 0; right <= of; ++right)
-            if (const Interval& interval = held[static_cast<std::size_t>(right)]; interval.low <= std::pow(10.0, log10Sigma) && std::pow(10.0, log10Sigma) <= interval.high)
-                covered += std::exp(std::lgamma(of + 1.0) - std::lgamma(right + 1.0) - std::lgamma(of - right + 1.0) + right * std::log(p) + (of - right) * std::log1p(-p));
+            if (const Interval& interval = held[static_cast<std::size_t>(right)];
+                interval.low <= std::pow(10.0, log10Sigma) && std::pow(10.0, log10Sigma) <= interval.high)
+                covered += std::exp(std::lgamma(of + 1.0) - std::lgamma(right + 1.0) -
+                                    std::lgamma(of - right + 1.0) + right * std::log(p) +
+                                    (of - right) * std::log1p(-p));
         if (covered < least)
             least = covered, at = log10Sigma;
     }
-    QVERIFY2(least >= 0.95, qPrintable(QStringLiteral("%1 of observers of log10 sigma %2").arg(least).arg(at)));
+    QVERIFY2(least >= 0.95,
+             qPrintable(QStringLiteral("%1 of observers of log10 sigma %2").arg(least).arg(at)));
 }
 
 void TestRunEstimate::settings() {
@@ -188,7 +208,8 @@ void TestRunEstimate::settings() {
         for (ScoredTrial& trial : trials)
             trial.value = 200.0 * std::pow(10.0, 0.03 + 0.05 * std::sqrt(2.0) * random.normal());
         const RunEstimate estimate = estimateRun(conditionOf(Task::adjustment), trials, 1);
-        covered += estimate.sigma95.low < 0.05 && 0.05 < estimate.sigma95.high && estimate.pse95.low < 200.0 * std::pow(10.0, 0.03) &&
+        covered += estimate.sigma95.low < 0.05 && 0.05 < estimate.sigma95.high &&
+                           estimate.pse95.low < 200.0 * std::pow(10.0, 0.03) &&
                            estimate.pse95.high > 200.0 * std::pow(10.0, 0.03)
                        ? 1
                        : 0;
@@ -198,7 +219,8 @@ void TestRunEstimate::settings() {
     for (ScoredTrial& trial : same)
         trial.value = 210.0;
     const RunEstimate estimate = estimateRun(conditionOf(Task::adjustment), same, 1);
-    QVERIFY(std::abs(estimate.pse - 210.0) < 1e-9 && std::isnan(estimate.weber) && warns(estimate, "no_spread"));
+    QVERIFY(std::abs(estimate.pse - 210.0) < 1e-9 && std::isnan(estimate.weber) &&
+            warns(estimate, "no_spread"));
 }
 
 void TestRunEstimate::magnitudes() {
@@ -227,22 +249,28 @@ void TestRunEstimate::outcomeFromArrangementAndAnswer() {
         std::vector<ScoredTrial> outcomes = whole;
         for (ScoredTrial& trial : outcomes)
             trial.answer = -1;
-        QCOMPARE(estimateRun(condition, outcomes, 1).sigma_log10, estimateRun(condition, whole, 1).sigma_log10);
+        QCOMPARE(estimateRun(condition, outcomes, 1).sigma_log10,
+                 estimateRun(condition, whole, 1).sigma_log10);
         QCOMPARE(estimateRun(condition, bare, 1).sigma_log10, estimateRun(condition, whole, 1).sigma_log10);
     }
 }
 
-/// Levels with 60 trials each: the free curve's threshold lies by the Thurstone observer's; answers that fall with the difference do not fit.
+/// Levels with 60 trials each: the free curve's threshold lies by the Thurstone observer's; answers that fall
+/// with the difference do not fit.
 void TestRunEstimate::freeCurveBeside() {
-    for (const Task task : {Task::twoAfc, Task::threeAfc, Task::oddity, Task::rank3, Task::yesNo, Task::sameDifferent}) {
+    for (const Task task :
+         {Task::twoAfc, Task::threeAfc, Task::oddity, Task::rank3, Task::yesNo, Task::sameDifferent}) {
         chiron::core::Random random(21);
         const Condition condition = conditionOf(task);
         const RunEstimate estimate = estimateRun(condition, runOf(condition, 480, 0.05, 0.02, random), 1);
-        qInfo("%s: threshold %.4f (%.4f..%.4f), free curve %.4f (%.4f..%.4f), deviance %.1f, p %.2f", token(task).data(), estimate.threshold,
-              estimate.threshold95.low, estimate.threshold95.high, estimate.fitThreshold, estimate.fitThreshold95.low, estimate.fitThreshold95.high,
+        qInfo("%s: threshold %.4f (%.4f..%.4f), free curve %.4f (%.4f..%.4f), deviance %.1f, p %.2f",
+              token(task).data(), estimate.threshold, estimate.threshold95.low, estimate.threshold95.high,
+              estimate.fitThreshold, estimate.fitThreshold95.low, estimate.fitThreshold95.high,
               estimate.deviance, estimate.pValue);
-        QVERIFY(estimate.threshold95.low < estimate.threshold && estimate.threshold < estimate.threshold95.high);
-        QVERIFY(std::abs(std::log10(estimate.fitThreshold / estimate.threshold)) < 0.15 && estimate.pValue > 0.001);
+        QVERIFY(estimate.threshold95.low < estimate.threshold &&
+                estimate.threshold < estimate.threshold95.high);
+        QVERIFY(std::abs(std::log10(estimate.fitThreshold / estimate.threshold)) < 0.15 &&
+                estimate.pValue > 0.001);
     }
     Condition condition = conditionOf(Task::twoAfc);
     std::vector<ScoredTrial> upside;
@@ -255,14 +283,18 @@ void TestRunEstimate::freeCurveBeside() {
     QVERIFY(warns(estimateRun(condition, upside, 1), "poor_fit"));
 }
 
-/// The observer's own curve describes its own answers, however many; one that pays attention to half of the trials only is noticed.
+/// The observer's own curve describes its own answers, however many; one that pays attention to half of the
+/// trials only is noticed.
 void TestRunEstimate::manyAnswersFit() {
-    for (const Task task : {Task::twoAfc, Task::threeAfc, Task::oddity, Task::rank3, Task::yesNo, Task::sameDifferent}) {
+    for (const Task task :
+         {Task::twoAfc, Task::threeAfc, Task::oddity, Task::rank3, Task::yesNo, Task::sameDifferent}) {
         const Condition condition = conditionOf(task);
         int poor = 0;
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
             chiron::core::Random random(seed);
-            poor += warns(estimateRun(condition, runOf(condition, 10000, 0.05, 0.02, random), 1), "poor_fit") ? 1 : 0;
+            poor += warns(estimateRun(condition, runOf(condition, 10000, 0.05, 0.02, random), 1), "poor_fit")
+                        ? 1
+                        : 0;
         }
         QVERIFY2(poor <= 1, qPrintable(QStringLiteral("%1: %2 of 10").arg(token(task).data()).arg(poor)));
         chiron::core::Random random(3);
@@ -296,7 +328,8 @@ void TestRunEstimate::millionTrials() {
         trials.push_back(trials[trials.size() - 1000]);
     const RunEstimate estimate = estimateRun(condition, trials, 1);
     QCOMPARE(estimate.trials, 1000000);
-    QVERIFY(estimate.sigma95.high / estimate.sigma95.low < 1.02 && std::abs(std::log10(estimate.sigma_log10 / 0.05)) < 0.1);
+    QVERIFY(estimate.sigma95.high / estimate.sigma95.low < 1.02 &&
+            std::abs(std::log10(estimate.sigma_log10 / 0.05)) < 0.1);
     for (std::size_t i = 0; i < trials.size(); ++i)
         trials[i].difference += 1e-9 * static_cast<double>(i);
     QVERIFY(warns(estimateRun(condition, trials, 1), "binned"));

@@ -10,8 +10,10 @@ using namespace chiron::psychophysics;
 
 namespace {
 
-/// `right` right answers of each arrangement, then `wrong` wrong ones; what is said when wrong comes from `says`.
-std::vector<ScoredTrial> trialsOf(Task task, int right, int wrong, const std::function<int(int arrangement, int correct, int nth)>& says) {
+/// `right` right answers of each arrangement, then `wrong` wrong ones; what is said when wrong comes from
+/// `says`.
+std::vector<ScoredTrial> trialsOf(Task task, int right, int wrong,
+                                  const std::function<int(int arrangement, int correct, int nth)>& says) {
     std::vector<ScoredTrial> trials;
     const int kinds = static_cast<int>(arrangements(task).size());
     for (int i = 0; i < right * kinds; ++i) {
@@ -36,7 +38,8 @@ std::vector<ScoredTrial> trialsOf(Task task, int right, int wrong, const std::fu
 bool warns(Task task, const std::vector<ScoredTrial>& trials) {
     std::vector<Warning> warnings;
     warnOfPlaces(warnings, task, trials);
-    return std::any_of(warnings.begin(), warnings.end(), [](const Warning& w) { return w.kind == WarningKind::positionBias; });
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [](const Warning& w) { return w.kind == WarningKind::positionBias; });
 }
 
 /// A run of 100 trials at two differences, 80 right: nothing to say of it.
@@ -57,14 +60,16 @@ ThurstonePosterior quiet() {
 }
 
 /// The only kinds of warning, in order.
-bool saysOnly(Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior, const std::vector<WarningKind>& kinds) {
+bool saysOnly(Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior,
+              const std::vector<WarningKind>& kinds) {
     std::vector<Warning> warnings;
     warnOfAnswers(warnings, task, answers, posterior);
     std::string all;
     for (const Warning& warning : warnings)
         all += warningText(warning) + '\n';
     qInfo("%s", all.c_str());
-    return std::equal(warnings.begin(), warnings.end(), kinds.begin(), kinds.end(), [](const Warning& w, WarningKind kind) { return w.kind == kind; });
+    return std::equal(warnings.begin(), warnings.end(), kinds.begin(), kinds.end(),
+                      [](const Warning& w, WarningKind kind) { return w.kind == kind; });
 }
 
 } // namespace
@@ -101,8 +106,8 @@ private slots:
         answers.leftOut = 7;
         QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {leftOutTrials, noTrials}));
     }
-    /// Right answers of 20 from which on guessing is refuted (P of as many or more below 0.05, summed by hand: 0.0207, 0.0376, 0.0371; one fewer 0.0577, 0.0919,
-    /// 0.1018).
+    /// Right answers of 20 from which on guessing is refuted (P of as many or more below 0.05, summed by
+    /// hand: 0.0207, 0.0376, 0.0371; one fewer 0.0577, 0.0919, 0.1018).
     void guessing_data() {
         QTest::addColumn<int>("task");
         QTest::addColumn<int>("enough");
@@ -128,7 +133,8 @@ private slots:
         answers.right = 20;
         QVERIFY(saysOnly(of, answers, quiet(), {allRight}));
     }
-    /// Whoever says yes (different) always or never tells nothing of differences; the number of right answers does not matter there.
+    /// Whoever says yes (different) always or never tells nothing of differences; the number of right answers
+    /// does not matter there.
     void oneAnswerOnly() {
         using enum WarningKind;
         for (const Task task : {Task::yesNo, Task::sameDifferent}) {
@@ -218,9 +224,12 @@ private slots:
             QVERIFY(!warns(of, trialsOf(of, 30, enough - 1, here)));
         }
         // As many on each place, as chance has it.
-        QVERIFY(!warns(of, trialsOf(of, 30, 60, [places](int, int correct, int nth) { return (correct + 1 + nth % (places - 1)) % places; })));
+        QVERIFY(!warns(of, trialsOf(of, 30, 60, [places](int, int correct, int nth) {
+                           return (correct + 1 + nth % (places - 1)) % places;
+                       })));
     }
-    /// Two places, of which one was shown as the wrong one more seldom: ten wrong answers are the least that is judged.
+    /// Two places, of which one was shown as the wrong one more seldom: ten wrong answers are the least that
+    /// is judged.
     void tenAreTheLeast() {
         for (const int wrong : {9, 10}) {
             std::vector<ScoredTrial> trials;
@@ -250,7 +259,10 @@ private slots:
     /// What is no answer of the task counts for nothing.
     void nonsenseIsLeftOut() {
         std::vector<ScoredTrial> trials = trialsOf(Task::threeAfc, 30, 12, [](int, int, int) { return 0; });
-        for (const auto& [arrangement, answer] : {std::pair{-1, 0}, {static_cast<int>(arrangements(Task::threeAfc).size()), 0}, {0, -1}, {0, 3}}) {
+        for (const auto& [arrangement, answer] : {std::pair{-1, 0},
+                                                  {static_cast<int>(arrangements(Task::threeAfc).size()), 0},
+                                                  {0, -1},
+                                                  {0, 3}}) {
             ScoredTrial trial;
             trial.arrangement = arrangement;
             trial.answer = answer;

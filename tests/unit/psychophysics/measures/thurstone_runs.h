@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numeric>
 
-// Thurstone observers of known σ, for tests of what is estimated from their answers: independent of observers/, so that a mistake in one
-// shows in the other.
+// Thurstone observers of known σ, for tests of what is estimated from their answers: independent of
+// observers/, so that a mistake in one shows in the other.
 namespace thurstone_runs {
 
 using namespace chiron::psychophysics;
@@ -30,26 +30,30 @@ inline int farthest(const std::vector<double>& felt) {
     std::vector<std::size_t> order(3);
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return felt[a] < felt[b]; });
-    return static_cast<int>(felt[order[1]] - felt[order[0]] < felt[order[2]] - felt[order[1]] ? order[2] : order[0]);
+    return static_cast<int>(felt[order[1]] - felt[order[0]] < felt[order[2]] - felt[order[1]] ? order[2]
+                                                                                              : order[0]);
 }
 
 /// The order in which the places were felt, as the answers of rank3 count it.
 inline int orderSaid(const std::vector<double>& felt) {
     Places said(3);
     for (std::size_t place = 0; place < 3; ++place)
-        said[place] = static_cast<int>(std::count_if(felt.begin(), felt.end(), [&](double other) { return other < felt[place]; }));
+        said[place] = static_cast<int>(
+            std::count_if(felt.begin(), felt.end(), [&](double other) { return other < felt[place]; }));
     const auto& orders = arrangements(Task::rank3);
     return static_cast<int>(std::find(orders.begin(), orders.end(), said) - orders.begin());
 }
 
-/// The same with ties, as the answers of rank3_ties count it: who is next to whom, less than half an sd apart, is equal.
+/// The same with ties, as the answers of rank3_ties count it: who is next to whom, less than half an sd
+/// apart, is equal.
 inline int tiesSaid(const std::vector<double>& felt, double sigma) {
     std::vector<double> sorted = felt;
     std::sort(sorted.begin(), sorted.end());
     Ranking said{};
     for (std::size_t place = 0; place < 3; ++place)
         for (std::size_t i = 1; i < 3; ++i)
-            said[place] = static_cast<std::int8_t>(said[place] + (felt[place] >= sorted[i] && sorted[i] - sorted[i - 1] >= 0.5 * sigma ? 1 : 0));
+            said[place] = static_cast<std::int8_t>(
+                said[place] + (felt[place] >= sorted[i] && sorted[i] - sorted[i - 1] >= 0.5 * sigma ? 1 : 0));
     return rankingOf(said);
 }
 
@@ -75,7 +79,8 @@ inline int answerOf(Task task, const std::vector<double>& felt, double sigma, do
     return 0;
 }
 
-inline ScoredTrial simulated(Task task, double difference, double sigma, double lapse, chiron::core::Random& random, double criterion = 0.03) {
+inline ScoredTrial simulated(Task task, double difference, double sigma, double lapse,
+                             chiron::core::Random& random, double criterion = 0.03) {
     ScoredTrial trial;
     trial.difference = difference;
     trial.arrangement = static_cast<int>(random.below(arrangements(task).size()));
@@ -91,10 +96,13 @@ inline ScoredTrial simulated(Task task, double difference, double sigma, double 
     return trial;
 }
 
-inline std::vector<ScoredTrial> runOf(const Condition& condition, int trials, double sigma, double lapse, chiron::core::Random& random) {
+inline std::vector<ScoredTrial> runOf(const Condition& condition, int trials, double sigma, double lapse,
+                                      chiron::core::Random& random) {
     std::vector<ScoredTrial> run;
     for (int i = 0; i < trials; ++i)
-        run.push_back(simulated(condition.task, condition.stimulus.differences[static_cast<std::size_t>(i) % condition.stimulus.differences.size()],
+        run.push_back(simulated(condition.task,
+                                condition.stimulus.differences[static_cast<std::size_t>(i) %
+                                                               condition.stimulus.differences.size()],
                                 sigma, lapse, random));
     return run;
 }
@@ -112,7 +120,8 @@ inline Coverage coverageOf(Task task, int trials, double sigma, double lapse, in
     int covered = 0;
     for (int seed = 1; seed <= runs; ++seed) {
         auto random = chiron::core::Random::stream(static_cast<std::uint64_t>(seed), "thurstone run");
-        const RunEstimate estimate = estimateRun(condition, runOf(condition, trials, sigma, lapse, random), 1);
+        const RunEstimate estimate =
+            estimateRun(condition, runOf(condition, trials, sigma, lapse, random), 1);
         const double error = std::log10(estimate.sigma_log10 / sigma);
         covered += estimate.sigma95.low <= sigma && sigma <= estimate.sigma95.high ? 1 : 0;
         sum += error;
@@ -122,7 +131,8 @@ inline Coverage coverageOf(Task task, int trials, double sigma, double lapse, in
     return {static_cast<double>(covered) / runs, mean, std::sqrt(squares / runs - mean * mean)};
 }
 
-/// Runs placed by rank-3 QUEST+ and answered by observers/simulated_observer: 2 % lapses, σ from 0.02 to 0.12.
+/// Runs placed by rank-3 QUEST+ and answered by observers/simulated_observer: 2 % lapses, σ from 0.02 to
+/// 0.12.
 inline Coverage adaptiveCoverage(int runs, int trials) {
     Condition condition = conditionOf(Task::rank3);
     condition.stimulus.differences.clear();
@@ -140,7 +150,9 @@ inline Coverage adaptiveCoverage(int runs, int trials) {
     int covered = 0;
     for (int seed = 1; simulator && seed <= runs; ++seed) {
         const double sigma = 0.02 * std::pow(6.0, seed % 10 / 9.0);
-        const auto answered = simulator->run({.weber = std::pow(10.0, 0.9538725524 * sigma) - 1.0, .lapse = 0.02}, static_cast<std::uint64_t>(seed));
+        const auto answered =
+            simulator->run({.weber = std::pow(10.0, 0.9538725524 * sigma) - 1.0, .lapse = 0.02},
+                           static_cast<std::uint64_t>(seed));
         const RunEstimate estimate = estimateRun(condition, answered, 1);
         const double error = std::log10(estimate.sigma_log10 / sigma);
         covered += estimate.sigma95.low <= sigma && sigma <= estimate.sigma95.high ? 1 : 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints the tables of app/session/study/README.md: study_table noise [trials] | recovery [seeds] [attribute] | legacy [seeds] |
-// controls. Asserts nothing.
+// Prints the tables of app/session/study/README.md: study_table noise [trials] | recovery [seeds] [attribute]
+// | legacy [seeds] | controls. Asserts nothing.
 #include "session/study/rendered_run.h"
 #include "support/study_designs.h"
 
@@ -32,10 +32,12 @@ double noise(int trials, Attribute attribute, bool print) {
             return 0.0;
         }
         if (print)
-            std::printf("%-12s D %.3f  mean %+.4f %+.4f %+.4f  sd %.4f %.4f %.4f  pooled %.4f  missed %d  %.2f s a trial\n",
-                        psychophysics::token(attribute).data(), design.conditions[0].stimulus.differences[static_cast<std::size_t>(candidate)],
-                        found->mean[0], found->mean[1], found->mean[2], found->sd[0], found->sd[1], found->sd[2], found->pooledSd,
-                        found->missed, found->seconds);
+            std::printf("%-12s D %.3f  mean %+.4f %+.4f %+.4f  sd %.4f %.4f %.4f  pooled %.4f  missed %d  "
+                        "%.2f s a trial\n",
+                        psychophysics::token(attribute).data(),
+                        design.conditions[0].stimulus.differences[static_cast<std::size_t>(candidate)],
+                        found->mean[0], found->mean[1], found->mean[2], found->sd[0], found->sd[1],
+                        found->sd[2], found->pooledSd, found->missed, found->seconds);
         if (candidate == kFarthest)
             continue; // printed only: an adaptive run hardly ever goes there
         squares += found->pooledSd * found->pooledSd;
@@ -44,7 +46,8 @@ double noise(int trials, Attribute attribute, bool print) {
     return std::sqrt(squares / n);
 }
 
-void recovery(int seeds, Attribute attribute, double weber, bool legacy, simulation::ComparisonControl control) {
+void recovery(int seeds, Attribute attribute, double weber, bool legacy,
+              simulation::ComparisonControl control) {
     const double rendering = noise(66, attribute, false); // 198 explorations a level (psychophysics.md §6)
     session::RenderedRunRequest request;
     request.design = legacy ? testing::descendingStudy(attribute) : testing::rank3Study(attribute);
@@ -52,7 +55,8 @@ void recovery(int seeds, Attribute attribute, double weber, bool legacy, simulat
     request.observer.weber = weber;
     request.observer.lapse = 0.02;
     request.control = control;
-    if (control == simulation::ComparisonControl::swapped || control == simulation::ComparisonControl::constant)
+    if (control == simulation::ComparisonControl::swapped ||
+        control == simulation::ComparisonControl::constant)
         request.design.fidelity.stiffnessError = 10.0; // or fidelity sees it first and spoils every trial
     const double sigma = psychophysics::sigmaOf(request.observer);
     const double truth = std::hypot(sigma, rendering);
@@ -77,10 +81,12 @@ void recovery(int seeds, Attribute attribute, double weber, bool legacy, simulat
             ++ruled;
         }
         if (seed <= 3) {
-            std::printf("  seed %d sigma %.4f [%.4f, %.4f] trials %d", seed, e.sigma_log10, e.sigma95.low, e.sigma95.high, e.trials);
+            std::printf("  seed %d sigma %.4f [%.4f, %.4f] trials %d", seed, e.sigma_log10, e.sigma95.low,
+                        e.sigma95.high, e.trials);
             for (const auto& w : e.warnings)
                 std::printf(" | %s", warningText(w).c_str());
-            std::printf(" | last spoiled '%s'\n", run->trials.empty() ? "" : run->trials.back().spoiled.c_str());
+            std::printf(" | last spoiled '%s'\n",
+                        run->trials.empty() ? "" : run->trials.back().spoiled.c_str());
         }
         if (!(e.sigma_log10 > 0.0))
             continue;
@@ -91,13 +97,16 @@ void recovery(int seeds, Attribute attribute, double weber, bool legacy, simulat
         squares += off * off;
     }
     const double mean = sum / std::max(1, known);
-    std::printf("%-12s W %.3f sigma %.4f render %.4f truth %.4f | inside %d of %d known %d | log10 error mean %+.3f sd %.3f | trials %.1f spoiled %.1f"
+    std::printf("%-12s W %.3f sigma %.4f render %.4f truth %.4f | inside %d of %d known %d | log10 error "
+                "mean %+.3f sd %.3f | trials %.1f spoiled %.1f"
                 " | %.0f s simulated a run\n",
-                psychophysics::token(attribute).data(), weber, sigma, rendering, truth, inside, seeds, known, mean,
-                std::sqrt(std::max(0.0, squares / std::max(1, known) - mean * mean)), trials / seeds, spoiled / seeds, ticks * 1e-3 / seeds);
+                psychophysics::token(attribute).data(), weber, sigma, rendering, truth, inside, seeds, known,
+                mean, std::sqrt(std::max(0.0, squares / std::max(1, known) - mean * mean)), trials / seeds,
+                spoiled / seeds, ticks * 1e-3 / seeds);
     if (ruled > 0)
-        std::printf("  the rule's own threshold: log10 over the 75 %% JND mean %+.3f sd %.3f, %d runs\n", rule / ruled,
-                    std::sqrt(std::max(0.0, rule2 / ruled - rule / ruled * (rule / ruled))), ruled);
+        std::printf("  the rule's own threshold: log10 over the 75 %% JND mean %+.3f sd %.3f, %d runs\n",
+                    rule / ruled, std::sqrt(std::max(0.0, rule2 / ruled - rule / ruled * (rule / ruled))),
+                    ruled);
 }
 
 } // namespace
@@ -112,13 +121,15 @@ int main(int argc, char** argv) {
         if (chosen && *chosen != attribute)
             continue;
         if (std::strcmp(what, "noise") == 0)
-            std::printf("%-12s sigma_render %.4f\n", psychophysics::token(attribute).data(), noise(count, attribute, true));
+            std::printf("%-12s sigma_render %.4f\n", psychophysics::token(attribute).data(),
+                        noise(count, attribute, true));
         else if (std::strcmp(what, "recovery") == 0)
             recovery(count, attribute, weber, false, ComparisonControl::none);
         else if (std::strcmp(what, "legacy") == 0)
             recovery(count, attribute, weber, true, ComparisonControl::none);
         else
-            for (const auto control : {ComparisonControl::gain, ComparisonControl::swapped, ComparisonControl::constant})
+            for (const auto control :
+                 {ComparisonControl::gain, ComparisonControl::swapped, ComparisonControl::constant})
                 recovery(count, attribute, weber, false, control);
     }
     return 0;

@@ -90,10 +90,12 @@ private slots:
             QVERIFY(trial.value);
             const double set = std::log10(*trial.value / kReference_N_per_m);
             QVERIFY2(std::abs(set) < 0.04, qPrintable(QString::number(set)));
-            QVERIFY(std::any_of(table.begin(), table.end(), [&](double d) { return std::abs(d - set) < 1e-9; })); // a level of the dial
+            QVERIFY(std::any_of(table.begin(), table.end(),
+                                [&](double d) { return std::abs(d - set) < 1e-9; })); // a level of the dial
         }
     }
-    /// What is set follows what is felt: with a renderer of a constant force both objects feel alike wherever the dial stands.
+    /// What is set follows what is felt: with a renderer of a constant force both objects feel alike wherever
+    /// the dial stands.
     void aDialThatChangesNothingIsLeftAlone() {
         session::RenderedRunRequest request;
         request.design = adjustmentStudy();

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/looked_back.h"
-#include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
+#include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
 #include "session/study/apex_analysis.h"
 #include "session/study/study_runner.h"
 #include "session/study/study_store.h"
-#include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
+#include "support/looked_back.h"
 #include "support/session_fixture.h"
 
 #include <QtTest>
@@ -43,11 +43,16 @@ struct Site {
         return done;
     }
     explicit Site(psychophysics::StudyDesign of) : design(std::move(of)) {
-        study = *write([&](database::StudyRepository& studies) { return studies.createStudy(design.id, "Apex", catalogue::studyJson(design).toStdString()); });
+        study = *write([&](database::StudyRepository& studies) {
+            return studies.createStudy(design.id, "Apex", catalogue::studyJson(design).toStdString());
+        });
         write([&](database::StudyRepository& studies) { return studies.freezeStudy(study); });
     }
     std::string enrol() {
-        return write([&](database::StudyRepository& studies) { return studies.enrolParticipant(study, {}, 0, "weber:0.1"); })->code;
+        return write([&](database::StudyRepository& studies) {
+                   return studies.enrolParticipant(study, {}, 0, "weber:0.1");
+               })
+            ->code;
     }
     auto run(const std::string& code, bool quick = false, int trialsAtMost = 0) {
         session::StudyRunRequest request;
@@ -70,7 +75,8 @@ struct Site {
 };
 
 bool warns(const std::vector<psychophysics::Warning>& warnings, const std::string& token) {
-    return std::any_of(warnings.begin(), warnings.end(), [&](const psychophysics::Warning& each) { return warningToken(each.kind) == token; });
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [&](const psychophysics::Warning& each) { return warningToken(each.kind) == token; });
 }
 
 } // namespace
@@ -78,7 +84,8 @@ bool warns(const std::vector<psychophysics::Warning>& warnings, const std::strin
 class TestApexRun : public QObject {
     Q_OBJECT
 private slots:
-    /// What is stored is where the hand was at the tick of the mark, less where the sphere of that trial lies by the session's seed.
+    /// What is stored is where the hand was at the tick of the mark, less where the sphere of that trial lies
+    /// by the session's seed.
     void theErrorIsThatOfTheRecordedMark() {
         Site site(apexDesign(3));
         const std::string code = site.enrol();
@@ -97,11 +104,13 @@ private slots:
             const auto trace = tests::traceOf(*stored.session);
             QVERIFY(trace);
             const auto mark = session::apexMarkOf(trial.fidelityJson);
-            const auto at = std::find_if(trace->trials.begin(), trace->trials.end(), [&](const scoring::TrialTrace& t) {
-                // traces are on a grid of nanometres
-                return mark && t.apex && std::abs(t.p_WMark_m.x() - t.apex->x_m - mark->errorX_m) < 1e-9 &&
-                       std::abs(t.p_WMark_m.y() - t.apex->y_m - mark->errorY_m) < 1e-9;
-            });
+            const auto at =
+                std::find_if(trace->trials.begin(), trace->trials.end(), [&](const scoring::TrialTrace& t) {
+                    // traces are on a grid of nanometres
+                    return mark && t.apex &&
+                           std::abs(t.p_WMark_m.x() - t.apex->x_m - mark->errorX_m) < 1e-9 &&
+                           std::abs(t.p_WMark_m.y() - t.apex->y_m - mark->errorY_m) < 1e-9;
+                });
             QVERIFY2(at != trace->trials.end(), "no recorded mark has this error");
             QCOMPARE(mark->inContact, at->markInContact);
             places.insert(at->apex->x_m);
@@ -121,12 +130,15 @@ private slots:
         for (std::size_t i = 0; i < before.size(); ++i)
             QCOMPARE(after[i].fidelityJson, before[i].fidelityJson);
         QVERIFY(after[2].session != before[1].session);
-        QCOMPARE(std::count_if(after.begin(), after.end(), [](const auto& t) { return !t.practice && t.spoiled.empty(); }), 3);
+        QCOMPARE(std::count_if(after.begin(), after.end(),
+                               [](const auto& t) { return !t.practice && t.spoiled.empty(); }),
+                 3);
         const auto opened = session::openStudy(*site.fixture.database, site.actor, site.study, code);
         const auto again = session::rerunChoices(site.design, opened->runs.front(), after);
         QCOMPARE(again->same, again->trials);
     }
-    /// A limit that every trial passes: each comes again, unscored, until nobody is there to say that it may go on.
+    /// A limit that every trial passes: each comes again, unscored, until nobody is there to say that it may
+    /// go on.
     void spoiledTrialsComeAgain() {
         psychophysics::StudyDesign design = apexDesign(2);
         design.trial.practiceTrials = 0;

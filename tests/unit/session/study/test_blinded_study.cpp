@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A study whose experimenters are blind, from run to export: each run is of its own condition, nobody is told which, and after
-// unblinding it says what an open study would.
+// A study whose experimenters are blind, from run to export: each run is of its own condition, nobody is told
+// which, and after unblinding it says what an open study would.
 #include "catalogue/study_reader.h"
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
@@ -55,15 +55,22 @@ struct Site {
         return done;
     }
     database::StudyNumber add(const psychophysics::StudyDesign& design) {
-        const auto study = *write([&](database::StudyRepository& all) { return all.createStudy(design.id, "Two", catalogue::studyJson(design).toStdString()); });
+        const auto study = *write([&](database::StudyRepository& all) {
+            return all.createStudy(design.id, "Two", catalogue::studyJson(design).toStdString());
+        });
         write([&](database::StudyRepository& all) { return all.freezeStudy(study); });
         return study;
     }
     void enrol(database::StudyNumber study, const std::string& code) {
-        write([&](database::StudyRepository& all) { return all.enrolParticipant(study, "", 0, "weber:0.12,lapse:0.02", code); });
+        write([&](database::StudyRepository& all) {
+            return all.enrolParticipant(study, "", 0, "weber:0.12,lapse:0.02", code);
+        });
     }
-    session::OpenedStudy open(database::StudyNumber study, const std::string& code) { return *session::openStudy(*fixture.database, actor, study, code); }
-    session::StudyRunReport run(database::StudyNumber study, const std::string& code, const std::string& label, bool quick, int atMost) {
+    session::OpenedStudy open(database::StudyNumber study, const std::string& code) {
+        return *session::openStudy(*fixture.database, actor, study, code);
+    }
+    session::StudyRunReport run(database::StudyNumber study, const std::string& code,
+                                const std::string& label, bool quick, int atMost) {
         session::StudyRunRequest request;
         request.study = study;
         request.participantCode = code;
@@ -78,7 +85,9 @@ struct Site {
     }
     /// Which code is which, as its author may look it up.
     std::map<std::string, std::string> conditionByCode(database::StudyNumber study) {
-        const auto all = fixture.database->write([&](database::WriteContext& w) { return database::StudyReader(w.connection(), actor).sealedConditions(study); });
+        const auto all = fixture.database->write([&](database::WriteContext& w) {
+            return database::StudyReader(w.connection(), actor).sealedConditions(study);
+        });
         std::map<std::string, std::string> out;
         for (const database::SealedCondition& each : *all)
             out[each.sealedCode] = each.condition;
@@ -92,9 +101,13 @@ struct Site {
             qFatal("%s", analysis.error().message.c_str());
         return std::move(*analysis);
     }
-    /// A completed run in which everything that can tell conditions apart does: times, speeds, contacts, forces, numbers of trials, answers.
-    void addTellingRun(database::ParticipantNumber who, const std::string& label, bool hard, int participant) {
-        const auto run = *write([&](database::StudyRepository& all) { return all.beginRun({who, label, 0, 7, "rank3_quest_plus@1"}); });
+    /// A completed run in which everything that can tell conditions apart does: times, speeds, contacts,
+    /// forces, numbers of trials, answers.
+    void addTellingRun(database::ParticipantNumber who, const std::string& label, bool hard,
+                       int participant) {
+        const auto run = *write([&](database::StudyRepository& all) {
+            return all.beginRun({who, label, 0, 7, "rank3_quest_plus@1"});
+        });
         const int trials = hard ? 22 : 12;
         for (int i = 0; i < trials; ++i) {
             database::StudyTrial trial;
@@ -110,13 +123,18 @@ struct Site {
             trial.exploration_s = (hard ? 9.0 : 5.0) + 0.1 * ((i * 7 + participant) % 10);
             trial.answer_s = (hard ? 1.5 : 0.6) + 0.01 * ((i * 3 + participant) % 10);
             trial.spoiled = hard && i % 5 == 4 ? "saturation" : "";
-            trial.fidelityJson = std::string(R"({"contacts":)") + (hard ? "9" : "4") + R"(,"duration_s":)" + (hard ? "9.5" : "5.5") + R"(,"late_ticks":0.0)" +
-                                 std::to_string((i * 11 + 3 * participant) % 7) + R"(,"mean_speed_m_per_s":)" + (hard ? "0.02" : "0.05") + R"(,"measured":true,"outside":"",)" +
-                                 R"("paused_s":0,"peak_force_N":)" + (hard ? "2.9" : "1.1") + R"(,"places":[],"saturated":)" + (hard ? "0.02" : "0") +
-                                 R"(,"shown":false,"stiffness_error":0.03,"worst_lateness_us":180})";
+            trial.fidelityJson =
+                std::string(R"({"contacts":)") + (hard ? "9" : "4") + R"(,"duration_s":)" +
+                (hard ? "9.5" : "5.5") + R"(,"late_ticks":0.0)" +
+                std::to_string((i * 11 + 3 * participant) % 7) + R"(,"mean_speed_m_per_s":)" +
+                (hard ? "0.02" : "0.05") + R"(,"measured":true,"outside":"",)" +
+                R"("paused_s":0,"peak_force_N":)" + (hard ? "2.9" : "1.1") + R"(,"places":[],"saturated":)" +
+                (hard ? "0.02" : "0") + R"(,"shown":false,"stiffness_error":0.03,"worst_lateness_us":180})";
             write([&](database::StudyRepository& all) { return all.storeStudyTrial(trial); });
         }
-        write([&](database::StudyRepository& all) { return all.finishRun(run, database::StudyRunState::completed); });
+        write([&](database::StudyRepository& all) {
+            return all.finishRun(run, database::StudyRunState::completed);
+        });
     }
     /// The same runs, trial by trial, in another study.
     void copyRuns(database::StudyNumber from, database::StudyNumber to, const std::string& code) {
@@ -125,12 +143,16 @@ struct Site {
         const auto who = open(to, code).participant.id;
         for (const database::StudyRun& run : open(from, code).runs) {
             const auto trials = *reader.studyTrials(run.id);
-            const auto copy = *write([&](database::StudyRepository& all) { return all.beginRun({who, run.condition, run.position, run.seed, run.procedures}); });
+            const auto copy = *write([&](database::StudyRepository& all) {
+                return all.beginRun({who, run.condition, run.position, run.seed, run.procedures});
+            });
             for (database::StudyTrial trial : trials) {
                 trial.run = copy;
                 write([&](database::StudyRepository& all) { return all.storeStudyTrial(trial); });
             }
-            write([&](database::StudyRepository& all) { return all.finishRun(copy, database::StudyRunState::completed); });
+            write([&](database::StudyRepository& all) {
+                return all.finishRun(copy, database::StudyRunState::completed);
+            });
         }
     }
 
@@ -151,11 +173,12 @@ QByteArray everythingIn(const QString& folder) {
 
 QStringList rowsOf(const QString& path) {
     QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()).trimmed().split('\n') : QStringList();
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()).trimmed().split('\n')
+                                          : QStringList();
 }
 
-/// How much better than the commonest condition a column's cells name a row's: by each cell's own majority among the other rows, or by one
-/// threshold through numbers. Between 0 and 1.
+/// How much better than the commonest condition a column's cells name a row's: by each cell's own majority
+/// among the other rows, or by one threshold through numbers. Between 0 and 1.
 double separation(const QStringList& cells, const std::vector<bool>& hard) {
     const auto all = static_cast<double>(cells.size());
     const auto hards = static_cast<double>(std::count(hard.begin(), hard.end(), true));
@@ -216,14 +239,17 @@ QStringList tellingColumns(const QString& folder, const std::map<std::string, st
     return telling;
 }
 
-bool agree(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+bool agree(double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
+}
 
 } // namespace
 
 class TestBlindedStudy : public QObject {
     Q_OBJECT
 private slots:
-    /// Rendered and resumed by its code, each run is of the condition that the code stands for, and makes its choices again from the log.
+    /// Rendered and resumed by its code, each run is of the condition that the code stands for, and makes its
+    /// choices again from the log.
     void runsAndResumesItsOwnCondition() {
         Site site;
         const auto study = site.add(twoConditions("sealed_runs", true));
@@ -238,9 +264,11 @@ private slots:
                 const auto report = site.run(study, "S01", code, false, 2);
                 QCOMPARE(report.runs.front().condition, code);
                 auto connection = site.fixture.database->openReader();
-                const auto stored = session::SessionView::open(**connection, database::Actor::maintenance(), report.runs.front().session);
+                const auto stored = session::SessionView::open(**connection, database::Actor::maintenance(),
+                                                               report.runs.front().session);
                 QVERIFY(stored);
-                const auto& parameters = (*stored)->setup().level.parameters.as<simulation::ComparisonParameters>();
+                const auto& parameters =
+                    (*stored)->setup().level.parameters.as<simulation::ComparisonParameters>();
                 QCOMPARE(parameters.values.front()[0], conditions.at(code) == "downy" ? 150.0 : 437.5);
                 references.push_back(parameters.values.front()[0]);
             }
@@ -248,19 +276,25 @@ private slots:
         QVERIFY(references.front() != references.back());
         for (const bool unblinded : {false, true}) {
             if (unblinded)
-                site.write([&](database::StudyRepository& all) { return all.unblindStudy(study, "all are done"); });
+                site.write(
+                    [&](database::StudyRepository& all) { return all.unblindStudy(study, "all are done"); });
             const auto analysis = site.analyse(study);
             for (const session::AnalysedCondition& condition : analysis.conditions) {
                 QCOMPARE(condition.runs.size(), std::size_t{1});
                 const session::AnalysedRun& run = condition.runs.front();
-                QCOMPARE(run.trials.size(), std::size_t{unblinded ? 4u : 0u}); // how many there were may tell which condition it is
-                QVERIFY(!unblinded || (run.replayed.sameProcedures && run.replayed.trials == 4 && run.replayed.same + run.replayed.ties == 4));
+                QCOMPARE(
+                    run.trials.size(),
+                    std::size_t{unblinded ? 4u : 0u}); // how many there were may tell which condition it is
+                QVERIFY(!unblinded || (run.replayed.sameProcedures && run.replayed.trials == 4 &&
+                                       run.replayed.same + run.replayed.ties == 4));
                 QCOMPARE(run.run.condition, unblinded ? condition.condition : std::string());
-                QCOMPARE(conditions.at(run.run.sealedCode), unblinded ? condition.condition : conditions.at(condition.condition));
+                QCOMPARE(conditions.at(run.run.sealedCode),
+                         unblinded ? condition.condition : conditions.at(condition.condition));
             }
         }
     }
-    /// After unblinding every number is what the same runs say in a study that never was blind; before, there is none.
+    /// After unblinding every number is what the same runs say in a study that never was blind; before, there
+    /// is none.
     void analysesAgreeWithAnOpenStudy() {
         Site site;
         const auto blind = site.add(twoConditions("blind_one", true));
@@ -288,16 +322,22 @@ private slots:
             QCOMPARE(mine.group.weber95.low, theirs.group.weber95.low);
             QCOMPARE(mine.ranking.tau, theirs.ranking.tau);
             QCOMPARE(mine.runs.size(), std::size_t{3});
-            const auto sealed = std::find_if(before.conditions.begin(), before.conditions.end(), [&](const auto& each) { return conditions.at(each.condition) == mine.condition; });
+            const auto sealed =
+                std::find_if(before.conditions.begin(), before.conditions.end(), [&](const auto& each) {
+                    return conditions.at(each.condition) == mine.condition;
+                });
             QVERIFY(sealed != before.conditions.end());
             QVERIFY(std::isnan(sealed->group.weber));
             for (std::size_t run = 0; run < mine.runs.size(); ++run) {
                 QCOMPARE(mine.runs[run].estimate.jnd, theirs.runs[run].estimate.jnd);
                 QVERIFY(agree(mine.runs[run].estimate.weber95.high, theirs.runs[run].estimate.weber95.high));
                 const auto& closed = sealed->runs[run];
-                QVERIFY(std::isnan(closed.estimate.weber) && std::isnan(closed.estimate.jnd) && closed.estimate.unit.empty() && closed.estimate.points.empty());
-                QVERIFY(closed.trials.empty() && closed.scored == 0 && closed.spoiled == 0 && closed.practice == 0 && closed.replayed.trials == 0);
-                QVERIFY(psychophysics::hasWarning(closed.estimate.warnings, psychophysics::WarningKind::sealed));
+                QVERIFY(std::isnan(closed.estimate.weber) && std::isnan(closed.estimate.jnd) &&
+                        closed.estimate.unit.empty() && closed.estimate.points.empty());
+                QVERIFY(closed.trials.empty() && closed.scored == 0 && closed.spoiled == 0 &&
+                        closed.practice == 0 && closed.replayed.trials == 0);
+                QVERIFY(
+                    psychophysics::hasWarning(closed.estimate.warnings, psychophysics::WarningKind::sealed));
             }
         }
     }
@@ -311,9 +351,13 @@ private slots:
         const auto exported = [&](const QString& name) {
             auto connection = site.fixture.database->openReader();
             database::StudyReader reader(**connection, site.actor);
-            const auto csv = session::exportStudyCsv(reader, study, folder.filePath(name + "_csv").toStdString());
-            const auto bids = session::exportStudyBids(reader, **connection, site.actor, study, folder.filePath(name + "_bids").toStdString());
-            return csv && bids ? everythingIn(folder.filePath(name + "_csv")) + everythingIn(folder.filePath(name + "_bids")) : QByteArray();
+            const auto csv =
+                session::exportStudyCsv(reader, study, folder.filePath(name + "_csv").toStdString());
+            const auto bids = session::exportStudyBids(reader, **connection, site.actor, study,
+                                                       folder.filePath(name + "_bids").toStdString());
+            return csv && bids ? everythingIn(folder.filePath(name + "_csv")) +
+                                     everythingIn(folder.filePath(name + "_bids"))
+                               : QByteArray();
         };
         const QByteArray blind = exported("blind");
         for (const auto& [code, condition] : site.conditionByCode(study)) {
@@ -327,8 +371,8 @@ private slots:
         for (const char* told : {"downy", "craggy", "437.5", "N/m"})
             QVERIFY2(open.contains(told), told);
     }
-    /// Whoever tries to tell the conditions apart by any column of an export fails while the study is blinded, though all that can differ does, and
-    /// succeeds by many once it is not.
+    /// Whoever tries to tell the conditions apart by any column of an export fails while the study is
+    /// blinded, though all that can differ does, and succeeds by many once it is not.
     void noColumnTellsConditionsApart() {
         Site site;
         const auto study = site.add(twoConditions("sealed_columns", true));
@@ -339,7 +383,8 @@ private slots:
             site.enrol(study, code);
             const auto opened = site.open(study, code);
             for (std::size_t run = 0; run < (i % 3 == 2 ? 1u : 2u); ++run) // some have done one alone
-                site.addTellingRun(opened.participant.id, opened.order[run], conditions.at(opened.order[run]) == "craggy", i);
+                site.addTellingRun(opened.participant.id, opened.order[run],
+                                   conditions.at(opened.order[run]) == "craggy", i);
         }
         QTemporaryDir folder;
         const auto exported = [&](const QString& name) {
@@ -347,7 +392,8 @@ private slots:
             database::StudyReader reader(**connection, site.actor);
             const auto path = folder.filePath(name);
             if (!session::exportStudyCsv(reader, study, (path + "_csv").toStdString()) ||
-                !session::exportStudyBids(reader, **connection, site.actor, study, (path + "_bids").toStdString()))
+                !session::exportStudyBids(reader, **connection, site.actor, study,
+                                          (path + "_bids").toStdString()))
                 qFatal("no export");
             return path;
         };
@@ -379,30 +425,37 @@ private slots:
             QCOMPARE(row.endsWith("n/a,n/a,n/a,n/a,n/a"), row.section(',', 2, 2) == "1");
         site.write([&](database::StudyRepository& all) { return all.unblindStudy(study, "all are done"); });
         telling = tellingColumns(exported("open") + "_csv", conditions);
-        for (const char* column : {"trials.csv/exploration_time", "trials.csv/response_time", "trials.csv/contacts", "trials.csv/mean_speed", "trials.csv/peak_force",
-                                   "trials.csv/value_1", "runs.csv/presentations", "runs.csv/scored", "runs.csv/reference", "estimates.csv/trials"})
+        for (const char* column :
+             {"trials.csv/exploration_time", "trials.csv/response_time", "trials.csv/contacts",
+              "trials.csv/mean_speed", "trials.csv/peak_force", "trials.csv/value_1",
+              "runs.csv/presentations", "runs.csv/scored", "runs.csv/reference", "estimates.csv/trials"})
             QVERIFY2(telling.contains(QLatin1String(column)), column);
     }
-    /// What a device leaves of one condition would tell which it is: blind, all conditions have what is left of the least.
+    /// What a device leaves of one condition would tell which it is: blind, all conditions have what is left
+    /// of the least.
     void theDeviceLimitIsShared() {
         const auto design = twoConditions("limits", true);
         session::RenderingLimits limits;
         limits.largestStiffness_N_per_m = 800.0;
         limits.largestForce_N = 4.0;
         const auto& [downy, craggy] = std::tie(design.conditions[0], design.conditions[1]);
-        const double own = session::limitedTable(downy, limits).limit, least = session::limitedTable(craggy, limits).limit;
+        const double own = session::limitedTable(downy, limits).limit,
+                     least = session::limitedTable(craggy, limits).limit;
         QVERIFY(std::isfinite(least) && least < own);
         QCOMPARE(session::blindTable(design, downy, limits).limit, least);
         QCOMPARE(session::blindTable(design, craggy, limits).limit, least);
-        QCOMPARE(session::blindTable(design, downy, limits).candidates, session::limitedTable(craggy, limits).candidates);
+        QCOMPARE(session::blindTable(design, downy, limits).candidates,
+                 session::limitedTable(craggy, limits).candidates);
     }
     void errorsGoByCode() {
         session::OpenedStudy study;
         study.design = twoConditions("errors", true);
         study.record.blinding.on = true;
         const database::ConductedRun run{"craggy", "Q7M", {}, {}, {}};
-        const core::Error error{core::ErrorCode::badInput, "condition \"craggy\": the device renders none of craggy"};
-        QCOMPARE(session::sealedError(study, run, error).message, std::string("condition \"Q7M\": the device renders none of Q7M"));
+        const core::Error error{core::ErrorCode::badInput,
+                                "condition \"craggy\": the device renders none of craggy"};
+        QCOMPARE(session::sealedError(study, run, error).message,
+                 std::string("condition \"Q7M\": the device renders none of Q7M"));
         study.record.blinding.on = false; // unblinded
         QCOMPARE(session::sealedError(study, run, error).message, error.message);
     }

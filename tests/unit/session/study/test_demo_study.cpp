@@ -18,7 +18,8 @@ namespace {
 constexpr const char* kPassword = "a long password for tests";
 
 bool warns(const std::vector<psychophysics::Warning>& warnings, const std::string& token) {
-    return std::any_of(warnings.begin(), warnings.end(), [&](const psychophysics::Warning& each) { return warningToken(each.kind) == token; });
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [&](const psychophysics::Warning& each) { return warningToken(each.kind) == token; });
 }
 
 /// A site with a researcher and the demonstration's study.
@@ -28,10 +29,12 @@ struct Site {
         if (!accounts.createFirstAdministrator("ada", kPassword, "Ada"))
             qFatal("no administrator");
         const auto ada = accounts.login("ada", kPassword);
-        if (!accounts.createPerson(*ada, {"rhea", "Rhea", database::RoleSet{database::Role::researcher}, kPassword, false}))
+        if (!accounts.createPerson(
+                *ada, {"rhea", "Rhea", database::RoleSet{database::Role::researcher}, kPassword, false}))
             qFatal("no researcher");
         rhea = *accounts.login("rhea", kPassword);
-        made = session::makeDemoStudy(*fixture.database, rhea, seed, [&](const std::string& doing) { told.push_back(doing); }, cancel);
+        made = session::makeDemoStudy(
+            *fixture.database, rhea, seed, [&](const std::string& doing) { told.push_back(doing); }, cancel);
     }
     tests::SessionFixture fixture;
     database::Actor rhea = database::Actor::simulated();
@@ -87,7 +90,8 @@ void TestDemoStudy::everybodyIsSimulatedAndSaysSo() {
     const auto participants = reader().participants(m_site->made->study);
     QVERIFY(participants.has_value());
     for (const database::Participant& each : *participants) {
-        QVERIFY2(each.simulated && !each.observer.empty() && each.code.rfind("SIM-", 0) == 0, each.code.c_str());
+        QVERIFY2(each.simulated && !each.observer.empty() && each.code.rfind("SIM-", 0) == 0,
+                 each.code.c_str());
         QVERIFY2(each.consentUtc.empty(), "nobody is there who could consent");
     }
     QVERIFY(warns(m_site->made->group.warnings, "simulated"));
@@ -112,16 +116,21 @@ void TestDemoStudy::estimatesAreOfTheirObservers() {
     for (const session::DemoStudyRun& run : made.runs) {
         const auto observer = psychophysics::parseObserver(run.observer);
         QVERIFY(observer.has_value());
-        inside += run.estimate.weber95.low <= observer->weber && observer->weber <= run.estimate.weber95.high ? 1 : 0;
+        inside += run.estimate.weber95.low <= observer->weber && observer->weber <= run.estimate.weber95.high
+                      ? 1
+                      : 0;
         QVERIFY(run.estimate.trials >= 20 && run.choicesSame);
     }
     QVERIFY2(inside >= session::demoStudyParticipants() - 1, qPrintable(QString::number(inside)));
     QCOMPARE(made.group.participants, session::demoStudyParticipants());
-    QVERIFY(made.group.weber95.low < 0.127 && 0.127 < made.group.weber95.high); // the observers' geometric mean
+    QVERIFY(made.group.weber95.low < 0.127 &&
+            0.127 < made.group.weber95.high); // the observers' geometric mean
     QVERIFY(std::isfinite(made.group.jnd) && made.group.unit == "N/m");
 }
 
-void TestDemoStudy::theRenderedSittingReplays() { QVERIFY(m_site->made->replayIdentical); }
+void TestDemoStudy::theRenderedSittingReplays() {
+    QVERIFY(m_site->made->replayIdentical);
+}
 
 void TestDemoStudy::sameSeedSameAnswers() {
     const Site again(1), other(2);

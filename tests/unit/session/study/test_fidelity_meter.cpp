@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kStiffness_N_per_m = 500.0, kCap_N = 3.0;
 
-/// A hand that presses a spring again and again, each time as deep as it is told, on a device that gives kCap_N and no more.
+/// A hand that presses a spring again and again, each time as deep as it is told, on a device that gives
+/// kCap_N and no more.
 session::TrialFidelity pressed(double usual_m, double deepest_m) {
     simulation::ComparisonParameters place;
     place.attribute = simulation::ComparedAttribute::stiffness;
@@ -32,7 +33,9 @@ session::TrialFidelity pressed(double usual_m, double deepest_m) {
         const double phase = 2.0 * std::numbers::pi * i / kStroke_ticks;
         sample.now_ns += 1'000'000;
         sample.displacement_m = 0.5 * depth_m * (1.0 - std::cos(phase));
-        sample.velocity_m_per_s = {0.0, 0.0, -0.5 * depth_m * std::sin(phase) * 2.0 * std::numbers::pi / (kStroke_ticks * core::kTickSeconds)};
+        sample.velocity_m_per_s = {0.0, 0.0,
+                                   -0.5 * depth_m * std::sin(phase) * 2.0 * std::numbers::pi /
+                                       (kStroke_ticks * core::kTickSeconds)};
         sample.place = sample.displacement_m > 0.0 ? 1 : 0;
         const double asked_N = kStiffness_N_per_m * sample.displacement_m;
         sample.saturated = asked_N > kCap_N;
@@ -94,9 +97,12 @@ template <class Hand> session::PlaceFidelity felt(ComparedAttribute attribute, d
     return meter.finish().places.at(0);
 }
 
-bool about(double value, double expected, double share = 1e-6) { return std::abs(value - expected) <= share * std::abs(expected); }
+bool about(double value, double expected, double share = 1e-6) {
+    return std::abs(value - expected) <= share * std::abs(expected);
+}
 
-/// A little of every limit: late ticks, a force at its limit, a force off its command, one off its object, a peak, a speed.
+/// A little of every limit: late ticks, a force at its limit, a force off its command, one off its object, a
+/// peak, a speed.
 session::TrialFidelity underLimits(const psychophysics::FidelityLimits& limits) {
     simulation::ComparisonParameters parameters;
     parameters.attribute = ComparedAttribute::stiffness;
@@ -105,7 +111,9 @@ session::TrialFidelity underLimits(const psychophysics::FidelityLimits& limits) 
     meter.begin({1.1 * kStiffness_N_per_m});
     std::int64_t now_ns = 0;
     for (int i = 0; i < 1000; ++i) {
-        now_ns += i % 100 == 50 ? 1'500'001 : i % 100 == 51 ? 1'500'000 : 1'000'000; // half a millisecond is not late, more is
+        now_ns += i % 100 == 50   ? 1'500'001
+                  : i % 100 == 51 ? 1'500'000
+                                  : 1'000'000; // half a millisecond is not late, more is
         const double force_N = 1.0 + std::sin(0.01 * i);
         session::FidelitySample sample = sampleOf(1, force_N, now_ns);
         sample.velocity_m_per_s = {0.02, 0.0, 0.03 * std::cos(0.07 * i)};
@@ -123,7 +131,8 @@ session::TrialFidelity underLimits(const psychophysics::FidelityLimits& limits) 
 class TestFidelityMeter : public QObject {
     Q_OBJECT
 private slots:
-    /// What a trial says of itself comes back from where it is stored, a tick of 0 too; what it does not say stays unsaid.
+    /// What a trial says of itself comes back from where it is stored, a tick of 0 too; what it does not say
+    /// stays unsaid.
     void circumstancesComeBack() {
         session::TrialFidelity told;
         told.circumstances = {"de", session::TrialCircumstances::kMaskingNoise, 0};
@@ -138,7 +147,8 @@ private slots:
         QCOMPARE(fidelity.saturated, 0.0);
         QVERIFY2(fidelity.outside.empty(), fidelity.outside.c_str());
     }
-    /// One stroke in twenty meets the device's limit: that is told as saturation, and is not taken for a softer spring.
+    /// One stroke in twenty meets the device's limit: that is told as saturation, and is not taken for a
+    /// softer spring.
     void aForceAtItsLimitIsNotTheObjects() {
         const auto fidelity = pressed(0.004, 0.020);
         QVERIFY(fidelity.saturated > 0.02);
@@ -147,7 +157,8 @@ private slots:
                  qPrintable(QString::number(fidelity.places[0].rendered)));
         QVERIFY2(fidelity.outside.empty(), fidelity.outside.c_str());
     }
-    /// A contact counts from its first tick to its last, also one that is there when the trial begins or ends.
+    /// A contact counts from its first tick to its last, also one that is there when the trial begins or
+    /// ends.
     void contactsAreCountedFromTheFirst() {
         session::FidelityMeter meter = meterOf();
         meter.begin({kStiffness_N_per_m});
@@ -189,7 +200,8 @@ private slots:
         QCOMPARE(session::pausedOf(session::fidelityJson(fidelity)), 0.1);
         QVERIFY(std::isnan(session::pausedOf(R"({"duration_s":3})"))); // stored before pauses were measured
     }
-    /// On a device that renders none forces are the tissue's; what compares with what was felt is not measured.
+    /// On a device that renders none forces are the tissue's; what compares with what was felt is not
+    /// measured.
     void whatIsShownIsNotFelt() {
         for (const bool touches : {true, false}) {
             simulation::ComparisonParameters parameters;
@@ -198,7 +210,8 @@ private slots:
             session::FidelityMeter meter(parameters, {}, false, true);
             meter.begin({kStiffness_N_per_m});
             for (int i = 0; i < 500; ++i) {
-                session::FidelitySample sample = sampleOf(touches ? 1 : 0, 0.0, (i + 1) * std::int64_t{1'000'000});
+                session::FidelitySample sample =
+                    sampleOf(touches ? 1 : 0, 0.0, (i + 1) * std::int64_t{1'000'000});
                 sample.displacement_m = 0.002 + 1e-6 * i;
                 sample.tissue_N = {0.0, 0.0, kStiffness_N_per_m * sample.displacement_m};
                 sample.full = false;
@@ -207,15 +220,18 @@ private slots:
             }
             const session::TrialFidelity fidelity = meter.finish();
             QVERIFY(fidelity.shown && !fidelity.measured);
-            QVERIFY(std::isnan(fidelity.stiffnessError) && std::isnan(fidelity.saturated) && std::isnan(fidelity.forceErrorRms_N));
+            QVERIFY(std::isnan(fidelity.stiffnessError) && std::isnan(fidelity.saturated) &&
+                    std::isnan(fidelity.forceErrorRms_N));
             QVERIFY(std::isnan(fidelity.places[0].rendered));
             QVERIFY2(fidelity.outside.empty(), fidelity.outside.c_str()); // it is no fault of the rendering
             if (touches) {
                 const double most_N = kStiffness_N_per_m * (0.002 + 1e-6 * 499);
-                QVERIFY(std::abs(fidelity.peakForce_N - most_N) < 1e-9 && std::abs(fidelity.places[0].terminalForce_N - most_N) < 1e-9);
+                QVERIFY(std::abs(fidelity.peakForce_N - most_N) < 1e-9 &&
+                        std::abs(fidelity.places[0].terminalForce_N - most_N) < 1e-9);
                 QCOMPARE(fidelity.contacts, 1);
             } else {
-                QVERIFY(std::isnan(fidelity.peakForce_N) && std::isnan(fidelity.places[0].peakForce_N) && std::isnan(fidelity.places[0].terminalForce_N));
+                QVERIFY(std::isnan(fidelity.peakForce_N) && std::isnan(fidelity.places[0].peakForce_N) &&
+                        std::isnan(fidelity.places[0].terminalForce_N));
             }
         }
     }
@@ -227,19 +243,27 @@ private slots:
 
         const auto spring = felt(ComparedAttribute::stiffness, 500.0, [&](int i) {
             const double d_m = 0.002 + 0.0018 * std::sin(0.011 * i), v = 0.05 * std::cos(0.037 * i);
-            return Touched{d_m, 0.0, {0.0, 0.0, v}, {0.0, 0.0, d_m > 0.0005 ? 500.0 * d_m + 0.3 + 4.0 * v : nonsense_N}};
+            return Touched{
+                d_m, 0.0, {0.0, 0.0, v}, {0.0, 0.0, d_m > 0.0005 ? 500.0 * d_m + 0.3 + 4.0 * v : nonsense_N}};
         });
         QVERIFY2(about(spring.rendered, 500.0), qPrintable(QString::number(spring.rendered)));
 
         const auto object = felt(ComparedAttribute::mass, 0.25, [&](int i) {
             const double d_m = 0.008 + 0.004 * std::sin(0.011 * i);
-            return Touched{d_m, 0.0, {}, {0.0, 0.0, d_m > 0.008 ? -0.25 * core::kStandardGravity : -nonsense_N}};
+            return Touched{
+                d_m, 0.0, {}, {0.0, 0.0, d_m > 0.008 ? -0.25 * core::kStandardGravity : -nonsense_N}};
         });
         QVERIFY2(about(object.rendered, 0.25), qPrintable(QString::number(object.rendered)));
 
         const auto rough = felt(ComparedAttribute::roughness, 0.0002, [&](int i) {
-            const double d_m = 0.001 + 0.0005 * std::sin(0.017 * i), v = 0.02 * std::cos(0.037 * i), s = speed(i);
-            return Touched{0.0, d_m, {s * along(i)[0], s * along(i)[1], v}, {0.0, 0.0, s > 0.010 ? 300.0 * d_m + 0.2 + 2.0 * v + (i % 2 == 0 ? 0.08 : -0.08) : nonsense_N}};
+            const double d_m = 0.001 + 0.0005 * std::sin(0.017 * i), v = 0.02 * std::cos(0.037 * i),
+                         s = speed(i);
+            return Touched{
+                0.0,
+                d_m,
+                {s * along(i)[0], s * along(i)[1], v},
+                {0.0, 0.0,
+                 s > 0.010 ? 300.0 * d_m + 0.2 + 2.0 * v + (i % 2 == 0 ? 0.08 : -0.08) : nonsense_N}};
         });
         QVERIFY2(about(rough.rendered, 0.08 / 400.0, 0.01), qPrintable(QString::number(rough.rendered)));
         QVERIFY(std::isnan(rough.standardError));
@@ -247,13 +271,18 @@ private slots:
         const auto viscous = felt(ComparedAttribute::viscosity, 12.0, [&](int i) {
             const double s = speed(i), depth_m = i % 5 == 0 ? 0.0004 : 0.002;
             const double back_N = s > 0.010 && depth_m > 0.0005 ? 12.0 * s + 0.4 : nonsense_N;
-            return Touched{0.0, depth_m, {s * along(i)[0], s * along(i)[1], 0.0}, {-back_N * along(i)[0], -back_N * along(i)[1], 1.0}};
+            return Touched{0.0,
+                           depth_m,
+                           {s * along(i)[0], s * along(i)[1], 0.0},
+                           {-back_N * along(i)[0], -back_N * along(i)[1], 1.0}};
         });
         QVERIFY2(about(viscous.rendered, 12.0), qPrintable(QString::number(viscous.rendered)));
 
-        // What yields slowly: of the 33 times that are tried, from 5 ms to 5 s, the one that it has; a force at its limit says nothing of it.
+        // What yields slowly: of the 33 times that are tried, from 5 ms to 5 s, the one that it has; a force
+        // at its limit says nothing of it.
         for (const int which : {0, 9, 20, 32}) {
-            const double time_s = 0.005 * std::pow(1000.0, which / 32.0), share = 1.0 - std::exp(-core::kTickSeconds / time_s);
+            const double time_s = 0.005 * std::pow(1000.0, which / 32.0),
+                         share = 1.0 - std::exp(-core::kTickSeconds / time_s);
             double dent_m = 0.0;
             const auto yielding = felt(ComparedAttribute::deformation, time_s, [&](int i) {
                 const double d_m = 0.003 + 0.001 * std::sin(0.02 * i) + (i % 700 < 350 ? 0.001 : 0.0);
@@ -261,11 +290,13 @@ private slots:
                 dent_m += (d_m - dent_m) * share;
                 return Touched{0.0, d_m, {}, {0.0, 0.0, i % 7 == 0 ? nonsense_N : force_N}, i % 7 == 0};
             });
-            QVERIFY2(about(yielding.rendered, time_s), qPrintable(QStringLiteral("%1: %2").arg(time_s).arg(yielding.rendered)));
+            QVERIFY2(about(yielding.rendered, time_s),
+                     qPrintable(QStringLiteral("%1: %2").arg(time_s).arg(yielding.rendered)));
         }
     }
-    /// Dry friction says itself once the bristles are bent over: after a turn so far as a trail of 1.5 times their length and half a millisecond
-    /// takes to turn, and only of what is dragged faster than a hand trembles.
+    /// Dry friction says itself once the bristles are bent over: after a turn so far as a trail of 1.5 times
+    /// their length and half a millisecond takes to turn, and only of what is dragged faster than a hand
+    /// trembles.
     void frictionIsOfWhatSlides() {
         constexpr double mu = 0.5, per_m = 0.001 * 0.041;
         const auto dragged = felt(ComparedAttribute::friction, mu, [&](int i) {
@@ -276,14 +307,18 @@ private slots:
             const double trail_m = 0.0005 + 1.5 * mu * 2.0 / 1000.0; // 2 mm
             const double way_m = (at + 1) * per_m;
             const bool bent = way_m > (stroke == 0 ? 1.0 : 2.0) * trail_m + 1e-9;
-            return Touched{0.0, 0.001, {v * direction, 0.0, 0.0}, {slow || !bent ? 0.3 : -mu * pressed_N * direction, 0.0, pressed_N}};
+            return Touched{0.0,
+                           0.001,
+                           {v * direction, 0.0, 0.0},
+                           {slow || !bent ? 0.3 : -mu * pressed_N * direction, 0.0, pressed_N}};
         });
         QVERIFY2(about(dragged.rendered, mu), qPrintable(QString::number(dragged.rendered)));
     }
     /// A trial is within a limit up to the limit itself; the first that is passed is named, in their order.
     void aMeasureAtItsLimitIsWithinIt() {
         psychophysics::FidelityLimits wide;
-        wide.lateTicks = wide.saturated = wide.forceErrorRms_N = wide.stiffnessError = wide.peakForce_N = wide.meanSpeed_m_per_s = 1e9;
+        wide.lateTicks = wide.saturated = wide.forceErrorRms_N = wide.stiffnessError = wide.peakForce_N =
+            wide.meanSpeed_m_per_s = 1e9;
         const session::TrialFidelity f = underLimits(wide);
         QVERIFY2(f.outside.empty(), f.outside.c_str());
         QCOMPARE(f.lateTicks, 0.010);
@@ -292,12 +327,16 @@ private slots:
         QVERIFY(about(f.forceErrorRms_N, 0.05) && f.measured);
         QVERIFY(about(f.stiffnessError, 1.0 - 1.0 / 1.1, 1e-3));
         QCOMPARE(f.duration_s, 1.0);
-        const psychophysics::FidelityLimits exact{f.forceErrorRms_N, f.stiffnessError, f.lateTicks, f.saturated, f.peakForce_N, f.meanSpeed_m_per_s};
+        const psychophysics::FidelityLimits exact{f.forceErrorRms_N, f.stiffnessError, f.lateTicks,
+                                                  f.saturated,       f.peakForce_N,    f.meanSpeed_m_per_s};
         QVERIFY2(underLimits(exact).outside.empty(), underLimits(exact).outside.c_str());
         const std::vector<std::pair<double psychophysics::FidelityLimits::*, std::string>> ordered{
-            {&psychophysics::FidelityLimits::meanSpeed_m_per_s, "speed"},       {&psychophysics::FidelityLimits::peakForce_N, "peak_force"},
-            {&psychophysics::FidelityLimits::stiffnessError, "stiffness_error"}, {&psychophysics::FidelityLimits::forceErrorRms_N, "force_error"},
-            {&psychophysics::FidelityLimits::saturated, "saturation"},           {&psychophysics::FidelityLimits::lateTicks, "late_ticks"}};
+            {&psychophysics::FidelityLimits::meanSpeed_m_per_s, "speed"},
+            {&psychophysics::FidelityLimits::peakForce_N, "peak_force"},
+            {&psychophysics::FidelityLimits::stiffnessError, "stiffness_error"},
+            {&psychophysics::FidelityLimits::forceErrorRms_N, "force_error"},
+            {&psychophysics::FidelityLimits::saturated, "saturation"},
+            {&psychophysics::FidelityLimits::lateTicks, "late_ticks"}};
         psychophysics::FidelityLimits closer = exact;
         for (const auto& [limit, word] : ordered) { // each is named before those that were passed already
             closer.*limit = std::nextafter(exact.*limit, 0.0);
@@ -318,11 +357,14 @@ private slots:
                     sample.now_ns += 1'000'000;
                     meter.add(sample);
                 }
-                QCOMPARE(meter.finish().outside, mustTouchAll && touched != 0b11 ? std::string("untouched") : std::string());
+                QCOMPARE(meter.finish().outside,
+                         mustTouchAll && touched != 0b11 ? std::string("untouched") : std::string());
             }
         }
     }
-    void tooMuchAtTheLimitIsSaturation() { QCOMPARE(pressed(0.010, 0.010).outside, std::string("saturation")); }
+    void tooMuchAtTheLimitIsSaturation() {
+        QCOMPARE(pressed(0.010, 0.010).outside, std::string("saturation"));
+    }
 };
 
 QTEST_APPLESS_MAIN(TestFidelityMeter)

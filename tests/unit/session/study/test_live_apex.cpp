@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A person's sitting of the apex in real time without a window: marks by hand, a break in the middle, spoiled trials in a further session,
-// stopping and going on, and the limit of the device.
+// A person's sitting of the apex in real time without a window: marks by hand, a break in the middle, spoiled
+// trials in a further session, stopping and going on, and the limit of the device.
+#include "app/exercises/sphere_apex/session/apex_tap.h"
+#include "app/exercises/sphere_apex/session/live_apex.h"
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
 #include "database/accounts/account_service.h"
@@ -8,8 +10,6 @@
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
 #include "session/replayer.h"
-#include "app/exercises/sphere_apex/session/apex_tap.h"
-#include "app/exercises/sphere_apex/session/live_apex.h"
 #include "session/study/study_analysis.h"
 #include "session/study/study_store.h"
 #include "support/apex_marker.h"
@@ -58,14 +58,21 @@ struct Site {
         if (!accounts.createFirstAdministrator("ada", kPassword, "Ada"))
             qFatal("no administrator");
         const auto ada = accounts.login("ada", kPassword);
-        if (!accounts.createPerson(*ada, {"rhea", "Rhea", database::RoleSet{database::Role::researcher}, kPassword, false}))
+        if (!accounts.createPerson(
+                *ada, {"rhea", "Rhea", database::RoleSet{database::Role::researcher}, kPassword, false}))
             qFatal("no researcher");
         actor = *accounts.login("rhea", kPassword);
-        study = *write([&](database::StudyRepository& studies) { return studies.createStudy(study_design.id, "Apex", catalogue::studyJson(study_design).toStdString()); });
+        study = *write([&](database::StudyRepository& studies) {
+            return studies.createStudy(study_design.id, "Apex",
+                                       catalogue::studyJson(study_design).toStdString());
+        });
         write([&](database::StudyRepository& studies) { return studies.freezeStudy(study); });
-        const auto who = *write([&](database::StudyRepository& studies) { return studies.enrolParticipant(study, "somebody", 0, {}); });
+        const auto who = *write([&](database::StudyRepository& studies) {
+            return studies.enrolParticipant(study, "somebody", 0, {});
+        });
         write([&](database::StudyRepository& studies) {
-            return studies.recordConsent(who.id, catalogue::studySha256(QByteArray::fromStdString(study_design.consent.at("en"))));
+            return studies.recordConsent(
+                who.id, catalogue::studySha256(QByteArray::fromStdString(study_design.consent.at("en"))));
         });
         code = who.code;
     }
@@ -84,7 +91,9 @@ struct Site {
             qFatal("%s", live.error().message.c_str());
         return std::move(*live);
     }
-    database::StudyRun run() { return session::openStudy(*fixture.database, actor, study, code)->runs.front(); }
+    database::StudyRun run() {
+        return session::openStudy(*fixture.database, actor, study, code)->runs.front();
+    }
     std::vector<database::StudyTrial> trials() {
         auto connection = fixture.database->openReader();
         return *database::StudyReader(**connection, actor).studyTrials(run().id);
@@ -105,7 +114,9 @@ bool mark(session::LiveSitting& live, const std::vector<simulation::SphereApexTr
         return false;
     const auto trial = live.training().display().latest().trial;
     const core::Vec3 to(places.at(trial).centre_m.x() + kBeside_m, places.at(trial).centre_m.y(), 0.019);
-    const auto there = [&] { return live.poll(), live.view().canAnswer && (tests::toolOf(live) - to).norm() < kNear_m; };
+    const auto there = [&] {
+        return live.poll(), live.view().canAnswer && (tests::toolOf(live) - to).norm() < kNear_m;
+    };
     for (int tries = 0; tries < 100 && !there(); ++tries) { // of what touches, a part of each way is left
         tests::moveTo(live, to);
         (void)QTest::qWaitFor(there, 300);
@@ -114,7 +125,8 @@ bool mark(session::LiveSitting& live, const std::vector<simulation::SphereApexTr
         return false;
     if (!live.answer(0))
         return false;
-    return QTest::qWaitFor([&] { return live.poll(), live.numbers().scored + live.numbers().spoiled > before; }, kPatience_ms);
+    return QTest::qWaitFor(
+        [&] { return live.poll(), live.numbers().scored + live.numbers().spoiled > before; }, kPatience_ms);
 }
 
 } // namespace
@@ -158,19 +170,23 @@ void TestLiveApex::theFreeMinuteEndsByItself() {
     QTRY_VERIFY_WITH_TIMEOUT((live.poll(), live.finished()), kPatience_ms);
 }
 
-/// The free minute has a session of its own, in which no trial is stored: it is known to be that participant's all the same.
+/// The free minute has a session of its own, in which no trial is stored: it is known to be that
+/// participant's all the same.
 void TestLiveApex::theFreeMinuteIsTheRunsToo() {
     Site site(design(3));
     auto asked = site.request();
     asked.freeMinute_s = 60.0;
     auto live = session::LiveSitting::start(*site.fixture.database, site.actor, std::move(asked));
     QVERIFY(live);
-    QTRY_VERIFY_WITH_TIMEOUT(((*live)->poll(), (*live)->view().tryLeft_s > 0.0 && (*live)->view().tryLeft_s < 60.0), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        ((*live)->poll(), (*live)->view().tryLeft_s > 0.0 && (*live)->view().tryLeft_s < 60.0), kPatience_ms);
     (*live)->stop();
     QTRY_VERIFY_WITH_TIMEOUT(((*live)->poll(), (*live)->finished()), kPatience_ms);
     QVERIFY(site.trials().empty());
     const auto reader = site.fixture.database->openReader();
-    const auto runs = database::selectInteger(**reader, "SELECT count(*) FROM study_sitting s JOIN session x ON x.id = s.id WHERE s.run_id = ?", {site.run().id});
+    const auto runs = database::selectInteger(
+        **reader, "SELECT count(*) FROM study_sitting s JOIN session x ON x.id = s.id WHERE s.run_id = ?",
+        {site.run().id});
     QCOMPARE(runs->value_or(0), std::int64_t{1});
 }
 
@@ -191,7 +207,8 @@ void TestLiveApex::marksBecomeTrialsAndTheAnalysisSaysTheSame() {
     for (const database::StudyTrial& trial : trials) {
         const auto error = session::apexMarkOf(trial.fidelityJson);
         QVERIFY(error);
-        QVERIFY2(std::abs(error->errorX_m - kBeside_m) < kNear_m && std::abs(error->errorY_m) < kNear_m, "the mark is not where it was set");
+        QVERIFY2(std::abs(error->errorX_m - kBeside_m) < kNear_m && std::abs(error->errorY_m) < kNear_m,
+                 "the mark is not where it was set");
         QVERIFY(error->inContact);
         QCOMPARE(*trial.value, std::hypot(error->errorX_m, error->errorY_m));
     }
@@ -294,7 +311,8 @@ void TestLiveApex::aBreakHoldsTheExercise() {
     QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::breakDue, kPatience_ms);
     QTest::qWait(600);
     live->poll();
-    QVERIFY(live->training().display().latest().phase != core::TrialPhase::running); // longer than the time between trials
+    QVERIFY(live->training().display().latest().phase !=
+            core::TrialPhase::running); // longer than the time between trials
     live->breakTaken();
     QVERIFY(mark(*live, places));
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
@@ -313,7 +331,7 @@ void TestLiveApex::aDeviceThatIsTooSlowIsRefused() {
         QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
     }
     request.station = std::move(*session::scriptedStation(**kind, level, "expert", 1)); // renders force
-    request.measuredDelay_s = 0.020; // 98 N/m
+    request.measuredDelay_s = 0.020;                                                    // 98 N/m
     const auto live = session::LiveSitting::start(*site.fixture.database, site.actor, std::move(request));
     auto justEnough = site.request();
     justEnough.station = std::move(*session::scriptedStation(**kind, level, "expert", 1));
@@ -323,7 +341,9 @@ void TestLiveApex::aDeviceThatIsTooSlowIsRefused() {
     (*other)->stop();
     QTRY_VERIFY_WITH_TIMEOUT(((*other)->poll(), (*other)->finished()), kPatience_ms);
     QVERIFY(!live);
-    QVERIFY2(live.error().message.find("500 N/m") != std::string::npos && live.error().message.find("98 N/m") != std::string::npos, live.error().message.c_str());
+    QVERIFY2(live.error().message.find("500 N/m") != std::string::npos &&
+                 live.error().message.find("98 N/m") != std::string::npos,
+             live.error().message.c_str());
     const auto& typed = live.error().tooStiff; // a window has its own words for it
     QVERIFY(typed && typed->sphere_N_per_m == 500.0 && std::lround(typed->device_N_per_m) == 98);
 }

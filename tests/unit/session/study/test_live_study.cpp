@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sitting in real time without a window: pausing before the loop ticks, events that a sleeping window misses, the delay of a device.
+// A sitting in real time without a window: pausing before the loop ticks, events that a sleeping window
+// misses, the delay of a device.
 #include "catalogue/study_reader.h"
 #include "database/accounts/account_service.h"
 #include "database/repositories/study_reader.h"
@@ -61,14 +62,20 @@ struct Site {
         if (!accounts.createFirstAdministrator("ada", kPassword, "Ada"))
             qFatal("no administrator");
         const auto ada = accounts.login("ada", kPassword);
-        if (!accounts.createPerson(*ada, {"rhea", "Rhea", database::RoleSet{database::Role::researcher}, kPassword, false}))
+        if (!accounts.createPerson(
+                *ada, {"rhea", "Rhea", database::RoleSet{database::Role::researcher}, kPassword, false}))
             qFatal("no researcher");
         actor = *accounts.login("rhea", kPassword);
-        study = *write([&](database::StudyRepository& studies) { return studies.createStudy(design.id, "A study", catalogue::studyJson(design).toStdString()); });
+        study = *write([&](database::StudyRepository& studies) {
+            return studies.createStudy(design.id, "A study", catalogue::studyJson(design).toStdString());
+        });
         write([&](database::StudyRepository& studies) { return studies.freezeStudy(study); });
-        const auto who = *write([&](database::StudyRepository& studies) { return studies.enrolParticipant(study, "somebody", 0, {}); });
+        const auto who = *write([&](database::StudyRepository& studies) {
+            return studies.enrolParticipant(study, "somebody", 0, {});
+        });
         write([&](database::StudyRepository& studies) {
-            return studies.recordConsent(who.id, catalogue::studySha256(QByteArray::fromStdString(design.consent.at("en"))));
+            return studies.recordConsent(
+                who.id, catalogue::studySha256(QByteArray::fromStdString(design.consent.at("en"))));
         });
         code = who.code;
     }
@@ -140,7 +147,8 @@ private slots:
     void whatASittingNotesIsExported();
 };
 
-/// Instructions are read before the session is up, for as long as it takes: however often a pause is asked for, going on is heard.
+/// Instructions are read before the session is up, for as long as it takes: however often a pause is asked
+/// for, going on is heard.
 void TestLiveStudy::pausedAndResumedBeforeTheFirstTick() {
     Site site;
     const auto live = site.sit();
@@ -162,10 +170,12 @@ void TestLiveStudy::pausesAndGoesOn() {
     live->resume();
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
     QVERIFY(live->answer(0).has_value());
-    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1),
+                             kPatience_ms);
 }
 
-/// What is stored of a trial holds its pause beside its time, and not in it; of a device that renders no force it says so.
+/// What is stored of a trial holds its pause beside its time, and not in it; of a device that renders no
+/// force it says so.
 void TestLiveStudy::noClockRunsWhilePaused() {
     Site site;
     const auto live = site.sit();
@@ -175,35 +185,42 @@ void TestLiveStudy::noClockRunsWhilePaused() {
     const double left_s = live->view().timeLeft_s;
     QTest::qWait(1500);
     live->poll();
-    QVERIFY2(live->view().timeLeft_s > left_s - 0.1 || live->view().timeLeft_s == 0.0, qPrintable(QString::number(live->view().timeLeft_s)));
+    QVERIFY2(live->view().timeLeft_s > left_s - 0.1 || live->view().timeLeft_s == 0.0,
+             qPrintable(QString::number(live->view().timeLeft_s)));
     live->resume();
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
     QVERIFY(live->answer(0).has_value());
-    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1),
+                             kPatience_ms);
     auto connection = site.fixture.database->openReader();
     database::StudyReader reader(**connection, site.actor);
     const auto runs = reader.runs(reader.participantByCode(site.study, site.code)->id);
     const auto trials = reader.studyTrials(runs->front().id);
     QCOMPARE(trials->size(), std::size_t{1});
     const database::StudyTrial& trial = trials->front();
-    const double paused_s = session::pausedOf(trial.fidelityJson), whole_s = 1e-3 * static_cast<double>(trial.lastTick - trial.firstTick);
+    const double paused_s = session::pausedOf(trial.fidelityJson),
+                 whole_s = 1e-3 * static_cast<double>(trial.lastTick - trial.firstTick);
     QVERIFY2(paused_s > 1.0, trial.fidelityJson.c_str());
     QVERIFY2(std::abs(trial.exploration_s + paused_s - whole_s) < 0.0025, trial.fidelityJson.c_str());
     QVERIFY(trial.answer_s <= trial.exploration_s);
-    QCOMPARE(trial.answer, 0); // as it was given
+    QCOMPARE(trial.answer, 0);                                    // as it was given
     QVERIFY(trial.felt && !*trial.felt && !trial.device.empty()); // keyboard and mouse
-    const QJsonObject fidelity = QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson)).object();
-    QVERIFY(fidelity["shown"].toBool() && fidelity["stiffness_error"].isNull() && fidelity["saturated"].isNull() && fidelity["peak_force_N"].isNull());
+    const QJsonObject fidelity =
+        QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson)).object();
+    QVERIFY(fidelity["shown"].toBool() && fidelity["stiffness_error"].isNull() &&
+            fidelity["saturated"].isNull() && fidelity["peak_force_N"].isNull());
 }
 
-/// A run with mouse and keyboard says in every table that it was shown, and belongs to the group only where that is asked for.
+/// A run with mouse and keyboard says in every table that it was shown, and belongs to the group only where
+/// that is asked for.
 void TestLiveStudy::whatIsShownIsNotInTheGroup() {
     Site site;
     {
         const auto live = site.sit();
         QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
         QVERIFY(live->answer(0).has_value());
-        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1),
+                                 kPatience_ms);
         live->stop();
         QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
     }
@@ -216,13 +233,17 @@ void TestLiveStudy::whatIsShownIsNotInTheGroup() {
         const session::AnalysedRun& run = condition.runs.front();
         QVERIFY(run.felt && !*run.felt && run.pooled == withShown);
         QVERIFY(psychophysics::hasWarning(run.estimate.warnings, psychophysics::WarningKind::shownRun));
-        QVERIFY(psychophysics::hasWarning(condition.group.warnings, withShown ? psychophysics::WarningKind::shownInGroup : psychophysics::WarningKind::shownLeftOut));
+        QVERIFY(psychophysics::hasWarning(condition.group.warnings,
+                                          withShown ? psychophysics::WarningKind::shownInGroup
+                                                    : psychophysics::WarningKind::shownLeftOut));
         QVERIFY(analysis->quality.front().felt && !*analysis->quality.front().felt);
     }
     QTemporaryDir folder;
     QVERIFY(session::exportStudyCsv(reader, site.study, folder.filePath("csv").toStdString()));
-    QVERIFY(session::exportStudyBids(reader, **connection, site.actor, site.study, folder.filePath("bids").toStdString()));
-    QStringList tables{folder.filePath("csv/trials.csv"), folder.filePath("csv/runs.csv"), folder.filePath("csv/quality.csv")};
+    QVERIFY(session::exportStudyBids(reader, **connection, site.actor, site.study,
+                                     folder.filePath("bids").toStdString()));
+    QStringList tables{folder.filePath("csv/trials.csv"), folder.filePath("csv/runs.csv"),
+                       folder.filePath("csv/quality.csv")};
     QDirIterator beh(folder.filePath("bids"), {"*_beh.tsv"}, QDir::Files, QDirIterator::Subdirectories);
     while (beh.hasNext())
         tables << beh.next();
@@ -234,7 +255,9 @@ void TestLiveStudy::whatIsShownIsNotInTheGroup() {
         const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
         const auto names = lines[0].split(separator[0]), cells = lines[1].split(separator[0]);
         QCOMPARE(cells.value(names.indexOf("force_class")), QByteArray("shown"));
-        QVERIFY2(names.contains("device") && cells.value(names.indexOf("device")) != "n/a" && !cells.value(names.indexOf("device")).isEmpty(), lines[1].constData());
+        QVERIFY2(names.contains("device") && cells.value(names.indexOf("device")) != "n/a" &&
+                     !cells.value(names.indexOf("device")).isEmpty(),
+                 lines[1].constData());
     }
 }
 
@@ -248,7 +271,8 @@ void TestLiveStudy::anUnknownConditionIsRefused() {
     QVERIFY2(live.error().message.find("nowhere") != std::string::npos, live.error().message.c_str());
 }
 
-/// Practice tells what was right, a scored trial where the design says so; then a break is due, and for how long.
+/// Practice tells what was right, a scored trial where the design says so; then a break is due, and for how
+/// long.
 void TestLiveStudy::theTrialAtHandIsTold() {
     Site site(false, [](psychophysics::StudyDesign& design) {
         design.trial.exploreLimit_s = 25.0;
@@ -261,13 +285,16 @@ void TestLiveStudy::theTrialAtHandIsTold() {
     const auto live = site.sit();
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
     const session::LiveStudyView first = live->view();
-    QVERIFY(first.state == View::exploring && first.practice && first.trial == 0 && first.places == 3 && first.place == -1 && first.touched == 0);
+    QVERIFY(first.state == View::exploring && first.practice && first.trial == 0 && first.places == 3 &&
+            first.place == -1 && first.touched == 0);
     QCOMPARE(first.ofAtMost, session::trialsAtMost(live->condition()));
     QVERIFY(first.timeLeft_s > 0.0 && first.timeLeft_s <= 25.0 && first.breakLeft_s == 0.0 && !first.right);
-    QVERIFY(live->numbers().practice == 0 && live->numbers().repeats == 0 && live->numbers().lastSpoiled.empty());
+    QVERIFY(live->numbers().practice == 0 && live->numbers().repeats == 0 &&
+            live->numbers().lastSpoiled.empty());
     QVERIFY(live->answer(2).has_value());
     QVERIFY(!live->answer(2)); // once
-    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().mayTakeBack), kPatience_ms); // told first, and stored once nobody takes it back
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().mayTakeBack),
+                             kPatience_ms); // told first, and stored once nobody takes it back
     const session::LiveStudyView told = live->view();
     QCOMPARE(live->numbers().practice, 0);
     live->goOn();
@@ -280,8 +307,10 @@ void TestLiveStudy::theTrialAtHandIsTold() {
     };
     const database::StudyTrial practised = stored(0);
     QVERIFY(practised.practice && practised.answer == 2 && practised.ordinal == 0);
-    QVERIFY(told.state == View::feedback && told.practice && told.trial == 0 && told.ofAtMost == first.ofAtMost);
-    QCOMPARE(told.right, std::optional(psychophysics::correctAnswer(psychophysics::Task::rank3, practised.arrangement) == 2));
+    QVERIFY(told.state == View::feedback && told.practice && told.trial == 0 &&
+            told.ofAtMost == first.ofAtMost);
+    QCOMPARE(told.right, std::optional(psychophysics::correctAnswer(psychophysics::Task::rank3,
+                                                                    practised.arrangement) == 2));
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
     QVERIFY(!live->view().practice && !live->view().right);
     QVERIFY(live->answer(1).has_value());
@@ -316,7 +345,8 @@ void TestLiveStudy::practiceTellsOfEveryObjectThatItWasRight() {
     QVERIFY(*std::min_element(right.begin(), right.end()) > 0);
 }
 
-/// Objects that were not all touched when they go cannot be answered about: the trial ends at once and comes again, and nobody is asked for an answer.
+/// Objects that were not all touched when they go cannot be answered about: the trial ends at once and comes
+/// again, and nobody is asked for an answer.
 void TestLiveStudy::timeIsNeverUpWithoutAnAnswer() {
     Site site(false, [](psychophysics::StudyDesign& design) {
         design.trial.mustTouchAll = true;
@@ -325,7 +355,8 @@ void TestLiveStudy::timeIsNeverUpWithoutAnAnswer() {
     });
     const auto live = site.sit();
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().state == View::exploring), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().state == View::answering || live->numbers().spoiled == 1), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        (live->poll(), live->view().state == View::answering || live->numbers().spoiled == 1), kPatience_ms);
     QCOMPARE(live->numbers().spoiled, 1);
     QCOMPARE(live->numbers().lastSpoiled, std::string("untouched"));
 }
@@ -344,7 +375,9 @@ void TestLiveStudy::stopsWhilePaused() {
     const auto events = database::SessionReader(**connection, site.actor).events(live->result()->session);
     QVERIFY(events.has_value());
     for (const char* kind : {"start", "pause"})
-        QCOMPARE(std::count_if(events->begin(), events->end(), [&](const auto& event) { return event.kind == kind; }), 1);
+        QCOMPARE(std::count_if(events->begin(), events->end(),
+                               [&](const auto& event) { return event.kind == kind; }),
+                 1);
 }
 
 /// Stopped while the instructions are read: a pause that is asked for later does not hold it up.
@@ -359,24 +392,30 @@ void TestLiveStudy::stopsBeforeItBegan() {
     QVERIFY(!live->result()->completed);
 }
 
-/// Beside the trials: the sealed code, no estimate, and nothing of forces, which are those of the condition. It is rendered all the same.
+/// Beside the trials: the sealed code, no estimate, and nothing of forces, which are those of the condition.
+/// It is rendered all the same.
 void TestLiveStudy::aBlindExperimenterIsToldNoCondition() {
     Site site(true);
     const auto live = site.sit();
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
     QVERIFY(live->answer(0).has_value());
-    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1),
+                             kPatience_ms);
     const session::LiveStudyNumbers numbers = live->numbers();
-    const auto looked = site.fixture.database->write([&](database::WriteContext& w) { return database::StudyReader(w.connection(), site.actor).sealedConditions(site.study); });
+    const auto looked = site.fixture.database->write([&](database::WriteContext& w) {
+        return database::StudyReader(w.connection(), site.actor).sealedConditions(site.study);
+    });
     QVERIFY(looked);
-    const auto mine = std::find_if(looked->begin(), looked->end(), [&](const auto& each) { return each.sealedCode == numbers.sealedCode; });
+    const auto mine = std::find_if(looked->begin(), looked->end(),
+                                   [&](const auto& each) { return each.sealedCode == numbers.sealedCode; });
     QVERIFY(mine != looked->end());
     QCOMPARE(live->condition().id, mine->condition);
     QVERIFY(numbers.blind);
     QCOMPARE(numbers.condition, numbers.sealedCode);
     QVERIFY(numbers.estimates.empty());
     const session::TrialFidelity& fidelity = numbers.lastFidelity;
-    QVERIFY(std::isnan(fidelity.peakForce_N) && std::isnan(fidelity.stiffnessError) && std::isnan(fidelity.forceErrorRms_N) && std::isnan(fidelity.saturated));
+    QVERIFY(std::isnan(fidelity.peakForce_N) && std::isnan(fidelity.stiffnessError) &&
+            std::isnan(fidelity.forceErrorRms_N) && std::isnan(fidelity.saturated));
     QVERIFY(fidelity.places.empty() && fidelity.duration_s > 0.0);
     Site open;
     QVERIFY(!open.sit()->numbers().blind);
@@ -441,7 +480,8 @@ void TestLiveStudy::whatADeviceCannotRenderIsTyped() {
 void TestLiveStudy::anotherVersionNeverGoesOn() {
     Site site;
     const auto opened = session::openStudy(*site.fixture.database, site.actor, site.study, site.code);
-    QVERIFY(opened && session::beginRun(*site.fixture.database, site.actor, *opened, opened->order.front(), 1, "rank3_quest_plus@0"));
+    QVERIFY(opened && session::beginRun(*site.fixture.database, site.actor, *opened, opened->order.front(), 1,
+                                        "rank3_quest_plus@0"));
     const auto live = session::LiveStudy::start(*site.fixture.database, site.actor, site.request());
     QVERIFY(!live && live.error().otherVersion && !live.error().device);
     QCOMPARE(live.error().code, core::ErrorCode::wrongUse);
@@ -471,7 +511,8 @@ void TestLiveStudy::theFreeMinuteIsOfNoTrial() {
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
     QCOMPARE(live->view().tryLeft_s, 0.0);
     QVERIFY(live->answer(0));
-    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1),
+                             kPatience_ms);
     const auto trials = storedTrials(site);
     QCOMPARE(trials.size(), std::size_t{1});
     QCOMPARE(trials.front().ordinal, 0);
@@ -483,7 +524,9 @@ void TestLiveStudy::theFreeMinuteIsOfNoTrial() {
 }
 
 void TestLiveStudy::theFreeMinuteEndsByItself() {
-    Site site(false, [](psychophysics::StudyDesign& design) { design.trial.exploreLimit_s = 0.4; }); // objects go and come again meanwhile
+    Site site(false, [](psychophysics::StudyDesign& design) {
+        design.trial.exploreLimit_s = 0.4;
+    }); // objects go and come again meanwhile
     const auto live = site.sit(1.0);
     QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::trying, kPatience_ms);
     QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::tried, kPatience_ms);
@@ -512,7 +555,8 @@ void TestLiveStudy::stoppedInTheFreeMinute() {
     QVERIFY(again->view().tryLeft_s > 0.0);
 }
 
-/// What somebody can do otherwise is said to them, instead of objects that come again without a word; until the next ones are there.
+/// What somebody can do otherwise is said to them, instead of objects that come again without a word; until
+/// the next ones are there.
 void TestLiveStudy::aHandThatMovesTooFastIsTold() {
     Site site(false, [](psychophysics::StudyDesign& design) {
         design.trial.practiceTrials = 1;
@@ -538,7 +582,8 @@ void TestLiveStudy::aHandThatMovesTooFastIsTold() {
     QVERIFY(!live->view().practice && live->view().hand.empty());
     move();
     QVERIFY(live->answer(0).has_value());
-    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().hand), std::string("speed"), kPatience_ms); // this one comes again
+    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().hand), std::string("speed"),
+                              kPatience_ms); // this one comes again
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
     QVERIFY(live->view().hand.empty());
 }
@@ -551,10 +596,12 @@ void TestLiveStudy::practiceIsTakenBackAndRunAgain() {
     });
     const auto live = site.sit();
     const auto answered = [&] {
-        return QTest::qWaitFor([&] { return live->poll(), live->view().canAnswer; }, kPatience_ms) && live->answer(0) &&
+        return QTest::qWaitFor([&] { return live->poll(), live->view().canAnswer; }, kPatience_ms) &&
+               live->answer(0) &&
                QTest::qWaitFor([&] { return live->poll(), live->view().mayTakeBack; }, kPatience_ms);
     };
-    for (int i = 0; i < 3; ++i) { // more often than a spoiled trial may come again: the experimenter is not called for it
+    for (int i = 0; i < 3;
+         ++i) { // more often than a spoiled trial may come again: the experimenter is not called for it
         QVERIFY(answered());
         QCOMPARE(live->view().state, View::feedback);
         live->takeBack();
@@ -564,7 +611,7 @@ void TestLiveStudy::practiceIsTakenBackAndRunAgain() {
     QVERIFY(answered());
     QVERIFY(live->view().practice);
     QCOMPARE(storedTrials(site).size(), std::size_t{3}); // the last one can still be taken back
-    live->stop(); // it is kept with the stop
+    live->stop();                                        // it is kept with the stop
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
     const auto trials = storedTrials(site);
     QCOMPARE(trials.size(), std::size_t{4});
@@ -592,11 +639,13 @@ void TestLiveStudy::whatASittingNotesIsExported() {
         QTest::qWait(300);
         live->poll();
         QVERIFY(live->answer(0));
-        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1),
+                                 kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
         live->setMasking(session::TrialCircumstances::kMaskingOff); // in the middle of a trial
         QVERIFY(live->answer(1));
-        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 2), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 2),
+                                 kPatience_ms);
         live->stop();
         QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
     }
@@ -620,10 +669,14 @@ void TestLiveStudy::whatASittingNotesIsExported() {
     QCOMPARE(cells("trials.csv", "language").mid(0, 2), QStringList({"de", "de"}));
     QCOMPARE(cells("trials.csv", "masking_sound").mid(0, 2), QStringList({"pink_noise", "changed"}));
     QCOMPARE(cells("trials.csv", "sitting").mid(0, 2), QStringList({"1", "1"}));
-    QCOMPARE(cells("trials.csv", "onset").front().toDouble(), 1e-3 * static_cast<double>(trials[0].firstTick));
-    QCOMPARE(cells("trials.csv", "offset").front().toDouble(), 1e-3 * static_cast<double>(trials[0].lastTick));
-    const double began = cells("trials.csv", "response_onset").front().toDouble(), took = cells("trials.csv", "response_duration").front().toDouble();
-    QVERIFY2(took > 0.1 && std::abs(began + took - 1e-3 * static_cast<double>(trials[0].lastTick)) < 1e-9, qPrintable(QString::number(took)));
+    QCOMPARE(cells("trials.csv", "onset").front().toDouble(),
+             1e-3 * static_cast<double>(trials[0].firstTick));
+    QCOMPARE(cells("trials.csv", "offset").front().toDouble(),
+             1e-3 * static_cast<double>(trials[0].lastTick));
+    const double began = cells("trials.csv", "response_onset").front().toDouble(),
+                 took = cells("trials.csv", "response_duration").front().toDouble();
+    QVERIFY2(took > 0.1 && std::abs(began + took - 1e-3 * static_cast<double>(trials[0].lastTick)) < 1e-9,
+             qPrintable(QString::number(took)));
     QCOMPARE(cells("runs.csv", "language"), QStringList({"de"}));
     QVERIFY(cells("runs.csv", "masking_sound").front().contains(QStringLiteral("pink_noise")));
 }

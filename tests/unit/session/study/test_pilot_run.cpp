@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A draft that somebody tries: a marked copy that is in no list, no run and no analysis of the study; and what a participant meets, read off a design.
+// A draft that somebody tries: a marked copy that is in no list, no run and no analysis of the study; and
+// what a participant meets, read off a design.
 #include "catalogue/study_reader.h"
 #include "database/accounts/account_service.h"
 #include "database/repositories/study_reader.h"
@@ -24,7 +25,9 @@ struct Site {
         if (!accounts.createFirstAdministrator("ada", kPassword, "Ada"))
             qFatal("no administrator");
         const auto ada = accounts.login("ada", kPassword);
-        if (!ada || !accounts.createPerson(*ada, {"rhea", "Rhea", database::RoleSet{database::Role::researcher}, kPassword, false}))
+        if (!ada ||
+            !accounts.createPerson(
+                *ada, {"rhea", "Rhea", database::RoleSet{database::Role::researcher}, kPassword, false}))
             qFatal("no researcher");
         actor = *accounts.login("rhea", kPassword);
     }
@@ -42,7 +45,10 @@ struct Site {
         return job(reader);
     }
     database::StudyNumber draft(const psychophysics::StudyDesign& design) {
-        return *write([&](database::StudyRepository& studies) { return studies.createStudy(design.id, design.title.at("en"), catalogue::studyJson(design).toStdString()); });
+        return *write([&](database::StudyRepository& studies) {
+            return studies.createStudy(design.id, design.title.at("en"),
+                                       catalogue::studyJson(design).toStdString());
+        });
     }
 
     tests::SessionFixture fixture;
@@ -80,10 +86,12 @@ void TestPilotRun::aPilotIsAMarkedCopy() {
     QCOMPARE(copy->conditions.size(), design.conditions.size());
     QVERIFY(copy->trial.exploreLimit_s == design.trial.exploreLimit_s && copy->seed == design.seed);
     // Whoever tries it has agreed, and the sitting that the window begins is allowed.
-    const auto opened = session::openStudy(*site.fixture.database, site.actor, pilot->study, pilot->participantCode);
+    const auto opened =
+        session::openStudy(*site.fixture.database, site.actor, pilot->study, pilot->participantCode);
     QVERIFY2(opened, opened ? "" : opened.error().message.c_str());
     QCOMPARE(opened->participant.state, database::ParticipantState::consented);
-    const auto run = session::conduct(*site.fixture.database, site.actor, *opened, design.conditions.front().id);
+    const auto run =
+        session::conduct(*site.fixture.database, site.actor, *opened, design.conditions.front().id);
     QVERIFY2(run, run ? "" : run.error().message.c_str());
 }
 
@@ -94,22 +102,28 @@ void TestPilotRun::noListHoldsIt() {
     for (int n = 0; n < 2; ++n)
         QVERIFY(session::beginPilot(*site.fixture.database, site.actor, design, {}, "de"));
     for (const bool archived : {false, true}) {
-        const auto list = site.read([&](database::StudyReader& reader) { return reader.listStudies(archived); });
+        const auto list =
+            site.read([&](database::StudyReader& reader) { return reader.listStudies(archived); });
         QVERIFY(list);
         QCOMPARE(list->size(), std::size_t{1});
         QCOMPARE(list->front().id, draft);
         QVERIFY(list->front().pilotOf.empty());
         QCOMPARE(list->front().participants, 0); // who tries it is no participant of the study
     }
-    const auto pilots = site.read([&](database::StudyReader& reader) { return reader.listPilots(design.id); });
+    const auto pilots =
+        site.read([&](database::StudyReader& reader) { return reader.listPilots(design.id); });
     QVERIFY(pilots);
     QCOMPARE(pilots->size(), std::size_t{2});
     QVERIFY(pilots->front().key != pilots->back().key);
-    const auto others = site.read([](database::StudyReader& reader) { return reader.listPilots("another_study"); });
+    const auto others =
+        site.read([](database::StudyReader& reader) { return reader.listPilots("another_study"); });
     QVERIFY(others && others->empty());
-    const auto none = site.read([](database::StudyReader& reader) { return reader.listPilots(""); }); // an empty key is not the mark of what is no pilot
+    const auto none = site.read([](database::StudyReader& reader) {
+        return reader.listPilots("");
+    }); // an empty key is not the mark of what is no pilot
     QVERIFY(none && none->empty());
-    const auto participants = site.read([&](database::StudyReader& reader) { return reader.participants(draft); });
+    const auto participants =
+        site.read([&](database::StudyReader& reader) { return reader.participants(draft); });
     QVERIFY(participants && participants->empty());
 }
 
@@ -120,12 +134,17 @@ void TestPilotRun::whatWasPilotedStaysAsItWas() {
     const auto pilot = session::beginPilot(*site.fixture.database, site.actor, design, {}, "en");
     QVERIFY(pilot);
     design.trial.feedback = !design.trial.feedback;
-    QVERIFY(site.write([&](database::StudyRepository& studies) { return studies.saveDraft(draft, catalogue::studyJson(design).toStdString()); })); // still a draft
+    QVERIFY(site.write([&](database::StudyRepository& studies) {
+        return studies.saveDraft(draft, catalogue::studyJson(design).toStdString());
+    })); // still a draft
     const auto record = site.read([&](database::StudyReader& reader) { return reader.study(pilot->study); });
     const auto tried = catalogue::readStudy(QByteArray::fromStdString(record->designJson), "pilot");
     QVERIFY(tried && tried->trial.feedback != design.trial.feedback);
-    QVERIFY(!site.write([&](database::StudyRepository& studies) { return studies.saveDraft(pilot->study, catalogue::studyJson(design).toStdString()); }));
-    const auto sha = site.write([&](database::StudyRepository& studies) { return studies.freezeStudy(draft); });
+    QVERIFY(!site.write([&](database::StudyRepository& studies) {
+        return studies.saveDraft(pilot->study, catalogue::studyJson(design).toStdString());
+    }));
+    const auto sha =
+        site.write([&](database::StudyRepository& studies) { return studies.freezeStudy(draft); });
     QVERIFY2(sha, sha ? "" : sha.error().message.c_str());
     QCOMPARE(*sha, catalogue::studySha256(catalogue::studyJson(design))); // the pilot left no trace in it
 }
@@ -138,18 +157,21 @@ void TestPilotRun::aFaultyDraftIsNotTried() {
     const auto pilot = session::beginPilot(*site.fixture.database, site.actor, design, {}, "en");
     QVERIFY(!pilot);
     QCOMPARE(pilot.error().code, core::ErrorCode::badInput);
-    const auto pilots = site.read([&](database::StudyReader& reader) { return reader.listPilots(design.id); });
+    const auto pilots =
+        site.read([&](database::StudyReader& reader) { return reader.listPilots(design.id); });
     QVERIFY(pilots && pilots->empty()); // nothing is left half made
 }
 
-/// What was frozen before designs had a source, an approval and sentences made from the settings still has its SHA-256.
+/// What was frozen before designs had a source, an approval and sentences made from the settings still has
+/// its SHA-256.
 void TestPilotRun::olderDesignsKeepTheirBytes() {
     const psychophysics::StudyDesign design = testing::rank3Study();
     const QByteArray json = catalogue::studyJson(design);
     for (const char* key : {"own_instructions", "\"source\"", "ethics", "pilot_of"})
         QVERIFY2(!json.contains(key), key);
     const auto read = catalogue::readStudy(json, "older");
-    QVERIFY(read && !read->ownInstructions && read->source.empty() && read->ethics.empty() && read->pilotOf.empty());
+    QVERIFY(read && !read->ownInstructions && read->source.empty() && read->ethics.empty() &&
+            read->pilotOf.empty());
     QCOMPARE(catalogue::studyJson(*read), json);
     psychophysics::StudyDesign full = design;
     full.source = "Somebody (2020), doi:10.1000/1";
@@ -161,7 +183,8 @@ void TestPilotRun::olderDesignsKeepTheirBytes() {
     QVERIFY2(again, again ? "" : again.error().message.c_str());
     QCOMPARE(catalogue::studyJson(*again), written);
     QCOMPARE(again->ownInstructions->at("en"), std::string("Hold it lightly."));
-    full.ownInstructions = psychophysics::StudyText{}; // no sentence of one's own is something else than an older design
+    full.ownInstructions =
+        psychophysics::StudyText{}; // no sentence of one's own is something else than an older design
     const auto empty = catalogue::readStudy(catalogue::studyJson(full), "empty");
     QVERIFY(empty && empty->ownInstructions && empty->ownInstructions->empty());
 }
@@ -169,7 +192,8 @@ void TestPilotRun::olderDesignsKeepTheirBytes() {
 void TestPilotRun::whatAParticipantMeets() {
     psychophysics::StudyDesign design = testing::rank3Study();
     psychophysics::Condition& condition = design.conditions.front();
-    condition.procedures = {psychophysics::ConstantSpec{{condition.stimulus.differences.front(), condition.stimulus.differences.back()}, 50, true}};
+    condition.procedures = {psychophysics::ConstantSpec{
+        {condition.stimulus.differences.front(), condition.stimulus.differences.back()}, 50, true}};
     design.trial = {};
     session::ParticipantView view = session::participantView(design);
     QCOMPARE(view.parts.size(), std::size_t{1});

@@ -16,7 +16,8 @@ using simulation::ComparisonControl;
 
 namespace {
 
-session::RenderedRunRequest requestOf(std::uint64_t seed, ComparisonControl control = ComparisonControl::none) {
+session::RenderedRunRequest requestOf(std::uint64_t seed,
+                                      ComparisonControl control = ComparisonControl::none) {
     session::RenderedRunRequest request;
     request.design = testing::rank3Study();
     request.condition = "main";
@@ -27,16 +28,21 @@ session::RenderedRunRequest requestOf(std::uint64_t seed, ComparisonControl cont
 }
 
 int spoiledBy(const session::RenderedRun& run, const std::string& word) {
-    return static_cast<int>(std::count_if(run.trials.begin(), run.trials.end(), [&](const auto& t) { return t.spoiled == word; }));
+    return static_cast<int>(std::count_if(run.trials.begin(), run.trials.end(),
+                                          [&](const auto& t) { return t.spoiled == word; }));
 }
 
 /// Largest relative error of any place of any trial; 1 where one has no number.
 double worst(const session::RenderedRun& run, const char* key) {
     double off = 0.0;
     for (const auto& trial : run.trials)
-        for (const QJsonValue& each : QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson)).object()["places"].toArray()) {
+        for (const QJsonValue& each : QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson))
+                                          .object()["places"]
+                                          .toArray()) {
             const QJsonObject place = each.toObject();
-            off = std::max(off, place[key].isDouble() ? std::abs(place[key].toDouble() / place["asked"].toDouble() - 1.0) : 1.0);
+            off = std::max(off, place[key].isDouble()
+                                    ? std::abs(place[key].toDouble() / place["asked"].toDouble() - 1.0)
+                                    : 1.0);
         }
     return off;
 }
@@ -53,9 +59,11 @@ private slots:
         QVERIFY2(noise->pooledSd < 0.01, qPrintable(QString::number(noise->pooledSd)));
         QVERIFY(noise->seconds < 8.0);
     }
-    /// Simulated participants are told the smallest force as people are, and reach it at every place: no pilot, preview or demonstration is stuck.
+    /// Simulated participants are told the smallest force as people are, and reach it at every place: no
+    /// pilot, preview or demonstration is stuck.
     void theSmallestForceIsReached() {
-        for (const Attribute attribute : {Attribute::stiffness, Attribute::mass, Attribute::deformation, Attribute::roughness, Attribute::friction, Attribute::viscosity}) {
+        for (const Attribute attribute : {Attribute::stiffness, Attribute::mass, Attribute::deformation,
+                                          Attribute::roughness, Attribute::friction, Attribute::viscosity}) {
             session::RenderedRunRequest request = requestOf(5);
             request.design = testing::rank3Study(attribute);
             request.design.trial.probeAtLeast_N = psychophysics::kUsualProbe_N;
@@ -65,8 +73,12 @@ private slots:
             QVERIFY(!run->trials.empty());
             QCOMPARE(spoiledBy(*run, "untouched"), 0);
             for (const auto& trial : run->trials)
-                for (const QJsonValue& place : QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson)).object()["places"].toArray())
-                    QVERIFY2(place.toObject()["peak_force_N"].toDouble() >= psychophysics::kUsualProbe_N, trial.fidelityJson.c_str());
+                for (const QJsonValue& place :
+                     QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson))
+                         .object()["places"]
+                         .toArray())
+                    QVERIFY2(place.toObject()["peak_force_N"].toDouble() >= psychophysics::kUsualProbe_N,
+                             trial.fidelityJson.c_str());
         }
     }
     void weberFractionIsRecovered() {
@@ -82,7 +94,8 @@ private slots:
         }
         QVERIFY(inside >= 2);
     }
-    /// A difference of 0.21 log10 units is felt as such; once a trembling hand and the pad's edge left it 0.08.
+    /// A difference of 0.21 log10 units is felt as such; once a trembling hand and the pad's edge left it
+    /// 0.08.
     void roughnessIsFeltAsItIs() {
         const auto design = testing::rank3Study(Attribute::roughness);
         const auto noise = session::renderingNoise(design, "main", 20, 36, 17);
@@ -90,23 +103,28 @@ private slots:
         QCOMPARE(noise->missed, 0);
         const double difference = 2.0 * design.conditions.front().stimulus.differences[20];
         const double felt = difference + noise->mean[2] - noise->mean[0];
-        QVERIFY2(std::abs(felt / difference - 1.0) < 0.1, qPrintable(QString("%1 of %2").arg(felt).arg(difference)));
+        QVERIFY2(std::abs(felt / difference - 1.0) < 0.1,
+                 qPrintable(QString("%1 of %2").arg(felt).arg(difference)));
         QVERIFY2(noise->pooledSd < 0.05, qPrintable(QString::number(noise->pooledSd)));
     }
-    /// What the meter says of each place of the widest table is what was asked for, and it notices what is not.
+    /// What the meter says of each place of the widest table is what was asked for, and it notices what is
+    /// not.
     void frictionIsRenderedAsAsked() {
         const auto design = testing::rank3Study(Attribute::friction);
         for (const auto control : {ComparisonControl::none, ComparisonControl::swapped}) {
             session::RenderedRunRequest request = requestOf(1, control);
             request.design = design;
-            auto& procedure = std::get<psychophysics::Rank3Spec>(request.design.conditions.front().procedures.front());
-            procedure.differences = request.design.conditions.front().stimulus.differences = {0.1, 0.3}; // up to μ = 1
+            auto& procedure =
+                std::get<psychophysics::Rank3Spec>(request.design.conditions.front().procedures.front());
+            procedure.differences =
+                request.design.conditions.front().stimulus.differences = {0.1, 0.3}; // up to μ = 1
             request.trialsAtMost = 8;
             const auto run = session::runRendered(request);
             QVERIFY(run);
             if (control == ComparisonControl::none) {
                 QCOMPARE(spoiledBy(*run, "stiffness_error"), 0);
-                QVERIFY2(worst(*run, "rendered") < 0.05, qPrintable(QString::number(worst(*run, "rendered"))));
+                QVERIFY2(worst(*run, "rendered") < 0.05,
+                         qPrintable(QString::number(worst(*run, "rendered"))));
             } else
                 QVERIFY(spoiledBy(*run, "stiffness_error") == static_cast<int>(run->trials.size()));
         }

@@ -32,7 +32,8 @@ double renderingSd(const psychophysics::StudyDesign& design) {
 class TestRenderedStudyLong : public QObject {
     Q_OBJECT
 private slots:
-    /// 200 seeded runs through the rendering: truth is √(σ² + σ_render²), inside the 95 % interval in at least 90 %.
+    /// 200 seeded runs through the rendering: truth is √(σ² + σ_render²), inside the 95 % interval in at
+    /// least 90 %.
     void truthIsInsideInNineOfTen() {
         session::RenderedRunRequest request;
         request.design = testing::rank3Study();
@@ -48,10 +49,12 @@ private slots:
             QVERIFY(run);
             inside += run->estimate.sigma95.low <= truth && truth <= run->estimate.sigma95.high ? 1 : 0;
         }
-        std::printf("inside the 95 %% interval: %d of 200 (truth %.4f, rendering %.4f)\n", inside, truth, rendering);
+        std::printf("inside the 95 %% interval: %d of 200 (truth %.4f, rendering %.4f)\n", inside, truth,
+                    rendering);
         QVERIFY(inside >= 180);
     }
-    /// P2's descending rule stops where a participant first fails: its last passed difference lies above the JND.
+    /// P2's descending rule stops where a participant first fails: its last passed difference lies above the
+    /// JND.
     void descendingRuleIsBiased() {
         session::RenderedRunRequest request;
         request.design = testing::descendingStudy();
@@ -71,7 +74,8 @@ private slots:
         }
         QVERIFY(known > 30);
         const double bias = sum / known;
-        std::printf("descending rule: log10 of its threshold over the 75 %% JND %+.3f (%d runs)\n", bias, known);
+        std::printf("descending rule: log10 of its threshold over the 75 %% JND %+.3f (%d runs)\n", bias,
+                    known);
         QVERIFY(bias > 0.1 && bias < 0.6);
     }
 };

@@ -24,8 +24,8 @@ haptics::DisplayState stateOf(core::ForceState force) {
 
 } // namespace
 
-/// The supervisor takes the force away while the window hangs. Who arms again goes on, although the newest state that the window has still shows the
-/// latch, and another freeze stops again.
+/// The supervisor takes the force away while the window hangs. Who arms again goes on, although the newest
+/// state that the window has still shows the latch, and another freeze stops again.
 void TestSittingControl::aFrozenWindowArmsAgain() {
     for (const core::ForceState latch : {core::ForceState::stopped, core::ForceState::fault}) {
         session::SittingControl control;

@@ -16,8 +16,9 @@ using namespace chiron;
 namespace {
 
 /// A run by an observer who is told the values; `spoilEvery` > 0: so many presentations apart one is spoiled.
-std::vector<database::StudyTrial> run(session::StudyProgress& progress, const psychophysics::Condition& condition, std::uint64_t seed,
-                                      int most, int spoilEvery = 0) {
+std::vector<database::StudyTrial> run(session::StudyProgress& progress,
+                                      const psychophysics::Condition& condition, std::uint64_t seed, int most,
+                                      int spoilEvery = 0) {
     psychophysics::SimulatedObserver observer({.weber = 0.12, .lapse = 0.02}, seed);
     std::vector<database::StudyTrial> trials;
     while (!progress.done() && static_cast<int>(trials.size()) < most) {
@@ -57,7 +58,10 @@ psychophysics::StudyDesign designOf(const QByteArray& kind) {
     stairs.stop = {.trials = 40};
     psychophysics::QuestPlusSpec quest;
     quest.stimuli = {{"x", testing::spaced(-2.0, -0.5, 31)}};
-    quest.parameters = {{"threshold", testing::spaced(-2.0, -0.5, 31), {}}, {"slope", {2.0, 3.5, 5.0}, {}}, {"lower_asymptote", {0.5}, {}}, {"lapse_rate", {0.02}, {}}};
+    quest.parameters = {{"threshold", testing::spaced(-2.0, -0.5, 31), {}},
+                        {"slope", {2.0, 3.5, 5.0}, {}},
+                        {"lower_asymptote", {0.5}, {}},
+                        {"lapse_rate", {0.02}, {}}};
     quest.stop = {.trials = 40};
     if (kind == "staircase")
         condition.procedures = {stairs};
@@ -95,7 +99,8 @@ private slots:
         QCOMPARE(replayed->same, replayed->trials);
         QCOMPARE(replayed->firstDifference, -1);
         QVERIFY(replayed->sameProcedures);
-        // A log that says otherwise is found; a margin of nothing excuses another candidate, not another order of places.
+        // A log that says otherwise is found; a margin of nothing excuses another candidate, not another
+        // order of places.
         auto changed = trials;
         changed.back().arrangement = (changed.back().arrangement + 1) % 2;
         changed.back().entropyMargin = 0.0;
@@ -110,7 +115,8 @@ private slots:
         QVERIFY(whole);
         const auto trials = run(*whole, design.conditions.front(), 9, 60, 9);
         for (std::size_t stop = 1; stop < trials.size(); stop += 7) {
-            const std::vector<database::StudyTrial> before(trials.begin(), trials.begin() + static_cast<std::ptrdiff_t>(stop));
+            const std::vector<database::StudyTrial> before(
+                trials.begin(), trials.begin() + static_cast<std::ptrdiff_t>(stop));
             auto resumed = session::StudyProgress::resume(design, "main", 5, before);
             QVERIFY(resumed);
             const auto next = resumed->next();
@@ -126,7 +132,8 @@ private slots:
             auto design = designOf(kind);
             auto& condition = design.conditions.front();
             QVERIFY(session::StudyProgress::begin(design, "main", 1));
-            condition.task = condition.task == psychophysics::Task::rank3 ? psychophysics::Task::rank3Ties : psychophysics::Task::rank3;
+            condition.task = condition.task == psychophysics::Task::rank3 ? psychophysics::Task::rank3Ties
+                                                                          : psychophysics::Task::rank3;
             const auto refused = session::StudyProgress::begin(design, "main", 1);
             QVERIFY(!refused && refused.error().message.find("outcomes") != std::string::npos);
         }
@@ -143,8 +150,8 @@ private slots:
         QCOMPARE(trials[4].outcome, -1);
         QCOMPARE(trials[5].candidate, trials[4].candidate); // an adaptive procedure asks for the same again
     }
-    /// Practice that ended without an answer is no practice: it comes again, until somebody is asked. A log in which it counted, as earlier versions
-    /// counted it, goes on as it was.
+    /// Practice that ended without an answer is no practice: it comes again, until somebody is asked. A log
+    /// in which it counted, as earlier versions counted it, goes on as it was.
     void practiceWithoutAnAnswerComesAgain() {
         const auto design = designOf("rank3");
         auto progress = session::StudyProgress::begin(design, "main", 2);
@@ -218,7 +225,8 @@ private slots:
         }
         QVERIFY(session::StudyProgress::limitOf("staircase@1") == session::StudyProgress::kNoLimit);
     }
-    /// Yes–no and same–different: where nothing differed, a right answer does not make the next difference smaller.
+    /// Yes–no and same–different: where nothing differed, a right answer does not make the next difference
+    /// smaller.
     void alikeObjectsTellAProcedureNothing_data() {
         QTest::addColumn<int>("task");
         QTest::newRow("yes_no") << static_cast<int>(psychophysics::Task::yesNo);
@@ -247,7 +255,8 @@ private slots:
         QCOMPARE(progress->procedures().front()->trials(), 40);
         int alike = 0;
         for (std::size_t i = 0; i + 1 < trials.size(); ++i)
-            if (!trials[i].practice && psychophysics::correctAnswer(condition.task, trials[i].arrangement) == 0) {
+            if (!trials[i].practice &&
+                psychophysics::correctAnswer(condition.task, trials[i].arrangement) == 0) {
                 ++alike;
                 QCOMPARE(trials[i].outcome, 1); // scored and kept
                 QCOMPARE(trials[i + 1].candidate, trials[i].candidate);
@@ -262,7 +271,8 @@ private slots:
         QVERIFY(replayed);
         QCOMPARE(replayed->same, replayed->trials);
     }
-    /// A trial that was spoiled more often than allowed, and went on: resumed after any presentation, it goes on as it would have.
+    /// A trial that was spoiled more often than allowed, and went on: resumed after any presentation, it goes
+    /// on as it would have.
     void resumedAfterManySpoilsGoesOnAlike() {
         auto design = designOf("interleaved");
         design.fidelity.repeatsAtMost = 2;
@@ -282,7 +292,8 @@ private slots:
             trials.push_back(*trial);
         }
         for (std::size_t stop = 1; stop < trials.size(); ++stop) {
-            auto resumed = session::StudyProgress::resume(design, "main", 8, {trials.begin(), trials.begin() + static_cast<std::ptrdiff_t>(stop)});
+            auto resumed = session::StudyProgress::resume(
+                design, "main", 8, {trials.begin(), trials.begin() + static_cast<std::ptrdiff_t>(stop)});
             QVERIFY(resumed);
             const auto next = resumed->next();
             QCOMPARE(next.candidate, shown[stop].candidate);

@@ -44,7 +44,8 @@ struct Site {
         if (!accounts.createFirstAdministrator("ada", kPassword, "Ada"))
             qFatal("no administrator");
         const auto ada = accounts.login("ada", kPassword);
-        if (!accounts.createPerson(*ada, {"rhea", "Rhea", database::RoleSet{database::Role::researcher}, kPassword, false}))
+        if (!accounts.createPerson(
+                *ada, {"rhea", "Rhea", database::RoleSet{database::Role::researcher}, kPassword, false}))
             qFatal("no researcher");
         return *accounts.login("rhea", kPassword);
     }
@@ -54,7 +55,8 @@ struct Site {
         });
         if (observer.empty())
             write([&](database::StudyRepository& studies) {
-                return studies.recordConsent(who.id, catalogue::studySha256(QByteArray::fromStdString(design.consent.at("en"))));
+                return studies.recordConsent(
+                    who.id, catalogue::studySha256(QByteArray::fromStdString(design.consent.at("en"))));
             });
         return who.code;
     }
@@ -66,7 +68,9 @@ struct Site {
         request.quick = quick;
         return request;
     }
-    auto run(const session::StudyRunRequest& request) { return session::runStudyHeadless(*fixture.database, actor, request); }
+    auto run(const session::StudyRunRequest& request) {
+        return session::runStudyHeadless(*fixture.database, actor, request);
+    }
 
     tests::SessionFixture fixture;
     database::Actor actor = database::Actor::simulated();
@@ -82,7 +86,8 @@ void addRun(Site& site, const std::string& code, std::uint64_t seed) {
     auto progress = session::StudyProgress::begin(site.design, "main", seed);
     if (!opened || !progress)
         qFatal("no run");
-    const auto run = session::beginRun(*site.fixture.database, site.actor, *opened, "main", seed, progress->procedureIds());
+    const auto run = session::beginRun(*site.fixture.database, site.actor, *opened, "main", seed,
+                                       progress->procedureIds());
     if (!run)
         qFatal("%s", run.error().message.c_str());
     psychophysics::SimulatedObserver observer({.weber = 0.12, .lapse = 0.02}, seed);
@@ -100,7 +105,8 @@ void addRun(Site& site, const std::string& code, std::uint64_t seed) {
 }
 
 bool warns(const psychophysics::GroupEstimate& group, const std::string& token) {
-    return std::any_of(group.warnings.begin(), group.warnings.end(), [&](const psychophysics::Warning& each) { return warningToken(each.kind) == token; });
+    return std::any_of(group.warnings.begin(), group.warnings.end(),
+                       [&](const psychophysics::Warning& each) { return warningToken(each.kind) == token; });
 }
 
 } // namespace
@@ -121,7 +127,8 @@ private slots:
         const auto begun = site.run(first);
         QVERIFY2(begun, begun ? "" : begun.error().message.c_str());
         QVERIFY(!begun->completed);
-        QCOMPARE(site.run(site.request(code, false)).error().code, core::ErrorCode::wrongUse); // begun without a rendering
+        QCOMPARE(site.run(site.request(code, false)).error().code,
+                 core::ErrorCode::wrongUse); // begun without a rendering
         const auto ended = site.run(site.request(code, true));
         QVERIFY(ended);
         QVERIFY(ended->completed);
@@ -137,11 +144,13 @@ private slots:
         QVERIFY(site.run(asked));
         const auto again = site.run(asked);
         QVERIFY(!again && again.error().code == core::ErrorCode::wrongUse);
-        QVERIFY2(again.error().message.find("main is completed") != std::string::npos, again.error().message.c_str());
+        QVERIFY2(again.error().message.find("main is completed") != std::string::npos,
+                 again.error().message.c_str());
         asked.condition = "nowhere";
         const auto unknown = site.run(asked);
         QVERIFY(!unknown);
-        QVERIFY2(unknown.error().message.find("nowhere") != std::string::npos, unknown.error().message.c_str());
+        QVERIFY2(unknown.error().message.find("nowhere") != std::string::npos,
+                 unknown.error().message.c_str());
         asked.condition.clear(); // whatever is open
         const auto rest = site.run(asked);
         QVERIFY(rest && rest->completed && rest->runs.size() == 1);
@@ -151,11 +160,13 @@ private slots:
         Site site(testing::rank3Study(psychophysics::Attribute::stiffness, 12, 12), true);
         const std::string code = site.enrol(kObserver);
         const auto opened = session::openStudy(*site.fixture.database, site.actor, site.study, code);
-        QVERIFY(opened && session::beginRun(*site.fixture.database, site.actor, *opened, "main", 1, "rank3_quest_plus@0"));
+        QVERIFY(opened && session::beginRun(*site.fixture.database, site.actor, *opened, "main", 1,
+                                            "rank3_quest_plus@0"));
         const auto refused = site.run(site.request(code, true));
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, core::ErrorCode::wrongUse);
-        QVERIFY2(refused.error().message.find("another version") != std::string::npos, refused.error().message.c_str());
+        QVERIFY2(refused.error().message.find("another version") != std::string::npos,
+                 refused.error().message.c_str());
     }
     void blindedSessionsBearTheSealedCode() {
         auto design = testing::rank3Study();
@@ -176,7 +187,10 @@ private slots:
         QVERIFY(!closed && closed.error().code == core::ErrorCode::notAllowed); // to whom it belongs, too
         const auto stored = session::SessionView::open(**connection, database::Actor::maintenance(), id);
         QVERIFY(stored);
-        const QJsonObject level = QJsonDocument::fromJson(QByteArray::fromStdString((*stored)->record().setup.contentJson)).object()["level"].toObject();
+        const QJsonObject level =
+            QJsonDocument::fromJson(QByteArray::fromStdString((*stored)->record().setup.contentJson))
+                .object()["level"]
+                .toObject();
         QCOMPARE(level["id"].toString().toStdString(), sealed);
         QCOMPARE(level["title"]["en"].toString().toStdString(), design.id + " / " + sealed);
     }
@@ -211,13 +225,15 @@ private slots:
         const auto report = site.run(request);
         QVERIFY2(report, report ? "" : report.error().message.c_str());
         QVERIFY(report->limits->measured);
-        QVERIFY(report->limits->delay_s > 0.0001 && report->limits->delay_s < 0.0003); // of 0.3 ms of lag, less half a step of its integration
+        QVERIFY(report->limits->delay_s > 0.0001 &&
+                report->limits->delay_s < 0.0003); // of 0.3 ms of lag, less half a step of its integration
         const double cap = report->limits->largestStiffness_N_per_m;
         const auto opened = session::openStudy(*site.fixture.database, site.actor, site.study, code);
         const double limit = session::StudyProgress::limitOf(opened->runs.front().procedures);
         QVERIFY(2000.0 * std::pow(10.0, 2.0 * limit) <= cap); // the third object is two differences away
         QVERIFY(limit < design.conditions.front().stimulus.differences.back());
-        design.conditions.front().stimulus.reference = 3500.0; // without delay the gimbal would render up to 4000 N/m
+        design.conditions.front().stimulus.reference =
+            3500.0; // without delay the gimbal would render up to 4000 N/m
         Site stiffer(design);
         const auto refused = stiffer.run(stiffer.request(stiffer.enrol(kObserver), false));
         QVERIFY(!refused);
@@ -240,8 +256,10 @@ private slots:
             gone = site.enrol("");
             addRun(site, gone, seed);
         }
-        const auto who = session::openStudy(*site.fixture.database, site.actor, site.study, gone)->participant;
-        site.write([&](database::StudyRepository& studies) { return studies.withdrawParticipant(who.id, false); });
+        const auto who =
+            session::openStudy(*site.fixture.database, site.actor, site.study, gone)->participant;
+        site.write(
+            [&](database::StudyRepository& studies) { return studies.withdrawParticipant(who.id, false); });
         const auto people = analyse();
         QVERIFY(people);
         const auto& condition = people->conditions.front();

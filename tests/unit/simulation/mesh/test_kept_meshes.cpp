@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of every kind of broken mesh, to the word, and what is made of those that can be put right; generated meshes to the vertex;
-// what a tool that goes over one feels; the files that are written. Against what was looked at and kept: people's files are judged by these
-// words and repairs, and content is made by these generators. A change that is meant is kept anew, and its difference is read in review:
+// What is said of every kind of broken mesh, to the word, and what is made of those that can be put right;
+// generated meshes to the vertex; what a tool that goes over one feels; the files that are written. Against
+// what was looked at and kept: people's files are judged by these words and repairs, and content is made by
+// these generators. A change that is meant is kept anew, and its difference is read in review:
 // CHIRON_STORE_OUTLINES=1 ctest --test-dir build/release -R "^test_kept_meshes$"
 #include "core/fp_environment.h"
 #include "mesh_shapes.h"
@@ -20,7 +21,9 @@ using tests::NumberLines;
 
 namespace {
 
-MeshShape box() { return plate(0.020, 0.010, 0.005); }
+MeshShape box() {
+    return plate(0.020, 0.010, 0.005);
+}
 
 MeshShape ball(double radius_m, double edge_m, const Vec3& centre) {
     MeshShape shape = *makeMeshShape(ellipsoid(radius_m, radius_m, radius_m, edge_m));
@@ -33,7 +36,9 @@ MeshShape together(MeshShape a, const MeshShape& b, bool inwards = false) {
     const auto offset = static_cast<std::uint32_t>(a.vertices.size());
     a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
     for (const auto& t : b.triangles)
-        a.triangles.push_back(inwards ? std::array<std::uint32_t, 3>{t[0] + offset, t[2] + offset, t[1] + offset} : std::array<std::uint32_t, 3>{t[0] + offset, t[1] + offset, t[2] + offset});
+        a.triangles.push_back(
+            inwards ? std::array<std::uint32_t, 3>{t[0] + offset, t[2] + offset, t[1] + offset}
+                    : std::array<std::uint32_t, 3>{t[0] + offset, t[1] + offset, t[2] + offset});
     return a;
 }
 
@@ -43,8 +48,10 @@ void addShape(NumberLines& lines, const MeshShape& shape) {
     for (std::size_t v = 0; v < shape.vertices.size(); ++v)
         places += shape.vertices[v].dot(Vec3(1.0, 2.0, 3.0)) * static_cast<double>(1 + v % 31);
     for (std::size_t t = 0; t < shape.triangles.size(); ++t)
-        corners += (shape.triangles[t][0] + 2.0 * shape.triangles[t][1] + 3.0 * shape.triangles[t][2]) * static_cast<double>(1 + t % 29);
-    lines.add(QStringLiteral("  shape"), {static_cast<double>(shape.vertices.size()), static_cast<double>(shape.triangles.size()), places, corners});
+        corners += (shape.triangles[t][0] + 2.0 * shape.triangles[t][1] + 3.0 * shape.triangles[t][2]) *
+                   static_cast<double>(1 + t % 29);
+    lines.add(QStringLiteral("  shape"), {static_cast<double>(shape.vertices.size()),
+                                          static_cast<double>(shape.triangles.size()), places, corners});
 }
 
 void addMesh(NumberLines& lines, const TriangleMesh& mesh) {
@@ -61,18 +68,26 @@ void addMesh(NumberLines& lines, const TriangleMesh& mesh) {
     for (const SurfaceTriangle& t : mesh.triangles())
         shape.triangles.push_back(t.vertex);
     addShape(lines, shape);
-    lines.add(QStringLiteral("  mesh"), {neighbours, normals.x(), normals.y(), normals.z(), mesh.meanEdge_m(), mesh.longestEdge_m()});
-    lines.add(QStringLiteral("  box"), {mesh.lowest().x(), mesh.lowest().y(), mesh.lowest().z(), mesh.highest().x(), mesh.highest().y(), mesh.highest().z()});
+    lines.add(QStringLiteral("  mesh"),
+              {neighbours, normals.x(), normals.y(), normals.z(), mesh.meanEdge_m(), mesh.longestEdge_m()});
+    lines.add(QStringLiteral("  box"), {mesh.lowest().x(), mesh.lowest().y(), mesh.lowest().z(),
+                                        mesh.highest().x(), mesh.highest().y(), mesh.highest().z()});
 }
 
 void addImport(NumberLines& lines, const QString& name, const MeshImport& import) {
     lines.add(name);
-    for (const QString& line : QString::fromStdString(import.report.text()).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+    for (const QString& line :
+         QString::fromStdString(import.report.text()).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
         lines.add(QStringLiteral("  ") + line);
     for (const MeshFinding& f : import.report.findings)
-        lines.add(QStringLiteral("  kind %1, %2").arg(static_cast<int>(f.problem)).arg(f.repaired ? QStringLiteral("repaired") : QStringLiteral("refused")), {static_cast<double>(f.count)});
-    lines.add(QStringLiteral("  came out"), {static_cast<double>(import.report.vertices), static_cast<double>(import.report.triangles), static_cast<double>(import.report.shells), import.report.size_m[0],
-                                             import.report.size_m[1], import.report.size_m[2], import.report.volume_m3 * 1e6});
+        lines.add(QStringLiteral("  kind %1, %2")
+                      .arg(static_cast<int>(f.problem))
+                      .arg(f.repaired ? QStringLiteral("repaired") : QStringLiteral("refused")),
+                  {static_cast<double>(f.count)});
+    lines.add(QStringLiteral("  came out"),
+              {static_cast<double>(import.report.vertices), static_cast<double>(import.report.triangles),
+               static_cast<double>(import.report.shells), import.report.size_m[0], import.report.size_m[1],
+               import.report.size_m[2], import.report.volume_m3 * 1e6});
     if (import.mesh)
         addShape(lines, import.shape);
 }
@@ -104,7 +119,8 @@ private:
         const QString differs = m_kept.differs(name, lines.lines());
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
-    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/simulation/mesh/kept_meshes.txt"), &tests::sameNumbers};
+    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/simulation/mesh/kept_meshes.txt"),
+                           &tests::sameNumbers};
 };
 
 void TestKeptMeshes::shapesThatAreBroken() {
@@ -116,21 +132,35 @@ void TestKeptMeshes::shapesThatAreBroken() {
     };
     broken("a box", [](MeshShape&) {});
     broken("nothing", [](MeshShape& s) { s = {}; });
-    broken("no number", [](MeshShape& s) { s.vertices[3].y() = std::nan(""); s.vertices[7].z() = std::numeric_limits<double>::infinity(); });
-    broken("no such vertex", [](MeshShape& s) { s.triangles[2][1] = static_cast<std::uint32_t>(s.vertices.size()); s.triangles[5][0] = 4'000'000; });
+    broken("no number", [](MeshShape& s) {
+        s.vertices[3].y() = std::nan("");
+        s.vertices[7].z() = std::numeric_limits<double>::infinity();
+    });
+    broken("no such vertex", [](MeshShape& s) {
+        s.triangles[2][1] = static_cast<std::uint32_t>(s.vertices.size());
+        s.triangles[5][0] = 4'000'000;
+    });
     broken("a hole", [](MeshShape& s) { s.triangles.erase(s.triangles.begin() + 10); });
-    broken("two holes", [](MeshShape& s) { s.triangles.erase(s.triangles.begin() + 40); s.triangles.erase(s.triangles.begin() + 10); });
+    broken("two holes", [](MeshShape& s) {
+        s.triangles.erase(s.triangles.begin() + 40);
+        s.triangles.erase(s.triangles.begin() + 10);
+    });
     broken("a fin", [](MeshShape& s) {
         s.vertices.emplace_back(0.0, 0.0, 0.02);
-        s.triangles.push_back({s.triangles[40][0], s.triangles[40][1], static_cast<std::uint32_t>(s.vertices.size() - 1)});
+        s.triangles.push_back(
+            {s.triangles[40][0], s.triangles[40][1], static_cast<std::uint32_t>(s.vertices.size() - 1)});
     });
     broken("two fins", [](MeshShape& s) {
         s.vertices.emplace_back(0.0, 0.0, 0.02);
         s.vertices.emplace_back(0.0, 0.01, 0.02);
         for (std::uint32_t back = 1; back <= 2; ++back)
-            s.triangles.push_back({s.triangles[40][0], s.triangles[40][1], static_cast<std::uint32_t>(s.vertices.size() - back)});
+            s.triangles.push_back({s.triangles[40][0], s.triangles[40][1],
+                                   static_cast<std::uint32_t>(s.vertices.size() - back)});
     });
-    broken("flipped", [](MeshShape& s) { std::swap(s.triangles[3][0], s.triangles[3][1]); std::swap(s.triangles[70][0], s.triangles[70][1]); });
+    broken("flipped", [](MeshShape& s) {
+        std::swap(s.triangles[3][0], s.triangles[3][1]);
+        std::swap(s.triangles[70][0], s.triangles[70][1]);
+    });
     broken("mostly flipped", [](MeshShape& s) {
         for (std::size_t t = 20; t < s.triangles.size(); ++t)
             std::swap(s.triangles[t][0], s.triangles[t][1]);
@@ -143,7 +173,10 @@ void TestKeptMeshes::shapesThatAreBroken() {
         for (auto& t : s.triangles)
             std::swap(t[0], t[1]);
     });
-    broken("two corners at one place", [](MeshShape& s) { s.triangles.push_back({s.triangles[0][0], s.triangles[0][0], s.triangles[0][1]}); s.triangles.push_back({s.triangles[9][0], s.triangles[9][2], s.triangles[9][0]}); });
+    broken("two corners at one place", [](MeshShape& s) {
+        s.triangles.push_back({s.triangles[0][0], s.triangles[0][0], s.triangles[0][1]});
+        s.triangles.push_back({s.triangles[9][0], s.triangles[9][2], s.triangles[9][0]});
+    });
     broken("doubled", [](MeshShape& s) {
         const auto t = s.triangles[7], u = s.triangles[50];
         s.triangles.push_back({t[1], t[2], t[0]});
@@ -158,42 +191,64 @@ void TestKeptMeshes::shapesThatAreBroken() {
         s.triangles.push_back({middle, cut[1], cut[2]});
         s.triangles.push_back({cut[0], cut[1], middle});
     });
-    broken("unused", [](MeshShape& s) { s.vertices.emplace_back(1.0, 1.0, 1.0); s.vertices.insert(s.vertices.begin(), Vec3(2.0, 0.0, 0.0)); for (auto& t : s.triangles) for (auto& v : t) ++v; });
-    for (const double apart : {1e-9, 2e-8, 4e-8, 1e-6}) // of a size of 30 mm: within a millionth of it, and not
+    broken("unused", [](MeshShape& s) {
+        s.vertices.emplace_back(1.0, 1.0, 1.0);
+        s.vertices.insert(s.vertices.begin(), Vec3(2.0, 0.0, 0.0));
+        for (auto& t : s.triangles)
+            for (auto& v : t)
+                ++v;
+    });
+    for (const double apart :
+         {1e-9, 2e-8, 4e-8, 1e-6}) // of a size of 30 mm: within a millionth of it, and not
         broken(apart < 1e-7 ? "corners apart" : "corners farther apart", [apart](MeshShape& s) {
             MeshShape made;
             for (std::size_t t = 0; t < s.triangles.size(); ++t) {
                 const auto first = static_cast<std::uint32_t>(made.vertices.size());
                 for (std::size_t i = 0; i < 3; ++i)
-                    made.vertices.push_back(s.vertices[s.triangles[t][i]] + apart * Vec3(t % 2 == 0, i == 1, t % 3 == 0));
+                    made.vertices.push_back(s.vertices[s.triangles[t][i]] +
+                                            apart * Vec3(t % 2 == 0, i == 1, t % 3 == 0));
                 made.triangles.push_back({first, first + 1, first + 2});
             }
             s = made;
         });
     const MeshShape large = ball(0.02, 0.006, Vec3::Zero());
-    addImport(lines, QStringLiteral("a hollow"), importMesh(together(large, ball(0.005, 0.002, Vec3(0.003, 0.0, 0.0)))));
-    addImport(lines, QStringLiteral("a hollow, the right way"), importMesh(together(large, ball(0.005, 0.002, Vec3(0.003, 0.0, 0.0)), true)));
-    addImport(lines, QStringLiteral("a ball in a hollow"), importMesh(together(together(large, ball(0.010, 0.004, Vec3::Zero()), true), ball(0.004, 0.002, Vec3::Zero()))));
-    addImport(lines, QStringLiteral("two beside each other"), importMesh(together(large, ball(0.005, 0.002, Vec3(0.03, 0.0, 0.0)))));
-    addImport(lines, QStringLiteral("two beside each other, one inside out"), importMesh(together(large, ball(0.005, 0.002, Vec3(0.0, -0.03, 0.0)), true)));
+    addImport(lines, QStringLiteral("a hollow"),
+              importMesh(together(large, ball(0.005, 0.002, Vec3(0.003, 0.0, 0.0)))));
+    addImport(lines, QStringLiteral("a hollow, the right way"),
+              importMesh(together(large, ball(0.005, 0.002, Vec3(0.003, 0.0, 0.0)), true)));
+    addImport(lines, QStringLiteral("a ball in a hollow"),
+              importMesh(together(together(large, ball(0.010, 0.004, Vec3::Zero()), true),
+                                  ball(0.004, 0.002, Vec3::Zero()))));
+    addImport(lines, QStringLiteral("two beside each other"),
+              importMesh(together(large, ball(0.005, 0.002, Vec3(0.03, 0.0, 0.0)))));
+    addImport(lines, QStringLiteral("two beside each other, one inside out"),
+              importMesh(together(large, ball(0.005, 0.002, Vec3(0.0, -0.03, 0.0)), true)));
     MeshShape many; // more than are asked which lies in which
     for (int i = 0; i < 66; ++i)
         many = together(many, ball(0.005, 0.006, Vec3(0.012 * (i % 8), 0.012 * (i / 8), 0.0)), i % 5 == 0);
     addImport(lines, QStringLiteral("sixty-six balls"), importMesh(many));
     MeshShape some; // as many as are
     for (int i = 0; i < 64; ++i)
-        some = together(some, ball(i == 63 ? 0.2 : 0.005, i == 63 ? 0.2 : 0.006, Vec3(0.012 * (i % 8), 0.012 * (i / 8), 0.0)), i == 63);
+        some = together(
+            some,
+            ball(i == 63 ? 0.2 : 0.005, i == 63 ? 0.2 : 0.006, Vec3(0.012 * (i % 8), 0.012 * (i / 8), 0.0)),
+            i == 63);
     addImport(lines, QStringLiteral("sixty-three balls in one"), importMesh(some));
     MeshShape touching = ball(0.005, 0.002, Vec3::Zero());
-    const auto top = static_cast<std::uint32_t>(std::max_element(touching.vertices.begin(), touching.vertices.end(), [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); }) - touching.vertices.begin());
+    const auto top = static_cast<std::uint32_t>(
+        std::max_element(touching.vertices.begin(), touching.vertices.end(),
+                         [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); }) -
+        touching.vertices.begin());
     MeshShape mirrored = touching;
     for (Vec3& p : mirrored.vertices)
         p = 2.0 * touching.vertices[top] - p;
-    addImport(lines, QStringLiteral("two that share a vertex"), importMesh(together(touching, mirrored, true)));
+    addImport(lines, QStringLiteral("two that share a vertex"),
+              importMesh(together(touching, mirrored, true)));
     MeshShape plane;
     for (int i = 0; i < 6; ++i)
         plane.vertices.push_back(0.01 * Vec3(std::cos(i), std::sin(i), 0.3 * i * i));
-    plane.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}, {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
+    plane.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
+                       {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
     addImport(lines, QStringLiteral("one-sided"), importMesh(plane));
     hold(QStringLiteral("shapes"), lines);
 }
@@ -202,7 +257,9 @@ void TestKeptMeshes::filesThatAreBroken() {
     NumberLines lines;
     const auto read = [&](const QString& name, const std::string& bytes, double unit_m = 0.001) {
         const auto guessed = guessMeshFormat(bytes);
-        lines.add(QStringLiteral("%1: %2").arg(name, !guessed ? QStringLiteral("neither") : *guessed == MeshFormat::obj ? QStringLiteral("OBJ") : QStringLiteral("STL")));
+        lines.add(QStringLiteral("%1: %2").arg(name, !guessed                      ? QStringLiteral("neither")
+                                                     : *guessed == MeshFormat::obj ? QStringLiteral("OBJ")
+                                                                                   : QStringLiteral("STL")));
         addImport(lines, QStringLiteral(" as OBJ"), importMesh(bytes, MeshFormat::obj, unit_m));
         addImport(lines, QStringLiteral(" as STL"), importMesh(bytes, MeshFormat::stl, unit_m));
     };
@@ -216,7 +273,8 @@ void TestKeptMeshes::filesThatAreBroken() {
     read(QStringLiteral("a picture"), std::string("\x89PNG\r\n\x1a\n", 8) + std::string(500, 'x'));
     read(QStringLiteral("prose"), "Dear colleague,\nhere is the mesh.\n");
     read(QStringLiteral("a comment"), "# nothing\n");
-    read(QStringLiteral("what is passed over"), "mtllib a\no x\ng y\ns 1\nusemtl z\nvn 0 0 1\nvt 0 0\nvp 1\nl 1 2\np 1\nmg 1\nbevel on\nlod 1\n\n   \nv 0 0 0\n");
+    read(QStringLiteral("what is passed over"), "mtllib a\no x\ng y\ns 1\nusemtl z\nvn 0 0 1\nvt 0 0\nvp "
+                                                "1\nl 1 2\np 1\nmg 1\nbevel on\nlod 1\n\n   \nv 0 0 0\n");
     read(QStringLiteral("NaN"), "v 0 0 0\nv 1 0 nan\n");
     read(QStringLiteral("huge"), "v 0 0 0\nv 1 1e999 0\n");
     read(QStringLiteral("huge in metres"), "v 0 0 0\nv 1 1e308 0\n", 1e3);
@@ -233,14 +291,20 @@ void TestKeptMeshes::filesThatAreBroken() {
     read(QStringLiteral("a word for a vertex"), "v 0 0 0\nf 1 1 1x\n");
     read(QStringLiteral("a slash for a vertex"), "v 0 0 0\nf 1 1 /2\n");
     read(QStringLiteral("a face of two"), "v 0 0 0\nv 1 0 0\nf 1 2 # 3\n");
-    read(QStringLiteral("polygons"), "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\nf 1 4 3 2\nf 5/1 6/2 7/3 8/4\nf 1//1 2//1 6//1 5//1\nf -6 -5 -1 -2\r\nf 2 3 7 6\nf 1 5 8 4\n");
+    read(QStringLiteral("polygons"),
+         "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\nf 1 4 3 2\nf 5/1 6/2 7/3 "
+         "8/4\nf 1//1 2//1 6//1 5//1\nf -6 -5 -1 -2\r\nf 2 3 7 6\nf 1 5 8 4\n");
     read(QStringLiteral("no faces"), "v 0 0 0\nv 1 0 0\n");
     read(QStringLiteral("OBJ cut off"), obj.substr(0, obj.rfind('\n', obj.size() * 9 / 10) + 1));
     read(QStringLiteral("STL cut off"), stl.substr(0, stl.size() / 2 + 3));
     read(QStringLiteral("STL without its end"), stl.substr(0, stl.size() - 16));
-    read(QStringLiteral("STL of four corners"), "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n");
-    read(QStringLiteral("STL of two corners"), "solid x\n\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid\n");
-    read(QStringLiteral("STL with another word"), "solid x\nfacet normal 0 0 1\nouter loop\n" + std::string(100, 'w') + "\n");
+    read(QStringLiteral("STL of four corners"),
+         "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 "
+         "0\nendloop\nendfacet\nendsolid\n");
+    read(QStringLiteral("STL of two corners"), "solid x\n\nfacet normal 0 0 1\nouter loop\nvertex 0 0 "
+                                               "0\nvertex 1 0 0\nendloop\nendfacet\nendsolid\n");
+    read(QStringLiteral("STL with another word"),
+         "solid x\nfacet normal 0 0 1\nouter loop\n" + std::string(100, 'w') + "\n");
     read(QStringLiteral("STL with a word between"), "solid x\n" + std::string(100, 'w') + "\n");
     read(QStringLiteral("STL with NaN"), "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n");
     read(QStringLiteral("STL of nothing"), "solid x\nendsolid x\n");
@@ -273,7 +337,8 @@ void TestKeptMeshes::whatIsStored() {
     const auto store = [&](const char* name, const MeshShape& shape) {
         const auto stored = storedMesh(shape, "stored");
         if (!stored) {
-            lines.add(QStringLiteral("%1: %2").arg(QLatin1String(name), QString::fromStdString(stored.error().message)));
+            lines.add(QStringLiteral("%1: %2").arg(QLatin1String(name),
+                                                   QString::fromStdString(stored.error().message)));
             return;
         }
         double places = 0.0, corners = 0.0;
@@ -281,7 +346,9 @@ void TestKeptMeshes::whatIsStored() {
             places += stored->vertices_um[i] * static_cast<double>(1 + i % 31);
         for (std::size_t i = 0; i < stored->triangles.size(); ++i)
             corners += stored->triangles[i] * static_cast<double>(1 + i % 29);
-        lines.add(QString::fromLatin1(name), {static_cast<double>(stored->vertices_um.size()), static_cast<double>(stored->triangles.size()), places, corners});
+        lines.add(QString::fromLatin1(name),
+                  {static_cast<double>(stored->vertices_um.size()),
+                   static_cast<double>(stored->triangles.size()), places, corners});
     };
     store("a box", box());
     store("a bumpy organ", *makeMeshShape(bumpyOrgan(0.003)));
@@ -312,12 +379,15 @@ void TestKeptMeshes::filesThatAreWritten() {
     NumberLines lines;
     const MeshShape shape = ball(0.005, 0.006, Vec3(0.01, -0.02, 0.0301));
     for (const double unit_m : {0.001, 0.01}) {
-        const std::string obj = writeObj(shape, unit_m), stl = writeStl(shape, unit_m), binary = writeBinaryStl(shape, unit_m);
+        const std::string obj = writeObj(shape, unit_m), stl = writeStl(shape, unit_m),
+                          binary = writeBinaryStl(shape, unit_m);
         lines.add(QStringLiteral("OBJ"), {static_cast<double>(obj.size())});
         lines.add(QStringLiteral("STL"), {static_cast<double>(stl.size())});
-        lines.add(QStringLiteral("binary STL"), {static_cast<double>(binary.size()), sumOf(binary.substr(0, 84))});
+        lines.add(QStringLiteral("binary STL"),
+                  {static_cast<double>(binary.size()), sumOf(binary.substr(0, 84))});
         for (const std::string& text : {obj, stl})
-            for (const QString& line : QString::fromStdString(text).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+            for (const QString& line :
+                 QString::fromStdString(text).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
                 lines.add(line);
         addShape(lines, importMesh(binary, MeshFormat::stl, unit_m).shape);
     }
@@ -331,7 +401,8 @@ void TestKeptMeshes::generatedMeshes() {
         const auto shape = makeMeshShape(source);
         const auto mesh = makeMesh(source);
         if (!shape || !mesh) {
-            lines.add(QStringLiteral("  ") + QString::fromStdString(shape ? mesh.error().message : shape.error().message));
+            lines.add(QStringLiteral("  ") +
+                      QString::fromStdString(shape ? mesh.error().message : shape.error().message));
             return;
         }
         addShape(lines, *shape);
@@ -360,21 +431,48 @@ void TestKeptMeshes::generatedMeshes() {
         MeshSource s = asDome ? bumpyDome() : bumpyOrgan(0.003);
         change(s);
         const auto made = makeMeshShape(s);
-        lines.add(QStringLiteral("%1: %2").arg(QLatin1String(name), made ? QStringLiteral("taken") : QString::fromStdString(made.error().message)));
+        lines.add(QStringLiteral("%1: %2").arg(QLatin1String(name),
+                                               made ? QStringLiteral("taken")
+                                                    : QString::fromStdString(made.error().message)));
     };
-    double MeshSource::*const sizes[] = {&MeshSource::halfAxisX_m, &MeshSource::halfAxisY_m, &MeshSource::halfAxisZ_m, &MeshSource::edge_m, &MeshSource::bumpWavelength_m, &MeshSource::bumpHeight_m,
+    double MeshSource::*const sizes[] = {&MeshSource::halfAxisX_m,      &MeshSource::halfAxisY_m,
+                                         &MeshSource::halfAxisZ_m,      &MeshSource::edge_m,
+                                         &MeshSource::bumpWavelength_m, &MeshSource::bumpHeight_m,
                                          &MeshSource::plateThickness_m};
     for (const auto size : sizes)
         for (const double value : {0.0, -0.001, std::nan(""), std::numeric_limits<double>::infinity()})
             for (const bool asDome : {false, true})
-                refuse(asDome ? "a dome's size" : "an organ's size", [&](MeshSource& s) { s.*size = value; }, asDome);
+                refuse(
+                    asDome ? "a dome's size" : "an organ's size", [&](MeshSource& s) { s.*size = value; },
+                    asDome);
     refuse("no shape", [](MeshSource& s) { s.shape = MeshSource::Shape::none; });
-    refuse("as steep as may be", [](MeshSource& s) { s.bumpHeight_m = 0.0099999 / (2.0 * core::kPi); s.bumpWavelength_m = 0.01; });
-    refuse("steeper", [](MeshSource& s) { s.bumpHeight_m = 0.0100001 / (2.0 * core::kPi); s.bumpWavelength_m = 0.01; });
-    refuse("a plate that is just large enough", [](MeshSource& s) { s.halfAxisX_m = 0.02; s.edge_m = 0.002; s.plateRadius_m = 0.0221; }, true);
-    refuse("a plate that is not", [](MeshSource& s) { s.halfAxisX_m = 0.02; s.edge_m = 0.002; s.plateRadius_m = 0.0219; }, true);
+    refuse("as steep as may be", [](MeshSource& s) {
+        s.bumpHeight_m = 0.0099999 / (2.0 * core::kPi);
+        s.bumpWavelength_m = 0.01;
+    });
+    refuse("steeper", [](MeshSource& s) {
+        s.bumpHeight_m = 0.0100001 / (2.0 * core::kPi);
+        s.bumpWavelength_m = 0.01;
+    });
+    refuse(
+        "a plate that is just large enough",
+        [](MeshSource& s) {
+            s.halfAxisX_m = 0.02;
+            s.edge_m = 0.002;
+            s.plateRadius_m = 0.0221;
+        },
+        true);
+    refuse(
+        "a plate that is not",
+        [](MeshSource& s) {
+            s.halfAxisX_m = 0.02;
+            s.edge_m = 0.002;
+            s.plateRadius_m = 0.0219;
+        },
+        true);
     refuse("too fine", [](MeshSource& s) { s.edge_m = 1e-5; });
-    refuse("too fine a dome", [](MeshSource& s) { s.edge_m = 1e-5; }, true);
+    refuse(
+        "too fine a dome", [](MeshSource& s) { s.edge_m = 1e-5; }, true);
     hold(QStringLiteral("generated"), lines);
 }
 
@@ -384,15 +482,19 @@ void TestKeptMeshes::surfacesThatAreRefused() {
         MeshShape shape = box();
         change(shape);
         const auto mesh = TriangleMesh::create(shape.vertices, shape.triangles);
-        lines.add(QStringLiteral("%1: %2").arg(QLatin1String(name), mesh ? QStringLiteral("taken") : QString::fromStdString(mesh.error().message)));
+        lines.add(QStringLiteral("%1: %2").arg(QLatin1String(name),
+                                               mesh ? QStringLiteral("taken")
+                                                    : QString::fromStdString(mesh.error().message)));
         if (mesh)
             addMesh(lines, *mesh);
     };
     make("a box", [](MeshShape&) {});
     make("nothing", [](MeshShape& s) { s.triangles.clear(); });
-    make("too many", [](MeshShape& s) { s.triangles.resize(TriangleMesh::kMostTriangles + 1, s.triangles[0]); });
+    make("too many",
+         [](MeshShape& s) { s.triangles.resize(TriangleMesh::kMostTriangles + 1, s.triangles[0]); });
     make("no number", [](MeshShape& s) { s.vertices[5].x() = std::nan(""); });
-    make("no such vertex", [](MeshShape& s) { s.triangles[4][2] = static_cast<std::uint32_t>(s.vertices.size()); });
+    make("no such vertex",
+         [](MeshShape& s) { s.triangles[4][2] = static_cast<std::uint32_t>(s.vertices.size()); });
     make("no area", [](MeshShape& s) { s.triangles[4][2] = s.triangles[4][1]; });
     make("open", [](MeshShape& s) { s.triangles.pop_back(); });
     make("an edge of three", [](MeshShape& s) { s.triangles.push_back(s.triangles[8]); });
@@ -414,7 +516,10 @@ void TestKeptMeshes::aToolGoesOverOne() {
     rich.roughnessWavelength_m = 0.003;
     rich.friction = 0.25;
     rich.viscosity_Ns_per_m = 1.5;
-    const std::tuple<const char*, const TriangleMesh*, const ObjectAttributes*, double> cases[] = {{"organ, plain", &organ, &plain, 0.0}, {"organ, rich", &organ, &rich, 0.002}, {"slab, rich", &slab, &rich, 0.001}};
+    const std::tuple<const char*, const TriangleMesh*, const ObjectAttributes*, double> cases[] = {
+        {"organ, plain", &organ, &plain, 0.0},
+        {"organ, rich", &organ, &rich, 0.002},
+        {"slab, rich", &slab, &rich, 0.001}};
     for (const auto& [name, mesh, attributes, radius_m] : cases) {
         lines.add(QString::fromLatin1(name));
         const MeshContact contact(*attributes, radius_m);
@@ -424,8 +529,13 @@ void TestKeptMeshes::aToolGoesOverOne() {
         const double height = mesh == &slab ? 0.0 : 0.0245;
         for (int tick = 0; tick < 1500; ++tick) {
             const double t = core::kTickSeconds * tick;
-            const Vec3 p(0.012 * std::sin(3.0 * t), 0.009 * std::sin(4.3 * t), height + radius_m + 0.002 - 0.0045 * std::sin(2.0 * t) * (tick < 900 ? 1.0 : 1.4 + 0.4 * std::sin(40.0 * t)));
-            const MeshResponse r = contact.respond(*mesh, p, tick == 0 ? Vec3(Vec3::Zero()) : Vec3((p - before) / core::kTickSeconds), static_cast<std::uint64_t>(tick), state);
+            const Vec3 p(0.012 * std::sin(3.0 * t), 0.009 * std::sin(4.3 * t),
+                         height + radius_m + 0.002 -
+                             0.0045 * std::sin(2.0 * t) *
+                                 (tick < 900 ? 1.0 : 1.4 + 0.4 * std::sin(40.0 * t)));
+            const MeshResponse r = contact.respond(
+                *mesh, p, tick == 0 ? Vec3(Vec3::Zero()) : Vec3((p - before) / core::kTickSeconds),
+                static_cast<std::uint64_t>(tick), state);
             before = p;
             sum += r.contact.force;
             surfaced += r.surfaced;
@@ -435,7 +545,9 @@ void TestKeptMeshes::aToolGoesOverOne() {
             tracks += static_cast<double>(r.foot.track) * (1 + tick % 50);
             if ((tick + 1) % 50 != 0)
                 continue;
-            lines.add(QStringLiteral("  after %1 ticks").arg(tick + 1), {sum.x(), sum.y(), sum.z(), surfaced.x(), surfaced.y(), surfaced.z(), normals.x(), normals.y(), normals.z(), energy, depth, tracks});
+            lines.add(QStringLiteral("  after %1 ticks").arg(tick + 1),
+                      {sum.x(), sum.y(), sum.z(), surfaced.x(), surfaced.y(), surfaced.z(), normals.x(),
+                       normals.y(), normals.z(), energy, depth, tracks});
             sum.setZero();
             surfaced.setZero();
             normals.setZero();

@@ -11,14 +11,16 @@ using namespace chiron::simulation::testing;
 
 namespace {
 
-/// Energy (J) that a closed path and its reverse made, each gone twice (the first round brings the foot to where it belongs).
+/// Energy (J) that a closed path and its reverse made, each gone twice (the first round brings the foot to
+/// where it belongs).
 struct Made {
     double forth_J = 0.0;
     double back_J = 0.0;
     double exchanged_J = 0.0; ///< ∫ |f·dx| of one round
 };
 
-double round(const MeshContact& contact, const TriangleMesh& mesh, const std::vector<Vec3>& path, double& exchanged) {
+double round(const MeshContact& contact, const TriangleMesh& mesh, const std::vector<Vec3>& path,
+             double& exchanged) {
     MeshContactState state;
     double made = 0.0;
     std::uint64_t tick = 0;
@@ -48,14 +50,18 @@ Made bothWays(const MeshContact& contact, const TriangleMesh& mesh, std::vector<
 }
 
 /// Down, along, up and back above the surface, over one place of the organ.
-std::vector<Vec3> pressSlideLift(const TriangleMesh& mesh, BruteForce& brute, core::Random& random, double depth_m) {
-    const Vec3 on = Vec3(random.normal(), random.normal(), random.normal()).normalized().cwiseProduct(Vec3(0.040, 0.030, 0.025));
+std::vector<Vec3> pressSlideLift(const TriangleMesh& mesh, BruteForce& brute, core::Random& random,
+                                 double depth_m) {
+    const Vec3 on = Vec3(random.normal(), random.normal(), random.normal())
+                        .normalized()
+                        .cwiseProduct(Vec3(0.040, 0.030, 0.025));
     const MeshPlace place = brute.nearest(on);
     const Vec3 x = pointAt(mesh, place), n = normalAt(mesh, place);
     const Vec3 side = (Eigen::AngleAxisd(random.uniform(0.0, 6.28), n) * n.unitOrthogonal()) * 0.006;
     const double up = 0.002, down = 0.001 - depth_m; // for a tool of 1 mm
     std::vector<Vec3> path;
-    const std::array<Vec3, 5> corners{x + up * n, x + down * n, x + side + down * n, x + side + up * n, x + up * n};
+    const std::array<Vec3, 5> corners{x + up * n, x + down * n, x + side + down * n, x + side + up * n,
+                                      x + up * n};
     for (std::size_t c = 0; c + 1 < corners.size(); ++c)
         for (int i = 0; i < 400; ++i)
             path.push_back(corners[c] + (corners[c + 1] - corners[c]) * (i / 400.0));
@@ -65,8 +71,9 @@ std::vector<Vec3> pressSlideLift(const TriangleMesh& mesh, BruteForce& brute, co
 
 } // namespace
 
-/// The law is not conservative (P2's blended normals): what closed paths and their reverses make without the passivity
-/// controller is stated here and bounded, and that it comes from the facets: a finer mesh makes less.
+/// The law is not conservative (P2's blended normals): what closed paths and their reverses make without the
+/// passivity controller is stated here and bounded, and that it comes from the facets: a finer mesh makes
+/// less.
 class TestMeshEnergy : public QObject {
     Q_OBJECT
 
@@ -102,14 +109,16 @@ private slots:
         QFETCH(double, bound_uJ);
         double exchanged = 0.0;
         const double worst = worstOf(0.0007, depth_m, 200, exchanged);
-        qInfo("200 loops and their reverses: at most %.2f uJ made in one, of %.0f uJ exchanged", 1e6 * worst, 1e6 * exchanged);
+        qInfo("200 loops and their reverses: at most %.2f uJ made in one, of %.0f uJ exchanged", 1e6 * worst,
+              1e6 * exchanged);
         QVERIFY(worst > 1e-6); // so that the statement is not idle: this is why a controller stands behind
         QVERIFY2(1e6 * worst <= bound_uJ, qPrintable(QString::number(1e6 * worst)));
     }
 
     void aFinerMeshMakesLess() {
         double exchanged = 0.0;
-        const double coarse = worstOf(0.0014, 0.002, 60, exchanged), fine = worstOf(0.0005, 0.002, 60, exchanged);
+        const double coarse = worstOf(0.0014, 0.002, 60, exchanged),
+                     fine = worstOf(0.0005, 0.002, 60, exchanged);
         qInfo("edges of 1.4 mm: %.2f uJ, of 0.5 mm: %.2f uJ", 1e6 * coarse, 1e6 * fine);
         QVERIFY(fine < 0.5 * coarse);
     }

@@ -10,7 +10,8 @@ using namespace chiron;
 using namespace chiron::simulation;
 using namespace chiron::simulation::testing;
 
-/// A tick on a mesh allocates, locks and throws nothing: 10,000 of them, in and out of contact, jumping, on a mesh that moves.
+/// A tick on a mesh allocates, locks and throws nothing: 10,000 of them, in and out of contact, jumping, on a
+/// mesh that moves.
 class TestMeshGuard : public QObject {
     Q_OBJECT
 
@@ -41,9 +42,12 @@ private slots:
         int touching = 0, followed = 0;
         tests::resetForbiddenCounts();
         for (std::uint64_t n = 0; n < 10'000; ++n) {
-            p += (random.below(100) == 0 ? 5e-3 : 1e-4) * Vec3(random.normal(), random.normal(), random.normal()) + 0.01 * (Vec3(0.0, 0.0, 0.024) - p);
+            p += (random.below(100) == 0 ? 5e-3 : 1e-4) *
+                     Vec3(random.normal(), random.normal(), random.normal()) +
+                 0.01 * (Vec3(0.0, 0.0, 0.024) - p);
             const tests::TickGuard guard;
-            const MeshResponse r = moving ? contact.respond(MovedMesh(mesh, positions, normals, 1e-3), p, Vec3::Zero(), n, state, &dents)
+            const MeshResponse r = moving ? contact.respond(MovedMesh(mesh, positions, normals, 1e-3), p,
+                                                            Vec3::Zero(), n, state, &dents)
                                           : contact.respond(mesh, p, Vec3::Zero(), n, state, &dents);
             if (moving && n % 33 == 0)
                 smoothNormals(mesh, angles, positions, normals);

@@ -27,18 +27,20 @@ double volumeOf(const MeshImport& import) {
 
 bool refused(const MeshImport& import, MeshProblem why) {
     const MeshFinding* finding = import.report.find(why);
-    return !import.mesh && !import.report.usable() && finding != nullptr && !finding->repaired && !finding->place.empty() && !finding->found.empty() &&
-           !finding->expected.empty();
+    return !import.mesh && !import.report.usable() && finding != nullptr && !finding->repaired &&
+           !finding->place.empty() && !finding->found.empty() && !finding->expected.empty();
 }
 
 bool repaired(const MeshImport& import, MeshProblem what, std::size_t count) {
     const MeshFinding* finding = import.report.find(what);
-    return import.mesh && finding != nullptr && finding->repaired && finding->count == count && !finding->place.empty();
+    return import.mesh && finding != nullptr && finding->repaired && finding->count == count &&
+           !finding->place.empty();
 }
 
 } // namespace
 
-/// Meshes that people bring: read, checked, put right where that is safe, refused with the place where it is not.
+/// Meshes that people bring: read, checked, put right where that is safe, refused with the place where it is
+/// not.
 class TestMeshImport : public QObject {
     Q_OBJECT
 
@@ -53,7 +55,9 @@ private slots:
         QFETCH(int, format);
         for (const MeshShape& shape : {box(), made(bumpyOrgan(0.002)), made(bumpyDome())}) {
             const TriangleMesh before = *TriangleMesh::create(shape.vertices, shape.triangles);
-            const std::string bytes = format == 0 ? writeObj(shape) : format == 1 ? writeStl(shape) : writeBinaryStl(shape);
+            const std::string bytes = format == 0   ? writeObj(shape)
+                                      : format == 1 ? writeStl(shape)
+                                                    : writeBinaryStl(shape);
             const MeshFormat kind = format == 0 ? MeshFormat::obj : MeshFormat::stl;
             QVERIFY(guessMeshFormat(bytes) == kind);
             const MeshImport again = importMesh(bytes, kind);
@@ -67,7 +71,8 @@ private slots:
             if (format == 0) {
                 QVERIFY(again.report.findings.empty());
             } else {
-                QVERIFY(repaired(again, MeshProblem::duplicateVertices, 3 * before.triangles().size() - before.vertices().size()));
+                QVERIFY(repaired(again, MeshProblem::duplicateVertices,
+                                 3 * before.triangles().size() - before.vertices().size()));
             }
             // the shape as content stores it: to half a micrometre, and the same again
             const MeshSource stored = *storedMesh(again.shape, "organ");
@@ -78,8 +83,10 @@ private slots:
     }
 
     void unitsAndPolygons() {
-        const char* obj = "# a cube of 2\no cube\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\nvn 0 0 1\nusemtl x\n"
-                          "f 1 4 3 2\nf 5/1 6/2 7/3 8/4\nf 1//1 2//1 6//1 5//1\nf -6 -5 -1 -2\r\nf 2 3 7 6\nf 1 5 8 4\n";
+        const char* obj =
+            "# a cube of 2\no cube\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 "
+            "2\nvn 0 0 1\nusemtl x\n"
+            "f 1 4 3 2\nf 5/1 6/2 7/3 8/4\nf 1//1 2//1 6//1 5//1\nf -6 -5 -1 -2\r\nf 2 3 7 6\nf 1 5 8 4\n";
         const MeshImport mm = importMesh(obj, MeshFormat::obj);
         QVERIFY2(mm.mesh, mm.report.text().c_str());
         QCOMPARE(mm.report.triangles, std::size_t{12});
@@ -127,7 +134,8 @@ private slots:
         for (const Vec3& p : hollow.vertices)
             shape.vertices.push_back(p + Vec3(0.0, 0.0, -0.005));
         for (const auto& t : hollow.triangles)
-            shape.triangles.push_back({t[0] + outer, t[1] + outer, t[2] + outer}); // looks out of the hollow: wrong
+            shape.triangles.push_back(
+                {t[0] + outer, t[1] + outer, t[2] + outer}); // looks out of the hollow: wrong
         const MeshImport import = importMesh(shape);
         QVERIFY(repaired(import, MeshProblem::insideOut, 1));
         QVERIFY(repaired(import, MeshProblem::severalShells, 1));
@@ -147,7 +155,10 @@ private slots:
 
     void twoBallsThatShareAVertex() {
         const MeshShape ball = made(ellipsoid(0.005, 0.005, 0.005, 0.002));
-        const auto top = static_cast<std::uint32_t>(std::max_element(ball.vertices.begin(), ball.vertices.end(), [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); }) - ball.vertices.begin());
+        const auto top = static_cast<std::uint32_t>(
+            std::max_element(ball.vertices.begin(), ball.vertices.end(),
+                             [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); }) -
+            ball.vertices.begin());
         MeshShape shape = ball;
         const auto offset = static_cast<std::uint32_t>(ball.vertices.size());
         for (const Vec3& p : ball.vertices) // mirrored through the top vertex
@@ -161,7 +172,8 @@ private slots:
     }
 
     void degenerateTriangles() {
-        // a side of the box with a vertex in it: two triangles more of which one has no area, and closed still
+        // a side of the box with a vertex in it: two triangles more of which one has no area, and closed
+        // still
         MeshShape sliver = box();
         const auto t = sliver.triangles[0];
         sliver.triangles.push_back({t[0], t[0], t[1]});
@@ -193,7 +205,9 @@ private slots:
         MeshShape apart;
         for (const auto& t : shape.triangles)
             for (const std::uint32_t v : t) {
-                apart.vertices.push_back(shape.vertices[v] + 1e-9 * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
+                apart.vertices.push_back(shape.vertices[v] + 1e-9 * Vec3(random.uniform(-1, 1),
+                                                                         random.uniform(-1, 1),
+                                                                         random.uniform(-1, 1)));
                 if (apart.vertices.size() % 3 == 0) {
                     const auto n = static_cast<std::uint32_t>(apart.vertices.size());
                     apart.triangles.push_back({n - 3, n - 2, n - 1});
@@ -209,7 +223,8 @@ private slots:
         MeshShape shape;
         for (int i = 0; i < 6; ++i)
             shape.vertices.push_back(0.01 * Vec3(std::cos(i), std::sin(i), 0.3 * i * i));
-        shape.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}, {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
+        shape.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
+                           {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
         QVERIFY(refused(importMesh(shape), MeshProblem::oneSided));
     }
 
@@ -229,37 +244,47 @@ private slots:
         QTest::addColumn<bool>("obj");
         QTest::addColumn<int>("problem");
         QTest::addColumn<QByteArray>("place");
-        const auto row = [](const char* name, const std::string& bytes, bool obj, MeshProblem why, const char* place) {
-            QTest::newRow(name) << QByteArray::fromStdString(bytes) << obj << static_cast<int>(why) << QByteArray(place);
+        const auto row = [](const char* name, const std::string& bytes, bool obj, MeshProblem why,
+                            const char* place) {
+            QTest::newRow(name) << QByteArray::fromStdString(bytes) << obj << static_cast<int>(why)
+                                << QByteArray(place);
         };
         const std::string obj = writeObj(box()), stl = writeStl(box()), binary = writeBinaryStl(box());
         row("empty", "", true, MeshProblem::wrongFile, "the beginning");
-        row("a picture", std::string("\x89PNG\r\n\x1a\n", 8) + std::string(500, 'x'), true, MeshProblem::wrongFile, "the beginning");
-        row("a picture called STL", std::string("\x89PNG\r\n\x1a\n", 8) + std::string(50, 'x'), false, MeshProblem::truncated, "byte 58"); // an STL file may begin with anything
+        row("a picture", std::string("\x89PNG\r\n\x1a\n", 8) + std::string(500, 'x'), true,
+            MeshProblem::wrongFile, "the beginning");
+        row("a picture called STL", std::string("\x89PNG\r\n\x1a\n", 8) + std::string(50, 'x'), false,
+            MeshProblem::truncated, "byte 58"); // an STL file may begin with anything
         row("prose", "Dear colleague,\nhere is the mesh.\n", true, MeshProblem::wrongFile, "the beginning");
         row("NaN", "v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n", true, MeshProblem::badNumber, "line 2");
         row("infinite", "v 0 0 0\nv 1 0 inf\n", true, MeshProblem::badNumber, "line 2");
         row("huge", "v 0 0 0\nv 1 0 1e999\n", true, MeshProblem::badNumber, "line 2");
         row("missing number", "v 0 0\n", true, MeshProblem::badNumber, "line 1");
         row("word", "v 0 0 zero\n", true, MeshProblem::badNumber, "line 1");
-        row("no such vertex", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", true, MeshProblem::badIndex, "triangle 1 (line 4)");
+        row("no such vertex", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", true, MeshProblem::badIndex,
+            "triangle 1 (line 4)");
         row("vertex 0", "v 0 0 0\nf 0 1 1\n", true, MeshProblem::badIndex, "line 2");
         row("far back", "v 0 0 0\nf -1 -1 -7\n", true, MeshProblem::badIndex, "line 2");
         row("face of two", "v 0 0 0\nv 1 0 0\nf 1 2\n", true, MeshProblem::badLine, "line 3");
         row("no statement", "v 0 0 0\nxyzzy\n", true, MeshProblem::badLine, "line 2");
         row("no faces", "v 0 0 0\nv 1 0 0\n", true, MeshProblem::noTriangles, "the end of the file");
-        row("OBJ cut off", obj.substr(0, obj.rfind('\n', obj.size() * 9 / 10) + 1), true, MeshProblem::hole, "");
+        row("OBJ cut off", obj.substr(0, obj.rfind('\n', obj.size() * 9 / 10) + 1), true, MeshProblem::hole,
+            "");
         row("STL cut off", stl.substr(0, stl.size() / 2 + 3), false, MeshProblem::truncated, "");
         row("STL without its end", stl.substr(0, stl.size() - 16), false, MeshProblem::truncated, "");
-        row("STL of four corners", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n", false,
-            MeshProblem::badLine, "line 2");
-        row("STL with NaN", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n", false, MeshProblem::badNumber, "line 4");
+        row("STL of four corners",
+            "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 "
+            "0\nendloop\nendfacet\nendsolid\n",
+            false, MeshProblem::badLine, "line 2");
+        row("STL with NaN", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n", false,
+            MeshProblem::badNumber, "line 4");
         row("binary STL cut off", binary.substr(0, binary.size() - 20), false, MeshProblem::truncated, "");
         row("binary STL, header alone", binary.substr(0, 60), false, MeshProblem::truncated, "byte 60");
         std::string named = binary; // as some programs write it: words, then spaces
         named.replace(0, 80, "solid of a program" + std::string(62, ' '));
         const std::string end = "byte " + std::to_string(named.size() - 20);
-        row("binary STL called solid, cut off", named.substr(0, named.size() - 20), false, MeshProblem::truncated, end.c_str());
+        row("binary STL called solid, cut off", named.substr(0, named.size() - 20), false,
+            MeshProblem::truncated, end.c_str());
         std::string spoiled = binary;
         for (std::size_t i = 0; i < 4; ++i)
             spoiled[84 + 50 * 3 + 12 + i] = static_cast<char>(0xff); // a NaN
@@ -270,13 +295,17 @@ private slots:
         QFETCH(bool, obj);
         QFETCH(int, problem);
         QFETCH(QByteArray, place);
-        const MeshImport import = importMesh(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())), obj ? MeshFormat::obj : MeshFormat::stl);
+        const MeshImport import =
+            importMesh(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())),
+                       obj ? MeshFormat::obj : MeshFormat::stl);
         QVERIFY2(refused(import, static_cast<MeshProblem>(problem)), import.report.text().c_str());
         if (!place.isEmpty())
-            QCOMPARE(QByteArray::fromStdString(import.report.find(static_cast<MeshProblem>(problem))->place), place);
+            QCOMPARE(QByteArray::fromStdString(import.report.find(static_cast<MeshProblem>(problem))->place),
+                     place);
     }
 
-    /// Ten million triangles, claimed by a header or brought line by line, are refused before they are stored.
+    /// Ten million triangles, claimed by a header or brought line by line, are refused before they are
+    /// stored.
     void tenMillionTriangles() {
         std::string header = writeBinaryStl({});
         const std::uint32_t ten = 10'000'000;
@@ -284,7 +313,8 @@ private slots:
             header[80 + i] = static_cast<char>(ten >> (8 * i) & 0xffU);
         const MeshImport claimed = importMesh(header, MeshFormat::stl);
         QVERIFY2(refused(claimed, MeshProblem::tooManyTriangles), claimed.report.text().c_str());
-        QCOMPARE(claimed.report.find(MeshProblem::tooManyTriangles)->found, std::string("10000000 triangles or more"));
+        QCOMPARE(claimed.report.find(MeshProblem::tooManyTriangles)->found,
+                 std::string("10000000 triangles or more"));
         QVERIFY(claimed.shape.triangles.capacity() == 0);
         std::string lines = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
         lines.reserve(90'000'000);
@@ -304,7 +334,8 @@ private slots:
     /// Bytes at random and files with a byte changed: an answer every time, never a mesh that is not closed.
     void spoiledFilesNeverPass() {
         core::Random random(9);
-        const std::string files[] = {writeObj(made(ellipsoid(0.01, 0.01, 0.01, 0.006))), writeStl(box()), writeBinaryStl(box())};
+        const std::string files[] = {writeObj(made(ellipsoid(0.01, 0.01, 0.01, 0.006))), writeStl(box()),
+                                     writeBinaryStl(box())};
         for (int i = 0; i < 2'000; ++i) {
             std::string bytes = files[i % 3];
             for (std::uint64_t k = random.below(4) + 1; k > 0; --k)
@@ -320,7 +351,8 @@ private slots:
         }
     }
 
-    /// Two corners 0.3 µm apart are one in whole micrometres: the sliver between them goes, and what is stored is closed.
+    /// Two corners 0.3 µm apart are one in whole micrometres: the sliver between them goes, and what is
+    /// stored is closed.
     void roundingIsCheckedAgain() {
         MeshShape shape;
         shape.vertices = {{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0, 0, 0.01}, {3e-7, 0, 0}};
@@ -340,7 +372,8 @@ private slots:
     void contentTakesNoMore() {
         const auto refusedShape = storedMesh(made(bumpyOrgan(0.00045)), "large");
         QVERIFY(!refusedShape);
-        QVERIFY2(refusedShape.error().message.find("100000") != std::string::npos, refusedShape.error().message.c_str());
+        QVERIFY2(refusedShape.error().message.find("100000") != std::string::npos,
+                 refusedShape.error().message.c_str());
         MeshShape shape = box();
         shape.vertices[0].x() = 1.1;
         QVERIFY(!storedMesh(shape, "far"));

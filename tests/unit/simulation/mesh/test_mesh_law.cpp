@@ -19,7 +19,8 @@ std::vector<double> defaults(const core::LawDescription& law) {
 }
 
 void set(const core::LawDescription& law, std::vector<double>& values, std::string_view name, double value) {
-    const auto at = std::find_if(law.parameters.begin(), law.parameters.end(), [&](const core::LawParameter& p) { return p.name == name; });
+    const auto at = std::find_if(law.parameters.begin(), law.parameters.end(),
+                                 [&](const core::LawParameter& p) { return p.name == name; });
     if (at == law.parameters.end())
         qFatal("no such parameter");
     values[static_cast<std::size_t>(at - law.parameters.begin())] = value;
@@ -33,7 +34,8 @@ class TestMeshLaw : public QObject {
 
 private slots:
     void isListed() {
-        QVERIFY(std::any_of(evaluateLaws().begin(), evaluateLaws().end(), [](const core::LawDescription& law) { return law.id == "mesh-contact"; }));
+        QVERIFY(std::any_of(evaluateLaws().begin(), evaluateLaws().end(),
+                            [](const core::LawDescription& law) { return law.id == "mesh-contact"; }));
     }
 
     void ballAndDome() {
@@ -45,7 +47,8 @@ private slots:
         const std::vector<double> above{0.0, 0.0, 0.019, 0.0, 0.0, -0.01};
         law.evaluate(p, above, out);
         QVERIFY(std::abs(out[2] - (500.0 * 0.002 + 0.01)) < 0.02); // k d + b v
-        QVERIFY(std::abs(out[3] - 0.002) < 2e-5 && std::abs(out[6] - 1.0) < 1e-4 && std::abs(out[7] - 0.001) < 2e-5);
+        QVERIFY(std::abs(out[3] - 0.002) < 2e-5 && std::abs(out[6] - 1.0) < 1e-4 &&
+                std::abs(out[7] - 0.001) < 2e-5);
         set(law, p, "dome", 1.0);
         law.evaluate(p, above, out);
         QVERIFY(std::abs(out[3] - 0.002) < 2e-5);

@@ -9,7 +9,8 @@ using namespace chiron;
 using namespace chiron::simulation;
 using namespace chiron::simulation::testing;
 
-/// What the generators make: closed, outward, of the size asked for, the same every time; and what they refuse.
+/// What the generators make: closed, outward, of the size asked for, the same every time; and what they
+/// refuse.
 class TestMeshShapes : public QObject {
     Q_OBJECT
 
@@ -19,7 +20,8 @@ private slots:
         source.bumpHeight_m = 0.0;
         const TriangleMesh mesh = *makeMesh(source);
         const double exact = core::kPi * (2.0 / 3.0 * std::pow(0.020, 3) + 0.075 * 0.075 * 0.010);
-        QVERIFY2(std::abs(volume(mesh) / exact - 1.0) < 2e-3, qPrintable(QString::number(volume(mesh) / exact)));
+        QVERIFY2(std::abs(volume(mesh) / exact - 1.0) < 2e-3,
+                 qPrintable(QString::number(volume(mesh) / exact)));
         QVERIFY(std::abs(mesh.highest().z() - 0.020) < 1e-12 && std::abs(mesh.lowest().z() + 0.010) < 1e-12);
         QVERIFY(std::abs(mesh.meanEdge_m() / source.edge_m - 1.0) < 0.15);
         for (const SurfaceVertex& v : mesh.vertices())
@@ -35,7 +37,9 @@ private slots:
             source.seed = seed;
             const TriangleMesh mesh = *makeMesh(source);
             const auto top = std::max_element(mesh.vertices().begin(), mesh.vertices().end(),
-                                              [](const SurfaceVertex& a, const SurfaceVertex& b) { return a.position.z() < b.position.z(); });
+                                              [](const SurfaceVertex& a, const SurfaceVertex& b) {
+                                                  return a.position.z() < b.position.z();
+                                              });
             QVERIFY(top->position.head<2>().norm() < 1e-12);
         }
     }
@@ -48,7 +52,8 @@ private slots:
             const Vec3 exact = v.position.cwiseQuotient(Vec3(0.0016, 0.0009, 0.000625)).normalized();
             QVERIFY((v.normal - exact).norm() < 2e-3);
         }
-        const MeshShape bumpy = *makeMeshShape(bumpyOrgan()), flat = *makeMeshShape(ellipsoid(0.040, 0.030, 0.025, 0.0007));
+        const MeshShape bumpy = *makeMeshShape(bumpyOrgan()),
+                        flat = *makeMeshShape(ellipsoid(0.040, 0.030, 0.025, 0.0007));
         double rms = 0.0;
         for (std::size_t v = 0; v < bumpy.vertices.size(); ++v)
             rms += (bumpy.vertices[v] - flat.vertices[v]).squaredNorm();
@@ -69,7 +74,8 @@ private slots:
         const TriangleMesh c = *makeMesh(other);
         bool same = a.vertices().size() == b.vertices().size(), different = false;
         for (std::size_t v = 0; v < a.vertices().size(); ++v) {
-            same = same && a.vertices()[v].position == b.vertices()[v].position && a.vertices()[v].normal == b.vertices()[v].normal;
+            same = same && a.vertices()[v].position == b.vertices()[v].position &&
+                   a.vertices()[v].normal == b.vertices()[v].normal;
             different = different || a.vertices()[v].position != c.vertices()[v].position;
         }
         QVERIFY(same);
@@ -107,7 +113,9 @@ private slots:
             core::Random random(4);
             const Vec3 size = mesh.highest() - mesh.lowest();
             for (int i = 0; i < 2'000; ++i) {
-                const Vec3 p = mesh.lowest() + Vec3(random.uniform(-0.1, 1.1), random.uniform(-0.1, 1.1), random.uniform(-0.1, 1.1)).cwiseProduct(size);
+                const Vec3 p = mesh.lowest() + Vec3(random.uniform(-0.1, 1.1), random.uniform(-0.1, 1.1),
+                                                    random.uniform(-0.1, 1.1))
+                                                   .cwiseProduct(size);
                 const NearestOnMesh found = nearestOnMesh(mesh, p);
                 const double exact = (pointAt(mesh, brute.nearest(p)) - p).norm();
                 QVERIFY(std::abs(std::abs(found.signedDistance_m) - exact) < 1e-12);
@@ -115,7 +123,8 @@ private slots:
                 int crossings = 0;
                 Vec3 at = p;
                 const Vec3 way(0.3711, 0.2177, 1.0);
-                for (auto entry = firstEntry(mesh, at, p + way); entry; entry = firstEntry(mesh, at, p + way)) {
+                for (auto entry = firstEntry(mesh, at, p + way); entry;
+                     entry = firstEntry(mesh, at, p + way)) {
                     at = pointAt(mesh, *entry) + 1e-7 * way;
                     ++crossings;
                 }

@@ -20,7 +20,8 @@ TriangleMesh made(const MeshShape& shape) {
     return std::move(*mesh);
 }
 
-/// A tool on one mesh, moved in straight lines of 0.01 mm a tick; remembers the largest change of force in a tick.
+/// A tool on one mesh, moved in straight lines of 0.01 mm a tick; remembers the largest change of force in a
+/// tick.
 struct Tool {
     const TriangleMesh& mesh;
     MeshContact contact;
@@ -30,7 +31,10 @@ struct Tool {
     std::uint64_t tick = 0;
     double worstChange_N = 0.0;
 
-    Tool(const TriangleMesh& m, const Vec3& start, double radius_m, double stiffness = 500.0) : mesh(m), contact(plain(stiffness), radius_m), at(start) { step(start); }
+    Tool(const TriangleMesh& m, const Vec3& start, double radius_m, double stiffness = 500.0)
+        : mesh(m), contact(plain(stiffness), radius_m), at(start) {
+        step(start);
+    }
     static ObjectAttributes plain(double stiffness) {
         ObjectAttributes attributes;
         attributes.stiffness_N_per_m = stiffness;
@@ -74,13 +78,15 @@ private slots:
         QVERIFY(tool.now.contact.inContact);
         QVERIFY((tool.now.contact.force - Vec3(0.0, 0.0, 500.0 * 2.0 * kThick_m)).norm() < 1e-6);
         // all over the middle, still through it: up, and as much as the depth
-        for (const Vec3& corner : {Vec3(0.012, 0.0, 0.0), Vec3(0.012, 0.012, 0.0), Vec3(-0.012, -0.012, 0.0), Vec3(0.0012, 0.0007, 0.0)})
+        for (const Vec3& corner : {Vec3(0.012, 0.0, 0.0), Vec3(0.012, 0.012, 0.0), Vec3(-0.012, -0.012, 0.0),
+                                   Vec3(0.0012, 0.0007, 0.0)})
             tool.moveTo(corner + Vec3(0.0, 0.0, radius_m - 2.0 * kThick_m), [&] {
                 QVERIFY((tool.now.contact.force - Vec3(0.0, 0.0, 500.0 * 2.0 * kThick_m)).norm() < 1e-6);
             });
         tool.moveTo({0.0012, 0.0007, radius_m + 0.0001});
         QVERIFY(!tool.now.contact.inContact);
-        QVERIFY2(tool.worstChange_N <= 500.0 * kStep_m * 1.01, qPrintable(QString::number(tool.worstChange_N)));
+        QVERIFY2(tool.worstChange_N <= 500.0 * kStep_m * 1.01,
+                 qPrintable(QString::number(tool.worstChange_N)));
     }
 
     void plateFromBelow() {
@@ -92,8 +98,8 @@ private slots:
         QVERIFY(!tool.now.contact.inContact);
     }
 
-    /// Over the edge of the plate while pressed through it: the force turns and ends without a step, never pulls, and the far
-    /// side is not felt.
+    /// Over the edge of the plate while pressed through it: the force turns and ends without a step, never
+    /// pulls, and the far side is not felt.
     void overTheEdgeOfThePlate() {
         const TriangleMesh mesh = made(plate(0.030, kThick_m, 0.001));
         Tool tool(mesh, {0.0, 0.0003, 0.002}, 0.001);
@@ -106,7 +112,8 @@ private slots:
         QVERIFY2(tool.worstChange_N <= 0.2, qPrintable(QString::number(tool.worstChange_N)));
     }
 
-    /// Edge-on: a plate with flat side, and one with a round rim of 1.5 mm pressed four times as deep as it is round.
+    /// Edge-on: a plate with flat side, and one with a round rim of 1.5 mm pressed four times as deep as it
+    /// is round.
     void rim_data() {
         QTest::addColumn<bool>("round");
         QTest::newRow("flat side") << false;
@@ -114,7 +121,8 @@ private slots:
     }
     void rim() {
         QFETCH(bool, round);
-        const TriangleMesh mesh = made(round ? roundedPlate(kThick_m, 0.0003) : plate(0.060, kThick_m, 0.0005));
+        const TriangleMesh mesh =
+            made(round ? roundedPlate(kThick_m, 0.0003) : plate(0.060, kThick_m, 0.0005));
         const double middle = round ? 0.0 : -0.5 * kThick_m, edge = round ? 0.5 * kThick_m : 0.030;
         const double deep = 2.0 * kThick_m, radius_m = 0.001;
         Tool tool(mesh, {edge + 0.004, 1e-4, middle + 2e-5}, radius_m);
@@ -124,8 +132,10 @@ private slots:
                 least = std::min(least, tool.now.contact.normal.x());
         });
         QVERIFY(tool.now.contact.inContact);
-        QVERIFY2(least > 0.8, qPrintable(QString::number(least))); // outward all the way in, though 20 µm off the middle
-        QVERIFY2(std::abs(tool.now.contact.force.x() - 500.0 * deep) < 0.25 * 500.0 * deep, qPrintable(QString::number(tool.now.contact.force.x())));
+        QVERIFY2(least > 0.8,
+                 qPrintable(QString::number(least))); // outward all the way in, though 20 µm off the middle
+        QVERIFY2(std::abs(tool.now.contact.force.x() - 500.0 * deep) < 0.25 * 500.0 * deep,
+                 qPrintable(QString::number(tool.now.contact.force.x())));
         const Vec3 still = tool.now.contact.force;
         for (int i = 0; i < 1000; ++i)
             tool.step(tool.at);
@@ -149,10 +159,10 @@ private slots:
         // and at the bend, from the side, twice its thickness: its inside is met at 1.5 mm radius
         tool.moveTo({-0.012, 0.0, top + 0.002});
         tool.moveTo({-0.012, 0.0, 1e-4});
-        tool.moveTo({-top - radius_m + 2.0 * kThick_m, 0.0, 1e-4}, [&] {
-            QVERIFY(!tool.now.contact.inContact || tool.now.contact.normal.x() < -0.8);
-        });
-        QVERIFY2(std::abs(tool.now.contact.force.x() + 500.0 * 2.0 * kThick_m) < 0.1 * 500.0 * 2.0 * kThick_m, qPrintable(QString::number(tool.now.contact.force.x())));
+        tool.moveTo({-top - radius_m + 2.0 * kThick_m, 0.0, 1e-4},
+                    [&] { QVERIFY(!tool.now.contact.inContact || tool.now.contact.normal.x() < -0.8); });
+        QVERIFY2(std::abs(tool.now.contact.force.x() + 500.0 * 2.0 * kThick_m) < 0.1 * 500.0 * 2.0 * kThick_m,
+                 qPrintable(QString::number(tool.now.contact.force.x())));
         qInfo("largest change in 0.01 mm: %g N", tool.worstChange_N);
         QVERIFY2(tool.worstChange_N <= 0.1, qPrintable(QString::number(tool.worstChange_N)));
     }
@@ -170,7 +180,8 @@ private slots:
         QVERIFY((tool.now.contact.force - Vec3(0.0, 0.0, 500.0 * 0.0015)).norm() < 1e-6);
     }
 
-    /// Faster than the plate is thick a tick: it is entered where the way went in, not where the nearest side is.
+    /// Faster than the plate is thick a tick: it is entered where the way went in, not where the nearest side
+    /// is.
     void fastThroughThePlate_data() {
         QTest::addColumn<double>("fall_m");
         QTest::newRow("to its lower half") << 0.0040;

@@ -90,8 +90,10 @@ private slots:
             const Vec3 beside = p + 0.002 * response.foot.normal.unitOrthogonal(); // 2 m/s
             const MeshResponse after = contact.respond(mesh, beside, Vec3::Zero(), n, state);
             const MeshPlace there = brute.nearest(beside);
-            const double depth = 0.001 + (pointAt(mesh, there) - beside).dot(pseudoNormal(mesh, there).normalized());
-            QVERIFY(depth < 5e-5 || (after.contact.inContact && std::abs(after.contact.depth_m - depth) < 3e-4));
+            const double depth =
+                0.001 + (pointAt(mesh, there) - beside).dot(pseudoNormal(mesh, there).normalized());
+            QVERIFY(depth < 5e-5 ||
+                    (after.contact.inContact && std::abs(after.contact.depth_m - depth) < 3e-4));
         }
         // a jump of more than 20 mm while in contact: no walk, found anew
         state.reset();
@@ -100,7 +102,8 @@ private slots:
         QVERIFY(other.foot.track == MeshTrack::acquired && other.contact.normal.z() < -0.8);
     }
 
-    /// After an answer D nothing is asked of the tree within D: told by the foot, which stays apart at no cost.
+    /// After an answer D nothing is asked of the tree within D: told by the foot, which stays apart at no
+    /// cost.
     void safeDistanceHolds() {
         const TriangleMesh mesh = *makeMesh(ellipsoid(0.020, 0.020, 0.020, 0.001));
         MeshTracker tracker;
@@ -113,7 +116,8 @@ private slots:
         }
     }
 
-    /// A mesh that moves as a whole under a tool that moves with it gives the same force; the bristle goes along.
+    /// A mesh that moves as a whole under a tool that moves with it gives the same force; the bristle goes
+    /// along.
     void movesWithTheMesh() {
         const TriangleMesh mesh = *makeMesh(bumpyOrgan(0.0015));
         std::vector<Vec3> positions, normals;
@@ -126,13 +130,19 @@ private slots:
         const MeshContact contact(attributes, 0.001);
         MeshContactState still, moving;
         for (std::uint64_t n = 0; n < 2'000; ++n) {
-            const Vec3 p(1e-6 * static_cast<double>(n), 0.0, 0.0248), shift = 0.008 * Vec3(std::sin(0.004 * static_cast<double>(n)), 0.3, 0.1);
+            const Vec3 p(1e-6 * static_cast<double>(n), 0.0, 0.0248),
+                shift = 0.008 * Vec3(std::sin(0.004 * static_cast<double>(n)), 0.3, 0.1);
             for (std::size_t v = 0; v < positions.size(); ++v)
                 positions[v] = mesh.vertices()[v].position + shift;
             const MeshResponse a = contact.respond(mesh, p, Vec3::Zero(), n, still);
-            const Vec3 drift = n == 0 ? Vec3::Zero() : Vec3(8.0 * (std::sin(0.004 * static_cast<double>(n)) - std::sin(0.004 * static_cast<double>(n - 1))), 0.0, 0.0);
-            const MeshResponse b = contact.respond(MovedMesh(mesh, positions, normals, shift.norm()), p + shift, drift, n, moving);
-            QVERIFY2((a.contact.force - b.contact.force).norm() < 1e-4, qPrintable(QString("%1 at %2").arg((a.contact.force - b.contact.force).norm()).arg(n)));
+            const Vec3 drift = n == 0 ? Vec3::Zero()
+                                      : Vec3(8.0 * (std::sin(0.004 * static_cast<double>(n)) -
+                                                    std::sin(0.004 * static_cast<double>(n - 1))),
+                                             0.0, 0.0);
+            const MeshResponse b = contact.respond(MovedMesh(mesh, positions, normals, shift.norm()),
+                                                   p + shift, drift, n, moving);
+            QVERIFY2((a.contact.force - b.contact.force).norm() < 1e-4,
+                     qPrintable(QString("%1 at %2").arg((a.contact.force - b.contact.force).norm()).arg(n)));
             QVERIFY((a.foot.point + shift - b.foot.point).norm() < 1e-6);
         }
         QVERIFY(still.object.bristle.stretch().norm() > 1e-5);
@@ -153,7 +163,8 @@ private slots:
                 positions[v] = x + std::max(0.0, x.z() / 0.020) * rise * Vec3::UnitZ();
             }
             smoothNormals(mesh, angles, positions, normals);
-            const MeshResponse now = contact.respond(MovedMesh(mesh, positions, normals, rise), {0.0, 0.0, 0.023}, Vec3::Zero(), n, state);
+            const MeshResponse now = contact.respond(MovedMesh(mesh, positions, normals, rise),
+                                                     {0.0, 0.0, 0.023}, Vec3::Zero(), n, state);
             const double depth = rise - 0.002;
             QVERIFY(std::abs(now.contact.force.z() - 500.0 * std::max(0.0, depth)) < 0.02);
             most = std::max(most, now.contact.force.z());
@@ -187,8 +198,10 @@ private slots:
         core::Random random(2);
         Vec3 p(0.0, 0.0, 0.026);
         for (std::uint64_t n = 0; n < 10'000; ++n) {
-            p += 2e-5 * Vec3(random.normal(), random.normal(), random.normal()) + 0.01 * (Vec3(0.0, 0.0, 0.0255) - p);
-            const Vec3 f = contact.respond(a, p, Vec3::Zero(), n, first, &one).contact.force, g = contact.respond(b, p, Vec3::Zero(), n, second, &two).contact.force;
+            p += 2e-5 * Vec3(random.normal(), random.normal(), random.normal()) +
+                 0.01 * (Vec3(0.0, 0.0, 0.0255) - p);
+            const Vec3 f = contact.respond(a, p, Vec3::Zero(), n, first, &one).contact.force,
+                       g = contact.respond(b, p, Vec3::Zero(), n, second, &two).contact.force;
             QVERIFY(f == g);
         }
     }
@@ -197,7 +210,8 @@ private slots:
     void anyMotionGivesAForceThatPushes() {
         ObjectAttributes attributes = plain();
         attributes.damping_Ns_per_m = 5.0;
-        for (const MeshSource& source : {bumpyOrgan(0.002), bumpyDome(), ellipsoid(0.030, 0.030, 0.0015, 0.001)}) {
+        for (const MeshSource& source :
+             {bumpyOrgan(0.002), bumpyDome(), ellipsoid(0.030, 0.030, 0.0015, 0.001)}) {
             const TriangleMesh mesh = *makeMesh(source);
             const MeshContact contact(attributes, 0.0005);
             MeshContactState state;
