@@ -3,16 +3,17 @@
 
 namespace chiron::desktop {
 
+// clang-format off
 /// The roles of colours. Each theme in tokens.json defines all of them by the same names.
-#define CHIRON_THEME_COLOURS(X)                                                                              \
-    X(window)                                                                                                \
-    X(surface)                                                                                               \
-    X(raised)                                                                                                \
-    X(sidebar)                                                                                               \
-    X(sidebarText) X(sidebarActive) X(border) X(borderStrong) X(text) X(muted) X(accent) X(accentText)       \
-        X(accentHover) X(accentSoft) X(focus) X(good) X(goodSoft) X(warning) X(warningSoft) X(bad)           \
-            X(badSoft) X(danger) X(dangerText) X(seriesA) X(seriesB) X(seriesC) X(overFill) X(grid)          \
-                X(sceneBackground) X(sceneField) X(ghost)
+#define CHIRON_THEME_COLOURS(X)                                                       \
+    X(window) X(surface) X(raised) X(sidebar) X(sidebarText) X(sidebarActive)         \
+    X(border) X(borderStrong) X(text) X(muted)                                        \
+    X(accent) X(accentText) X(accentHover) X(accentSoft) X(focus)                     \
+    X(good) X(goodSoft) X(warning) X(warningSoft) X(bad) X(badSoft)                   \
+    X(danger) X(dangerText)                                                           \
+    X(seriesA) X(seriesB) X(seriesC) X(overFill) X(grid)                              \
+    X(sceneBackground) X(sceneField) X(ghost)
+// clang-format on
 
 enum class Colour {
 #define CHIRON_COLOUR(name) name,
