@@ -112,6 +112,10 @@ void TestAccount::changesTheFullName() {
 void TestAccount::changesThePassword() {
     AccountDesk desk;
     QVERIFY(!desk.isEnabled("account.change_password"));
+    auto* old = desk.find<QLineEdit>(QStringLiteral("account.old_password"));
+    old->setFocus();
+    QTest::keyClick(old, Qt::Key_Return); // on to the new one
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("account.password"), kPatience_ms);
     desk.setNewPassword(kTestPassword, "twelve-fine-horses");
     desk.set("account.repeat", "twelve-fine-hors");
     QVERIFY(!desk.isEnabled("account.change_password"));
@@ -230,6 +234,7 @@ void TestAccount::anAdministratorMakesARecoveryCode() {
     desk.find<QPushButton>(QStringLiteral("account.recovery"))->click();
     auto* accept = desk.find<QPushButton>(QStringLiteral("recovery_code.accept"));
     QVERIFY(accept && !accept->isEnabled());
+    QCOMPARE(accept->text(), QStringLiteral("Make the code"));
     desk.find<QLineEdit>(QStringLiteral("recovery_code.password"))
         ->setText(QStringLiteral("not the password"));
     accept->click();

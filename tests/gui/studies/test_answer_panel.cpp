@@ -109,7 +109,10 @@ void TestAnswerPanel::everyTaskIsAnswered() {
         } else if (task == Task::magnitude) {
             panel.enterKey(); // nothing said yet
             QCOMPARE(given.count, 0);
-            panel.findChild<QLineEdit*>(QStringLiteral("answer.number"))->setText(QStringLiteral("12"));
+            auto* number = panel.findChild<QLineEdit*>(QStringLiteral("answer.number"));
+            QTest::keyClicks(number, QStringLiteral("0.1234567"));
+            QCOMPARE(number->text(), QStringLiteral("0.123456")); // no more than six decimals
+            number->setText(QStringLiteral("12"));
             panel.enterKey();
             QCOMPARE(given.value.value_or(0.0), 12.0);
         } else if (task == Task::adjustment) {

@@ -72,6 +72,7 @@ private slots:
     void instructionsInThreeLanguages();
     void everyFieldSaysWhatItMeans();
     void onlyWhatAppliesIsThere();
+    void stepsOfAStaircase();
     void faultsStandAtTheirFields();
     void aTableOfNumbersIsPasted();
     void numbersAreReadAsTheyWereMeant();
@@ -646,6 +647,23 @@ void TestStudyDesign::onlyWhatAppliesIsThere() {
                                                          .name),
                               QStringLiteral("mean"), kPatience_ms);
     QVERIFY2(saved(), qPrintable(text("study.faults"))); // with parameters that it has
+}
+
+/// A list of steps that somebody types is the list that is stored, in its order.
+void TestStudyDesign::stepsOfAStaircase() {
+    psychophysics::StudyDesign study = tests::smallStudy("steps");
+    psychophysics::Condition& condition = study.conditions.front();
+    condition.task = psychophysics::Task::twoAfc;
+    condition.procedures = {psychophysics::StaircaseSpec::kind().usual(condition)};
+    openDraft(study, StudyScreen::conditionsTab);
+    const auto steps = [this] {
+        return std::get<psychophysics::StaircaseSpec>(design().conditions.front().procedures.front()).stepsUp;
+    };
+    const std::vector<double> before = steps();
+    QTRY_VERIFY_WITH_TIMEOUT(find<QLineEdit>("procedure.0.steps_up"), kPatience_ms);
+    type("procedure.0.steps_up", QStringLiteral("5; 3; 2"));
+    QCOMPARE(steps().size(), std::size_t{3});
+    QVERIFY(steps() != before && steps()[0] > steps()[1] && steps()[1] > steps()[2] && steps()[2] > 0.0);
 }
 
 void TestStudyDesign::faultsStandAtTheirFields() {

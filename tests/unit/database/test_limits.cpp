@@ -319,6 +319,9 @@ void TestLimits::ofPeople() {
         refused(checkName(name), ++row);
     }
     QVERIFY(checkName("a\u2028b").error().message.ends_with("; it holds an invisible character"));
+    taken(checkText("reason", letters(10), 10), ++row);
+    refused(checkText("reason", letters(11), 10), ++row);
+    refused(checkText("reason", "\xff", 10), ++row);
     for (int i = 0; i < 20; ++i) {
         QCOMPARE(generatedPassword().size(), std::size_t{16});
     }

@@ -215,14 +215,15 @@ void TestStudyBlinding::qualityIsOfAllConditions() {
     store(*second, 0, "", 0.05, 6.0);
     store(*second, 1, "saturation", 0.07, 40.0);
     store(*second, 2, "", 0.01, 0.0); // simulated without rendering: nothing was explored
+    store(*second, 3, "", 0.01, 9.0);
     QVERIFY(!quality().whole);
     REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.finishRun(*second, StudyRunState::completed); }));
     const ParticipantQuality whole = quality();
-    QVERIFY(whole.whole && whole.presentations == 6 && whole.practice == 1 && whole.scored == 3);
-    QVERIFY(std::abs(whole.lateTicks - 0.034) < 1e-12 && whole.worstLateness_us == 300.0);
+    QVERIFY(whole.whole && whole.presentations == 7 && whole.practice == 1 && whole.scored == 4);
+    QVERIFY(std::abs(whole.lateTicks - 0.03) < 1e-12 && whole.worstLateness_us == 400.0);
     QVERIFY(whole.spoiled.size() == 1 && whole.spoiled[0].first == "saturation" &&
             whole.spoiled[0].second == 2);
-    QCOMPARE(whole.exploration_s, 4.0);
+    QCOMPARE(whole.exploration_s, 6.0); // the median of 2, 6 and 9
 }
 
 void TestStudyBlinding::unblindingNeedsAReason() {

@@ -167,6 +167,7 @@ void TestObserversDesigns::powerOfATTest() {
     QCOMPARE(participantsFor(question, 0.8), 64);
     question.differenceLog10 = 0.0;
     QVERIFY(std::abs(power(question) - 0.05) < 1e-3);
+    QCOMPARE(participantsFor(question, 0.8), -1); // no number of people finds what is not there
 }
 
 QTEST_APPLESS_MAIN(TestObserversDesigns)

@@ -93,6 +93,18 @@ private slots:
         QCOMPARE(pauses[0].t_s, 0.7);
     }
 
+    /// A guard that acts for many ticks is one event, and again one when it acts anew.
+    void aGuardIsMarkedWhereItBegins() {
+        auto frames = tests::someFrames(600);
+        for (std::size_t i = 0; i < frames.size(); ++i)
+            frames[i].header.guards = (i >= 100 && i < 200) || i >= 400 ? core::guard_bits::kOverVelocity : 0;
+        const auto guards = ofKind(marksOf(frames), PlaybackMarkKind::guard);
+        QCOMPARE(guards.size(), std::size_t(2));
+        QCOMPARE(guards[0].t_s, 0.1);
+        QCOMPARE(guards[1].t_s, 0.4);
+        QCOMPARE(guards[0].detail, std::string("over_velocity"));
+    }
+
     void aStopFromAPauseEndsThePause() {
         auto frames = tests::someFrames(600);
         for (std::size_t i = 100; i < 500; ++i) {

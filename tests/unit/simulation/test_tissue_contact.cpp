@@ -37,6 +37,7 @@ private slots:
     void mirrorAndRotation();
     void repeatIsIdentical();
     void secondSurfaceByHand();
+    void stiffnessOfAPlainPad();
     void harderRegionByHand();
     void notFinite();
 };
@@ -284,6 +285,14 @@ void TestTissueContact::secondSurfaceByHand() {
     // In the middle of the ball nothing jumps.
     QVERIFY((pressAt(contact, Vec3(1e-6, 0, -0.010)).force - pressAt(contact, Vec3(-1e-6, 0, -0.010)).force)
                 .norm() < 1e-3);
+}
+
+/// The stiffness that the passivity credit reckons with: the law's own where nothing lies in a flat tissue.
+void TestTissueContact::stiffnessOfAPlainPad() {
+    const TissueContact contact = contactOf(quietPad(), {});
+    for (const double depth_m : {0.0005, 0.002, 0.004})
+        QCOMPARE(pressAt(contact, Vec3(0.003, -0.002, -depth_m)).stiffness_N_per_m,
+                 contact.normalStiffness_N_per_m());
 }
 
 void TestTissueContact::harderRegionByHand() {

@@ -225,6 +225,11 @@ void TestDPrime::tails() {
     QVERIFY(std::abs(studentUpperTail(-1.0, 3) + studentUpperTail(1.0, 3) - 1.0) < 1e-14);
     QVERIFY(std::abs(binomialUpperTail(8, 10, 0.5) - 56.0 / 1024.0) < 1e-14);
     QVERIFY(std::abs(binomialLowerTail(2, 10, 0.5) - 56.0 / 1024.0) < 1e-14);
+    for (const auto& tail : {binomialUpperTail, binomialLowerTail}) { // no such experiment
+        QVERIFY(std::isnan(tail(1, -1, 0.5)) && std::isnan(tail(1, 2, 1.5)) && std::isnan(tail(1, 2, -0.5)));
+        QVERIFY(std::isnan(tail(1, 2, std::nan(""))));
+    }
+    QVERIFY(std::isnan(gammaUpperRegularised(0.0, 1.0)) && std::isnan(gammaUpperRegularised(1.0, std::nan(""))));
     QVERIFY(std::abs(exactInterval(7, 20).low - 0.1539092) < 1e-7 &&
             std::abs(exactInterval(7, 20).high - 0.5921885) < 1e-7);
     QVERIFY(exactInterval(0, 0).low == 0.0 && exactInterval(0, 0).high == 1.0);

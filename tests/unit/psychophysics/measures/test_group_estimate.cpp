@@ -260,6 +260,9 @@ void TestGroupEstimate::modulusEqualised() {
     const AdjustmentSummary settings = summariseSettings(10.0, {10.0, 11.0, 9.0, std::nan(""), -3.0});
     QVERIFY(settings.settings == 3 && settings.pseLow < 10.0 && settings.pseHigh > 10.0 &&
             settings.sdLow < settings.sdLog10);
+    QVERIFY(settings.warnings.size() == 2 && settings.warnings[0].kind == WarningKind::leftOutSettings &&
+            settings.warnings[1].kind == WarningKind::fewSettings);
+    QVERIFY(summariseSettings(10.0, {10.0, 11.0, 9.0, 10.5, 9.5}).warnings.empty()); // none was left out
     QVERIFY(std::isnan(summariseSettings(0.0, {1.0}).pse) && std::isnan(summariseSettings(1.0, {}).pse));
 }
 

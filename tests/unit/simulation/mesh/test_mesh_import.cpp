@@ -118,6 +118,16 @@ private slots:
         QVERIFY(std::abs(volumeOf(import) - volume(before)) < 1e-15);
     }
 
+    /// The first triangle says nothing about which way the others should look: the fewer are turned.
+    void theFewerAreTurnedAlsoIfTheFirstIsOneOfThem() {
+        MeshShape shape = made(bumpyOrgan(0.004));
+        for (const std::size_t t : {0U, 200U})
+            std::swap(shape.triangles[t][0], shape.triangles[t][1]);
+        const MeshImport import = importMesh(shape);
+        QVERIFY2(repaired(import, MeshProblem::flippedTriangle, 2), import.report.text().c_str());
+        QCOMPARE(import.report.find(MeshProblem::flippedTriangle)->place, std::string("triangle 1"));
+    }
+
     void insideOutIsTurned() {
         MeshShape shape = box();
         for (auto& t : shape.triangles)
