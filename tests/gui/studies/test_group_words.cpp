@@ -188,6 +188,8 @@ void TestGroupWords::comparisonsSayWhatTheyWaitFor() {
     const auto soft = rollOf({{"A", Presence::used}, {"B", Presence::used}});
     QStringList said = comparisonSentences(
         {soft, rollOf({{"A", Presence::notBegun}, {"B", Presence::allRight}})}, {}, nameOf, kEnglish);
+    const QString bothNamed = QStringLiteral("“Soft” and “Stiff” are not compared");
+    QVERIFY2(said.front().startsWith(bothNamed), qPrintable(said.front()));
     QVERIFY2(said.front().contains(QStringLiteral("“Stiff” has no group value")), qPrintable(said.front()));
     QVERIFY(said.join(u' ').contains(
         QStringLiteral("A is not in this comparison (“Soft”: in the group value; “Stiff”: not begun)")));
@@ -196,6 +198,11 @@ void TestGroupWords::comparisonsSayWhatTheyWaitFor() {
     said = comparisonSentences({soft, rollOf({{"A", Presence::used}, {"B", Presence::allRight}})}, {}, nameOf,
                                kEnglish);
     QVERIFY2(said.front().contains(QStringLiteral("only A has a value in both")), qPrintable(said.front()));
+    QVERIFY2(said.front().startsWith(bothNamed), qPrintable(said.front()));
+    said = comparisonSentences({rollOf({{"A", Presence::used}}), rollOf({{"B", Presence::used}})}, {}, nameOf,
+                               kEnglish); // numbers that were said, of two people
+    QVERIFY2(said.front().startsWith(bothNamed) && said.front().contains(QStringLiteral("set against")),
+             qPrintable(said.front()));
     session::ComparedConditions paired{0, 1, {}, {}};
     QVERIFY(comparisonSentences({soft, soft}, {paired}, nameOf, kEnglish).isEmpty());
     said = comparisonSentences({soft, rollOf({{"A", Presence::used}, {"B", Presence::shown}})}, {paired},
@@ -232,6 +239,7 @@ void TestGroupWords::whatAComparisonLacksIsSaid() {
     QCOMPARE(said.size(), 3);
     QVERIFY2(said[0].contains(QStringLiteral("needs at least two people, and these have 1 and 2")),
              qPrintable(said[0]));
+    QVERIFY2(said[0].startsWith(QStringLiteral("“Soft” and “Stiff” have a ratio")), qPrintable(said[0]));
     QVERIFY2(said[1].startsWith(QStringLiteral("A is not in this comparison: it is of two groups")),
              qPrintable(said[1]));
     QVERIFY2(said[2].startsWith(QStringLiteral("W: withdrawn")), qPrintable(said[2]));
