@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "devices/driver.h"
 #include "devices/drivers/simulated/fingertip_arm_kinematics.h"
 #include "devices/drivers/simulated/fingertip_finger.h"
 #include "devices/drivers/simulated/simulated_mechanism.h"
