@@ -32,9 +32,8 @@ public:
     PersonId personId() const noexcept { return m_person; } ///< 0 for anonymous and maintenance
     const std::string& name() const noexcept { return m_name; }
     const RoleSet& roles() const noexcept { return m_roles; } ///< as they were at login; for display only
-    bool mustChangePassword() const noexcept {
-        return m_mustChange;
-    } ///< until it is changed, only changePassword is permitted
+    /// Until it is changed, only changePassword is permitted.
+    bool mustChangePassword() const noexcept { return m_mustChange; }
 
     static constexpr PersonId kSimulatedPerson = 1; ///< id of a row that every new database has
 

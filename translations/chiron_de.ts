@@ -8875,7 +8875,7 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     </message>
     <message>
         <source>The session is paused. Enter your password to see the experimenter&apos;s view.</source>
-        <translation>Die Sitzung wartet. Geben Sie Ihr Passwort ein, um die Ansicht der Versuchsleitung zu sehen.</translation>
+        <translation>Die Sitzung ist unterbrochen. Geben Sie Ihr Passwort ein, um die Ansicht der Versuchsleitung zu sehen.</translation>
     </message>
     <message>
         <source>Password of %1</source>

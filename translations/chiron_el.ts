@@ -889,7 +889,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Attention wanes after an hour: plan fewer trials or several sessions.</source>
-        <translation>Μετά από μία ώρα η προσοχή μειώνεται: προγραμματίστε λιγότερες δοκιμές ή περισσότερες συναντήσεις.</translation>
+        <translation>Μετά από μία ώρα η προσοχή μειώνεται: προγραμματίστε λιγότερες δοκιμές ή περισσότερες συνεδρίες.</translation>
     </message>
     <message>
         <source>Precision</source>

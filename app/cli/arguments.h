@@ -49,8 +49,8 @@ private:
     core::Result<void> checkOperands() const;
 
     const CommandSpec* m_command;
-    std::shared_ptr<QCommandLineParser>
-        m_parser; ///< shared because the parser cannot be copied, while Arguments is a value
+    /// Shared because the parser cannot be copied, while Arguments is a value.
+    std::shared_ptr<QCommandLineParser> m_parser;
 };
 
 /// Refuses a password on the command line, where every user of the machine can read it.

@@ -12,7 +12,7 @@ struct NewPassword {
 };
 
 /// Returns the second secret. If there is none, returns 16 letters and digits from the system's random number
-/// generator (80 bits), without characters that look alike.
+/// generator (79 bits), without characters that look alike.
 NewPassword newPasswordOrGenerated(const std::vector<std::string>& secrets);
 
 } // namespace chiron::cli

@@ -29,8 +29,8 @@ enum class Opening { forReading, forWriting };
 struct Site {
     std::unique_ptr<database::Database> database;
     database::Actor actor = database::Actor::anonymous();
-    std::vector<std::string>
-        secrets; ///< [0]: the actor's password; [1]: the second secret, empty if not given
+    /// [0]: the actor's password; [1]: the second secret, empty if not given.
+    std::vector<std::string> secrets;
 };
 
 /// Opens the database as the person of --as.

@@ -109,8 +109,8 @@ struct ForceFacts {
     double felt_N = 0.0;                  ///< largest commanded force
     double limited_s = 0.0;               ///< how long any tool was given less than the tissue's force
     std::optional<double> firstLimited_s; ///< when this first began, on the recording's clock
-    double beyondChecked =
-        0.0; ///< share of the samples outside the poses and depths for which the law was checked, 0..1
+    /// Share of the samples outside the poses and depths for which the law was checked, 0..1.
+    double beyondChecked = 0.0;
 };
 
 /// If a larger share of a score's samples lies outside the checked range, the report states it

@@ -28,9 +28,12 @@ QString formatNumber(double value, const QLocale& locale) {
     const double size = std::abs(value);
     if (size >= 1e7 || (size > 0.0 && size < 1e-5))
         return locale.toString(value, 'e', 2);
-    // Two significant figures without an exponent: "0.00046 mm".
-    if (size > 0.0 && size < 1e-3)
-        return locale.toString(value, 'f', 1 - static_cast<int>(std::floor(std::log10(size))));
+    if (size > 0.0 && size < 0.1) { // two significant figures, without an exponent: "0.00046 mm"
+        int decimals = 1 - static_cast<int>(std::floor(std::log10(size)));
+        if (std::round(size * std::pow(10.0, decimals)) >= 100.0) // rounded up to the next power of ten
+            --decimals;
+        return locale.toString(value, 'f', decimals);
+    }
     // Three significant figures.
     const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 || size == 0.0 ? 2 : 3;
     return locale.toString(value, 'f', decimals);

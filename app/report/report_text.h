@@ -14,9 +14,9 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(report)
 };
 
-/// A number in display form with three significant figures: no decimals from 100, 1 from 10, 2 from 1, 3
-/// below 1. Two figures below 1e-3 ("0.00046"); scientific notation from 1e7 and below 1e-5. A dash if the
-/// value is not finite.
+/// A number in display form, with three significant figures: no decimals from 100, 1 from 10, 2 from 1, 3
+/// from 0.1. Smaller numbers have two significant figures ("0.00046"); scientific notation is used from 1e7
+/// and below 1e-5. A dash if the value is not finite.
 QString formatNumber(double value, const QLocale& locale);
 /// The same for a value with this unit; counts are written as whole numbers.
 QString formatNumber(double value, const QString& unit, const QLocale& locale);

@@ -74,7 +74,7 @@ struct FingersOfHand {
 };
 
 /// Kinematics id of the mechanism used where no other is requested: P2's gimbal.
-inline constexpr std::string_view kUsualMechanism = "gimbal_hprd";
+inline constexpr std::string_view kUsualMechanism = devices::kGimbalHprd;
 
 /// An exercise: its scene, its scripted operators and its truth. A new exercise adds a class and one line in
 /// app/exercises/session_catalogue.cpp. Stateless.

@@ -144,7 +144,7 @@ core::Result<Notes> feel(const mechanisms::GimbalPlantParameters& plant, double 
     feeling.hand.reactionDelay_s = 0.0;
     feeling.frictionCompensation = compensation;
     feeling.gimbal = &plant;
-    auto station = simulatedStation("gimbal_hprd", std::move(feeling));
+    auto station = simulatedStation(devices::kGimbalHprd, std::move(feeling));
     CHIRON_TRY(station);
     const StationTool& tool = station->tools.front();
     CHIRON_TRY(tool.device->open());

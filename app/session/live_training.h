@@ -67,9 +67,8 @@ public:
         const std::vector<devices::PointerMailbox*> all = pointers();
         return all.size() == 1 ? all.front() : nullptr;
     }
-    devices::EndoscopeMailbox* endoscope() const noexcept {
-        return m_request.station.endoscope();
-    }                                             ///< the same for an endoscope
+    /// The same for an endoscope.
+    devices::EndoscopeMailbox* endoscope() const noexcept { return m_request.station.endoscope(); }
     bool felt() const noexcept { return m_felt; } ///< true if any device of the station renders force
 
 private:

@@ -14,8 +14,8 @@ struct ReplayReport {
     std::uint64_t frames = 0; ///< re-simulated
     bool identical = false;   ///< the hash of unrounded forces agrees for every chunk
     bool comparable = true;   ///< same models id, compiler and CPU class; only then must the bits agree
-    double maximumDifference_N =
-        0.0; ///< largest force difference at the stored resolution, tissue or commanded
+    /// Largest force difference at the stored resolution, tissue or commanded.
+    double maximumDifference_N = 0.0;
     std::optional<std::uint64_t> firstDifferentTick; ///< start of the first chunk that differs
     std::string note; ///< the reason why it is not comparable, or why the replay ended
 };

@@ -67,8 +67,8 @@ private:
     bool m_inTrial = false;
     DeviceTime m_time;
     std::array<SampleClock, core::kMaxTools> m_clocks{};
-    std::array<std::uint32_t, core::kMaxTools>
-        m_ticksBefore{};          ///< running ticks of the trial before its first sample
+    /// Running ticks of the trial before its first sample.
+    std::array<std::uint32_t, core::kMaxTools> m_ticksBefore{};
     core::ToolFrame m_lastGood{}; ///< of tool 0: the position of a mark
     std::vector<scoring::TrialTrace> m_trials;
 };

@@ -184,7 +184,7 @@ core::Result<ReportData> reportDataOf(session::SessionView& session, database::C
     // Curves and critical errors are the same as in playback.
     const session::PlaybackTrack& track = **session.track();
     data.series = seriesOf(track, session.setup().level,
-                           QLocale(QString::fromUtf8(core::languageOf(language).locale.data())));
+                           QLocale(QString::fromStdString(std::string(core::languageOf(language).locale))));
     data.duration_s = track.duration_s;
     auto digest = recordingDigestOf(session);
     CHIRON_TRY(digest);

@@ -39,8 +39,8 @@ struct ExerciseLevel {
     Translated goal; ///< the objective in one sentence; may be empty
     Translated objective;
     Translated measured; ///< what is measured, in words
-    std::vector<std::string>
-        cues;                ///< which of object, tool, arrow, bars, numbers, plots, sound, coverage are on
+    /// Which of object, tool, arrow, bars, numbers, plots, sound, coverage are on.
+    std::vector<std::string> cues;
     bool feedback = false;   ///< after an answer the scene shows how good it was: for training, not for
                              ///< assessment
     bool needsForce = false; ///< no visible object: needs a device that renders force
@@ -54,8 +54,8 @@ struct ExerciseLevel {
     std::vector<scoring::Gate> gates;
     std::string exercise; ///< id of the exercise
     int exerciseVersion = 1;
-    std::string
-        resolvedJson; ///< canonical JSON of the level with every default filled in: what a session stores
+    /// Canonical JSON of the level with every default filled in: what a session stores.
+    std::string resolvedJson;
     std::string resolvedSha256; ///< SHA-256 of resolvedJson, lower-case hex
 };
 

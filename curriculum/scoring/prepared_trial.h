@@ -15,8 +15,8 @@ namespace chiron::scoring {
 struct MotionRun {
     std::vector<double> t_s;
     std::vector<core::Vec3> p_WT_m;
-    std::vector<double>
-        speed_m_per_s; ///< first differences: [i] is from sample i to i + 1; one fewer than samples
+    /// First differences: [i] is from sample i to i + 1; one fewer than samples.
+    std::vector<double> speed_m_per_s;
 };
 
 /// A trial's motion, low-passed and at 100 Hz; the motion of a slower trace is unchanged (models.md §6).

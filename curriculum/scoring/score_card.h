@@ -29,8 +29,8 @@ struct MetricValue {
 struct ScoreCard {
     std::vector<MetricValue> metrics;
     std::vector<std::vector<MetricValue>> trials;
-    bool passed =
-        false; ///< every gate is met and the session is completed; gates on absent values are not met
+    /// Every gate is met and the session is completed; gates on absent values are not met.
+    bool passed = false;
 };
 
 } // namespace chiron::scoring

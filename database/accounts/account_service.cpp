@@ -127,19 +127,18 @@ core::Result<void> AccountService::changePassword(const Actor& actor, const std:
 
 core::Result<void> AccountService::resetPassword(const Actor& actor, PersonId person,
                                                  const std::string& newPassword) {
-    if (auto good = checkPassword("", newPassword); !good) {
-        return good;
-    }
+    auto reader = m_database.openReader();
+    CHIRON_TRY(reader);
+    const auto whose = AccountRepository(**reader, actor).person(person);
+    // Whoever may not read the person may not reset the password either: the repository refuses that below.
+    if (!whose && whose.error().code != core::ErrorCode::notAllowed &&
+        whose.error().code != core::ErrorCode::notFound)
+        return tl::unexpected(whose.error());
+    CHIRON_TRY(checkPassword(whose ? whose->name : std::string(), newPassword));
     const auto hash = PasswordHasher(m_database.options().passwordCost).hash(newPassword);
     CHIRON_TRY(hash);
-    return m_database.write([&](WriteContext& writing) -> core::Result<void> {
-        AccountRepository accounts(writing.connection(), actor);
-        const auto whose =
-            accounts.person(person); // who may not read it may not reset it either, which is refused below
-        if (whose)
-            if (auto good = checkPassword(whose->name, newPassword); !good)
-                return good;
-        return accounts.resetPassword(person, *hash);
+    return m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), actor).resetPassword(person, *hash);
     });
 }
 

@@ -102,6 +102,7 @@ public:
     tl::expected<void, Refusal> tryChangePassword(const Actor& actor, const std::string& oldPassword,
                                                   const std::string& newPassword);
     /// Sets a password as an administrator: the person must change it at the next login.
+    /// Errors: notAllowed, notFound; badInput if the rules for passwords do not permit it.
     core::Result<void> resetPassword(const Actor& actor, PersonId person, const std::string& newPassword);
     core::Result<void> setEnabled(const Actor& actor, PersonId person, bool enabled);
     core::Result<void> setRoles(const Actor& actor, PersonId person, const RoleSet& roles);

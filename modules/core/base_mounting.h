@@ -23,8 +23,8 @@ struct BaseMounting {
     static constexpr double kSmallestScale = 0.25;
     static constexpr double kLargestScale = 4.0;
     static constexpr double kLargestShift_m = 0.030;
-    static constexpr double kLargestTurn_rad =
-        0.7853981633974483; ///< 45°: beyond it a gimbal no longer reaches the field
+    /// 45°: beyond it a gimbal no longer reaches the field.
+    static constexpr double kLargestTurn_rad = 0.7853981633974483;
 
     bool turned() const noexcept { return turn_rad != std::array<double, 3>{}; }
     /// Returns this mounting, in which every value that still has its default is replaced by that of `usual`.

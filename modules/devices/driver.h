@@ -27,6 +27,9 @@ namespace chiron::devices {
 /// Frame: D.
 inline const core::Vec3 kHeldFrom_D{0.0, 0.0, 0.05};
 
+/// Kinematics id of P2's gimbal, the one mechanism whose true parameters a request can give.
+inline constexpr std::string_view kGimbalHprd = "gimbal_hprd";
+
 /// Type of tool with which an exercise is done.
 enum class ToolShape { point, endoscope, grasper };
 

@@ -18,11 +18,8 @@ public:
 
     ~RecordedDevice() override;
 
-    void setSample(const core::DeviceSample& sample) noexcept {
-        m_sample = sample;
-    } ///< the sample that
-      ///< read() returns from
-      ///< now on
+    /// The sample that read() returns from now on.
+    void setSample(const core::DeviceSample& sample) noexcept { m_sample = sample; }
 
     const DeviceDescriptor& descriptor() const noexcept override { return m_descriptor; }
     const IToolKinematics& kinematics() const noexcept override { return *m_kinematics; }

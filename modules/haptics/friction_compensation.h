@@ -11,8 +11,9 @@ namespace chiron::haptics {
 
 /// Feed-forward of a mechanism's own dry friction (P2, "gravity and friction compensation", after Tholey).
 /// While an axis moves, its motor helps it with a share of the identified Coulomb friction:
-///   τ_i = c F_c,i · sign(q̇_i) · min(1, max(0, |q̇_i| − r_i)/w_i),  r_i = 2 counts/15 ms,  w_i = c F_c,i/(4
-///   σ_2,i)
+///   τ_i = c F_c,i · sign(q̇_i) · min(1, max(0, |q̇_i| − r_i)/w_i)
+///   r_i = 2 counts/15 ms
+///   w_i = c F_c,i/(4 σ_2,i)
 /// q̇ is the loop's velocity estimate. The compensation of the tool, in D, is the wrench on the hand that
 /// corresponds to these efforts.
 ///

@@ -13,8 +13,8 @@ namespace chiron::haptics {
 /// Thread: the haptic thread writes; others get copies.
 class LoopStatistics {
 public:
-    static constexpr std::int64_t kLate_ns =
-        100'000; ///< a tick that starts more than 100 µs late counts (speed.md)
+    /// a tick that starts more than 100 µs late counts (speed.md).
+    static constexpr std::int64_t kLate_ns = 100'000;
 
     void add(const realtime::TickTiming& timing) noexcept {
         m_lateness.add(timing.lateness_ns);

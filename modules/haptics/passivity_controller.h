@@ -86,14 +86,14 @@ public:
     /// A cut-off of 80 Hz passes a sixth of a vibration at 450 Hz and lags by 13° on the hardest wall
     /// (18 Hz).
     static constexpr double kFilter_s = 0.002;
-    static constexpr double kForgiven_W =
-        0.001; ///< assumption: a tremor of 0.1 mm on 500 N/m at 3 ms of delay makes 0.2 mW
+    /// Assumption: a tremor of 0.1 mm on 500 N/m at 3 ms of delay makes 0.2 mW.
+    static constexpr double kForgiven_W = 0.001;
     /// Assumption: an ovary of 10 g lifted by 0.2 m. While c < 1 the surplus is limited to what is allowed
     /// instead.
     static constexpr double kSurplus_J = 0.020;
     static constexpr double kForgiven_J = 0.001; ///< assumption: per contact, as much as is allowed anyway
-    static constexpr double kForgivenLate_W =
-        1e-4; ///< assumption: a tremor of 0.1 mm on 200 N/m at 3 ms of delay makes 0.1 mW
+    /// Assumption: a tremor of 0.1 mm on 200 N/m at 3 ms of delay makes 0.1 mW.
+    static constexpr double kForgivenLate_W = 1e-4;
     static constexpr double kLoaded_J = 1e-5; ///< assumption: 45 mN on 100 N/m
     static constexpr double kLeastShare = 0.02;
     static constexpr double kFall = 0.01; ///< largest fall of c per tick: 10 mN per newton
@@ -114,9 +114,8 @@ public:
     /// Remembers the wrenches that are really rendered, after caps and slew.
     void hold(const core::ToolStates& states, const core::ToolWrenches& commanded) noexcept;
 
-    double excess_J(std::size_t body = 0) const noexcept {
-        return m_accounts[body].excess_J;
-    } ///< U - W at the last apply(), in W
+    /// U - W at the last apply(), in W.
+    double excess_J(std::size_t body = 0) const noexcept { return m_accounts[body].excess_J; }
     /// Supplied energy W with its credits, summed over the touched bodies; J in W.
     double supplied_J() const noexcept;
     /// Work that people put in, -Σ f·Δx of each contact, without credits or settlements, summed alike.

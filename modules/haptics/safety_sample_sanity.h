@@ -33,18 +33,15 @@ public:
     void forgetReference() noexcept;
 
     bool hasGood() const noexcept { return m_hasGood; }
-    bool hasReference() const noexcept {
-        return m_hasReference;
-    } ///< a good packet has come since the last forgetReference()
+    /// True if a good packet has come since the last forgetReference().
+    bool hasReference() const noexcept { return m_hasReference; }
     bool droppedThisTick() const noexcept { return m_dropped; }
     std::uint32_t badInARow() const noexcept { return m_bad; }
-    std::uint32_t age_us() const noexcept {
-        return m_age_us;
-    } ///< of the newest good packet, at the last admit()
+    /// Age of the newest good packet, at the last admit().
+    std::uint32_t age_us() const noexcept { return m_age_us; }
     const core::DeviceSample& good() const noexcept { return m_good; }
-    const core::DeviceSample& seen() const noexcept {
-        return m_seen;
-    } ///< the newest packet, good or not: its stop button counts
+    /// The newest packet, good or not: its stop button counts.
+    const core::DeviceSample& seen() const noexcept { return m_seen; }
 
 private:
     bool isSane(const realtime::HapticTick& now, const core::DeviceSample& sample,

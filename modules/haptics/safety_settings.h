@@ -58,8 +58,8 @@ struct SafetySettings {
     // Passivity.
     double passivityExcess_J = 0.001; ///< energy returned beyond what was supplied; above this, damping is
                                       ///< injected
-    double passivityMinimumSpeed_m_per_s =
-        0.001; ///< below this speed nothing is injected, because the estimate is encoder noise
+    /// Below this speed nothing is injected, because the estimate is encoder noise.
+    double passivityMinimumSpeed_m_per_s = 0.001;
 };
 
 } // namespace chiron::haptics

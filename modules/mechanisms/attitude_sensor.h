@@ -48,14 +48,12 @@ public:
     /// acceleration over the tick, m/s².
     void tick(const core::Quat& q_DT, const core::Vec3& w_DT, const core::Vec3& a_D) noexcept;
 
-    const std::array<std::int32_t, 3>& counts() const noexcept {
-        return m_counts;
-    } ///< the rotation vector of q̂
+    /// The rotation vector of q̂.
+    const std::array<std::int32_t, 3>& counts() const noexcept { return m_counts; }
     const core::Quat& attitude() const noexcept { return m_attitude; }
     const core::Vec3& rate_T() const noexcept { return m_rate_T; } ///< as last read, rad/s, T
-    const core::Vec3& acceleration_T() const noexcept {
-        return m_specific_T;
-    } ///< specific force as last read, m/s², T
+    /// Specific force as last read, m/s², T.
+    const core::Vec3& acceleration_T() const noexcept { return m_specific_T; }
 
 private:
     core::Vec3 noise(double sd) noexcept {

@@ -6,8 +6,8 @@
 namespace chiron::mechanisms {
 
 using FingertipArmDynamics = SerialChain<FingertipArmParameters::kJoints>;
-using FingertipArmJoints =
-    FingertipArmDynamics::Vector; ///< yaw, shoulder, elbow, wrist pitch, roll, yaw, jaw; rad
+/// Yaw, shoulder, elbow, wrist pitch, roll, yaw, jaw; rad.
+using FingertipArmJoints = FingertipArmDynamics::Vector;
 
 /// The links of the arm as a chain in D.
 FingertipArmDynamics::Links fingertipArmLinks(const FingertipArmParameters& parameters) noexcept;

@@ -10,8 +10,8 @@
 namespace chiron::mechanisms {
 
 /// P3's console arm as a hand moves it, seven links in series:
-///   M(q) q̈ + c(q, q̇) + (1 − κ) g(q) = Jᵀ f_hand + τ_fingers + τ_stop − friction(q̇)   (LuGre, viscous part
-///   implicit),
+///   M(q) q̈ + c(q, q̇) + (1 − κ) g(q) = Jᵀ f_hand + τ_fingers + τ_stop − friction(q̇)
+/// with LuGre friction, whose viscous part is implicit;
 /// where κ is the share of the weight that is balanced and τ_fingers comes from a spring and a damper on the
 /// lever's joint. The arm has no motors: it ignores every requested effort. Its sensors are absolute magnetic
 /// encoders on the three arm joints (resolution, noise, run-out), the handle's IMU (attitude_sensor.h) and a

@@ -30,10 +30,8 @@ public:
     const FingertipPose& pose() const noexcept { return m_pose; }
     const FingertipLoop& loop() const noexcept { return m_loop; }
     const core::Vec3& motors() const noexcept { return m_motor; } ///< q_m, m
-    void shiftFinger(double up_m) noexcept {
-        m_shift_m = up_m;
-    }                                                           ///< moves the finger in its holder, along z,
-                                                                ///< m
+    /// Moves the finger in its holder, along z, m.
+    void shiftFinger(double up_m) noexcept { m_shift_m = up_m; }
     double padForce_N() const noexcept { return m_padForce_N; } ///< along the platform's normal, ≥ 0
     core::Vec2 padPlace() const noexcept { return m_pad.place(m_loop); }
     bool saturated() const noexcept { return m_saturated; } ///< in the last step

@@ -25,10 +25,8 @@ public:
     /// Runs one tick with the force on the plate and its position. Returns true if a reading is new.
     bool tick(double force_N, const core::Vec2& place_m) noexcept;
 
-    double force_N() const noexcept {
-        return m_line[index(m_p.delay_ticks)];
-    }                                                                      ///< sum of the three, as the
-                                                                           ///< host knows it
+    /// Sum of the three, as the host knows it.
+    double force_N() const noexcept { return m_line[index(m_p.delay_ticks)]; }
     const std::array<int, 3>& counts() const noexcept { return m_counts; } ///< newest
     double resolution_N(double load_N) const noexcept; ///< newtons per count of one sensor at a load on it
     int fullScale() const noexcept { return (1 << m_p.adcBits) - 1; }

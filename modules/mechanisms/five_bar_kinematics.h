@@ -40,8 +40,8 @@ struct FiveBarLoop {
 
 /// P1's five-bar linkage in the patient's plane of symmetry (P1 §2; equations devices.md §5):
 ///   P_i = A_i + l1 (cos θ_i, sin θ_i),  D = |P2 − P1|,  û = (P2 − P1)/D,  X = P1 + û D/2 + û⊥ √(l2² − D²/4);
-///   J = A⁻¹B, rows of A: (X − P_i)ᵀ, B_ii = (X − P_i)·l1(−sin θ_i, cos θ_i);  τ = JᵀF;  singular where det A
-///   = 0.
+///   J = A⁻¹B, rows of A: (X − P_i)ᵀ, B_ii = (X − P_i)·l1(−sin θ_i, cos θ_i);  τ = JᵀF
+/// It is singular where det A = 0.
 /// Vendor axes V: X_V = y_D (into the patient), Y_V = z_D (up), Z_V = x_D (normal to the plane); same origin.
 /// Angles are measured from X_V towards Y_V. Leg 1 is on the trainee's side with its elbow towards them, leg
 /// 2 beyond: there is one assembly mode. Only toD() and toPlane() convert between V and D. Pure.

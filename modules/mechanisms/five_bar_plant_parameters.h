@@ -45,8 +45,8 @@ struct FiveBarPlantParameters {
     // the spherical joint: 2 EA r²/L. The drums measure 20 rope diameters and more, as steel rope needs. On
     // thinner ropes the rotors oscillate with friction (drivers/simulated/README.md).
     PerAxis tendonStiffness{607.5, 607.5, 16.9, 16.9, 7.5}; ///< N·m/rad
-    PerAxis tendonDamping{0.090, 0.090, 8.0e-3, 8.0e-3,
-                          1.0e-3}; ///< N·m·s/rad, a tenth of critical with the rotor
+    /// N·m·s/rad, a tenth of critical with the rotor.
+    PerAxis tendonDamping{0.090, 0.090, 8.0e-3, 8.0e-3, 1.0e-3};
     PerAxis rotorInertia{4.0e-4, 4.0e-4, 1.0e-4, 1.0e-4, 4.0e-6}; ///< kg·m², capstan ratios 10, 10, 10, 10, 2
 
     // Friction of motors and capstans: 0.1 N at the tip over 50 µm of presliding, 2 % and 3 % of the largest

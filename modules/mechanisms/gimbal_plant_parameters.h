@@ -22,8 +22,8 @@ struct GimbalPlantParameters {
     double centreOfMassBehindTip_m = 0.15;
     /// Rings, capstans and rotors, as seen at the axis: kg·m² for h, p, r; kg for d.
     std::array<double, 4> axisInertia{3.7e-3, 3.7e-3, 2.0e-5, 0.07};
-    double counterbalance =
-        0.9; ///< share of the instrument's weight that a spring carries along the depth axis
+    /// Share of the instrument's weight that a spring carries along the depth axis.
+    double counterbalance = 0.9;
 
     // Friction at the tip at nominal depth: 0.1 N Coulomb over 50 µm of presliding, 0.5 N·s/m viscous.
     std::array<LugreParameters, 4> friction{

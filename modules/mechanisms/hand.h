@@ -35,10 +35,8 @@ public:
 
     const core::Vec3& p_D() const noexcept { return m_p; }
     const core::Vec3& v_D() const noexcept { return m_v; }
-    const HandIntention& acting() const noexcept {
-        return m_acting;
-    } ///< the delayed intention that is now
-      ///< in effect
+    /// The delayed intention that is now in effect.
+    const HandIntention& acting() const noexcept { return m_acting; }
 
 private:
     static constexpr std::size_t kLine = 512;

@@ -12,14 +12,14 @@ namespace chiron::mechanisms {
 /// The true input of a hand's senses at one tick, *before* perceptual noise, which the strategy adds.
 struct HandPerception {
     double time_s = 0.0; ///< executed ticks · 1 ms since the device was opened
-    core::Vec3 p_DT =
-        core::Vec3::Zero(); ///< true position of the hand, D (m); it is off the tip by the grip's deflection
+    /// True position of the hand, D (m); it is off the tip by the grip's deflection.
+    core::Vec3 p_DT = core::Vec3::Zero();
     core::Vec3 v_DT = core::Vec3::Zero();  ///< m/s
     core::Vec3 f_T_D = core::Vec3::Zero(); ///< force that the plant really exerts on the hand, D (N), mean
                                            ///< over the last tick
     core::VisibleCues cues;                ///< cues on the screen (object in W)
-    core::Vec3 p_DObject =
-        core::Vec3::Zero(); ///< centre of the shown object in D; zero unless cues.objectShown
+    /// Centre of the shown object in D; zero unless cues.objectShown.
+    core::Vec3 p_DObject = core::Vec3::Zero();
     /// Orientation in which the hand holds the tool; identity if the device does not turn.
     core::Quat q_DT = core::Quat::Identity();
     core::Vec3 w_DT = core::Vec3::Zero(); ///< rad/s

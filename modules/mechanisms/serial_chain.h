@@ -126,9 +126,10 @@ public:
     }
     /// c: Coriolis and centrifugal terms.
     Vector bias(const Vector& rates) const noexcept { return inverseDynamics(rates, Vector::Zero(), 0.0); }
+    /// g = ∂V/∂q.
     Vector gravity() const noexcept {
         return inverseDynamics(Vector::Zero(), Vector::Zero(), core::kStandardGravity);
-    } ///< g = ∂V/∂q
+    }
 
     /// M(q): symmetric, and positive definite as long as every joint carries some inertia.
     Matrix inertia() const noexcept {

@@ -12,13 +12,10 @@ class TickSource;
 /// not allocate, lock, log, throw or use Qt.
 class HapticTick {
 public:
-    std::uint64_t index() const noexcept {
-        return m_index;
-    } ///< ticks executed before this one; each is a
-      ///< model step of 1 ms
-    std::int64_t now_ns() const noexcept {
-        return m_now_ns;
-    } ///< monotonic; a missed deadline shows only here
+    /// Ticks executed before this one; each is a model step of 1 ms.
+    std::uint64_t index() const noexcept { return m_index; }
+    /// Monotonic; a missed deadline shows only here.
+    std::int64_t now_ns() const noexcept { return m_now_ns; }
 
 private:
     friend class TickSource;

@@ -15,8 +15,8 @@ struct RealtimeStatus {
     std::string memoryDetail;
 };
 
-inline constexpr int kHapticPriority =
-    80; ///< above ordinary real-time work, below the kernel's migration threads (99)
+/// Above ordinary real-time work, below the kernel's migration threads (99).
+inline constexpr int kHapticPriority = 80;
 inline constexpr std::size_t kTouchedStack_bytes = 256 * 1024; ///< assumption: a tick needs a small part of
                                                                ///< this
 

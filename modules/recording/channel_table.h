@@ -25,8 +25,8 @@ struct AxisChannel {
 struct ToolChannels {
     std::vector<AxisChannel> axes; ///< 1..kMaxCoordinates, in the order of ToolFrame::counts
     double jawResolution_rad = 0.0;
-    std::uint32_t period_us =
-        1000; ///< declared time between packets: predicts the device time from the packet number
+    /// Declared time between packets: predicts the device time from the packet number.
+    std::uint32_t period_us = 1000;
 };
 
 /// The channels of the scene that are recorded in addition to the tools.

@@ -51,10 +51,8 @@ public:
     core::Result<void> finish();
 
     std::uint64_t framesTaken() const noexcept { return m_taken; } ///< by add(), left-out ones included
-    std::uint64_t framesCommitted() const noexcept {
-        return m_committed;
-    }                                                               ///< those of them that are stored
-                                                                    ///< permanently
+    /// Those of them that are stored permanently.
+    std::uint64_t framesCommitted() const noexcept { return m_committed; }
     std::uint64_t bytesWritten() const noexcept { return m_bytes; } ///< payload bytes stored
     std::uint32_t chunksWritten() const noexcept { return m_chunksWritten; }
 

@@ -25,12 +25,10 @@ public:
     std::int64_t session() const noexcept { return m_header.session; }
     std::int64_t pid() const noexcept { return m_header.pid; } ///< of the program that died
     int tools() const noexcept { return static_cast<int>(m_header.tools); }
-    std::uint64_t committed() const noexcept {
-        return m_header.committed;
-    } ///< frames that the drain had marked as stored
-    std::uint64_t dropped() const noexcept {
-        return m_header.dropped;
-    } ///< lost because the ring was full; if not 0, the recording is incomplete
+    /// Frames that the drain had marked as stored.
+    std::uint64_t committed() const noexcept { return m_header.committed; }
+    /// Lost because the ring was full; if not 0, the recording is incomplete.
+    std::uint64_t dropped() const noexcept { return m_header.dropped; }
     /// False if the machine was restarted since; then the newest samples may be missing.
     bool sameBoot() const;
     /// The frames after the committed ones, in order, up to the first slot that is missing or damaged. The

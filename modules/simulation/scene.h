@@ -46,8 +46,8 @@ struct SceneOutput {
     core::TrialPhase phase = core::TrialPhase::idle;
     std::uint32_t events = 0;    ///< core::event_bits of this tick
     double storedEnergy_J = 0.0; ///< elastic energy U stored in the contacts of all tools, summed
-    double contactStiffness_N_per_m =
-        0.0; ///< largest active contact stiffness, for the passivity credit ½Δk x²
+    /// Largest active contact stiffness, for the passivity credit ½Δk x².
+    double contactStiffness_N_per_m = 0.0;
     /// The part of each tool's damping budget that its laws use in this tick. The passivity controller may
     /// inject the rest.
     std::array<double, core::kMaxTools> damping_Ns_per_m{};

@@ -25,8 +25,8 @@ struct BenchCase {
     BenchLoad load = BenchLoad::viscous;
     int pose = 0; ///< 0..kBenchPoses − 1
     double damping_Ns_per_m = 0.0;
-    double budget_Ns_per_m =
-        0.0; ///< 0: that of the device's descriptor, which the laws then keep to; else another
+    /// 0: that of the device's descriptor, which the laws then keep to; else another.
+    double budget_Ns_per_m = 0.0;
     std::uint64_t seed = 1;
     double seconds = 12.0;
 };

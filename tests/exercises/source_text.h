@@ -9,8 +9,8 @@ namespace chiron::test {
 /// A C++ file as the compiler sees it: without comments.
 struct SourceText {
     QString code; ///< string literals included; of a raw one only the quotes
-    QStringList
-        literals; ///< what stands between the quotes of each string literal, escapes as they are written
+    /// What stands between the quotes of each string literal, escapes as they are written.
+    QStringList literals;
 };
 
 SourceText readSource(const QString& text);

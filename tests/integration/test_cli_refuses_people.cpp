@@ -126,7 +126,7 @@ void TestCliRefusesPeople::peopleAndFiles_data() {
     row("unknown exercise", {"exercise", "show", "juggling"}, 3, {"\"juggling\"", "sphere_apex"});
     row("no exercise", {"exercise", "show"}, 2, {"ID"});
     row("unknown language", {"exercise", "list", "--language", "xx"}, 2,
-        {"--language", "\"fr\"", "en, de, el"});
+        {"--language", "\"xx\"", "en, de, el"});
     row("content missing", {"exercise", "list", "--content", folder + "/none"}, 3, {"none"});
     row("content of something else", {"exercise", "list", "--content", folder}, 3, {folder});
 }

@@ -22,16 +22,15 @@ public:
                     frame.header.paused != 0 || frame.header.force != core::ForceState::on);
         ++m_tick;
     }
-    double worst_N() const {
-        return m_worst_N;
-    } ///< root mean square of the worst window; 0 if there was none
+    /// Root mean square of the worst window; 0 if there was none.
+    double worst_N() const { return m_worst_N; }
     std::uint64_t worstTick() const { return m_worstTick; } ///< its last tick, from the session's first
     std::uint64_t windows() const { return m_windows; }
 
 private:
     static constexpr int kWindow = 500; ///< ticks
-    static constexpr int kSettling =
-        150; ///< ticks left out after a change of contact: three periods of the cut-off
+    /// Ticks left out after a change of contact: three periods of the cut-off.
+    static constexpr int kSettling = 150;
 
     struct Section {
         double x1 = 0.0, x2 = 0.0, y1 = 0.0, y2 = 0.0;

@@ -33,7 +33,7 @@ class Mutant:
 
     def in_body(self):
         """What is written behind the switch: a bound is changed by what its sides are (draw's SWITCH)."""
-        return f"{self.old}chiron_mutants::slip{self.old}" if self.kind == "bound" else self.new
+        return f"{self.old} chiron_mutants::slip {self.old}" if self.kind == "bound" else self.new
 
     def __str__(self):
         return f"#{self.number:<3} {self.kind:<14} {self.file}:{self.line_number}: {self.shown_change()}"
@@ -150,8 +150,8 @@ def other_number(token):
 
 
 def dropped_statements(text):
-    for match in re.finditer(r"^([ \t]+)([A-Za-z_][^\n;{}]*;)[ \t]*$", text, re.M):
-        statement = match.group(2)
+    for match in re.finditer(r"^([ \t]+)([A-Za-z_][^;{}]*;)[ \t]*$", text, re.M):
+        statement = re.sub(r"\s*\n\s*", " ", match.group(2))
         word = re.match(r"\w+", statement).group(0)
         if word in ("break", "continue") or statement == "return;":
             yield "dropped line", match.start(2), match.end(2), ";"
@@ -184,13 +184,13 @@ def dropped_signs(text):
 
 
 SLIPS = [
-    swaps("bound", r"(?<=[\w)\]])( <=? | >=? )(?=[\w(\-!*])", {" < ": " <= ", " <= ": " < ", " > ": " >= ", " >= ": " > "}),
-    swaps("logic", r"( == | != )", {" == ": " != ", " != ": " == "}),
-    swaps("logic", r"(?<=[\w)\]])( && | \|\| )", {" && ": " || ", " || ": " && "}),
+    swaps("bound", r"(?<=[\w)\]]) (<=?|>=?)(?=\s+[\w(\-!*])", {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}),
+    swaps("logic", r" (==|!=)(?=\s)", {"==": "!=", "!=": "=="}),
+    swaps("logic", r"(?<=[\w)\]]) (&&|\|\|)(?=\s)", {"&&": "||", "||": "&&"}),
     swaps("logic", r"\b(true|false)\b", {"true": "false", "false": "true"}),
-    swaps("sign", r"(?<=[\w)\]])( \+ | - )(?=[\w(])", {" + ": " - ", " - ": " + "}),
+    swaps("sign", r"(?<=[\w)\]]) ([+-])(?=\s+[\w(])", {"+": "-", "-": "+"}),
     swaps("sign", r"( \+= | -= )", {" += ": " -= ", " -= ": " += "}),
-    swaps("factor", r"(?<=[\w)\]])( \* | / )(?=[\w(])", {" * ": " / ", " / ": " * "}),
+    swaps("factor", r"(?<=[\w)\]]) ([*/])(?=\s+[\w(])", {"*": "/", "/": "*"}),
     swaps("constant", r"(?<![\w.'])(\d[\d']*(?:\.\d+)?(?:e-?\d+)?)(?![\w.'])", other_number),
     dropped_statements,
     dropped_signs,

@@ -74,8 +74,8 @@ private:
     QTemporaryDir m_folder;
 
 public:
-    std::unique_ptr<database::Database>
-        database; ///< after the folder: it must still be there when this closes
+    /// After the folder: it must still be there when this closes.
+    std::unique_ptr<database::Database> database;
 };
 
 /// A stored session with the connection it lives on.

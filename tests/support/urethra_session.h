@@ -164,8 +164,8 @@ public:
     }
 
     UrethraOutcome outcome;
-    std::vector<std::array<double, 8>>
-        story; ///< s, e_n, φ_x, φ_y (m, rad), lateral N, torque N·m, stage, axial N, a tick each
+    /// s, e_n, φ_x, φ_y (m, rad), lateral N, torque N·m, stage, axial N, a tick each.
+    std::vector<std::array<double, 8>> story;
 
 private:
     void add(const core::HapticFrame& frame) {

@@ -101,7 +101,7 @@ core::Result<MeasuredDelay> delayOf(const mechanisms::GimbalPlantParameters& pla
     session::SimulatedHand atRest;
     atRest.strategy = std::make_unique<mechanisms::ScriptedMotion>(devices::kHeldFrom_D);
     atRest.gimbal = &plant;
-    auto station = session::simulatedStation("gimbal_hprd", std::move(atRest));
+    auto station = session::simulatedStation(devices::kGimbalHprd, std::move(atRest));
     CHIRON_TRY(station);
     const session::StationTool& tool = station->tools.front();
     const auto estimate = session::measureDelay(*tool.device, tool.mapping);

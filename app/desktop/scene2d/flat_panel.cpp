@@ -76,6 +76,9 @@ QFont FlatPanel::titleFont(const QString& title, QPaintDevice* device) const {
     const double wide = QFontMetricsF(heading, device).horizontalAdvance(title);
     if (wide > room)
         heading.setPixelSize(std::max(1, static_cast<int>(heading.pixelSize() * room / wide)));
+    // With hinting, the width is not exactly proportional to the size.
+    while (heading.pixelSize() > 1 && QFontMetricsF(heading, device).horizontalAdvance(title) > room)
+        heading.setPixelSize(heading.pixelSize() - 1);
     return heading;
 }
 

@@ -17,15 +17,15 @@ namespace chiron::scene3d {
 struct ToolView {
     bool present = false;
     core::Vec3 p_WT = core::Vec3::Zero(); ///< the tip, where the hand is
-    core::Vec3 p_WProxy =
-        core::Vec3::Zero(); ///< where the scene wants it drawn: at the surface while in contact
+    /// Where the scene wants it drawn: at the surface while in contact.
+    core::Vec3 p_WProxy = core::Vec3::Zero();
     /// Orientation; the shaft leaves the tip along +z of T. As long as a tool has only reported the identity
     /// (a mouse has no orientation), its shaft is drawn through a fixed entry point instead.
     core::Quat q_WT = core::Quat::Identity();
     core::Vec3 force_N = core::Vec3::Zero(); ///< *tissue* force on the tool: every cue uses this one
     double jaw_rad = 0.0;
-    bool drawnAtSurface =
-        false; ///< pseudo-haptics: the device renders no force, the drawn tool stays at the surface
+    /// Pseudo-haptics: the device renders no force, the drawn tool stays at the surface.
+    bool drawnAtSurface = false;
 };
 
 /// The part of a scene that changes from frame to frame. Training makes it from haptics::DisplayState,
@@ -34,10 +34,10 @@ struct SceneState {
     std::array<ToolView, core::kMaxTools> tool{};
     ToolView ghost{};         ///< a second session's tool 0, drawn translucent
     bool objectShown = false; ///< the level shows it (or the trial is over and this is playback)
-    core::Vec3 p_WObject =
-        core::Vec3::Zero(); ///< sphere_apex: centre of the ball, in the plane; the apex is above it
-    bool dimpleShown =
-        false; ///< playback of a level with a decoy: where it lies (depth and width: SceneSetup)
+    /// sphere_apex: centre of the ball, in the plane; the apex is above it.
+    core::Vec3 p_WObject = core::Vec3::Zero();
+    /// Playback of a level with a decoy: where it lies (depth and width: SceneSetup).
+    bool dimpleShown = false;
     core::Vec2 dimpleCentre_m = core::Vec2::Zero(); ///< x, y in W
     bool marked = false; ///< playback and feedback after a trial: the position of the person's mark
     core::Vec3 p_WMark = core::Vec3::Zero();

@@ -31,7 +31,7 @@ constexpr const char* kContext = "ParticipantSentences";
 class LanguageWords {
 public:
     explicit LanguageWords(const QString& language)
-        : m_locale(QString::fromUtf8(core::languageOf(language.toStdString()).locale.data())) {
+        : m_locale(QString::fromStdString(std::string(core::languageOf(language.toStdString()).locale))) {
         initialiseParticipantCatalogues();
         // Without a catalogue the texts stay English.
         (void)m_translator.load(QStringLiteral(":/i18n/chiron_%1.qm").arg(language));

@@ -31,9 +31,7 @@ struct TrainingPlan {
     bool movedBy(devices::MovedBy mover) const { return driver->movedBy == mover; }
     /// Whether a person feels the force. Who watches a demonstration or a recording feels nothing, whatever
     /// the device renders.
-    bool feltByPerson() const {
-        return movedBy(devices::MovedBy::person) && driver->deviceClass == devices::DeviceClass::felt;
-    }
+    bool feltByPerson() const { return ownHand() && driver->deviceClass == devices::DeviceClass::felt; }
     bool ownHand() const { return movedBy(devices::MovedBy::person); }
     bool practises() const { return practice_s > 0.0 && ownHand(); }
     QVariantMap toMap() const;

@@ -217,10 +217,12 @@ QWidget* TrainingScreen::buildSide() {
     column->addWidget(m_info, 1);
     column->addWidget(buildDetailsSwitch());
     side->setWidget(inner);
-    const bool felt = m_plan.ownHand() && m_plan.driver->deviceClass == devices::DeviceClass::felt;
-    m_notice->show(forceWords(
-        {}, {.felt = felt, .ownHand = m_plan.ownHand(), .endoscope = isEndoscope(), .grasper = isGrasper()},
-        context().locale()));
+    m_notice->show(forceWords({},
+                              {.felt = m_plan.feltByPerson(),
+                               .ownHand = m_plan.ownHand(),
+                               .endoscope = isEndoscope(),
+                               .grasper = isGrasper()},
+                              context().locale()));
     return side;
 }
 

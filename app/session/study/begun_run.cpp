@@ -63,7 +63,7 @@ core::Result<ConductedSitting> conductSitting(database::Database& database, cons
     auto label = chosenLabel(*study, request.condition);
     CHIRON_TRY(label);
     if (request.station.tools.empty())
-        return core::fail(core::ErrorCode::wrongUse, "a sitting needs a device");
+        return core::fail(core::ErrorCode::wrongUse, "a session needs a device");
     auto run = conduct(database, actor, *study, *label);
     CHIRON_TRY(run);
     study = unmasked(std::move(*study), *run);

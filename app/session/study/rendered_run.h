@@ -29,9 +29,9 @@ struct RenderedRun {
     psychophysics::RunEstimate estimate;
     std::uint64_t ticks = 0;
     bool completed = false;
-    double threshold =
-        std::numeric_limits<double>::quiet_NaN(); ///< the first procedure's own estimate, in its scale
-    std::string procedures;                       ///< StudyProgress::procedureIds()
+    /// The first procedure's own estimate, in its scale.
+    double threshold = std::numeric_limits<double>::quiet_NaN();
+    std::string procedures; ///< StudyProgress::procedureIds()
 };
 
 /// Runs the request.

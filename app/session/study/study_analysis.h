@@ -57,11 +57,9 @@ struct StudyAnalysis {
     database::Blinding blinding;
 
     bool blind() const { return blinding.on; }
-    bool sealed() const {
-        return blinding.seals();
-    }                                                  ///< runs are listed without results; the quality is
-                                                       ///< still available
-    std::vector<database::ParticipantQuality> quality; ///< by participant
+    /// Runs are listed without results; the quality is still available.
+    bool sealed() const { return blinding.seals(); }
+    std::vector<database::ParticipantQuality> quality;        ///< by participant
     std::map<database::ParticipantNumber, std::string> codes; ///< of all participants
     /// The condition by which the runs of conditions[at] are analysed: analysedBy() of it.
     const psychophysics::Condition* designed(std::size_t at) const;

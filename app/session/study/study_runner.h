@@ -32,8 +32,8 @@ struct StudyRunRequest {
     /// > 0: stops after this number of presentations of a run, like an interruption; another call resumes it.
     int trialsAtMost = 0;
     std::filesystem::path ringFolder; ///< empty: the default
-    simulation::ComparisonControl control =
-        simulation::ComparisonControl::none; ///< deliberate faults (psychophysics.md §6)
+    /// Deliberate faults (psychophysics.md §6).
+    simulation::ComparisonControl control = simulation::ComparisonControl::none;
     const std::atomic<bool>* cancel = nullptr;
     std::function<void(int scored, int of)> progress; ///< after each trial; may be empty; any thread
 };

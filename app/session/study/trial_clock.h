@@ -30,9 +30,8 @@ public:
 
     std::uint64_t first() const noexcept { return m_first; }
     std::uint64_t last() const noexcept { return m_last; }
-    double exploration_s() const noexcept {
-        return seconds(m_last - m_first, m_paused);
-    } ///< since the trial began
+    /// Since the trial began.
+    double exploration_s() const noexcept { return seconds(m_last - m_first, m_paused); }
     /// Since the last contact, or since the trial began if there was none.
     double sinceContact_s() const noexcept { return seconds(m_last - m_lastContact, m_pausedSinceContact); }
     double paused_s() const noexcept { return static_cast<double>(m_paused) * core::kTickSeconds; }

@@ -9,8 +9,8 @@
 namespace chiron::psychophysics {
 namespace {
 
-// Stirling's series after raising x. (std::lgamma writes to a global variable, so it is not for worker
-// threads.)
+// Stirling's series after raising x. Intervals of stored studies were computed with it, to the last bit, so
+// it is not replaced by core::logGamma.
 double logGamma(double x) noexcept {
     double shift = 0.0;
     while (x < 15.0) {

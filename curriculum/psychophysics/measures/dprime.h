@@ -22,8 +22,8 @@ struct DPrimeEstimate {
     double pValue = std::numeric_limits<double>::quiet_NaN();
     double scoreChiSquare = std::numeric_limits<double>::quiet_NaN(); ///< (k − n p₀)²/(n p₀ (1 − p₀))
     double scoreP = std::numeric_limits<double>::quiet_NaN();         ///< one-sided p of scoreChiSquare
-    std::vector<std::string>
-        warnings; ///< no_trials, few_trials, chance, all_right, one_answer, rate_at_limit
+    /// no_trials, few_trials, chance, all_right, one_answer, rate_at_limit.
+    std::vector<std::string> warnings;
 };
 
 /// exact: Clopper & Pearson; score: Wilson with continuity correction (as sensR's "score").

@@ -10,8 +10,6 @@
 
 namespace chiron::psychophysics {
 
-using core::logGamma;
-
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -46,7 +44,7 @@ double gammaSeries(double a, double x) noexcept { // lower incomplete gamma
         term *= x / (a + n);
         sum += term;
     }
-    return sum * std::exp(-x + a * std::log(x) - logGamma(a));
+    return sum * std::exp(-x + a * std::log(x) - core::logGamma(a));
 }
 
 double gammaFraction(double a, double x) noexcept { // upper incomplete gamma
@@ -63,7 +61,7 @@ double gammaFraction(double a, double x) noexcept { // upper incomplete gamma
         if (std::abs(c * d - 1.0) < 1e-15)
             break;
     }
-    return result * std::exp(-x + a * std::log(x) - logGamma(a));
+    return result * std::exp(-x + a * std::log(x) - core::logGamma(a));
 }
 
 /// Returns the x in [0, 1] at which a falling function crosses zero.
@@ -80,7 +78,7 @@ template <class Function> double crossing(Function&& f) noexcept {
 } // namespace
 
 double logChoose(double n, double k) noexcept {
-    return logGamma(n + 1.0) - logGamma(k + 1.0) - logGamma(n - k + 1.0);
+    return core::logGamma(n + 1.0) - core::logGamma(k + 1.0) - core::logGamma(n - k + 1.0);
 }
 
 double betaRegularised(double x, double a, double b) noexcept {
@@ -88,8 +86,8 @@ double betaRegularised(double x, double a, double b) noexcept {
         return kNan;
     if (x <= 0.0 || x >= 1.0)
         return x <= 0.0 ? 0.0 : 1.0;
-    const double front =
-        std::exp(logGamma(a + b) - logGamma(a) - logGamma(b) + a * std::log(x) + b * std::log1p(-x));
+    const double front = std::exp(core::logGamma(a + b) - core::logGamma(a) - core::logGamma(b) +
+                                  a * std::log(x) + b * std::log1p(-x));
     return x < (a + 1.0) / (a + b + 2.0) ? front * betaFraction(x, a, b) / a
                                          : 1.0 - front * betaFraction(1.0 - x, b, a) / b;
 }

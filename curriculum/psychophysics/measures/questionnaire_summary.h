@@ -53,8 +53,8 @@ struct ConstructSummary {
     /// 95 % Wilson over answers, although the answers of one person are not independent.
     double agreementLow = std::numeric_limits<double>::quiet_NaN();
     double agreementHigh = std::numeric_limits<double>::quiet_NaN();
-    double contentValidityAverage =
-        std::numeric_limits<double>::quiet_NaN(); ///< S-CVI/Ave: mean of the items' indices
+    /// S-CVI/Ave: mean of the items' indices.
+    double contentValidityAverage = std::numeric_limits<double>::quiet_NaN();
     /// S-CVI/UA: share of the items on which all participants agree.
     double contentValidityUniversal = std::numeric_limits<double>::quiet_NaN();
 };

@@ -22,8 +22,8 @@ struct RandomEffects {
     /// Cochran's Q and its p (null hypothesis: all subjects are alike)
     double q = std::numeric_limits<double>::quiet_NaN();
     double qP = std::numeric_limits<double>::quiet_NaN();
-    double iSquared =
-        std::numeric_limits<double>::quiet_NaN(); ///< share of the variance that is between subjects
+    /// Share of the variance that is between subjects.
+    double iSquared = std::numeric_limits<double>::quiet_NaN();
     double pZero = std::numeric_limits<double>::quiet_NaN(); ///< two-sided, of μ = 0
     int subjects = 0;
     std::vector<double> weights; ///< shares, adding up to 1

@@ -25,8 +25,8 @@ struct AnswerCount {
 struct ThurstonePrior {
     double lowLog10Sigma = -3.0;
     double highLog10Sigma = 0.0;
-    double evenUpTo =
-        std::numeric_limits<double>::infinity(); ///< log10 of the largest difference D presented
+    /// log10 of the largest difference D presented.
+    double evenUpTo = std::numeric_limits<double>::infinity();
     double lowCriterion = 0.0;
     double highCriterion = 0.0;
 };

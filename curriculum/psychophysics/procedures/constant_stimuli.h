@@ -30,8 +30,8 @@ public:
 
 private:
     std::vector<double> m_levels;
-    std::vector<int>
-        m_queue; ///< rows of m_levels in the order of presentation; the first m_log.size() are done
+    /// Rows of m_levels in the order of presentation; the first m_log.size() are done.
+    std::vector<int> m_queue;
     std::vector<RecordedTrial> m_log;
     core::Random m_random; ///< for the positions to which spoiled trials move
 };

@@ -65,8 +65,8 @@ struct ApexSummary {
     int trials = 0;
     int leftOut = 0;
     std::array<ApexAxis, 2> axes; ///< x, y
-    double meanAbsolutePercent =
-        std::numeric_limits<double>::quiet_NaN(); ///< P2's mean error: |error| over axes and trials
+    /// P2's mean error: |error| over axes and trials.
+    double meanAbsolutePercent = std::numeric_limits<double>::quiet_NaN();
     double sdAbsolutePercent = std::numeric_limits<double>::quiet_NaN(); ///< P2's sd
     Interval meanAbsolute95;          ///< t interval over the participants' own means
     Interval meanAbsoluteBootstrap95; ///< BCa, with participants drawn with replacement
@@ -100,8 +100,8 @@ std::vector<ApexTrial> simulateApex(const ApexObserver& observer, int participan
 /// against a published mean.
 struct ApexPlan {
     double meanAbsolutePercent = std::numeric_limits<double>::quiet_NaN();
-    double halfWidthPercent =
-        std::numeric_limits<double>::quiet_NaN(); ///< mean half width of the 95 % interval
+    /// Mean half width of the 95 % interval.
+    double halfWidthPercent = std::numeric_limits<double>::quiet_NaN();
     /// Share of studies whose interval excludes the other mean.
     double power = std::numeric_limits<double>::quiet_NaN();
     /// Monte Carlo standard errors of the three values, due to the limited number of simulated studies.

@@ -51,8 +51,8 @@ std::string_view methodText(EstimateMethod method);
 
 /// The estimate from one run. Values that cannot be determined are NaN, and `warnings` say why.
 struct RunEstimate {
-    double weber =
-        std::numeric_limits<double>::quiet_NaN(); ///< ΔX/X at the criterion, 75 %-correct 2AFC equivalent
+    /// ΔX/X at the criterion, 75 %-correct 2AFC equivalent.
+    double weber = std::numeric_limits<double>::quiet_NaN();
     double jnd = std::numeric_limits<double>::quiet_NaN(); ///< in the attribute's unit, at the reference
     double sigma_log10 = std::numeric_limits<double>::quiet_NaN(); ///< internal noise, log10(1+W)/0.954
     Interval weber95;
@@ -83,8 +83,8 @@ struct RunEstimate {
     EstimateMethod method = EstimateMethod::none;
     int trials = 0;
     std::vector<CurvePoint> points;
-    std::vector<double> curveDifference, curveProportion, curveLow,
-        curveHigh; ///< fitted curve with its 95 % band
+    /// Fitted curve with its 95 % band.
+    std::vector<double> curveDifference, curveProportion, curveLow, curveHigh;
     std::vector<Warning> warnings;
 };
 

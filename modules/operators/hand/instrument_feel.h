@@ -15,8 +15,8 @@ namespace chiron::operators {
 /// An instrument as the hand that holds it feels it: position and motion of its tip, and the parts of f_z
 /// that come from the instrument itself.
 ///   tip        p + e, b_g ė + k_g e = f: the grip yields as a spring with a damper, with a lag of 5 ms
-///   own part   1, along the rod (through the port) v_a u_z, z u_z, ż u_z; m a_z; across it, in x and y, z u,
-///   v u
+///   own part   1, along the rod (through the port) v_a u_z, z u_z, ż u_z; m a_z;
+///              across it, in x and y, z u, v u
 /// z: friction builds up over a travel of kPresliding_m (ż = v − |v| z/kPresliding_m); u is the rod's
 /// direction. A hand that strokes along y moves the rod through its port by v_y y/R, which is faster than its
 /// tremor: friction along the rod (0.1 N) changes its sign in the middle of a stroke, whatever the height

@@ -94,9 +94,8 @@ public:
     const MeshTree& tree() const noexcept { return m_mesh.tree(); }
     double largestDisplacement_m() const noexcept { return m_largest_m; } ///< bound for this tick
     double elasticEnergy_J() const noexcept { return m_energy_J; }        ///< of the organ, blended, ≥ 0
-    const PredictionError& predictionError() const noexcept {
-        return m_error;
-    } ///< of the last answer that took effect
+    /// Of the last answer that took effect.
+    const PredictionError& predictionError() const noexcept { return m_error; }
 
     const TriangleMesh& restMesh() const noexcept { return m_mesh; }
     const SpringNetwork& network() const noexcept { return *m_network; } ///< only while no step runs

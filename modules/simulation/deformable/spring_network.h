@@ -54,11 +54,10 @@ struct NetworkPush {
 /// triangular lattice), and dampers of τ times these springs. All vertices share one volume spring on the
 /// volume that is pressed in, V = Σ a_i n_i·u_i (to first order). Anchored vertices do not move. κ is chosen
 /// so that a lasting press on the reference vertex gives way with K. A tool is a spring k between its tip p
-/// and the surface's point s = Σ b_j x_j: pressed by d = n·(s − p) it pushes with λ = k d in [0,
-/// K · deepest].
+/// and the surface's point s = Σ b_j x_j: pressed by d = n·(s − p) it pushes with a λ = k d between 0 and
+/// K · deepest. Implicit Euler:
 ///
-///   A δ = M v/h − K u + Σ (−n λ) b + g λ_v,   A = M/h² + (1 + τ/h) K,   u⁺ = u + δ,  v⁺ = δ/h   (implicit
-///   Euler)
+///   A δ = M v/h − K u + Σ (−n λ) b + g λ_v,   A = M/h² + (1 + τ/h) K,   u⁺ = u + δ,  v⁺ = δ/h
 ///
 /// The contact is implicit, too: λ is the push at the end of the step. A tool that rests x deep in the rest
 /// shape therefore meets the series of both springs, λ = x k K/(k + K), at any ratio of the two; the push at

@@ -28,10 +28,11 @@ enum class GraspChange : std::uint8_t { none, grasped, released };
 
 /// Decides with hysteresis when a jaw takes hold and lets go. `jaw` is its opening angle or opening, in any
 /// unit that the thresholds share:
-///   open     → held      the jaw, which has opened beyond `releaseAbove` since it was last closed, comes to
-///   `graspBelow` or less
-///                        while the object is within reach
-///   held     → open      the jaw opens beyond `releaseAbove`
+///
+/// - open → held: the jaw, which has opened beyond `releaseAbove` since it was last closed, comes to
+///   `graspBelow` or less while the object is within reach
+/// - held → open: the jaw opens beyond `releaseAbove`
+///
 /// A jaw that was closed away from the object has to open first, so a closed instrument cannot spear the
 /// object. graspBelow < releaseAbove. Deterministic. Use one instance per tool. Source: P2 "Analogue
 /// Clamping" (a potentiometer measures the jaw, which has no motor); the thresholds are content.

@@ -69,10 +69,17 @@ inline void scale(ObjectContactResponse& response, double factor) noexcept {
     response.damping_Ns_per_m *= factor;
 }
 
-/// Combines the attributes of an object on a given surface, one law for each attribute:
-///   d' = d + h(C),  m = (−∇d − s(I − nnᵀ)∇h)/‖·‖,  (F, U) = Deformation(d')            elasticity,
-///   deformation, roughness f_n = max(0, F ‖−∇d − s(I − nnᵀ)∇h‖ − (c + b) w v·m),  w = min(1, d'/0.5 mm)
-///   damping, viscosity: never pulls f = f_n m − b w (v − (v·m) m) + friction(μ, σ₀, f_n)
+/// Combines the attributes of an object on a given surface, one law for each attribute.
+///
+/// Elasticity, deformation, roughness:
+///   d' = d + h(C),  m = (−∇d − s(I − nnᵀ)∇h)/‖·‖,  (F, U) = Deformation(d')
+///
+/// Damping and viscosity, which never pull:
+///   f_n = max(0, F ‖−∇d − s(I − nnᵀ)∇h‖ − (c + b) w v·m),  w = min(1, d'/0.5 mm)
+///
+/// All together:
+///   f = f_n m − b w (v − (v·m) m) + friction(μ, σ₀, f_n)
+///
 /// c and b together never exceed the contact's damping budget; where they would, both shrink by the same
 /// factor. With elasticity and roughness alone the contact is conservative: f = −∇U exactly, where ∇d is the
 /// gradient of a distance and s is C's own (sphere, plane). The other laws only take energy. The weight is

@@ -129,8 +129,8 @@ private:
     ContactFrame m_flatFrame;
     std::size_t m_regionCount = 0;
     std::array<SmoothPatch, TissueParameters::kMaxRegions> m_regions{};
-    std::array<double, TissueParameters::kMaxRegions>
-        m_regionBend_per_m2{}; ///< largest second derivative of each region's gain
+    /// Largest second derivative of each region's gain.
+    std::array<double, TissueParameters::kMaxRegions> m_regionBend_per_m2{};
     /// The lumps' law is valid to this depth, λ d ≤ (h − R)/2; infinite without lumps.
     double m_sunkDepth_m;
     /// From here to m_uprightTo_m the law of a curved surface changes over to one without a centre of

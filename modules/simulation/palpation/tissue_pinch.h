@@ -45,8 +45,8 @@ struct PinchResponse {
 /// position. Tissue that came between them while they were open is squeezed as they close; a jaw that was
 /// closed when it went in has nothing between its faces:
 ///   w = max over the contact of o,  o = 2 L sin(α/2),  c = w − o ≥ 0,
-///   N = k (1 + G) s(d/d₁) c/2,      G = mean over the two faces of Σ χ at q = p + ½ min(d, d₁) z_T ± ½ o
-///   x_T,
+///   N = k (1 + G) s(d/d₁) c/2,
+///   G = mean over the two faces of Σ χ at q = p + ½ min(d, d₁) z_T ± ½ o x_T.
 /// Here p is the tips' position, k the tissue's own stiffness against a flat face as wide as the pad, s a
 /// smoothstep, and χ the lumps' law (lump_law.h) with the squeeze's direction x_T in place of n. N is 0
 /// without contact and at d = 0, continuous in position, orientation and opening, and defined everywhere. The

@@ -110,6 +110,7 @@ void TestAnswerPanel::everyTaskIsAnswered() {
             panel.enterKey(); // nothing said yet
             QCOMPARE(given.count, 0);
             auto* number = panel.findChild<QLineEdit*>(QStringLiteral("answer.number"));
+            QVERIFY(number);
             QTest::keyClicks(number, QStringLiteral("0.1234567"));
             QCOMPARE(number->text(), QStringLiteral("0.123456")); // no more than six decimals
             number->setText(QStringLiteral("12"));

@@ -19,8 +19,8 @@ struct Row {
     int warned = 0;          ///< runs with any warning
     int withoutInterval = 0; ///< of which there is none: not covered
     int missedInSilence = 0; ///< not covered, and no warning
-    double influence =
-        0.0; ///< median over runs: how much the prior decided; not a number where there is no prior
+    /// Median over runs: how much the prior decided; not a number where there is no prior.
+    double influence = 0.0;
 };
 
 /// All rows, or those whose procedure has `only` in its name, `runs` each; answers are drawn from `seed`,

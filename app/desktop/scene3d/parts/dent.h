@@ -19,8 +19,8 @@ struct Dent {
     double depth_m = 0.0;                       ///< ≥ 0; 0 = no contact
     double reach_m = kBaseReach_m;
 
-    static constexpr double kBaseReach_m =
-        0.005; ///< a light touch moves tissue about twice a 2.5 mm shaft's radius away
+    /// a light touch moves tissue about twice a 2.5 mm shaft's radius away.
+    static constexpr double kBaseReach_m = 0.005;
     static constexpr double kReachPerDepth = 1.6; ///< keeps the steepest slope, 1.72 depth/reach, near 1
 
     core::Vec3 displaced(const core::Vec3& p_W) const noexcept {

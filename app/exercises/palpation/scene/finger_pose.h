@@ -17,8 +17,8 @@ namespace chiron::scene3d {
 /// The inclination of the platform under a finger, as it is drawn.
 /// Frame: W.
 struct FingerLean {
-    core::Vec3 toward =
-        core::Vec3::Zero(); ///< unit, in the contact plane, along the lateral tissue force; zero: upright
+    /// Unit, in the contact plane, along the lateral tissue force; zero: upright.
+    core::Vec3 toward = core::Vec3::Zero();
     double angle_rad = 0.0; ///< of α, limited to the platform's range (30° in all, 20° across
                             ///< the finger)
     bool saturated = false; ///< the force leans farther than the platform can

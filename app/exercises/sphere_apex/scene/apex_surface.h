@@ -19,8 +19,8 @@ namespace chiron::scene3d {
 /// Frame: W.
 /// Thread: any.
 struct ApexSurface {
-    bool shown =
-        false; ///< false: a flat cover; ball and dimple then keep fixed values, independent of the state
+    /// False: a flat cover; ball and dimple then keep fixed values, independent of the state.
+    bool shown = false;
     simulation::HemisphereOnPlane ball;
     simulation::Dimple dimple;
     /// For levels on meshes: the generated dome that is felt, at rest, turned about the vertical; empty if

@@ -10,10 +10,13 @@ namespace chiron::session {
 
 /// The motion of tool 0 of a trial relative to the urethra, sample by sample, from its stored poses and
 /// tissue wrench:
-///   s, offset: of the tip's foot on the centre-line;  alignment: angle between the endoscope's axis and the
-///   tangent there; lateral: ‖f − (f·t) t‖;  axial torque: |τ·a|;  stage and landmarks: a ProcedureTracker
-///   stepped once for every running tick that the recording has for the sample (ToolTrace::heldTicks),
-///   exactly as the scene steps it.
+/// - s, offset: of the tip's foot on the centre-line
+/// - alignment: angle between the endoscope's axis and the tangent there
+/// - lateral: ‖f − (f·t) t‖
+/// - axial torque: |τ·a|
+/// - stage and landmarks: a ProcedureTracker stepped once for every running tick that the recording has for
+/// the
+///   sample (ToolTrace::heldTicks), exactly as the scene steps it
 /// A landmark that counted as seen during the session therefore counts as seen here, even if the device's
 /// clock differs from the tick's or its packets are slower. Without ticks in the trace, the tracker makes one
 /// step per sample that was not paused, by the sample's time. The stage of a sample is the one at the arrival

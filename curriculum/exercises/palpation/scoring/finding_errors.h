@@ -34,8 +34,8 @@ struct HardnessPairs {
     int right = 0; ///< the harder one was rated harder; equal ratings are not right
     int pairs = 0;
     int rated = 0; ///< found lumps with a rating
-    double rightByChance =
-        0.0; ///< share of pairs right if the same ratings were given in random order, 0..1/2
+    /// Share of pairs right if the same ratings were given in random order, 0..1/2.
+    double rightByChance = 0.0;
 };
 HardnessPairs hardnessPairs(const std::vector<std::pair<int, int>>& rated);
 /// The same for one trial.

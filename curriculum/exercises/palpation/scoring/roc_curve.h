@@ -32,8 +32,8 @@ struct RocPoint {
 
 /// Receiver operating characteristic from ratings (Macmillan & Creelman 2005, ch. 3).
 struct RocCurve {
-    std::vector<RocPoint>
-        points;        ///< from strict (0, 0) to lax (1, 1), both included; as observed, uncorrected
+    /// From strict (0, 0) to lax (1, 1), both included; as observed, uncorrected.
+    std::vector<RocPoint> points;
     double area = 0.5; ///< trapezoidal area below the points: 0.5 is chance, 1 is perfect
     /// Sensitivity for unequal variances, d_a = √(2/(1+s²)) (z(H) − s z(F)) (eq. 3.5), at the centroid of the
     /// points in z coordinates. Their slope s is the ratio of the spreads of z(H) and z(F) (reduced major

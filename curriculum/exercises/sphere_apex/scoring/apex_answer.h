@@ -16,8 +16,8 @@ namespace chiron::scoring {
 struct ApexAnswer {
     double errorX_percent = 0.0; ///< 100 (x − x₀)/R
     double errorY_percent = 0.0;
-    bool miss =
-        false; ///< out of contact, farther than R from the apex (x, y), or no mark before the time was up
+    /// Out of contact, farther than R from the apex (x, y), or no mark before the time was up.
+    bool miss = false;
 
     /// Absolute errors in which a miss counts as an error of at least R, because a mark made without touching
     /// the sphere says nothing about where the apex was felt.

@@ -11,9 +11,9 @@ namespace chiron::devices {
 ///   p_DT = (x, y, z), axes 0–2 in metres;
 ///   q_DT = exp(r), axes 3–5, if there are any, in radians: the rotation vector r (axis times angle);
 ///   v_DT = ṗ; w_DT = J(r) ṙ with the left Jacobian of SO(3),
-///   J(r) = 1 + (1 - cos θ)/θ² [r]× + (θ - sin θ)/θ³ [r]×², θ = ‖r‖ (Chirikjian 2011, Stochastic Models,
-///   Information Theory, and Lie Groups, vol. 2, §10.6); efforts: f on axes 0–2, J(r)ᵀ τ on axes 3–5 (power
-///   is conserved).
+///   J(r) = 1 + (1 - cos θ)/θ² [r]× + (θ - sin θ)/θ³ [r]×², θ = ‖r‖
+/// (Chirikjian 2011, Stochastic Models, Information Theory, and Lie Groups, vol. 2, §10.6). Efforts: f on
+/// axes 0–2, J(r)ᵀ τ on axes 3–5, so that power is conserved.
 /// Parameters: none beyond the axes' resolutions. Pure.
 /// Thread: any; allocates nothing after creation.
 class CartesianKinematics final : public IToolKinematics {

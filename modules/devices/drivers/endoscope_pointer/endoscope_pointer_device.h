@@ -16,10 +16,10 @@ struct EndoscopePointerSettings {
     std::array<double, 3> minimum_m{-0.015, -0.085, -0.040};
     std::array<double, 3> maximum_m{0.015, 0.105, 0.185};
     std::array<double, 3> home_m{0.0, -0.069, 0.0};
-    std::array<double, 3> minimum_rad{-0.523598775598299, -0.523598775598299,
-                                      -3.141592653589793}; ///< pitch, yaw, roll
-    std::array<double, 3> maximum_rad{1.680752, 0.523598775598299,
-                                      3.141592653589793}; ///< the centre-line's 66.3° + 30°
+    /// Pitch, yaw, roll.
+    std::array<double, 3> minimum_rad{-0.523598775598299, -0.523598775598299, -3.141592653589793};
+    /// The centre-line's 66.3° + 30°.
+    std::array<double, 3> maximum_rad{1.680752, 0.523598775598299, 3.141592653589793};
     std::array<double, 3> home_rad{0.0, 0.0, 0.0};
     /// True: the tip stays in the plane of symmetry (x = its home), as on P1's mechanism. False: it moves
     /// freely along the viewing direction.
@@ -30,8 +30,8 @@ struct EndoscopePointerSettings {
 
 /// An endoscope moved by a mouse and a keyboard: an input-only tool (class "shown"). The window states how
 /// the picture is to move (EndoscopeMovement); each tick integrates this in the tool's own frame,
-///   Δp = r(F) · advance · a + right · x_T + up · y_T,   (pitch˙, yaw˙, roll˙) = J_ω⁻¹ R_DT (turnUp,
-///   −turnRight, −spin),
+///   Δp = r(F) · advance · a + right · x_T + up · y_T,
+///   (pitch˙, yaw˙, roll˙) = J_ω⁻¹ R_DT (turnUp, −turnRight, −spin),
 /// so that the endoscope moves along its viewing direction. The result is quantised to 1 µm and 10 µrad
 /// before anything else sees it. r(F) (PseudoHaptics) slows the movement along the axis, where an endoscope
 /// meets its resistance. Stepped in the tick (age 0, device time = index · 1 ms).

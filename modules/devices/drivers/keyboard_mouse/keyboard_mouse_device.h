@@ -14,8 +14,8 @@ struct KeyboardMouseSettings {
     std::array<double, 3> minimum_m{-0.080, -0.080, -0.030}; ///< workspace in D
     std::array<double, 3> maximum_m{0.080, 0.080, 0.080};
     std::array<double, 3> home_m{0.0, 0.0, 0.060};
-    double widestJaw_rad =
-        0.0; ///< opening angle of a grasper's jaw at its stop, at most 1.6; 0: a tool without a jaw
+    /// Opening angle of a grasper's jaw at its stop, at most 1.6; 0: a tool without a jaw.
+    double widestJaw_rad = 0.0;
     double homeJaw_rad = 0.0; ///< at open(); 0..widestJaw_rad
     PseudoHaptics pseudoHaptics{};
     /// Time constant with which the tool follows the hand. Pointers and wheels report in jumps, 8 to 16 ms

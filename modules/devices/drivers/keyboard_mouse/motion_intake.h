@@ -14,8 +14,8 @@ namespace chiron::devices {
 /// isometric input devices simulate force feedback?", IEEE VR); the linear law and its two constants are
 /// assumptions.
 struct PseudoHaptics {
-    double slowestRatio =
-        0.3; ///< 0 < r ≤ 1: control/display ratio at and above slowestAt_N; 1 switches it off
+    /// 0 < r ≤ 1: control/display ratio at and above slowestAt_N; 1 switches it off.
+    double slowestRatio = 0.3;
     double slowestAt_N = 4.0; ///< > 0: shown force at which motion is slowest (the site's default force
                               ///< limit)
 

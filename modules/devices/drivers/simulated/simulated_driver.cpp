@@ -82,6 +82,9 @@ Tools makeFingers(DriverRequest& request) {
 }
 
 Tools openMechanisms(DriverRequest request) {
+    if (request.gimbal && request.mechanism != kGimbalHprd)
+        return core::fail(core::ErrorCode::wrongUse, "simulated mechanism \"" + request.mechanism +
+                                                         "\": parameters of the gimbal were given");
     if (request.mechanism == FiveBarSphericalKinematics::kId)
         return makeFiveBars(request);
     if (request.mechanism == GimbalHprdKinematics::kId)

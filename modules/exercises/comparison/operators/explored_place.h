@@ -47,14 +47,16 @@ struct KnownObject {
 /// The observations made at one place, and the attribute fitted to them. All fits include the drives' own
 /// force as separate regressors (Coulomb friction as tanh(v/v₀), viscosity, moved mass), so that the
 /// remainder belongs to the object:
-///   stiffness    −f_z = k x + c + f_c tanh(v_z/v₀) + b v_z + m a_z                 k
-///   mass         −f_z = w + f_c tanh(v_z/v₀) + b v_z + m a_z  in the air            w/g
-///   deformation  f_z − k d − k₁(d − q_τ) = c + b v_z + f_c tanh(v_z/v₀) + m a_z over a bank of 41 τ, q_τ′ =
-///   (d − q_τ)/τ, k and k₁ known
-///                from practice: the least residual, by a parabola                  τ
-///   roughness    f_z − k d − device = c while stroking, k known from practice; rms of the residual, over k
-///   rms height friction     −(f_y + device)·v̂ = μ f_z  while stroking along y                   μ viscosity
-///   −(f_y + device) = b v_y + c                                         b
+///
+/// - Stiffness, k:  −f_z = k x + c + f_c tanh(v_z/v₀) + b v_z + m a_z
+/// - Mass, w/g:  −f_z = w + f_c tanh(v_z/v₀) + b v_z + m a_z, in the air
+/// - Deformation, τ:  f_z − k d − k₁(d − q_τ) = c + b v_z + f_c tanh(v_z/v₀) + m a_z over a bank
+///   of 41 τ, with q_τ′ = (d − q_τ)/τ, and k and k₁ known from practice: the least residual, by a parabola
+/// - Roughness, rms height:  f_z − k d − device = c while stroking, with k known from practice:
+///   the rms of the residual, over k
+/// - Friction, μ:  −(f_y + device)·v̂ = μ f_z while stroking along y
+/// - Viscosity, b:  −(f_y + device) = b v_y + c
+///
 /// For the last two, the device's own −f_y = b v_y + f_c tanh(v_y/v₀) + m a_y + c is fitted to strokes in the
 /// air (AirStroke), and so is f_z for roughness (InstrumentFeel). If they were fitted to the strokes over the
 /// object, the moved mass would absorb the effect of the surface's heights on the hand. Source:

@@ -18,19 +18,23 @@ struct ComparedResponse {
     double energy_J = 0.0;
     double stiffness_N_per_m = 0.0;
     double damping_Ns_per_m = 0.0; ///< the part of the tool's budget that it uses
-    double displacement_m =
-        0.0; ///< stretch of the tube, lift of the object (negative: pressed into its bed), depth in the pad
+    /// Stretch of the tube, lift of the object (negative: pressed into its bed), depth in the pad.
+    double displacement_m = 0.0;
     double depth_m = 0.0;  ///< below the pad's smooth surface, without roughness; signed
     bool touching = false; ///< a force may act
     bool held = false;     ///< the tool has taken hold of it
 };
 
 /// The object at one place, built from the exercises' laws:
-///   stiffness     a tube fixed at its foot, taken hold of at its free end: T(x) along it, zero when slack
-///   (tube_segment.h) mass          f = (0, 0, k_b d − m g), d = max(0, m g/k_b − lift): an object on a soft
-///   bed, lifted; its weight alone in the air the others    a pad, ObjectContact on z = −max(0, ρ − R)²/(2e):
-///   a height field, so that f = −∇U in its conservative part, flat
-///                 where ρ < R and continuous everywhere
+///
+/// - Stiffness: a tube fixed at its foot, taken hold of at its free end: T(x) along it, zero when slack
+///   (tube_segment.h).
+/// - Mass: f = (0, 0, k_b d − m g), d = max(0, m g/k_b − lift): an object on a soft bed, lifted; in the air,
+/// its
+///   weight alone.
+/// - The others: a pad, ObjectContact on z = −max(0, ρ − R)²/(2e), a height field, so that f = −∇U in its
+///   conservative part; flat where ρ < R and continuous everywhere.
+///
 /// A tool takes hold of a tube where it is slack within `hookReach_m` of its end, and lets go of it where it
 /// is slack beyond `hookLeave_m`. A tool takes hold of an object at its ring while the object lies on its bed
 /// (weight and bed cancel); the object then keeps its offset from the tip. The object is let go once it has

@@ -33,8 +33,8 @@ struct ComparisonParameters {
     ComparedAttribute attribute = ComparedAttribute::stiffness;
     int places = 3;                            ///< 1..kMaxPlaces, from left (−x) to right
     std::vector<std::array<double, 3>> values; ///< [candidate][multiple], SI
-    std::vector<std::array<int, kMaxPlaces>>
-        arrangements;        ///< multiple at each place; −1 where there is no place
+    /// Multiple at each place; −1 where there is no place.
+    std::vector<std::array<int, kMaxPlaces>> arrangements;
     ObjectAttributes object; ///< all other attributes, the same at all places
 
     double spacing_m = 0.040;   ///< from one place to the next, along x

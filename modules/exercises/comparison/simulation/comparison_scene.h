@@ -18,8 +18,8 @@ inline constexpr std::size_t kPlace = 0;       ///< touched or held place, from 
 inline constexpr std::size_t kCandidate = 1;   ///< presented, from 1; 0: nothing yet
 inline constexpr std::size_t kArrangement = 2; ///< from 1
 inline constexpr std::size_t kAnswer = 3;      ///< in this trial, from 1; 0: none yet
-inline constexpr std::size_t kTouched =
-    4; ///< places touched in this trial (with ComparisonParameters::probeAtLeast_N), one bit each
+/// Places touched in this trial (with ComparisonParameters::probeAtLeast_N), one bit each.
+inline constexpr std::size_t kTouched = 4;
 inline constexpr std::size_t kDisplacement = 5; ///< of the touched place: ComparedResponse::displacement_m
 inline constexpr std::size_t kDepth = 6;        ///< ComparedResponse::depth_m, 0 out of contact
 inline constexpr std::size_t kVelocity = 7;     ///< x, y, z of the tool, m/s, as the laws use it

@@ -70,9 +70,8 @@ struct ElasticTubeParameters {
     /// Number of tools that work on the tube: tools 0 …
     int hands() const noexcept { return task == TubeTask::twoHanded || task == TubeTask::transfer ? 2 : 1; }
     bool hasFold() const noexcept { return foldStiffness_N_per_m > 0.0; }
-    int retractor() const noexcept {
-        return hands();
-    } ///< the tool that holds the fold back, where there is one
+    /// The tool that holds the fold back, where there is one.
+    int retractor() const noexcept { return hands(); }
     int tools() const noexcept { return hands() + (hasFold() ? 1 : 0); }
 };
 

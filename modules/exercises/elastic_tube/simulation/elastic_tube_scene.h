@@ -37,8 +37,8 @@ enum class TubeQuantity : std::uint8_t {
 /// The running elastic-tube exercise (P2 "Elastic Tube Model", "Control Algorithm for Multiple Instruments";
 /// models.md §2.4). Trials follow one another as in SphereApexScene:
 ///
-///   idle --started--> ready --forceReady--> running --done, torn or limit--> between --betweenTrials_s-->
-///   ready ... finished
+///   idle --started--> ready --forceReady--> running --done, torn or limit--> between
+///   between --betweenTrials_s--> ready ... finished
 ///
 /// - kSceneChanged comes with the first tick of `ready`, when the next tube appears. Nobody holds it, and
 ///   jaws have to open first. The tube may be grasped while force is armed; the task (tube_task.h) begins
@@ -69,9 +69,8 @@ public:
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
 
-    const std::vector<ElasticTubeTrial>& trials() const noexcept {
-        return m_trials;
-    } ///< the truth, for scoring
+    /// The truth, for scoring.
+    const std::vector<ElasticTubeTrial>& trials() const noexcept { return m_trials; }
 
 private:
     void advance(const SceneInput& in, SceneOutput& out) noexcept;

@@ -43,8 +43,8 @@ struct TubeTaskSample {
 };
 
 /// Progress of one trial. The steps are:
-///   hold, stretch, twoHanded: grasp → stretch → hold → done;  transfer: grasp → handOver → carry → hold →
-///   done
+///   hold, stretch, twoHanded: grasp → stretch → hold → done
+///   transfer: grasp → handOver → carry → hold → done
 /// - grasp ends when the tube is held as the task needs it: by one hand, by both ends (twoHanded), or by the
 ///   right hand (transfer).
 /// - handOver ends when the left hand holds the tube and the right one does not.

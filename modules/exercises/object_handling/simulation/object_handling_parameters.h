@@ -26,8 +26,8 @@ struct ObjectHandlingParameters {
     double bedRate_Hz = 30.0;  ///< rate of the slow model, 30..50
     int bedLatency_ticks = 33; ///< L, 20 to one period; blending takes the same time
     int objects = 1;           ///< 1..3
-    double massLow_kg =
-        0.0; ///< each object of a trial draws its mass in [low, high]; both 0: the object's own
+    /// Each object of a trial draws its mass in [low, high]; both 0: the object's own.
+    double massLow_kg = 0.0;
     double massHigh_kg = 0.0;
     double massRatio = 1.5;  ///< weigh: the heaviest is at least this much heavier than the next
     double radius_m = 0.011; ///< of the object, half its thickness between the jaws

@@ -15,8 +15,8 @@ namespace chiron::simulation {
 struct ObjectHandlingTrial {
     static constexpr std::size_t kMaxObjects = 3;
     int objects = 1;
-    std::array<core::Vec2, kMaxObjects> place_m{core::Vec2::Zero(), core::Vec2::Zero(),
-                                                core::Vec2::Zero()}; ///< x, y in W at the start
+    /// x, y in W at the start.
+    std::array<core::Vec2, kMaxObjects> place_m{core::Vec2::Zero(), core::Vec2::Zero(), core::Vec2::Zero()};
     std::array<double, kMaxObjects> mass_kg{};
     core::Vec2 target_m = core::Vec2::Zero(); ///< x, y in W
     int heaviest = 0;                         ///< object number, from 0

@@ -20,8 +20,8 @@ inline constexpr std::size_t kSqueeze = 2; ///< N
 inline constexpr std::size_t kHeld = 3;    ///< object number + 1; 0: none
 inline constexpr std::size_t kBodies = 4;  ///< x, y, z of each of three objects, m; zero where there is none
 inline constexpr std::size_t kBedDepth = 13; ///< m
-inline constexpr std::size_t kPredictionError =
-    14;                                       ///< m, PredictionError::predicted_m; zero without a soft bed
+/// m, PredictionError::predicted_m; zero without a soft bed.
+inline constexpr std::size_t kPredictionError = 14;
 inline constexpr std::size_t kHeldError = 15; ///< m, PredictionError::held_m
 inline constexpr std::size_t kCount = 16;
 } // namespace handling_quantity
@@ -53,9 +53,8 @@ public:
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
     ISlowModel* slowModel() noexcept override { return m_softBed ? &m_softBed->organ() : nullptr; }
 
-    const std::vector<ObjectHandlingTrial>& trials() const noexcept {
-        return m_trials;
-    }                                                               ///< the truth, for scoring
+    /// The truth, for scoring.
+    const std::vector<ObjectHandlingTrial>& trials() const noexcept { return m_trials; }
     const HandlingWorld& world() const noexcept { return m_world; } ///< for tests and tables
 
 private:

@@ -62,9 +62,8 @@ public:
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
 
-    const std::vector<PalpationTrial>& trials() const noexcept {
-        return m_trials;
-    }                                                        ///< the truth, for scoring
+    /// The truth, for scoring.
+    const std::vector<PalpationTrial>& trials() const noexcept { return m_trials; }
     const SurfaceMap& map() const noexcept { return m_map; } ///< of this trial; for tests and tables
     const FindingsBook& findings() const noexcept { return m_findings; } ///< of this trial
     const TissueContact& tissue() const noexcept { return m_tissue; }

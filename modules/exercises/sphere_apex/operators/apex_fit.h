@@ -20,8 +20,8 @@ public:
     /// (kHill_per_m), because otherwise there is no hill.
     bool apex(core::Vec2& place) const noexcept;
 
-    static constexpr double kHill_per_m =
-        10.0; ///< assumption: anything flatter than a ball of 10 cm radius is not a hill
+    /// Assumption: anything flatter than a ball of 10 cm radius is not a hill.
+    static constexpr double kHill_per_m = 10.0;
 
 private:
     double m_keep;

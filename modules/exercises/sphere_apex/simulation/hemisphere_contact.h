@@ -17,11 +17,11 @@ namespace chiron::simulation {
 struct ContactResponse {
     core::Vec3 force = core::Vec3::Zero();   ///< N: normal, lateral elastic and friction forces together
     core::Vec3 normal = core::Vec3::UnitZ(); ///< outward, unit, of the touched surface (dimple included)
-    core::Vec3 surfacePoint =
-        core::Vec3::Zero();     ///< where a tool that stays at the surface is drawn; p when not in contact
-    double depth_m = 0.0;       ///< d + h, ≥ 0
-    double normalForce_N = 0.0; ///< ≥ 0
-    double energy_J = 0.0;      ///< elastic U = ½ k (d+h)²; the bristle's energy is not counted
+    /// Where a tool that stays at the surface is drawn; p when not in contact.
+    core::Vec3 surfacePoint = core::Vec3::Zero();
+    double depth_m = 0.0;           ///< d + h, ≥ 0
+    double normalForce_N = 0.0;     ///< ≥ 0
+    double energy_J = 0.0;          ///< elastic U = ½ k (d+h)²; the bristle's energy is not counted
     double stiffness_N_per_m = 0.0; ///< k at this position; 0 when not in contact
     double damping_Ns_per_m = 0.0;  ///< the part of the tool's budget that its damping uses
     double load_N = 0.0;            ///< see SceneOutput::load_N; 0: use ‖f‖ itself

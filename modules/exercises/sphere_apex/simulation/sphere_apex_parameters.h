@@ -25,8 +25,8 @@ struct SphereApexParameters {
     double workspaceRadius_m = 0.065;    ///< all of the sphere lies inside this disc (x, y)
     double stiffnessLow_N_per_m = 500.0; ///< each trial draws k uniformly in [low, high]; equal ends fix it
     double stiffnessHigh_N_per_m = 500.0;
-    double stiffnessVariation =
-        0.0; ///< spatial: k(x,y) = k(1 + a·g(x,y)), |g| ≤ 1, 0 ≤ a < 1; U = ½ k(x,y) d²
+    /// Spatial: k(x,y) = k(1 + a·g(x,y)), |g| ≤ 1, 0 ≤ a < 1; U = ½ k(x,y) d².
+    double stiffnessVariation = 0.0;
     double stiffnessWavelength_m = 0.030; ///< of g
     double damping_Ns_per_m = 1.0;        ///< along n, weighted by min(1, d/0.5 mm); contact never pulls
     double frictionLow = 0.0;             ///< Coulomb μ; each trial draws in [low, high]

@@ -61,9 +61,8 @@ public:
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
     ISlowModel* slowModel() noexcept override { return m_dome ? m_dome->organ() : nullptr; }
 
-    const std::vector<SphereApexTrial>& trials() const noexcept {
-        return m_trials;
-    } ///< the truth, for scoring
+    /// The truth, for scoring.
+    const std::vector<SphereApexTrial>& trials() const noexcept { return m_trials; }
 
 private:
     void advance(std::uint64_t tick, const SceneInput& in, SceneOutput& out) noexcept;

@@ -51,8 +51,8 @@ struct UrethraResponse {
     double friction_N = 0.0;   ///< F1, along the axis (signed)
     double viscous_N = 0.0;    ///< F2, along the axis (signed)
     double wallDamped_N = 0.0; ///< the wall's damping force against a motion across the axis; ≥ 0
-    double elastic_N =
-        0.0; ///< −F3: elastic force along t (signed; negative pushes out), without the bladder's wall
+    /// −F3: elastic force along t (signed; negative pushes out), without the bladder's wall.
+    double elastic_N = 0.0;
     core::Vec3 lateral_A = core::Vec3::Zero(); ///< −∂U/∂e, in the tip's section, plus the bladder's wall
     core::Vec3 bladder_A = core::Vec3::Zero(); ///< the part due to the bladder's wall
     double torqueX_Nm = 0.0;                   ///< T_x = −k_φ (φ_x + c e_n), c: UrethraPivot

@@ -47,9 +47,8 @@ public:
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
 
-    const UrethraResponse& response() const noexcept {
-        return m_response;
-    } ///< of the last tick, A; for tests and `evaluate`
+    /// Of the last tick, A; for tests and `evaluate`.
+    const UrethraResponse& response() const noexcept { return m_response; }
     const ProcedureTracker& procedure() const noexcept { return m_tracker; }
 
 private:

@@ -31,8 +31,8 @@ struct UrethraAnatomy {
     static constexpr std::size_t kMaxChanges = 8;
 
     double curvature_per_m = 13.0; ///< c of y = c (z − z_B)²; P1's 0.13 in cm
-    double straight_m =
-        0.0; ///< z_B: the straight part up to the parabola's vertex at B; 0: the vertex is at A
+    /// z_B: the straight part up to the parabola's vertex at B; 0: the vertex is at A.
+    double straight_m = 0.0;
     double zEnd_m = 0.0877;                ///< z of the bladder neck C; the entrance A is at 0
     double radius_m = 0.0025;              ///< r_u at rest
     double wallStiffness_N_per_m3 = 3.0e6; ///< κ: radial pressure per radial displacement
@@ -54,8 +54,8 @@ struct UrethraAnatomy {
 
     double bladderRadius_m = 0.035;          ///< a sphere whose wall meets the centre-line at C
     double bladderStiffness_N_per_m = 400.0; ///< assumption: soft wall, between P3's 227 and 650 N/m
-    double bladderOpening_rad =
-        0.24434609527920614; ///< 14°, half-angle of the neck seen from the bladder's centre: no wall there
+    /// 14°, half-angle of the neck seen from the bladder's centre: no wall there.
+    double bladderOpening_rad = 0.24434609527920614;
     double bladderOpeningEdge_rad = 0.12217304763960307; ///< 7°: the wall grows to full over this angle
 };
 

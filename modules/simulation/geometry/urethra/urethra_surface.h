@@ -18,8 +18,8 @@ struct UrethraMeshSettings {
     int n = 17;       ///< points per section, first = last; 4 < n ≤ 129
     int w = 26;       ///< basic sections, equidistant along z; 4 ≤ w ≤ 401
     int perPatch = 8; ///< k: each Coons patch is tessellated k × k; 1..32
-    int movingSections =
-        9; ///< dense sections of the moving deformation from s_t to s_t + ℓ, both included; 3..33
+    /// Dense sections of the moving deformation from s_t to s_t + ℓ, both included; 3..33.
+    int movingSections = 9;
 };
 
 /// Position of the endoscope, as the drawn surface needs it. `inside` false: the surface is at rest.
