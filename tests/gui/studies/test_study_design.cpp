@@ -17,6 +17,7 @@
 #include "desktop/studies/study_screen.h"
 #include "desktop/studies/study_titles.h"
 #include "desktop/study_run/trials_screen.h"
+#include "psychophysics/procedures/procedure_kind.h"
 #include "support/every_place.h"
 #include "support/patience.h"
 #include "support/sitting_hands.h"
