@@ -3,6 +3,7 @@
 
 #include "psychophysics/fits/prepared_levels.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -25,6 +26,11 @@ struct FreeParameters {
     bool equal = false;
     double largestLapse = 0.5;
     double largestGuess = 0.5;
+    /// Returns where the search for an asymptote starts: off 0, where the likelihood's slope says nothing,
+    /// but never above the largest value, which may be smaller than that.
+    static double startOfAsymptote(double value, double largest) noexcept {
+        return std::min(std::max(value, 0.005), largest);
+    }
     int count() const noexcept {
         return static_cast<int>(alpha) + static_cast<int>(beta) + static_cast<int>(lapse) +
                static_cast<int>(guess);

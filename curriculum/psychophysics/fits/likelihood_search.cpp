@@ -84,8 +84,9 @@ UnitCurve stepStart(Sigmoid sigmoid, const LevelsView& levels, const StepCurve& 
     const double before =
         step.level > 0 && std::isfinite(levels.unit[step.level - 1]) ? levels.unit[step.level - 1] : at;
     const double beta = units.spread / width;
-    const double lapse = free.lapse ? std::clamp(step.lapse, 0.005, free.largestLapse) : step.lapse;
-    const double guess = free.guess   ? std::clamp(step.guess, 0.005, free.largestGuess)
+    const double lapse =
+        free.lapse ? FreeParameters::startOfAsymptote(step.lapse, free.largestLapse) : step.lapse;
+    const double guess = free.guess   ? FreeParameters::startOfAsymptote(step.guess, free.largestGuess)
                          : free.equal ? lapse
                                       : step.guess;
     return {units.middle - beta * (step.atLevel ? at : 0.5 * (at + before)), beta, lapse, guess};

@@ -61,10 +61,10 @@ private:
     UnitCurve startFrom() const noexcept {
         UnitCurve start = m_best.curve;
         if (m_free.lapse) {
-            start.lapse = std::clamp(start.lapse, 0.005, m_free.largestLapse);
+            start.lapse = FreeParameters::startOfAsymptote(start.lapse, m_free.largestLapse);
         }
         start.guess = m_free.equal   ? start.lapse
-                      : m_free.guess ? std::clamp(start.guess, 0.005, m_free.largestGuess)
+                      : m_free.guess ? FreeParameters::startOfAsymptote(start.guess, m_free.largestGuess)
                                      : start.guess;
         return start;
     }
