@@ -153,11 +153,17 @@ Move<Ends> stepFrom(const Sums<Ends>& sums, const UnitCurve& at, const FreeParam
     return newton.second >= 0.0 ? newton : solved<Ends>(sums.expected, sums.gradient, moves, damping);
 }
 
+/// Limits a value. Unlike with std::clamp the bounds may cross (a start far beyond the steepest curve): then
+/// `high` holds.
+inline double limited(double value, double low, double high) noexcept {
+    return std::min(std::max(value, low), high);
+}
+
 /// Moves a share and keeps it between 0 and its largest value. It does not jump onto 0 from far away, because
 /// the likelihood may rise again next to 0.
 inline double movedShare(double from, double by, double most) noexcept {
     constexpr double kNear = 1e-3;
-    return from + by <= 0.0 && from > kNear ? 0.25 * from : std::clamp(from + by, 0.0, most);
+    return from + by <= 0.0 && from > kNear ? 0.25 * from : limited(from + by, 0.0, most);
 }
 
 template <std::size_t Size>
@@ -165,8 +171,8 @@ UnitCurve moved(const UnitCurve& from, const std::array<double, Size>& move,
                 const FreeParameters& free) noexcept {
     UnitCurve to = from;
     to.alpha += move[0];
-    to.beta = std::clamp(from.beta + move[1], std::max(kLeastBeta, 0.1 * from.beta),
-                         std::min(kMostBeta, 10.0 * from.beta));
+    to.beta = limited(from.beta + move[1], std::max(kLeastBeta, 0.1 * from.beta),
+                      std::min(kMostBeta, 10.0 * from.beta));
     if constexpr (Size == 4) {
         if (free.lapse) {
             to.lapse = movedShare(from.lapse, move[2], free.largestLapse);
