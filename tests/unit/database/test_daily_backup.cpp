@@ -91,9 +91,7 @@ void TestDailyBackup::thePlanIsAnAdministrators() {
     QVERIFY(standingOf(f).plan == (BackupPlan{false, "/media/backup", 3}));
     QCOMPARE(Upkeep::dailyBackup(*f.database, *ada, f.path("b"), 3).error().code,
              core::ErrorCode::notAllowed); // the schedule's alone
-    const auto made = [&](int keep) {
-        return Upkeep::dailyBackup(*f.database, kProgram, f.path("b"), keep);
-    };
+    const auto made = [&](int keep) { return Upkeep::dailyBackup(*f.database, kProgram, f.path("b"), keep); };
     QCOMPARE(made(0).error().code, core::ErrorCode::wrongUse);
     QCOMPARE(made(kMostBackupsKept + 1).error().code, core::ErrorCode::wrongUse);
     REQUIRE(made(1));

@@ -229,7 +229,8 @@ void TestDPrime::tails() {
         QVERIFY(std::isnan(tail(1, -1, 0.5)) && std::isnan(tail(1, 2, 1.5)) && std::isnan(tail(1, 2, -0.5)));
         QVERIFY(std::isnan(tail(1, 2, std::nan(""))));
     }
-    QVERIFY(std::isnan(gammaUpperRegularised(0.0, 1.0)) && std::isnan(gammaUpperRegularised(1.0, std::nan(""))));
+    QVERIFY(std::isnan(gammaUpperRegularised(0.0, 1.0)) &&
+            std::isnan(gammaUpperRegularised(1.0, std::nan(""))));
     QVERIFY(std::abs(exactInterval(7, 20).low - 0.1539092) < 1e-7 &&
             std::abs(exactInterval(7, 20).high - 0.5921885) < 1e-7);
     QVERIFY(exactInterval(0, 0).low == 0.0 && exactInterval(0, 0).high == 1.0);
