@@ -12,6 +12,7 @@
 #include "desktop/frame/palette_finder.h"
 #include "desktop/frame/screen.h"
 #include "desktop/frame/side_bar.h"
+#include "desktop/frame/still_wheel.h"
 #include "desktop/lock/lock_controller.h"
 #include "desktop/screen_catalogue.h"
 #include "desktop/widgets/kit.h"
@@ -41,6 +42,7 @@ MainWindow::MainWindow(AppContext& context) : m_context(context) {
     build();
     m_finder = new PaletteFinder(context, this);
     new EnterKey(this);
+    new StillWheel(this);
     new FocusKeeper(*this);
     new LockController(context, *this);
     new BackupKeeper(context, this);

@@ -384,7 +384,7 @@ QWidget* ConditionsPage::tableBox() {
             [&](Condition& changed) {
                 changed.stimulus.differences = differences;
                 for (ProcedureSpec& procedure : changed.procedures) // levels and grids follow the table
-                    procedure = usualProcedure(std::string(kindOf(procedure)), changed);
+                    procedure = usualProcedureKeeping(std::string(kindOf(procedure)), changed, procedure);
             },
             true);
     });

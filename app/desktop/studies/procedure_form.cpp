@@ -103,8 +103,8 @@ void ProcedureForm::kindField() {
                    tr("Another procedure"), {},
                    [&](StudyDesign& design) {
                        Condition& changed = design.conditions[m_place.condition];
-                       changed.procedures[m_place.procedure] =
-                           usualProcedure(chosen.toString().toStdString(), changed);
+                       ProcedureSpec& procedure = changed.procedures[m_place.procedure];
+                       procedure = usualProcedureKeeping(chosen.toString().toStdString(), changed, procedure);
                    },
                    true);
            });

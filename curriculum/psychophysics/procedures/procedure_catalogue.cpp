@@ -2,6 +2,7 @@
 #include "psychophysics/procedures/procedure_catalogue.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -67,6 +68,24 @@ ProcedureSpec usualProcedure(const std::string& kind, const Condition& condition
     if (!known)
         known = findProcedureKind(kindsFor(condition.task).front());
     return known->usual(condition);
+}
+
+ProcedureSpec usualProcedureKeeping(const std::string& kind, const Condition& condition,
+                                    const ProcedureSpec& earlier) {
+    ProcedureSpec spec = usualProcedure(kind, condition);
+    for (const Parameter& row : kindFor(spec).rows()) {
+        const bool dependsOnTheTable = row.quantity != Quantity::plain && row.quantity != Quantity::share;
+        for (const Parameter& old : kindFor(earlier).rows()) {
+            if (dependsOnTheTable || old.key != row.key || old.object != row.object)
+                continue;
+            const ParameterValue value = old.get(earlier);
+            const bool isNumber = std::visit(
+                [](const auto& of) { return std::is_arithmetic_v<std::decay_t<decltype(of)>>; }, value);
+            if (isNumber && value.index() == row.get(spec).index())
+                row.set(spec, value);
+        }
+    }
+    return spec;
 }
 
 std::string_view kindOf(const ProcedureSpec& spec) noexcept {

@@ -17,6 +17,7 @@
 #include "support/patience.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QCursor>
 #include <QDialog>
 #include <QLabel>
@@ -26,9 +27,11 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 using chiron::tests::kPatience_ms;
 
@@ -59,6 +62,31 @@ private slots:
         QTest::keyClicks(field, QStringLiteral("settings"));
         QTest::keyClick(field, Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<SettingsScreen>(), kPatience_ms);
+    }
+
+    /// Whoever scrolls a page with the pointer over a field does not change the field.
+    void theWheelChangesNoClosedField() {
+        tests::DesktopFixture desktop;
+        QComboBox choice;
+        choice.addItems({QStringLiteral("one"), QStringLiteral("two"), QStringLiteral("three")});
+        choice.setCurrentIndex(1);
+        QSpinBox number;
+        number.setValue(7);
+        const auto turn = [](QWidget& over, int by) {
+            QWheelEvent wheel(QPointF(5.0, 5.0), over.mapToGlobal(QPointF(5.0, 5.0)), {}, {0, by},
+                              Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(&over, &wheel);
+            return wheel.isAccepted();
+        };
+        for (QWidget* field : {static_cast<QWidget*>(&choice), static_cast<QWidget*>(&number)}) {
+            field->resize(120, 30);
+            field->show();
+            field->setFocus();
+            for (const int by : {120, -120, 240})
+                QVERIFY(!turn(*field, by));
+        }
+        QCOMPARE(choice.currentIndex(), 1);
+        QCOMPARE(number.value(), 7);
     }
 
     /// Under that name below one's own, and by Ctrl+K; somebody who looks for "switch user" finds it, too.

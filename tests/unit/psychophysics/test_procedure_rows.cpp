@@ -225,6 +225,7 @@ private slots:
     void whatAKindBeginsWithIsWhole();
     void whatAKindBeginsWithSurvivesJson();
     void storedRunsLeadBackToTheKind();
+    void anotherTableKeepsTheCounts();
     void rangesAreKept();
     void unknownKeysAreRefused();
     void valuesOutsideAreRefused();
@@ -303,6 +304,54 @@ void TestProcedureRows::whatAKindBeginsWithSurvivesJson() {
             QCOMPARE(&kindFor(*again), kind);
             QCOMPARE(QJsonDocument(writeProcedure(*again)).toJson(), QJsonDocument(json).toJson());
         }
+}
+
+/// Whether two numbers, optional numbers or lists of numbers are equal; other values are not compared.
+bool sameNumbers(const ParameterValue& a, const ParameterValue& b) {
+    return std::visit(
+        [&b](const auto& of) {
+            using Type = std::decay_t<decltype(of)>;
+            if constexpr (std::is_arithmetic_v<Type> || std::is_same_v<Type, std::optional<double>> ||
+                          std::is_same_v<Type, std::vector<double>>)
+                return of == std::get<Type>(b);
+            else
+                return true;
+        },
+        a);
+}
+
+/// Whoever changes the table of differences, or takes another kind, keeps the trials that they asked for;
+/// levels follow the table.
+void TestProcedureRows::anotherTableKeepsTheCounts() {
+    for (const ProcedureKind* kind : procedureKinds()) {
+        const Condition before = conditionFor(*kind, ProcedureScale::difference);
+        Condition after = before;
+        for (double& difference : after.stimulus.differences)
+            difference *= 2.0;
+        ProcedureSpec asked = kind->usual(before);
+        int counts = 0;
+        for (const Parameter& row : kind->rows())
+            if (row.get(asked).index() == ParameterValue(1).index() && row.minimum <= 7.0 &&
+                row.maximum >= 7.0) {
+                row.set(asked, ParameterValue(7));
+                ++counts;
+            }
+        const ProcedureSpec kept = usualProcedureKeeping(std::string(kind->id()), after, asked);
+        const ProcedureSpec fresh = kind->usual(after);
+        for (const Parameter& row : kind->rows()) {
+            const bool count = row.get(asked).index() == ParameterValue(1).index();
+            if (count && row.minimum <= 7.0 && row.maximum >= 7.0)
+                QVERIFY2(sameNumbers(row.get(kept), ParameterValue(7)), qPrintable(nameOf(*kind, row)));
+            else if (row.quantity == Quantity::level || row.quantity == Quantity::spread)
+                QVERIFY2(sameNumbers(row.get(kept), row.get(fresh)), qPrintable(nameOf(*kind, row)));
+        }
+        QVERIFY2(counts > 0, qPrintable(text(kind->id())));
+    }
+    StaircaseSpec staircase;
+    staircase.stop.trials = 12;
+    Condition condition = conditionFor(StaircaseSpec::kind(), ProcedureScale::difference);
+    const ProcedureSpec other = usualProcedureKeeping("quest_plus", condition, staircase);
+    QCOMPARE(std::get<QuestPlusSpec>(other).stop.trials, 12);
 }
 
 /// A run stores the id of its procedure with a version; screens and reports find the kind's words by it.
