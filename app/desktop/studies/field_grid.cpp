@@ -9,7 +9,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -247,7 +246,6 @@ QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, dou
     field->setValue(value);
     field->setReadOnly(m_readOnly);
     field->setFocusPolicy(Qt::StrongFocus);
-    field->installEventFilter(this);
     connect(field, &QDoubleSpinBox::valueChanged, this,
             [taken = std::move(taken)](double now) { taken(now); });
     add(label, field, name);
@@ -318,7 +316,6 @@ QSpinBox* FieldGrid::whole(const QString& label, const QString& name, int value,
     field->setValue(value);
     field->setReadOnly(m_readOnly);
     field->setFocusPolicy(Qt::StrongFocus);
-    field->installEventFilter(this);
     connect(field, &QSpinBox::valueChanged, this, [taken = std::move(taken)](int now) { taken(now); });
     add(label, field, name);
     field->refused = [this, grid = QPointer<FieldGrid>(this), field, name](const QString& typed) {
@@ -343,7 +340,6 @@ QComboBox* FieldGrid::choice(const QString& label, const QString& name,
     field->setCurrentIndex(std::max(0, field->findData(chosen)));
     field->setEnabled(!m_readOnly);
     field->setFocusPolicy(Qt::StrongFocus);
-    field->installEventFilter(this);
     connect(field, &QComboBox::activated, this,
             [field, taken = std::move(taken)] { taken(field->currentData()); });
     add(label, field, name);
@@ -396,13 +392,6 @@ QLineEdit* FieldGrid::list(const QString& label, const QString& name, const std:
     });
     add(label, field, name, true);
     return field;
-}
-
-bool FieldGrid::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() != QEvent::Wheel)
-        return QWidget::eventFilter(watched, event);
-    event->ignore(); // the page scrolls; the field keeps its value
-    return true;
 }
 
 void FieldGrid::resizeEvent(QResizeEvent* event) {

@@ -93,9 +93,6 @@ public:
     QString firstUnread() const;
     QString faultOf(const QString& name) const; ///< the error shown below it; empty if there is none
 
-    /// Prevents the mouse wheel from changing a field that is only scrolled past.
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 protected:
     const Theme& gridTheme() const { return m_theme; }
     const QLocale& gridLocale() const { return m_locale; }

@@ -73,10 +73,13 @@ ProcedureSpec usualProcedure(const std::string& kind, const Condition& condition
 ProcedureSpec usualProcedureKeeping(const std::string& kind, const Condition& condition,
                                     const ProcedureSpec& earlier) {
     ProcedureSpec spec = usualProcedure(kind, condition);
+    const bool sameKind = spec.index() == earlier.index();
     for (const Parameter& row : kindFor(spec).rows()) {
         const bool dependsOnTheTable = row.quantity != Quantity::plain && row.quantity != Quantity::share;
+        const bool maybeKept =
+            sameKind || row.object == "stop"; // another kind may mean another thing by a key
         for (const Parameter& old : kindFor(earlier).rows()) {
-            if (dependsOnTheTable || old.key != row.key || old.object != row.object)
+            if (dependsOnTheTable || !maybeKept || old.key != row.key || old.object != row.object)
                 continue;
             const ParameterValue value = old.get(earlier);
             const bool isNumber = std::visit(

@@ -24,8 +24,8 @@ std::vector<std::string> kindsFor(Task task);
 /// Returns a new procedure of this kind with values that suit a condition; for an unknown id, of the first
 /// kind that suits it.
 ProcedureSpec usualProcedure(const std::string& kind, const Condition& condition);
-/// The same, but with the counts, shares and switches of an earlier procedure as far as this kind has them
-/// too (trials, reversals, guess rate). Levels, steps, grids and functions are chosen anew, because they
+/// The same, but with what was asked for in an earlier procedure: its counts, shares and switches if it is of
+/// this kind, else only when it stops. Levels, steps, grids and functions are chosen anew, because they
 /// depend on the condition.
 ProcedureSpec usualProcedureKeeping(const std::string& kind, const Condition& condition,
                                     const ProcedureSpec& earlier);

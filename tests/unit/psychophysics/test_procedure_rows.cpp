@@ -352,6 +352,11 @@ void TestProcedureRows::anotherTableKeepsTheCounts() {
     Condition condition = conditionFor(StaircaseSpec::kind(), ProcedureScale::difference);
     const ProcedureSpec other = usualProcedureKeeping("quest_plus", condition, staircase);
     QCOMPARE(std::get<QuestPlusSpec>(other).stop.trials, 12);
+    ConstantSpec constant{{0.05, 0.1}, 40, true}; // presentations of a level: another thing in another kind
+    condition.task = Task::rank3;
+    const ProcedureSpec descending = usualProcedureKeeping("descending", condition, constant);
+    QCOMPARE(std::get<DescendingSpec>(descending).repeats,
+             std::get<DescendingSpec>(usualProcedure("descending", condition)).repeats);
 }
 
 /// A run stores the id of its procedure with a version; screens and reports find the kind's words by it.
