@@ -176,7 +176,11 @@ Demonstration ElasticTubeKind::demonstration() const {
 std::vector<MomentRule> ElasticTubeKind::momentRules() const {
     using enum PlaybackMarkKind;
     return {{.metric = "over_stretches", .marks = {damaged, failed}},
-            {.metric = "drops", .marks = {slipped}}};
+            {.metric = "drops", .marks = {slipped}},
+            {.metric = "retraction_max",
+             .by = MomentRule::By::largestQuantity,
+             .quantity = "retraction_N",
+             .unit = "N"}};
 }
 
 } // namespace chiron::session
