@@ -6,6 +6,7 @@
 #include "desktop/home/exercises_screen.h"
 #include "desktop/home/home_screen.h"
 #include "desktop/sessions/session_table_model.h"
+#include "desktop/sessions/session_words.h"
 #include "desktop/sessions/sessions_screen.h"
 #include "desktop/station/lateness_chart.h"
 #include "desktop/station/station_record.h"
@@ -13,6 +14,7 @@
 #include "desktop/widgets/state_panel.h"
 #include "gui/lists/many_sessions.h"
 #include "support/desktop_fixture.h"
+#include "support/paint_outline.h"
 #include "support/patience.h"
 
 #include <QAbstractItemView>
@@ -241,6 +243,18 @@ private slots:
             QVERIFY(std::is_sorted(std::begin(inOrder), std::end(inOrder), [&](int before, int after) {
                 return table->isColumnHidden(before) && !table->isColumnHidden(after);
             }));
+            database::SessionSummary
+                scripted; // whoever moved it can be read: in a column, or with the person
+            scripted.id = 1;
+            scripted.personName = "Nikos Newcomer";
+            scripted.exercise = "sphere_apex";
+            scripted.operatorName = "expert";
+            desktop.screen<SessionsScreen>()->model().setRows(
+                {makeSessionRow(scripted, exerciseTitles(desktop.context.site().catalogue(), language))});
+            const QString painted = tests::OutlineDevice::of(*table).join(QLatin1Char('\n'));
+            QVERIFY2(painted.contains(QLatin1Char('"') + SessionWords::moved(scripted) + QLatin1Char('"')) &&
+                         painted.contains(QStringLiteral("\"Nikos Newcomer\"")),
+                     qPrintable(painted));
             desktop.window->resize(2400, 900);
             QTRY_VERIFY_WITH_TIMEOUT(!table->isColumnHidden(Model::number) &&
                                          !table->isColumnHidden(Model::length) &&
