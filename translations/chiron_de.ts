@@ -328,7 +328,7 @@
     </message>
     <message>
         <source>Sessions to review</source>
-        <translation>Sitzungen zum Ansehen</translation>
+        <translation>Zu begutachtende Sitzungen</translation>
     </message>
     <message>
         <source>Comments</source>
@@ -889,7 +889,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Attention wanes after an hour: plan fewer trials or several sessions.</source>
-        <translation>Nach einer Stunde lässt die Aufmerksamkeit nach: Planen Sie weniger Durchgänge oder mehrere Termine.</translation>
+        <translation>Nach einer Stunde lässt die Aufmerksamkeit nach: Planen Sie weniger Durchgänge oder mehrere Sitzungen.</translation>
     </message>
     <message>
         <source>Precision</source>
@@ -1667,7 +1667,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>fewer than three speed samples</source>
-        <translation>weniger als drei Geschwindigkeitswerte</translation>
+        <translation>weniger als drei Messpunkte der Geschwindigkeit</translation>
     </message>
     <message>
         <source>no jerk: speed changes evenly</source>
@@ -1943,7 +1943,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Lumps with a finding near enough to them. A lump that was pressed harder than the limit does not count.</source>
-        <translation>Knoten, in deren Nähe ein Fund gemeldet wurde. Ein Knoten, auf den stärker als erlaubt gedrückt wurde, zählt nicht.</translation>
+        <translation>Knoten, in deren Nähe ein Fund gemeldet wurde. Ein Knoten, auf den stärker als bis zur Grenze gedrückt wurde, zählt nicht.</translation>
     </message>
     <message>
         <source>Lumps missed</source>
@@ -3116,7 +3116,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Force on hold: samples from the device came late</source>
-        <translation>Kraft vorübergehend aus: Daten des Geräts kamen verspätet</translation>
+        <translation>Kraft vorübergehend aus: Messpunkte des Geräts kamen verspätet</translation>
     </message>
     <message>
         <source>Fault: the device stopped sending data</source>
@@ -3240,7 +3240,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Off-centre for %1, up to %2</source>
-        <translation>%1 lang von der Mittellinie abgewichen, um bis zu %2</translation>
+        <translation>Auslenkung von der Mittellinie: %1 lang, bis zu %2</translation>
     </message>
     <message>
         <source>Torque over its limit for %1, up to %2</source>
@@ -4112,7 +4112,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>False alarm rate</source>
-        <translation>Falschalarmrate</translation>
+        <translation>Fehlalarmrate</translation>
     </message>
     <message>
         <source>Hit rate</source>
@@ -5171,7 +5171,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Click, or press Enter, while the tool is at the place.</source>
-        <translation>Klicken Sie oder drücken Sie Enter, während das Werkzeug an der Stelle ist.</translation>
+        <translation>Klicken Sie oder drücken Sie Enter, während das Instrument an der Stelle ist.</translation>
     </message>
     <message>
         <source>Press the button of the handle, or Enter, while the tip is at the place.</source>
@@ -5223,7 +5223,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring.</source>
-        <translation>Senken Sie das Werkzeug in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf zieht. Zum Loslassen senken Sie es deutlich unter den Ring.</translation>
+        <translation>Senken Sie das Instrument in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf zieht. Zum Loslassen senken Sie es deutlich unter den Ring.</translation>
     </message>
     <message>
         <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring.</source>
@@ -8127,7 +8127,7 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
     </message>
     <message>
         <source>Start again from the beginning (F5). The attempt so far is kept and marked as stopped.</source>
-        <translation>Von vorn beginnen (F5). Der bisherige Versuch bleibt als abgebrochen erhalten.</translation>
+        <translation>Von vorn neu beginnen (F5). Der bisherige Versuch bleibt als abgebrochen erhalten.</translation>
     </message>
     <message>
         <source>End the practice</source>
@@ -9630,7 +9630,7 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
     </message>
     <message>
         <source>Sessions to review</source>
-        <translation>Sitzungen zum Ansehen</translation>
+        <translation>Zu begutachtende Sitzungen</translation>
     </message>
     <message>
         <source>Nobody has trained yet. Trainees&apos; sessions will appear here, interrupted ones first.</source>
@@ -9852,7 +9852,7 @@ If you have not trained yet, you can try an exercise here in about a minute. Tra
 The list on the left leads to all other screens; Ctrl+K finds any command by its name.</source>
         <translation>Ihr nächster Schritt, je nach Ihrer Rolle.
 
-Wenn Sie noch nicht trainiert haben, können Sie hier in etwa einer Minute eine Übung ausprobieren. Lernende machen mit einer Schaltfläche bei der nächsten Stufe weiter, wählen eine beliebige Stufe aus den Übungen und sehen ihre letzten Ergebnisse. Ausbilderinnen und Ausbilder sehen die Sitzungen, die sie sich ansehen sollten, abgebrochene oder nicht bestandene zuerst, und wer zuletzt trainiert hat. Die Administration sieht, ob Personen, Datensicherung und Arbeitsplatz in Ordnung sind.
+Wenn Sie noch nicht trainiert haben, können Sie hier in etwa einer Minute eine Übung ausprobieren. Lernende machen mit einer Schaltfläche bei der nächsten Stufe weiter, wählen eine beliebige Stufe aus den Übungen und sehen ihre letzten Ergebnisse. Ausbilderinnen und Ausbilder sehen die Sitzungen, die zu begutachten sind, abgebrochene oder nicht bestandene zuerst, und wer zuletzt trainiert hat. Die Administration sieht, ob Personen, Datensicherung und Arbeitsplatz in Ordnung sind.
 
 Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl nach seinem Namen.</translation>
     </message>
@@ -11294,7 +11294,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     </message>
     <message>
         <source>A researcher or an administrator can run it here.</source>
-        <translation>Forschende oder Administratoren können sie hier ausführen.</translation>
+        <translation>Forschende oder die Administration können sie hier ausführen.</translation>
     </message>
     <message>
         <source>Passed.</source>
@@ -12434,7 +12434,7 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
     </message>
     <message>
         <source>Usability score (0 to 100)</source>
-        <translation>Wert der Gebrauchstauglichkeit (0 bis 100)</translation>
+        <translation>Wertung der Gebrauchstauglichkeit (0 bis 100)</translation>
     </message>
     <message>
         <source>Workload (0 to 100)</source>
@@ -13718,7 +13718,7 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
     </message>
     <message>
         <source>Until the study is unblinded, conditions go by sealed codes.</source>
-        <translation>Bis zur Entblindung tragen die Bedingungen versiegelte Codes.</translation>
+        <translation>Bis zur Entblindung der Studie tragen die Bedingungen versiegelte Codes.</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -14777,7 +14777,7 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
     </message>
     <message>
         <source>A researcher or an administrator can run it here.</source>
-        <translation>Forschende oder Administratoren können sie hier ausführen.</translation>
+        <translation>Forschende oder die Administration können sie hier ausführen.</translation>
     </message>
 </context>
 <context>
@@ -15908,7 +15908,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>All measurements, or those a trainee needs</source>
-        <translation>Alle Messwerte oder die zum Üben nötigen</translation>
+        <translation>Alle Messwerte oder die für Lernende nötigen</translation>
     </message>
     <message>
         <source>The practice is over. The familiarisation begins when you press Continue; it does not count either.</source>
@@ -16297,7 +16297,7 @@ Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc 
 F2 is for the experimenter.</source>
         <translation>Hier erkundet eine Versuchsperson Objekte und antwortet.
 
-Bewegen Sie das Werkzeug mit dem Gerät oder mit der Maus; mit der Maus heben und senken Sie es mit dem Rad oder mit Bild auf und Bild ab. T gibt den Zeiger frei, ein Klick in die Szene fängt ihn wieder ein und ist keine Antwort. Antworten Sie mit den Schaltflächen oder mit den Tasten, die darauf stehen, sobald sie verfügbar sind.
+Bewegen Sie das Instrument mit dem Gerät oder mit der Maus; mit der Maus heben und senken Sie es mit dem Rad oder mit Bild auf und Bild ab. T gibt den Zeiger frei, ein Klick in die Szene fängt ihn wieder ein und ist keine Antwort. Antworten Sie mit den Schaltflächen oder mit den Tasten, die darauf stehen, sobald sie verfügbar sind.
 
 In der Übung nimmt die Rücktaste eine Antwort zurück.
 
@@ -16422,7 +16422,7 @@ F2 ist für die Versuchsleitung.</translation>
     </message>
     <message>
         <source>To let go, lower the tool well below the ring. Touch next: %1.</source>
-        <translation>Zum Loslassen senken Sie das Werkzeug deutlich unter den Ring. Berühren Sie als Nächstes: %1.</translation>
+        <translation>Zum Loslassen senken Sie das Instrument deutlich unter den Ring. Berühren Sie als Nächstes: %1.</translation>
     </message>
     <message>
         <source>The free minute is over</source>
@@ -16469,7 +16469,7 @@ F2 ist für die Versuchsleitung.</translation>
     </message>
     <message>
         <source>%1 These objects come again. Lift the tool off.</source>
-        <translation>%1 Diese Objekte kommen noch einmal. Heben Sie das Werkzeug ab.</translation>
+        <translation>%1 Diese Objekte kommen noch einmal. Heben Sie das Instrument ab.</translation>
     </message>
     <message>
         <source>The next part</source>
@@ -16640,7 +16640,7 @@ F2 ist für die Versuchsleitung.</translation>
     </message>
     <message>
         <source>Everybody will then see the names of the conditions. It is recorded who unblinded the study, when and why. This cannot be undone.</source>
-        <translation>Alle sehen dann die Namen der Bedingungen. Festgehalten wird, wer wann und warum entblindet hat. Das lässt sich nicht rückgängig machen.</translation>
+        <translation>Alle sehen dann die Namen der Bedingungen. Festgehalten wird, wer die Studie wann und warum entblindet hat. Das lässt sich nicht rückgängig machen.</translation>
     </message>
 </context>
 <context>
@@ -16706,7 +16706,7 @@ F2 ist für die Versuchsleitung.</translation>
     </message>
     <message>
         <source>The participant leaves the study; open runs are stopped. What was recorded stays under the code, and the place in the order is free again.</source>
-        <translation>Die Person nimmt nicht weiter teil; offene Läufe werden angehalten. Aufgezeichnetes bleibt unter dem Code, und der Platz in der Reihenfolge wird wieder frei.</translation>
+        <translation>Die Person scheidet aus der Studie aus; offene Läufe werden angehalten. Aufgezeichnetes bleibt unter dem Code, und der Platz in der Reihenfolge wird wieder frei.</translation>
     </message>
     <message>
         <source>The participant wants the recordings erased</source>

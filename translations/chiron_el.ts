@@ -328,7 +328,7 @@
     </message>
     <message>
         <source>Sessions to review</source>
-        <translation>Συνεδρίες προς εξέταση</translation>
+        <translation>Συνεδρίες προς αξιολόγηση</translation>
     </message>
     <message>
         <source>Comments</source>
@@ -1595,7 +1595,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Apex bias, left to right</source>
-        <translation>Μετατόπιση αριστερά-δεξιά</translation>
+        <translation>Μετατόπιση κορυφής, αριστερά-δεξιά</translation>
     </message>
     <message>
         <source>Whether the marks lay to one side: the mean error to the right (positive) or left (negative).</source>
@@ -1603,7 +1603,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Apex bias, front to back</source>
-        <translation>Μετατόπιση εμπρός-πίσω</translation>
+        <translation>Μετατόπιση κορυφής, εμπρός-πίσω</translation>
     </message>
     <message>
         <source>Whether the marks lay to one side: the mean error away from (positive) or towards (negative) the person.</source>
@@ -3168,7 +3168,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Force re-armed</source>
-        <translation>Επανενεργοποίηση δύναμης</translation>
+        <translation>Η δύναμη ενεργοποιήθηκε ξανά</translation>
     </message>
     <message>
         <source>The person ended the session</source>
@@ -4879,7 +4879,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Ticks more than 100 µs late, of %1</source>
-        <translation>Παλμοί με καθυστέρηση άνω των 100 µs, από %1</translation>
+        <translation>Κύκλοι με καθυστέρηση άνω των 100 µs, από %1</translation>
     </message>
     <message>
         <source>at most %1</source>
@@ -4887,19 +4887,19 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Ticks skipped</source>
-        <translation>Παλμοί που παραλείφθηκαν</translation>
+        <translation>Κύκλοι που παραλείφθηκαν</translation>
     </message>
     <message>
         <source>Lateness, half of the ticks</source>
-        <translation>Καθυστέρηση, οι μισοί παλμοί</translation>
+        <translation>Καθυστέρηση, οι μισοί κύκλοι</translation>
     </message>
     <message>
         <source>Lateness, 99 of 100 ticks</source>
-        <translation>Καθυστέρηση, 99 στους 100 παλμούς</translation>
+        <translation>Καθυστέρηση, 99 στους 100 κύκλους</translation>
     </message>
     <message>
         <source>Lateness, the latest tick</source>
-        <translation>Καθυστέρηση, ο πιο αργός παλμός</translation>
+        <translation>Καθυστέρηση, ο πιο αργός κύκλος</translation>
     </message>
     <message>
         <source>yes</source>
@@ -4942,11 +4942,11 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Force error by the platform&apos;s own sensors (root mean square)</source>
-        <translation>Σφάλμα δύναμης κατά τους αισθητήρες της πλατφόρμας (μέση τετραγωνική τιμή)</translation>
+        <translation>Σφάλμα δύναμης κατά τους αισθητήρες της πλατφόρμας (τετραγωνικός μέσος)</translation>
     </message>
     <message>
         <source>Force error on the finger pad (root mean square)</source>
-        <translation>Σφάλμα δύναμης στο ακροδάχτυλο (μέση τετραγωνική τιμή)</translation>
+        <translation>Σφάλμα δύναμης στο ακροδάχτυλο (τετραγωνικός μέσος)</translation>
     </message>
     <message>
         <source>Orientation error by the platform&apos;s own sensor</source>
@@ -5167,7 +5167,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Push the tip into the object, or stroke it. Raise the handle to let go.</source>
-        <translation>Πιέστε τη μύτη στο αντικείμενο ή χαϊδέψτε το. Σηκώστε τη λαβή για να το αφήσετε.</translation>
+        <translation>Πιέστε την άκρη στο αντικείμενο ή χαϊδέψτε το. Σηκώστε τη λαβή για να το αφήσετε.</translation>
     </message>
     <message>
         <source>Click, or press Enter, while the tool is at the place.</source>
@@ -5175,7 +5175,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Press the button of the handle, or Enter, while the tip is at the place.</source>
-        <translation>Πατήστε το κουμπί της λαβής ή Enter όσο η μύτη βρίσκεται στο σημείο.</translation>
+        <translation>Πατήστε το κουμπί της λαβής ή Enter όσο η άκρη βρίσκεται στο σημείο.</translation>
     </message>
     <message>
         <source>Press 1, 2 or 3 from least to most, then Enter. Backspace takes the last one back.</source>
@@ -5227,7 +5227,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring.</source>
-        <translation>Κατεβάστε τη μύτη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, σπρώξτε τη αρκετά κάτω από τον δακτύλιο.</translation>
+        <translation>Κατεβάστε την άκρη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, σπρώξτε την αρκετά κάτω από τον δακτύλιο.</translation>
     </message>
     <message>
         <source>Press the number of the object: 1 or 2.</source>
@@ -5659,11 +5659,11 @@ Details: %2</source>
     </message>
     <message>
         <source>No mark yet</source>
-        <translation>Κανένα σημάδι ακόμη</translation>
+        <translation>Κανένα σημείο ακόμη</translation>
     </message>
     <message>
         <source>Marks around the true apex</source>
-        <translation>Σημάδια γύρω από την πραγματική κορυφή</translation>
+        <translation>Σημεία γύρω από την πραγματική κορυφή</translation>
     </message>
     <message>
         <source>Error in x (% of radius)</source>
@@ -5719,7 +5719,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Marks, participants</source>
-        <translation>Σημάδια, συμμετέχοντες</translation>
+        <translation>Σημεία, συμμετέχοντες</translation>
     </message>
     <message>
         <source>SD in x</source>
@@ -5739,13 +5739,13 @@ Details: %2</source>
     </message>
     <message>
         <source>There is no mark to summarise.</source>
-        <translation>Δεν υπάρχει κανένα σημάδι.</translation>
+        <translation>Δεν υπάρχει κανένα σημείο.</translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) have no mark and are left out.</source>
         <translation>
-            <numerusform>%n δοκιμή χωρίς σημάδι παραλείπεται.</numerusform>
-            <numerusform>%n δοκιμές χωρίς σημάδι παραλείπονται.</numerusform>
+            <numerusform>%n δοκιμή χωρίς σημείο παραλείπεται.</numerusform>
+            <numerusform>%n δοκιμές χωρίς σημείο παραλείπονται.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -5757,7 +5757,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Some participants have fewer than 10 marks.</source>
-        <translation>Ορισμένοι συμμετέχοντες έχουν λιγότερα από 10 σημάδια.</translation>
+        <translation>Ορισμένοι συμμετέχοντες έχουν λιγότερα από 10 σημεία.</translation>
     </message>
     <message>
         <source>Errors in x lean to one side: the absolute error is not only scatter.</source>
@@ -5770,22 +5770,22 @@ Details: %2</source>
     <message numerus="yes">
         <source>%n mark(s) lie off the sphere.</source>
         <translation>
-            <numerusform>%n σημάδι βρίσκεται εκτός της σφαίρας.</numerusform>
-            <numerusform>%n σημάδια βρίσκονται εκτός της σφαίρας.</numerusform>
+            <numerusform>%n σημείο βρίσκεται εκτός της σφαίρας.</numerusform>
+            <numerusform>%n σημεία βρίσκονται εκτός της σφαίρας.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) come from the observer for planning: nothing was rendered.</source>
         <translation>
-            <numerusform>%n σημάδι προέρχεται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
-            <numerusform>%n σημάδια προέρχονται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
+            <numerusform>%n σημείο προέρχεται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
+            <numerusform>%n σημεία προέρχονται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) were set without touching anything.</source>
         <translation>
-            <numerusform>%n σημάδι τέθηκε χωρίς επαφή.</numerusform>
-            <numerusform>%n σημάδια τέθηκαν χωρίς επαφή.</numerusform>
+            <numerusform>%n σημείο τέθηκε χωρίς επαφή.</numerusform>
+            <numerusform>%n σημεία τέθηκαν χωρίς επαφή.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6098,7 +6098,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Errors of the marks</source>
-        <translation>Σφάλματα των σημαδιών</translation>
+        <translation>Σφάλματα των σημείων</translation>
     </message>
     <message>
         <source>Right: rankings with the whole order right (guessing gives 1 in 6, fewer with ties). τ: agreement with the true order (1 identical, 0 none). W: agreement among rankings (0 none, 1 complete). L: trend towards the true order. For a person, each ranking is one judgement; for the group, each person&apos;s mean ranks are one.</source>
@@ -6831,7 +6831,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σήμανση: κλικ ή Enter. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σημείωση: κλικ ή Enter. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 is the right one, 2 the left one. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
@@ -6859,7 +6859,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. Mark a finding: click or Enter.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Πίεση και ανύψωση: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σήμανση ευρήματος: κλικ ή Enter.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Πίεση και ανύψωση: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σημείωση ευρήματος: κλικ ή Enter.</translation>
     </message>
     <message>
         <source>Rate the finding: 1 to 5, V for the other rating, + and − for the size.</source>
@@ -7373,7 +7373,7 @@ Administrators can make a recovery code for themselves here; with it they can se
     <name>chiron::desktop::ApexPage</name>
     <message>
         <source>Nobody has done this condition yet. Each participant&apos;s marks will appear here after the first run.</source>
-        <translation>Κανείς δεν έχει κάνει ακόμη αυτή τη συνθήκη. Τα σημάδια κάθε συμμετέχοντα θα εμφανιστούν εδώ μετά την πρώτη εκτέλεση.</translation>
+        <translation>Κανείς δεν έχει κάνει ακόμη αυτή τη συνθήκη. Τα σημεία κάθε συμμετέχοντα θα εμφανιστούν εδώ μετά την πρώτη εκτέλεση.</translation>
     </message>
     <message>
         <source>Group</source>
@@ -7410,8 +7410,8 @@ Administrators can make a recovery code for themselves here; with it they can se
     <message numerus="yes">
         <source>Per cent of the sphere&apos;s radius. %n mark(s)</source>
         <translation>
-            <numerusform>Επί τοις εκατό της ακτίνας της σφαίρας. %n σημάδι</numerusform>
-            <numerusform>Επί τοις εκατό της ακτίνας της σφαίρας. %n σημάδια</numerusform>
+            <numerusform>Επί τοις εκατό της ακτίνας της σφαίρας. %n σημείο</numerusform>
+            <numerusform>Επί τοις εκατό της ακτίνας της σφαίρας. %n σημεία</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -7536,7 +7536,7 @@ Administrators can make a recovery code for themselves here; with it they can se
     </message>
     <message>
         <source>Older ones are removed. Backups that you made yourself are never removed.</source>
-        <translation>Τα παλαιότερα αφαιρούνται. Όσα δημιουργήσατε εσείς δεν αφαιρούνται ποτέ.</translation>
+        <translation>Τα παλαιότερα αφαιρούνται. Τα αντίγραφα που δημιουργήσατε εσείς δεν αφαιρούνται ποτέ.</translation>
     </message>
 </context>
 <context>
@@ -9032,7 +9032,7 @@ Each level says whether you have passed it. Choose one to see what is measured a
     </message>
     <message>
         <source>marks</source>
-        <translation>σημάδια</translation>
+        <translation>σημεία</translation>
     </message>
 </context>
 <context>
@@ -9149,7 +9149,7 @@ Press again to end the trial without it.</source>
     </message>
     <message>
         <source>You become its administrator. People, sessions and scores stay on this computer.</source>
-        <translation>Αναλαμβάνετε τη διαχείρισή του. Τα άτομα, οι συνεδρίες και οι βαθμολογίες μένουν σε αυτόν τον υπολογιστή.</translation>
+        <translation>Γίνεστε διαχειριστής/-τρια του κέντρου. Τα άτομα, οι συνεδρίες και οι βαθμολογίες μένουν σε αυτόν τον υπολογιστή.</translation>
     </message>
     <message>
         <source>Open the demonstration site</source>
@@ -9183,7 +9183,7 @@ Press again to end the trial without it.</source>
     </message>
     <message>
         <source>Creation of the demonstration site was stopped; what had been created was removed.</source>
-        <translation>Η δημιουργία διακόπηκε· ό,τι είχε δημιουργηθεί αφαιρέθηκε.</translation>
+        <translation>Η δημιουργία του κέντρου επίδειξης διακόπηκε· ό,τι είχε δημιουργηθεί αφαιρέθηκε.</translation>
     </message>
     <message>
         <source>The demonstration site could not be opened.</source>
@@ -9630,7 +9630,7 @@ Press again to end the trial without it.</source>
     </message>
     <message>
         <source>Sessions to review</source>
-        <translation>Συνεδρίες προς εξέταση</translation>
+        <translation>Συνεδρίες προς αξιολόγηση</translation>
     </message>
     <message>
         <source>Nobody has trained yet. Trainees&apos; sessions will appear here, interrupted ones first.</source>
@@ -9852,7 +9852,7 @@ If you have not trained yet, you can try an exercise here in about a minute. Tra
 The list on the left leads to all other screens; Ctrl+K finds any command by its name.</source>
         <translation>Το επόμενο βήμα σας, ανάλογα με τον ρόλο σας.
 
-Αν δεν έχετε εκπαιδευτεί ακόμη, μπορείτε να δοκιμάσετε εδώ μια άσκηση σε περίπου ένα λεπτό. Οι εκπαιδευόμενοι συνεχίζουν με ένα κουμπί στο επόμενο επίπεδο, επιλέγουν οποιοδήποτε επίπεδο από τις ασκήσεις και βλέπουν τα τελευταία τους αποτελέσματα. Οι εκπαιδευτές βλέπουν τις συνεδρίες που χρειάζονται εξέταση, πρώτα όσες διακόπηκαν ή δεν πέτυχαν, και ποιοι εκπαιδεύτηκαν πρόσφατα. Οι διαχειριστές βλέπουν αν άτομα, δεδομένα και σταθμός είναι εντάξει.
+Αν δεν έχετε εκπαιδευτεί ακόμη, μπορείτε να δοκιμάσετε εδώ μια άσκηση σε περίπου ένα λεπτό. Οι εκπαιδευόμενοι συνεχίζουν με ένα κουμπί στο επόμενο επίπεδο, επιλέγουν οποιοδήποτε επίπεδο από τις ασκήσεις και βλέπουν τα τελευταία τους αποτελέσματα. Οι εκπαιδευτές βλέπουν τις συνεδρίες που χρειάζονται αξιολόγηση, πρώτα όσες διακόπηκαν ή δεν πέτυχαν, και ποιοι εκπαιδεύτηκαν πρόσφατα. Οι διαχειριστές βλέπουν αν άτομα, δεδομένα και σταθμός είναι εντάξει.
 
 Η λίστα αριστερά οδηγεί σε όλες τις άλλες οθόνες· το Ctrl+K βρίσκει κάθε εντολή με το όνομά της.</translation>
     </message>
@@ -11484,7 +11484,7 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     </message>
     <message>
         <source>No other completed session of this level</source>
-        <translation>Δεν υπάρχει άλλη ολοκληρωμένη συνεδρία</translation>
+        <translation>Δεν υπάρχει άλλη ολοκληρωμένη συνεδρία σε αυτό το επίπεδο</translation>
     </message>
     <message>
         <source>The second session could not be read. This one is shown alone.</source>
@@ -12434,7 +12434,7 @@ Press Tab to move from question to question, the arrow keys to move along a scal
     </message>
     <message>
         <source>Usability score (0 to 100)</source>
-        <translation>Βαθμός ευχρηστίας (0 έως 100)</translation>
+        <translation>Βαθμολογία ευχρηστίας (0 έως 100)</translation>
     </message>
     <message>
         <source>Workload (0 to 100)</source>
@@ -13149,7 +13149,7 @@ An administrator of the backup has to give the password. The damaged file is nev
     </message>
     <message>
         <source>Restore the selected backup …</source>
-        <translation>Επαναφορά επιλεγμένου …</translation>
+        <translation>Επαναφορά αντιγράφου …</translation>
     </message>
     <message>
         <source>Choose a file …</source>
@@ -14480,7 +14480,7 @@ Administrators also give the site its name here.</source>
     </message>
     <message>
         <source>Save the site&apos;s name</source>
-        <translation>Αποθήκευση του ονόματος</translation>
+        <translation>Αποθήκευση ονόματος κέντρου</translation>
     </message>
     <message>
         <source>The site&apos;s name could not be read.
@@ -14832,11 +14832,11 @@ With real-time priority the loop stays on time whatever else the computer does. 
     </message>
     <message>
         <source>Check the selected backup</source>
-        <translation>Έλεγχος επιλεγμένου</translation>
+        <translation>Έλεγχος αντιγράφου</translation>
     </message>
     <message>
         <source>Restore the selected backup …</source>
-        <translation>Επαναφορά επιλεγμένου …</translation>
+        <translation>Επαναφορά αντιγράφου …</translation>
     </message>
     <message>
         <source>Choose the folder …</source>
@@ -14991,7 +14991,7 @@ With real-time priority the loop stays on time whatever else the computer does. 
     </message>
     <message>
         <source>The backup was restored. The previous database is kept as %1. Please log in again.</source>
-        <translation>Η επαναφορά έγινε. Η προηγούμενη βάση δεδομένων φυλάσσεται ως %1. Παρακαλούμε συνδεθείτε ξανά.</translation>
+        <translation>Έγινε επαναφορά του αντιγράφου. Η προηγούμενη βάση δεδομένων φυλάσσεται ως %1. Παρακαλούμε συνδεθείτε ξανά.</translation>
     </message>
     <message>
         <source>Shows where all recorded data is kept and whether it is safe.
@@ -15785,7 +15785,7 @@ Conditions defines what is compared, with which task and procedure. Preview runs
     </message>
     <message>
         <source>Mark this place</source>
-        <translation>Σήμανση αυτής της θέσης</translation>
+        <translation>Σημείωση αυτής της θέσης</translation>
     </message>
     <message>
         <source>Sound on or off</source>
@@ -15908,7 +15908,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>All measurements, or those a trainee needs</source>
-        <translation>Όλες οι μετρήσεις ή όσες χρειάζονται στην εξάσκηση</translation>
+        <translation>Όλες οι μετρήσεις ή όσες χρειάζονται οι εκπαιδευόμενοι</translation>
     </message>
     <message>
         <source>The practice is over. The familiarisation begins when you press Continue; it does not count either.</source>
@@ -16667,7 +16667,7 @@ F2 is for the experimenter.</source>
     </message>
     <message>
         <source>Reason (the trainee can read it)</source>
-        <translation>Αιτιολογία (τη βλέπει το άτομο που εκπαιδεύεται)</translation>
+        <translation>Αιτιολογία (τη βλέπει ο/η εκπαιδευόμενος/-η)</translation>
     </message>
     <message>
         <source>Count a session again</source>
@@ -16706,7 +16706,7 @@ F2 is for the experimenter.</source>
     </message>
     <message>
         <source>The participant leaves the study; open runs are stopped. What was recorded stays under the code, and the place in the order is free again.</source>
-        <translation>Ο συμμετέχων δεν συνεχίζει· οι ανοικτές εκτελέσεις σταματούν. Ό,τι καταγράφηκε μένει με τον κωδικό, και η θέση στη σειρά ελευθερώνεται.</translation>
+        <translation>Ο συμμετέχων αποχωρεί από τη μελέτη· οι ανοικτές εκτελέσεις σταματούν. Ό,τι καταγράφηκε μένει με τον κωδικό, και η θέση στη σειρά ελευθερώνεται.</translation>
     </message>
     <message>
         <source>The participant wants the recordings erased</source>
@@ -16962,7 +16962,7 @@ F2 is for the experimenter.</source>
     </message>
     <message>
         <source>pass mark %1</source>
-        <translation>όριο %1</translation>
+        <translation>όριο επιτυχίας %1</translation>
     </message>
     <message>
         <source>✓ met: %1</source>
