@@ -16,6 +16,7 @@
 #include "support/desktop_fixture.h"
 #include "support/paint_outline.h"
 #include "support/patience.h"
+#include "support/pdf_text.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -711,6 +712,8 @@ private slots:
         QVERIFY(screen->writeLoopRecord(path));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly) && file.read(5) == "%PDF-");
+        const QString filed = tests::textOfPdf(path); // by whom: by their full name
+        QVERIFY2(filed.contains(QStringLiteral("Rhea Research")), qPrintable(filed));
         QVERIFY(!screen->writeLoopRecord(QStringLiteral("/no/such/folder/x.pdf")));
         auto connection = desktop.database().openReader();
         const auto audit = database::AuditRepository(**connection, desktop.actor("ada")).listAudit();
