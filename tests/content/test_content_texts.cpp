@@ -262,8 +262,9 @@ void TestContentTexts::aSentenceOnAMomentHasItsPlaces() {
     QVERIFY2(says(elsewhere, "$.advice[0].moment: no place for where it was: expected a text with {where}"),
              elsewhere.c_str());
     const std::string unknown = faultWith("Your first miss was {where}, {reason}.");
-    QVERIFY2(says(unknown, "$.advice[0].moment: \"{reason}\": expected each at most once of {value}, {event}"),
-             unknown.c_str());
+    QVERIFY2(
+        says(unknown, "$.advice[0].moment: \"{reason}\": expected each at most once of {value}, {event}"),
+        unknown.c_str());
     const std::string twice = faultWith("Your first miss was {where} and {where}.");
     QVERIFY2(says(twice, "\"{where}\": expected each at most once"), twice.c_str());
     const ContentCopy copy;
