@@ -238,9 +238,6 @@ QStringList participantSentences(const StudyDesign& design, const QString& langu
                                                  "It begins with %n practice trial(s), which do not count."),
                              practice));
     said << time(view, words) << feedback(view, words) << breaks(view, words);
-    if (view.maskingSound)
-        said << words(
-            QT_TRANSLATE_NOOP("ParticipantSentences", "During the trials you hear a steady noise."));
     return said + questions(view, words);
 }
 

@@ -108,7 +108,8 @@ QWidget* RulesPage::rulesBox(const DesignPage& page) {
             tr("Feedback"), "feedback", &TrialRules::feedback,
             tr("Participants are told after each trial how well they did. It changes what is measured."));
     fields.check(tr("Masking sound"), "masking_sound", &TrialRules::maskingSound,
-                 tr("A steady noise hides the sounds of the device."));
+                 tr("A steady noise hides the sounds of the device. Participants are told of it where it is "
+                    "heard."));
     fields.check(tr("Show the objects"), "visible_objects", &TrialRules::visibleObjects,
                  tr("Objects are drawn, all alike, so that only touch tells them apart."));
     if (compares)

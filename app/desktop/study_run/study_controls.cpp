@@ -29,14 +29,15 @@ ControlHint exploreHint(Attribute attribute, const StudyHand& hand) {
                    ? ControlHint{Pictogram::wheelAway, Words::tr("Take hold and pull"),
                                  Words::tr("Lower the tool into the ring: roll the wheel towards you, or "
                                            "hold Page Down. Away from you, or "
-                                           "Page Up, pulls. To let go, lower it well below the ring.")}
+                                           "Page Up, pulls. To let go, lower it well below the ring, then "
+                                           "raise it.")}
                    : ControlHint{Pictogram::wheelTowards, Words::tr("Press"),
                                  Words::tr("Roll the wheel towards you, or hold Page Down. Away from you, or "
                                            "Page Up, raises.")};
     return isTakenHold(attribute)
                ? ControlHint{Pictogram::pressStylus, Words::tr("Take hold and pull"),
                              Words::tr("Lower the tip into the ring, then raise the handle. To let go, push "
-                                       "it well below the ring.")}
+                                       "it well below the ring, then raise it.")}
                : ControlHint{
                      Pictogram::pressStylus, Words::tr("Press"),
                      Words::tr("Push the tip into the object, or stroke it. Raise the handle to let go.")};

@@ -102,6 +102,10 @@ bool StudyProgress::done() const {
     return m_state->allDone();
 }
 
+bool StudyProgress::practising() const {
+    return !done() && m_state->practises();
+}
+
 bool StudyProgress::breakDue() const {
     const int every = m_state->rules.breakEvery;
     return every > 0 && !done() && m_state->scored / every > m_state->breaksTaken;

@@ -56,7 +56,7 @@ psychophysics::Stimulus StudyProgress::State::stimulusOf(int candidate) const {
 
 StudyPresentation StudyProgress::State::present() const {
     StudyPresentation next;
-    next.practice = practised < rules.practiceTrials;
+    next.practice = practises();
     next.trial = scored;
     next.ordinal = ordinal;
     next.repeat = repeat;

@@ -61,7 +61,8 @@ struct StudyRunReport {
 /// give the same trials.
 /// Errors: notFound; notAllowed; wrongUse (not frozen; a person's code; another observer than the one
 ///   enrolled; an explicit seed other than the one with which a run began; resuming a quick run with
-///   rendering, or the reverse); badInput; storage.
+///   rendering, or the reverse); badInput; storage; device (a session ended by itself and presented nothing
+///   more).
 core::Result<StudyRunReport> runStudyHeadless(database::Database& database, const database::Actor& actor,
                                               const StudyRunRequest& request);
 

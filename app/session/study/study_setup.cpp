@@ -13,10 +13,11 @@ namespace chiron::session {
 core::Result<catalogue::ExerciseLevel> studyLevel(const psychophysics::StudyDesign& design,
                                                   const psychophysics::Condition& condition,
                                                   simulation::ComparisonControl control,
-                                                  const std::string& sealedCode) {
+                                                  const std::string& sealedCode, bool freeFirst) {
     auto parameters = catalogue::comparisonOf(condition, design.trial);
     CHIRON_TRY(parameters);
     parameters->control = control;
+    parameters->freeFirst = freeFirst;
     return catalogue::comparisonLevel(*parameters, design.id, sealedCode.empty() ? condition.id : sealedCode);
 }
 

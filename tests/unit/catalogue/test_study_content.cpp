@@ -31,6 +31,7 @@ private slots:
     void shippedStudiesRoundTrip();
     void schemaKnowsEveryKey();
     void shippedStudiesAreComplete();
+    void whatAReplayNeedsIsStored();
     void aSmallestForceIsPartOfTheDesign();
 };
 
@@ -162,6 +163,27 @@ void TestStudyContent::shippedStudiesAreComplete() {
             QVERIFY(item.text.contains("de") && item.text.contains("el"));
         }
     QVERIFY(constructs.contains("face") && constructs.contains("content"));
+}
+
+/// How a tube is taken hold of again, and whether the session begins with a free minute, is stored with the
+/// session and read for its replay; where neither is so, nothing is written.
+void TestStudyContent::whatAReplayNeedsIsStored() {
+    const auto study = readStudy(someStudy(), "study");
+    QVERIFY(study);
+    psychophysics::Condition condition = study->conditions[0];
+    condition.stimulus.attribute = psychophysics::Attribute::stiffness;
+    condition.stimulus.reference = 300.0;
+    auto parameters = comparisonOf(condition, study->trial);
+    QVERIFY(parameters && parameters->leaveBeforeAgain && !parameters->freeFirst);
+    for (const bool is : {false, true}) {
+        parameters->leaveBeforeAgain = parameters->freeFirst = is;
+        const ExerciseLevel level = comparisonLevel(*parameters, "study", "a");
+        const auto& read = level.parameters.as<simulation::ComparisonParameters>();
+        QVERIFY(read.leaveBeforeAgain == is && read.freeFirst == is);
+    }
+    condition.stimulus.attribute = psychophysics::Attribute::mass;
+    condition.stimulus.reference = 0.1;
+    QVERIFY(!comparisonOf(condition, study->trial)->leaveBeforeAgain);
 }
 
 /// Designs without it stay what they were, to the byte; new ones say it, and it goes into what a session

@@ -55,9 +55,10 @@ constexpr Fixed kFixed[] = {
 constexpr std::array<const char*, 6> kAttributes{"stiffness", "mass",     "deformation",
                                                  "roughness", "friction", "viscosity"};
 constexpr std::array<const char*, 4> kControls{"none", "gain", "swapped", "constant"};
-constexpr const char* kOthers[] = {"attribute", "places",         "values",           "arrangements",
-                                   "object",    "button_answers", "button_needs_all", "probe_at_least_N",
-                                   "adjusts",   "control"};
+constexpr const char* kOthers[] = {
+    "attribute",          "places",           "values",           "arrangements", "object",
+    "button_answers",     "button_needs_all", "probe_at_least_N", "adjusts",      "control",
+    "leave_before_again", "free_first"};
 
 template <std::size_t N>
 int wordOf(const ObjectReader& json, const char* key, const std::array<const char*, N>& words) {
@@ -122,6 +123,12 @@ QJsonObject parametersJson(const Parameters& p) {
     // Absent in sessions of earlier versions, in which any touch counted.
     if (p.probeAtLeast_N > 0.0)
         out["probe_at_least_N"] = p.probeAtLeast_N;
+    // Absent in sessions of earlier versions, in which a raised tip could take hold again.
+    if (p.leaveBeforeAgain)
+        out["leave_before_again"] = true;
+    // Absent in sessions without a free minute, and in those of earlier versions.
+    if (p.freeFirst)
+        out["free_first"] = true;
     QJsonObject object;
     for (const Fixed& key : kFixed)
         object[QLatin1String(key.name)] = p.object.*key.member;
@@ -157,6 +164,10 @@ ExerciseParameters readComparison(const ObjectReader& parameters, const std::vec
         p.probeAtLeast_N = parameters.number("probe_at_least_N");
     if (parameters.has("adjusts"))
         p.adjusts = parameters.boolean("adjusts");
+    if (parameters.has("leave_before_again"))
+        p.leaveBeforeAgain = parameters.boolean("leave_before_again");
+    if (parameters.has("free_first"))
+        p.freeFirst = parameters.boolean("free_first");
     refuseUnknownKeys(parameters, known, QStringLiteral("a parameter of comparison"));
     p.cues = cues;
     return ExerciseParameters(std::move(p));
@@ -238,6 +249,7 @@ core::Result<Parameters> comparisonOf(const psychophysics::Condition& condition,
         condition.task == Task::twoAfc || condition.task == Task::threeAfc || condition.task == Task::oddity;
     p.buttonNeedsAll = p.buttonAnswers && trial.mustTouchAll;
     p.probeAtLeast_N = trial.mustTouchAll ? trial.probeAtLeast_N : 0.0;
+    p.leaveBeforeAgain = p.attribute == simulation::ComparedAttribute::stiffness;
     if (trial.visibleObjects)
         p.cues = {"object", "tool"};
     return p;

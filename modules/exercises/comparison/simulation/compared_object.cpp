@@ -36,10 +36,13 @@ ComparedResponse ComparedObject::pull(const core::Vec3& p, const core::Vec3& v,
     out.surfacePoint = p;
     const bool slack = (p - m_foot).norm() <= m_height_m;
     const double away_m = (p - ring()).norm();
-    if (!m_held)
-        m_held = slack && away_m <= m_reach_m;
-    else if (slack && away_m > m_leave_m)
+    if (!m_held) {
+        m_awayFirst = m_awayFirst && slack;
+        m_held = slack && away_m <= m_reach_m && !m_awayFirst;
+    } else if (slack && away_m > m_leave_m) {
         m_held = false;
+        m_awayFirst = m_leaveBeforeAgain;
+    }
     if (!m_held)
         return out;
     const SegmentPull pull = pullOf(m_tube, m_height_m, m_height_m, m_foot, p, v, mostDamping_Ns_per_m);

@@ -36,12 +36,13 @@ struct ComparedResponse {
 ///   conservative part; flat where ρ < R and continuous everywhere.
 ///
 /// A tool takes hold of a tube where it is slack within `hookReach_m` of its end, and lets go of it where it
-/// is slack beyond `hookLeave_m`. A tool takes hold of an object at its ring while the object lies on its bed
-/// (weight and bed cancel); the object then keeps its offset from the tip. The object is let go once it has
-/// been lifted (kLifted_m), then pressed onto its bed (kPress_N), and that press has ended. Taking hold and
-/// letting go cause no step in force. The object can be changed while nothing touches it. The state consists
-/// of held, bristle and dent. Source: P2; models.md §2.2, §2.4.
-/// Thread: haptic; allocates nothing.
+/// is slack beyond `hookLeave_m`. With `leaveBeforeAgain` it then takes hold again only after it has been
+/// farther from the foot than the tube is long. A tool takes hold of an object at its ring while the object
+/// lies on its bed (weight and bed cancel); the object then keeps its offset from the tip. The object is let
+/// go once it has been lifted (kLifted_m), then pressed onto its bed (kPress_N), and that press has ended.
+/// Taking hold and letting go cause no step in force. The object can be changed while nothing touches it. The
+/// state consists of held, bristle and dent. Source: P2; models.md §2.2, §2.4. Thread: haptic; allocates
+/// nothing.
 class ComparedObject {
 public:
     /// Force beyond its weight with which an object must be pressed to be let go ...
@@ -83,7 +84,8 @@ private:
     bool m_touching = false;
     bool m_lifted = false;
     bool m_pressed = false;
-    bool m_awayFirst = false; ///< after letting go, the tip has to leave before it takes hold again
+    bool m_leaveBeforeAgain = false; ///< of a tube
+    bool m_awayFirst = false;        ///< after letting go, the tip has to leave before it takes hold again
 };
 
 } // namespace chiron::simulation

@@ -7,13 +7,17 @@ namespace chiron::simulation {
 
 void ComparedObject::set(const ComparisonParameters& p, int place, double value,
                          std::uint64_t seed) noexcept {
+    // A tube that is changed in a running trial was let go all the same.
+    const bool awayFirst = m_awayFirst && m_leaveBeforeAgain;
     release();
+    m_awayFirst = awayFirst;
     m_present = true;
     m_attribute = p.attribute;
     m_foot = core::Vec3(placeX_m(p, place), 0.0, 0.0);
     m_height_m = p.hookHeight_m;
     m_reach_m = p.hookReach_m;
     m_leave_m = p.hookLeave_m;
+    m_leaveBeforeAgain = p.leaveBeforeAgain;
     m_radius_m = p.padRadius_m;
     m_edge_m = p.padEdge_m;
     const ObjectAttributes& o = p.object;

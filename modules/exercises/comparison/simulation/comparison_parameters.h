@@ -45,11 +45,18 @@ struct ComparisonParameters {
     double hookHeight_m = 0.030;
     double hookReach_m = 0.006; ///< how near the tip has to come to that point
     double hookLeave_m = 0.010; ///< how far it has to go away to let go, where nothing is stretched
+    /// A tube that was let go is taken hold of again only after the tip has been where the tube cannot be
+    /// slack (above its end, or far beside it), so that nobody who raises the tip takes hold by accident;
+    /// false in sessions of earlier versions.
+    bool leaveBeforeAgain = false;
 
     double exploreLimit_s = 30.0; ///< after this time the objects disappear; 0: no limit
     /// Counted after exploreLimit_s; then the trial ends without an answer; 0: no limit.
     double answerLimit_s = 20.0;
     double betweenTrials_s = 1.0;
+    /// The first presentation of the session is a free one, in which the controls are tried: neither limit
+    /// applies to it, and no button answers it.
+    bool freeFirst = false;
     /// The tool's mark button, pressed while a place is touched, answers that place.
     bool buttonAnswers = false;
     bool buttonNeedsAll = false; ///< only once every place has been touched

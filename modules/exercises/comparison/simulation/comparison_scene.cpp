@@ -102,7 +102,8 @@ void ComparisonScene::run(const SceneInput&, SceneOutput& out) noexcept {
         out.events |= bits::kCompleted;
     } else if (m_answering || m_finish) {
         out.events |= bits::kFailed;
-    } else if (m_exploreTicks > 0 && m_answerTicks > 0 && m_clock >= m_exploreTicks + m_answerTicks) {
+    } else if (!freely() && m_exploreTicks > 0 && m_answerTicks > 0 &&
+               m_clock >= m_exploreTicks + m_answerTicks) {
         out.events |= bits::kTimedOut;
     } else {
         return;
@@ -156,9 +157,14 @@ std::optional<double> ComparisonScene::valueAt(const core::PresentationWord& wor
     return m_parameters.values[static_cast<std::size_t>(word.candidate)][static_cast<std::size_t>(multiple)];
 }
 
+/// Whether the present objects are those on which the controls are tried.
+bool ComparisonScene::freely() const noexcept {
+    return m_parameters.freeFirst && m_trial == 0;
+}
+
 bool ComparisonScene::exploring() const noexcept {
     return m_phase == TrialPhase::ready ||
-           (m_phase == TrialPhase::running && (m_exploreTicks == 0 || m_clock <= m_exploreTicks));
+           (m_phase == TrialPhase::running && (m_exploreTicks == 0 || m_clock <= m_exploreTicks || freely()));
 }
 
 /// Returns the place that the mark button answers; −1: none.
@@ -167,8 +173,8 @@ int ComparisonScene::buttonAnswer(const SceneInput& in) noexcept {
     const bool edge = (down && !m_buttonWasDown) || in.mark;
     m_buttonWasDown = down;
     const std::uint32_t every = (1u << static_cast<unsigned>(m_parameters.places)) - 1u;
-    const bool taken =
-        m_parameters.buttonAnswers && (!m_parameters.buttonNeedsAll || (m_touched & every) == every);
+    const bool taken = m_parameters.buttonAnswers && !freely() &&
+                       (!m_parameters.buttonNeedsAll || (m_touched & every) == every);
     return edge && taken && m_place >= 0 ? m_place : -1;
 }
 
@@ -255,7 +261,7 @@ void ComparisonScene::fillCues(const SceneInput& in, SceneOutput& out) const noe
     own.present = true;
     if (m_phase != TrialPhase::ready && m_phase != TrialPhase::running)
         return;
-    if (m_phase == TrialPhase::running && m_exploreTicks > 0)
+    if (m_phase == TrialPhase::running && m_exploreTicks > 0 && !freely())
         cues.timeLeft_s =
             static_cast<double>(m_exploreTicks - std::min(m_clock, m_exploreTicks)) * core::kTickSeconds;
     if (!m_showsObjects || !exploring())

@@ -37,9 +37,10 @@ inline constexpr std::size_t kCount = 10;
 /// kFailed (spoiled) comes with the last one, which still has the objects. kFinished comes with the first
 /// tick of `finished` (after an `answer` of kAnswerFinish). In idle, between and finished there are no
 /// objects and force is zero. The same holds between the two limits of a trial, while the scene waits for an
-/// answer. A `present` that comes early waits until it is due. With `adjusts`, a `present` in a running trial
-/// changes the objects; each place changes as soon as it is not touched, so that nobody feels a step. Tool 0
-/// explores. While paused the clocks stand still; contact still produces forces.
+/// answer. With `freeFirst`, neither limit applies to the first presentation of the session; only the runner
+/// ends it. A `present` that comes early waits until it is due. With `adjusts`, a `present` in a running
+/// trial changes the objects; each place changes as soon as it is not touched, so that nobody feels a step.
+/// Tool 0 explores. While paused the clocks stand still; contact still produces forces.
 ///
 /// Deterministic: values follow from the parameters and the presented word, micro-heights from session seed,
 /// trial and place.
@@ -65,6 +66,7 @@ private:
     void leaveTrial(SceneOutput& out) noexcept;
     void setPlaces(bool onlyChanged) noexcept;
     bool known(const core::PresentationWord& word) const noexcept;
+    bool freely() const noexcept;
     bool exploring() const noexcept;
     int buttonAnswer(const SceneInput& in) noexcept;
     bool countsAsTouched(const ComparedResponse& response) const noexcept;
