@@ -82,9 +82,9 @@ QString task(Task task) {
 QString taskInWords(Task task) {
     switch (task) {
     case Task::rank3:
-        return Words::tr("Three objects that differ in equal steps are put in order.");
+        return Words::tr("Three objects that differ by equal ratios are put in order.");
     case Task::rank3Ties:
-        return Words::tr("Three objects that differ in equal steps are put in order; those that feel the "
+        return Words::tr("Three objects that differ by equal ratios are put in order; those that feel the "
                          "same may be marked as equal.");
     case Task::twoAfc:
         return Words::tr("Which of two objects has more of the attribute?");

@@ -94,9 +94,9 @@ void TestStudyScreens::emptyStates() {
 void TestStudyScreens::draftFromPlain() {
     go("studies");
     click("studies.new");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")),
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_rank3")),
                              kPatience_ms);
-    click("new_study.template.new_study");
+    click("new_study.template.new_rank3");
     m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->setText(QStringLiteral("first_study"));
     QMetaObject::invokeMethod(m_site->find<QLineEdit>(QStringLiteral("new_study.key")), "textEdited",
                               Q_ARG(QString, QStringLiteral("first_study")));
