@@ -514,8 +514,14 @@ void TestConformance::everyTrialHasItsTruth() {
         for (const scoring::NamedValue& value : trial.truth)
             QCOMPARE(json.object().value(QString::fromStdString(value.id)).toDouble(NAN), value.value);
     }
-    QVERIFY(
-        !surfaces->object(static_cast<int>(trials.size()))); // nothing is told of a trial that is not planned
+    const int planned = static_cast<int>(trials.size());
+    QVERIFY(!surfaces->object(planned)); // nothing is told of a trial that is not planned
+    for (const int number : {-1, planned}) {
+        scoring::TrialTrace beyond;
+        beyond.trial = number;
+        kind().addTruth(stored.view->setup().level, stored.view->setup().seed, beyond);
+        QVERIFY2(beyond.truth.empty() && !beyond.apex, qPrintable(QString::number(number)));
+    }
 }
 
 void TestConformance::metricsAreDefinedOrSayWhyNot() {

@@ -58,6 +58,7 @@ private slots:
     void damagedIsNamed();
     void sceneStateIsTheRecording();
     void nothingClippedOrUnnamed();
+    void theHeadSaysWhatWasRecorded();
 
 private:
     void open(database::SessionId id, QVariantMap more = {});
@@ -613,6 +614,33 @@ void TestPlayback::damagedIsNamed() {
 void TestPlayback::nothingClippedOrUnnamed() {
     const QStringList findings = tests::findingsOn(*m_site, [this] { open(m_bad); });
     QVERIFY2(findings.isEmpty(), qPrintable(findings.join(QLatin1Char('\n'))));
+}
+
+/// The exercise, an attempt by its number, and the level; a scripted operator's session is no attempt.
+void TestPlayback::theHeadSaysWhatWasRecorded() {
+    MadeSession scripted = m_made->good;
+    scripted.operatorName = "expert";
+    const auto own = tests::store(m_site->database(), *m_tina, m_made->good);
+    const auto demonstration = tests::store(m_site->database(), *m_tina, scripted);
+    const auto heads = [&](database::SessionId id) {
+        open(id);
+        QStringList texts;
+        for (const QLabel* label : screen()->findChildren<QLabel*>())
+            texts << label->text();
+        return texts;
+    };
+    auto connection = m_site->database().openReader();
+    const int attempt = database::SessionReader(**connection, *m_tina).session(own)->summary.attempt;
+    QVERIFY(attempt > 1);
+    const auto& exercises = m_site->context.site().catalogue().exercises();
+    const auto apex = std::find_if(exercises.begin(), exercises.end(),
+                                   [](const auto& exercise) { return exercise.id == "sphere_apex"; });
+    QVERIFY(apex != exercises.end());
+    const QString exercise = QString::fromStdString(apex->title.at("en")),
+                  level = QString::fromStdString(m_made->good.setup.level.title.at("en"));
+    QVERIFY(heads(own).contains(
+        QStringLiteral("%1, attempt %2 at level 2: %3").arg(exercise).arg(attempt).arg(level)));
+    QVERIFY(heads(demonstration).contains(QStringLiteral("%1, level 2: %2").arg(exercise, level)));
 }
 
 QTEST_MAIN(TestPlayback)

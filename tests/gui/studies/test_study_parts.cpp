@@ -34,6 +34,8 @@
 #include <QTemporaryDir>
 #include <QVBoxLayout>
 
+#include <qcustomplot.h>
+
 using namespace chiron;
 using psychophysics::Task;
 
@@ -57,6 +59,7 @@ private slots:
     void rangesOfProceduresAreThoseThatAreTaken();
     void controlsOfALineAreLevel();
     void experimentersAreBlindToForces();
+    void oneProcedureNeedsNoLegend();
     void fieldsTakeNoMoreRoomThanTheyNeed();
     void intervalsAreNoHalves();
     void namesOfPlacesStandApart();
@@ -125,6 +128,24 @@ void TestStudyParts::namesOfPlacesStandApart() {
             for (int x = -2; x <= 2; ++x)
                 QVERIFY2(!differs(static_cast<int>(260 + between * apart) + x),
                          qPrintable(QStringLiteral("at %1 names touch").arg(scale)));
+    }
+}
+
+/// The legend beside the experimenter's estimate names the procedures, so that a single one needs none.
+void TestStudyParts::oneProcedureNeedsNoLegend() {
+    for (const std::size_t procedures : {std::size_t{1}, std::size_t{2}}) {
+        desktop::ExperimenterPanel panel(m_theme, m_locale);
+        session::LiveStudyNumbers numbers;
+        numbers.scored = 1;
+        numbers.estimates.resize(procedures);
+        for (psychophysics::ProcedureEstimate& estimate : numbers.estimates) {
+            estimate.known = true;
+            estimate.parameters = {{"log10_sigma", -1.2, 0.1, -1.4, -1.0}};
+        }
+        panel.show(session::LiveStudyView{}, numbers, psychophysics::Condition{});
+        const auto* plot = panel.findChild<QCustomPlot*>();
+        QVERIFY(plot && plot->legend);
+        QCOMPARE(plot->legend->visible(), procedures > 1);
     }
 }
 

@@ -41,6 +41,7 @@ class TestEveryReadyCard : public QObject {
 private slots:
     void initTestCase() { qputenv("CHIRON_NO_SOUND", "1"); }
     void theLimitShownIsTheOneThatCounts();
+    void everyPassMarkHasItsLine();
     void aPassMarkBesideItsLimitSaysWhy();
     void theTargetHasOneName();
     void goIsAlwaysInSight_data();
@@ -97,6 +98,30 @@ void TestEveryReadyCard::theLimitShownIsTheOneThatCounts() {
                  limits.force_N);
     });
     QVERIFY(gates >= 3); // a squeeze, a force, a pull: content without any would prove nothing
+}
+
+/// The lines are in the level's order. Only the time over the force limit has none, and only where another
+/// pass mark is stricter than that limit.
+void TestEveryReadyCard::everyPassMarkHasItsLine() {
+    int told = 0, implied = 0;
+    const auto titleOf = [](const QString& line) { return line.section(QLatin1Char(':'), 0, 0); };
+    everyLevel([&](const catalogue::ExerciseLevel& level, const QString& name) {
+        const auto kind = session::exerciseKind(level.exercise);
+        QVERIFY(kind);
+        const bool stricter = session::levelLimits(level).force_N < (*kind)->forceLimit_N(level);
+        QStringList expected, titles;
+        for (const scoring::Gate& gate : level.gates) {
+            const bool ofTime = gate.metric == "force_time_over_limit";
+            told += ofTime && !stricter ? 1 : 0;
+            implied += ofTime && stricter ? 1 : 0;
+            if (!ofTime || !stricter)
+                expected << titleOf(desktop::gateInWords(gate, kEnglish));
+        }
+        for (const QString& line : desktop::gatesInWords(level, kEnglish))
+            titles << titleOf(line);
+        QVERIFY2(titles == expected, qPrintable(name + QStringLiteral(": ") + titles.join(u'|')));
+    });
+    QVERIFY(told >= 1 && implied >= 1); // content without both would prove nothing
 }
 
 void TestEveryReadyCard::aPassMarkBesideItsLimitSaysWhy() {

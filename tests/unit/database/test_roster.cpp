@@ -65,6 +65,7 @@ private slots:
     void badBytesNameTheirLine();
     void whoExistsIsSkippedOrUpdated();
     void anUpdateLeavesWhatTheListDoesNotSay();
+    void rolesThatStayAreNotSetAgain();
     void whoWasRenamedIsKnownByTheOldName();
     void anOldListTurnsNoFullNameBack();
     void aNameOfTodayComesBeforeAnOldOne();
@@ -433,6 +434,25 @@ void TestRoster::anUpdateLeavesWhatTheListDoesNotSay() {
         accounts().importCsv(m_admin, "login name;full name;role\neve;;trainer\n", RosterExisting::update));
     QCOMPARE(personOf("eve").displayName, std::string("eve display"));
     QVERIFY(personOf("eve").roles == RoleSet{Role::trainer});
+}
+
+void TestRoster::rolesThatStayAreNotSetAgain() {
+    const auto bob = m->person(m_admin, "bob", {Role::trainee});
+    const auto eve = m->person(m_admin, "eve", {Role::trainer});
+    REQUIRE(bob);
+    REQUIRE(eve);
+    REQUIRE(accounts().importCsv(m_admin, "login name;full name;role\nbob;Robert;trainee\neve;Eva;trainee\n",
+                                 RosterExisting::update));
+    QVERIFY(personOf("bob").displayName == "Robert" && personOf("eve").displayName == "Eva");
+    const auto audit = AuditRepository(**m->database->openReader(), m_admin).listAudit();
+    REQUIRE(audit);
+    std::vector<PersonId> changed;
+    for (const AuditEntry& entry : *audit)
+        if (entry.action == "setRoles")
+            changed.push_back(entry.targetId);
+    QCOMPARE(changed, std::vector<PersonId>{eve->personId()});
+    QVERIFY(personOf("bob").roles == RoleSet{Role::trainee} &&
+            personOf("eve").roles == RoleSet{Role::trainee});
 }
 
 void TestRoster::whoWasRenamedIsKnownByTheOldName() {
