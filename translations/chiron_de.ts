@@ -464,6 +464,18 @@
         <source>A trial with more than %1 N does not count, so this force has to be smaller.</source>
         <translation>Ein Durchgang mit mehr als %1 N zählt nicht, deshalb muss diese Kraft kleiner sein.</translation>
     </message>
+    <message>
+        <source>The maximum has to be above the minimum.</source>
+        <translation>Das Maximum muss über dem Minimum liegen.</translation>
+    </message>
+    <message>
+        <source>Give from %1 to %2 choices, one per line.</source>
+        <translation>Geben Sie %1 bis %2 Antworten an, eine je Zeile.</translation>
+    </message>
+    <message>
+        <source>Choose a value of at most %1.</source>
+        <translation>Wählen Sie einen Wert von höchstens %1.</translation>
+    </message>
 </context>
 <context>
     <name>Drivers</name>
@@ -2807,10 +2819,6 @@ Einzelheiten: %2</translation>
             <numerusform>Am Anfang stehen %n Übungsdurchgänge, die nicht zählen.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>During the trials you hear a steady noise.</source>
-        <translation>Während der Durchgänge hören Sie ein gleichmäßiges Rauschen.</translation>
-    </message>
     <message numerus="yes">
         <source>After each part you answer %n question(s) about it.</source>
         <translation>
@@ -4718,6 +4726,21 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
 </context>
 <context>
+    <name>SittingSentences</name>
+    <message>
+        <source>Pull gently and move calmly: a trial in which you pull with more than %1 N, or move faster than %2 cm per second on average, is repeated.</source>
+        <translation>Ziehen Sie sanft und bewegen Sie sich ruhig: Ein Durchgang, in dem Sie mit mehr als %1 N ziehen oder sich im Mittel schneller als %2 cm pro Sekunde bewegen, wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>Press gently and move calmly: a trial in which you press with more than %1 N, or move faster than %2 cm per second on average, is repeated.</source>
+        <translation>Drücken Sie sanft und bewegen Sie sich ruhig: Ein Durchgang, in dem Sie mit mehr als %1 N drücken oder sich im Mittel schneller als %2 cm pro Sekunde bewegen, wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>During the trials you hear a steady noise.</source>
+        <translation>Während der Durchgänge hören Sie ein gleichmäßiges Rauschen.</translation>
+    </message>
+</context>
+<context>
     <name>SoundLoader</name>
     <message>
         <source>Sound is switched off on this station. Everything that can be heard is also shown.</source>
@@ -5222,20 +5245,20 @@ Einzelheiten: %2</translation>
         <translation>%1 Die Antworten können auch angeklickt werden.</translation>
     </message>
     <message>
-        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring.</source>
-        <translation>Senken Sie das Werkzeug in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf zieht. Zum Loslassen senken Sie es deutlich unter den Ring.</translation>
-    </message>
-    <message>
-        <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring.</source>
-        <translation>Senken Sie die Spitze in den Ring und heben Sie dann den Griff. Zum Loslassen drücken Sie sie deutlich unter den Ring.</translation>
-    </message>
-    <message>
         <source>Press the number of the object: 1 or 2.</source>
         <translation>Drücken Sie die Nummer des Objekts: 1 oder 2.</translation>
     </message>
     <message>
         <source>Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.</source>
         <translation>Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; noch einmal Esc fragt, ob Sie anhalten möchten.</translation>
+    </message>
+    <message>
+        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring, then raise it.</source>
+        <translation>Senken Sie das Werkzeug in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf zieht. Zum Loslassen senken Sie es deutlich unter den Ring und heben es dann.</translation>
+    </message>
+    <message>
+        <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring, then raise it.</source>
+        <translation>Senken Sie die Spitze in den Ring und heben Sie dann den Griff. Zum Loslassen drücken Sie sie deutlich unter den Ring und heben sie dann.</translation>
     </message>
 </context>
 <context>
@@ -6536,10 +6559,6 @@ Einzelheiten: %2</translation>
         <translation>Größenschätzung</translation>
     </message>
     <message>
-        <source>Three objects that differ in equal steps are put in order.</source>
-        <translation>Drei Objekte, die sich in gleichen Schritten unterscheiden, werden geordnet.</translation>
-    </message>
-    <message>
         <source>Which of two objects has more of the attribute?</source>
         <translation>Bei welchem von zwei Objekten ist die Eigenschaft stärker?</translation>
     </message>
@@ -6728,10 +6747,6 @@ Einzelheiten: %2</translation>
         <translation>Rangfolge von dreien, mit Gleichständen</translation>
     </message>
     <message>
-        <source>Three objects that differ in equal steps are put in order; those that feel the same may be marked as equal.</source>
-        <translation>Drei Objekte, die sich in gleichen Schritten unterscheiden, werden geordnet; was sich gleich anfühlt, darf als gleich angegeben werden.</translation>
-    </message>
-    <message>
         <source>Put the three in order: each one %1 than the one before. You may mark those that feel the same as equal.</source>
         <translation>Ordnen Sie die drei: jedes %1 als das vorige. Was sich gleich anfühlt, dürfen Sie als gleich angeben.</translation>
     </message>
@@ -6754,6 +6769,26 @@ Einzelheiten: %2</translation>
     <message>
         <source>stiffer</source>
         <translation>steifer</translation>
+    </message>
+    <message>
+        <source>The design was changed since. Undo in the study takes back one step after another.</source>
+        <translation>Der Entwurf wurde seither geändert. „Rückgängig“ in der Studie nimmt einen Schritt nach dem anderen zurück.</translation>
+    </message>
+    <message>
+        <source>The study was left since, so this can no longer be undone.</source>
+        <translation>Die Studie wurde seither verlassen, deshalb lässt sich das nicht mehr rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Three objects that differ by equal ratios are put in order.</source>
+        <translation>Drei Objekte, die sich um gleiche Verhältnisse unterscheiden, werden geordnet.</translation>
+    </message>
+    <message>
+        <source>Three objects that differ by equal ratios are put in order; those that feel the same may be marked as equal.</source>
+        <translation>Drei Objekte, die sich um gleiche Verhältnisse unterscheiden, werden geordnet; was sich gleich anfühlt, darf als gleich angegeben werden.</translation>
     </message>
 </context>
 <context>
@@ -7242,10 +7277,6 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
         <translation>Wer betreut diesen Standort?</translation>
     </message>
     <message>
-        <source>The first person is an administrator, who adds people, makes backups and may train as well.</source>
-        <translation>Die erste Person übernimmt die Administration: Sie legt Personen an, erstellt Sicherungen und kann auch selbst trainieren.</translation>
-    </message>
-    <message>
         <source>Login name</source>
         <translation>Anmeldename</translation>
     </message>
@@ -7280,6 +7311,10 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     <message>
         <source>Shown at the login, on password slips and on reports. Administrators can change it in the settings.</source>
         <translation>Erscheint bei der Anmeldung, auf Passwortzetteln und auf Berichten. Die Administration kann ihn in den Einstellungen ändern.</translation>
+    </message>
+    <message>
+        <source>The first person is an administrator, who adds people, makes backups, and may also train, design studies and run them.</source>
+        <translation>Die erste Person übernimmt die Administration: Sie legt Personen an, erstellt Sicherungen und kann auch trainieren, Studien entwerfen und durchführen.</translation>
     </message>
 </context>
 <context>
@@ -8006,10 +8041,6 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <translation>Kurzname in Ausgaben</translation>
     </message>
     <message>
-        <source>Lower-case letters, digits and _ only; each condition has another.</source>
-        <translation>Nur Kleinbuchstaben, Ziffern und _; jede Bedingung hat einen anderen.</translation>
-    </message>
-    <message>
         <source>Radius of the sphere</source>
         <translation>Radius der Kugel</translation>
     </message>
@@ -8052,6 +8083,18 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
     <message>
         <source>What the settings do not say, such as &quot;Put on the glove.&quot; or &quot;Use your other hand.&quot; Leave it empty if nothing is different. Whoever reads it can tell this condition from the others.</source>
         <translation>Was die Einstellungen nicht sagen, zum Beispiel „Ziehen Sie den Handschuh an.“ oder „Nehmen Sie die andere Hand.“ Lassen Sie das Feld leer, wenn nichts anders ist. Wer den Text liest, kann diese Bedingung von den anderen unterscheiden.</translation>
+    </message>
+    <message>
+        <source>The condition “%1” was removed.</source>
+        <translation>Die Bedingung „%1“ wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>Lower-case letters, digits and _ only; each condition has another. It follows the English title until somebody types another.</source>
+        <translation>Nur Kleinbuchstaben, Ziffern und _; jede Bedingung hat einen anderen. Er folgt dem englischen Titel, bis jemand einen anderen eingibt.</translation>
+    </message>
+    <message>
+        <source>The last procedure of this condition was removed.</source>
+        <translation>Das letzte Verfahren dieser Bedingung wurde entfernt.</translation>
     </message>
 </context>
 <context>
@@ -8480,10 +8523,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>So groß, dass ihn jeder spürt.</translation>
     </message>
     <message>
-        <source>How many differences there are to choose from, in even steps.</source>
-        <translation>Wie viele Unterschiede zur Wahl stehen, in gleichmäßigen Schritten.</translation>
-    </message>
-    <message>
         <source>Differences</source>
         <translation>Unterschiede</translation>
     </message>
@@ -8498,6 +8537,18 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>Also objects with less of the attribute than the reference.</source>
         <translation>Auch Objekte mit weniger von der Eigenschaft als die Referenz.</translation>
+    </message>
+    <message>
+        <source>How many differences there are to choose from. Each object is larger than the one before by the same factor.</source>
+        <translation>Wie viele Unterschiede zur Wahl stehen. Jedes Objekt ist um denselben Faktor größer als das vorige.</translation>
+    </message>
+    <message>
+        <source>How many differences there are to choose from. They are spaced geometrically: each is larger than the one before by about the same factor.</source>
+        <translation>Wie viele Unterschiede zur Wahl stehen. Sie sind geometrisch gestuft: Jeder ist um etwa denselben Faktor größer als der vorige.</translation>
+    </message>
+    <message>
+        <source>The smallest difference has to be below the largest. The table was not changed.</source>
+        <translation>Der kleinste Unterschied muss unter dem größten liegen. Die Tabelle wurde nicht geändert.</translation>
     </message>
 </context>
 <context>
@@ -9060,6 +9111,14 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     <message>
         <source>%1 to %2, usually %3.</source>
         <translation>%1 bis %2, meist %3.</translation>
+    </message>
+    <message>
+        <source>A number is needed here. %1 is still set.</source>
+        <translation>Hier wird eine Zahl gebraucht. Es bleibt bei %1.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: each number has to be from %2 to %3.</source>
+        <translation>„%1“ wurde nicht übernommen: Jede Zahl muss von %2 bis %3 sein.</translation>
     </message>
 </context>
 <context>
@@ -10213,6 +10272,10 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
         <source>Difference (%)</source>
         <translation>Unterschied (%)</translation>
     </message>
+    <message>
+        <source>A row is empty. Type a number into it, or remove the row.</source>
+        <translation>Eine Zeile ist leer. Geben Sie eine Zahl ein, oder entfernen Sie die Zeile.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::LivePlot</name>
@@ -10525,14 +10588,6 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
 %1</translation>
     </message>
     <message>
-        <source>A simple study</source>
-        <translation>Eine einfache Studie</translation>
-    </message>
-    <message>
-        <source>One condition: three objects are ranked by stiffness.</source>
-        <translation>Eine Bedingung: Drei Objekte werden nach Steifigkeit geordnet.</translation>
-    </message>
-    <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
@@ -10597,6 +10652,14 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
     <message>
         <source>Another study has this title, and the two could not be told apart in lists. Choose another title.</source>
         <translation>Eine andere Studie heißt ebenso, und in Listen wären beide nicht zu unterscheiden. Wählen Sie einen anderen Titel.</translation>
+    </message>
+    <message>
+        <source>A simple study: %1</source>
+        <translation>Eine einfache Studie: %1</translation>
+    </message>
+    <message>
+        <source>One condition, stiffness. %1</source>
+        <translation>Eine Bedingung, Steifigkeit. %1</translation>
     </message>
 </context>
 <context>
@@ -12031,16 +12094,16 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Der größte Wert, der als möglich gilt.</translation>
     </message>
     <message>
-        <source>The largest. An imported design spaced these values unevenly; a change makes them even.</source>
-        <translation>Der größte Wert. Ein eingelesener Entwurf hat diese Werte ungleichmäßig verteilt; eine Änderung macht sie gleichmäßig.</translation>
-    </message>
-    <message>
         <source>%1: steps</source>
         <translation>%1: Schritte</translation>
     </message>
     <message>
         <source>More steps are finer, and take longer to compute.</source>
         <translation>Mehr Schritte sind feiner und brauchen mehr Rechenzeit.</translation>
+    </message>
+    <message>
+        <source>The largest. An imported design spaced these values irregularly; a change spaces them regularly.</source>
+        <translation>Der größte Wert. Ein eingelesener Entwurf hat diese Werte unregelmäßig verteilt; eine Änderung verteilt sie regelmäßig.</translation>
     </message>
 </context>
 <context>
@@ -12586,6 +12649,14 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
     <message>
         <source>after each condition, about that condition</source>
         <translation>nach jeder Bedingung, zu dieser Bedingung</translation>
+    </message>
+    <message>
+        <source>The questionnaire “%1” was removed.</source>
+        <translation>Der Fragebogen „%1“ wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>Question %1 was removed.</source>
+        <translation>Frage %1 wurde entfernt.</translation>
     </message>
 </context>
 <context>
@@ -13405,16 +13476,16 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
         <translation>Sieht die Sitzungen aller, kommentiert sie und erklärt sie für ungültig</translation>
     </message>
     <message>
-        <source>Sees sessions by code, without names</source>
-        <translation>Sieht Sitzungen mit Code, ohne Namen</translation>
-    </message>
-    <message>
-        <source>Manages people, storage and the station</source>
-        <translation>Verwaltet Personen, Datensicherung und Arbeitsplatz</translation>
-    </message>
-    <message>
         <source>Roles (at least one)</source>
         <translation>Rollen (mindestens eine)</translation>
+    </message>
+    <message>
+        <source>Designs studies and runs them with participants; sees sessions by code, without names</source>
+        <translation>Entwirft Studien und führt sie mit Teilnehmenden durch; sieht Sitzungen mit Code, ohne Namen</translation>
+    </message>
+    <message>
+        <source>Manages people, storage and the station; may also design and run studies</source>
+        <translation>Verwaltet Personen, Datensicherung und Arbeitsplatz; darf auch Studien entwerfen und durchführen</translation>
     </message>
 </context>
 <context>
@@ -13649,10 +13720,6 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
         <translation>Maskierungsgeräusch</translation>
     </message>
     <message>
-        <source>A steady noise hides the sounds of the device.</source>
-        <translation>Ein gleichmäßiges Rauschen verdeckt die Geräusche des Geräts.</translation>
-    </message>
-    <message>
         <source>Show the objects</source>
         <translation>Objekte zeigen</translation>
     </message>
@@ -13723,10 +13790,6 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
     <message>
         <source>Seed</source>
         <translation>Startwert</translation>
-    </message>
-    <message>
-        <source>“%1” is not a whole number.</source>
-        <translation>„%1“ ist keine ganze Zahl.</translation>
     </message>
     <message>
         <source>A whole number from which orders and chance are drawn: the same number gives the same study again.</source>
@@ -13811,6 +13874,14 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
     <message>
         <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after a graze. 0: any touch counts.</source>
         <translation>Ein Objekt gilt erst als berührt, wenn es mit dieser Kraft gedrückt, gezogen oder gehoben wurde, damit niemand nach einem bloßen Streifen antwortet. 0: jede Berührung zählt.</translation>
+    </message>
+    <message>
+        <source>A steady noise hides the sounds of the device. Participants are told of it where it is heard.</source>
+        <translation>Ein gleichmäßiges Rauschen verdeckt die Geräusche des Geräts. Die Teilnehmenden erfahren davon, wo es zu hören ist.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: enter a whole number from 0 to %2.</source>
+        <translation>„%1“ wurde nicht übernommen: Geben Sie eine ganze Zahl von 0 bis %2 ein.</translation>
     </message>
 </context>
 <context>
@@ -16206,10 +16277,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Diese Bedingung ist abgeschlossen.</translation>
     </message>
     <message>
-        <source>All answered trials are kept. The run continues at the same trial.</source>
-        <translation>Alle beantworteten Durchgänge bleiben erhalten. Der Lauf geht beim selben Durchgang weiter.</translation>
-    </message>
-    <message>
         <source>The session could not be run</source>
         <translation>Die Sitzung konnte nicht durchgeführt werden</translation>
     </message>
@@ -16284,26 +16351,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>This run was started with a different version of its procedure. A run is never continued with another version, so that all of its trials can be compared. The answers so far are kept; enrol another participant for this condition.</source>
         <translation>Dieser Lauf wurde mit einer anderen Fassung seines Verfahrens begonnen. Ein Lauf wird nie mit einer anderen Fassung fortgesetzt, damit alle Durchgänge vergleichbar bleiben. Die bisherigen Antworten bleiben erhalten; nehmen Sie für diese Bedingung jemand anderen auf.</translation>
-    </message>
-    <message>
-        <source>Here a participant explores objects and answers.
-
-Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.
-
-In practice, Backspace takes an answer back.
-
-Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session. All answered trials are kept; a stopped run continues later at the same trial.
-
-F2 is for the experimenter.</source>
-        <translation>Hier erkundet eine Versuchsperson Objekte und antwortet.
-
-Bewegen Sie das Werkzeug mit dem Gerät oder mit der Maus; mit der Maus heben und senken Sie es mit dem Rad oder mit Bild auf und Bild ab. T gibt den Zeiger frei, ein Klick in die Szene fängt ihn wieder ein und ist keine Antwort. Antworten Sie mit den Schaltflächen oder mit den Tasten, die darauf stehen, sobald sie verfügbar sind.
-
-In der Übung nimmt die Rücktaste eine Antwort zurück.
-
-Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; nochmals Esc fragt, ob die Sitzung beendet werden soll. Alle beantworteten Durchgänge bleiben gespeichert; ein unterbrochener Lauf geht später beim selben Durchgang weiter.
-
-F2 ist für die Versuchsleitung.</translation>
     </message>
     <message>
         <source>This is how you explore and answer</source>
@@ -16419,10 +16466,6 @@ F2 ist für die Versuchsleitung.</translation>
     <message>
         <source>Pilot run</source>
         <translation>Probelauf</translation>
-    </message>
-    <message>
-        <source>To let go, lower the tool well below the ring. Touch next: %1.</source>
-        <translation>Zum Loslassen senken Sie das Werkzeug deutlich unter den Ring. Berühren Sie als Nächstes: %1.</translation>
     </message>
     <message>
         <source>The free minute is over</source>
@@ -16605,6 +16648,74 @@ F2 ist für die Versuchsleitung.</translation>
     <message>
         <source>Apart from this, you explore and answer as in the part before.</source>
         <translation>Sonst erkunden und antworten Sie wie im Teil davor.</translation>
+    </message>
+    <message>
+        <source>Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session.</source>
+        <translation>Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; nochmals Esc fragt, ob die Sitzung beendet werden soll.</translation>
+    </message>
+    <message>
+        <source>Here a participant explores objects and answers.</source>
+        <translation>Hier erkundet eine Versuchsperson Objekte und antwortet.</translation>
+    </message>
+    <message>
+        <source>Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.</source>
+        <translation>Bewegen Sie das Werkzeug mit dem Gerät oder mit der Maus; mit der Maus heben und senken Sie es mit dem Rad oder mit Bild auf und Bild ab. T gibt den Zeiger frei, ein Klick in die Szene fängt ihn wieder ein und ist keine Antwort. Antworten Sie mit den Schaltflächen oder mit den Tasten, die darauf stehen, sobald sie verfügbar sind.</translation>
+    </message>
+    <message>
+        <source>In practice, Backspace takes an answer back.</source>
+        <translation>In der Übung nimmt die Rücktaste eine Antwort zurück.</translation>
+    </message>
+    <message>
+        <source>F2 is for the experimenter.</source>
+        <translation>F2 ist für die Versuchsleitung.</translation>
+    </message>
+    <message>
+        <source>What was tried in a pilot run does not count as data of the study, and a stopped pilot run is not continued.</source>
+        <translation>Was in einem Probelauf ausprobiert wurde, gehört nicht zu den Daten der Studie, und ein angehaltener Probelauf wird nicht fortgesetzt.</translation>
+    </message>
+    <message>
+        <source>Stop this pilot run?</source>
+        <translation>Diesen Probelauf anhalten?</translation>
+    </message>
+    <message>
+        <source>The pilot run reached its end.</source>
+        <translation>Der Probelauf ist bis zum Ende gelaufen.</translation>
+    </message>
+    <message>
+        <source>The session ended by itself before all trials were done, and nothing more was presented. Check the device before you go on.</source>
+        <translation>Die Sitzung endete von selbst, bevor alle Durchgänge erledigt waren, und es wurde nichts mehr dargeboten. Prüfen Sie das Gerät, bevor Sie weitermachen.</translation>
+    </message>
+    <message>
+        <source>%1. From now on every answer counts.</source>
+        <translation>%1. Ab jetzt zählt jede Antwort.</translation>
+    </message>
+    <message>
+        <source>You let go of the object. Raise the tool.</source>
+        <translation>Sie haben das Objekt losgelassen. Heben Sie das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>You let go of %1. Raise the tool.</source>
+        <translation>Sie haben %1 losgelassen. Heben Sie das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>You hold the object. Pull it up.</source>
+        <translation>Sie halten das Objekt. Ziehen Sie es nach oben.</translation>
+    </message>
+    <message>
+        <source>You hold %1. Pull it up.</source>
+        <translation>Sie halten %1. Ziehen Sie nach oben.</translation>
+    </message>
+    <message>
+        <source>You hold the object. To let go, lower the tool well below the ring, then raise it.</source>
+        <translation>Sie halten das Objekt. Zum Loslassen senken Sie das Werkzeug deutlich unter den Ring, dann heben Sie es.</translation>
+    </message>
+    <message>
+        <source>You hold %1. To let go, lower the tool well below its ring, then raise it.</source>
+        <translation>Sie halten %1. Zum Loslassen senken Sie das Werkzeug deutlich unter den Ring, dann heben Sie es.</translation>
+    </message>
+    <message>
+        <source>Touch next: %1.</source>
+        <translation>Berühren Sie als Nächstes: %1.</translation>
     </message>
 </context>
 <context>

@@ -464,6 +464,18 @@
         <source>A trial with more than %1 N does not count, so this force has to be smaller.</source>
         <translation>Μια δοκιμή με περισσότερα από %1 N δεν μετρά, οπότε αυτή η δύναμη πρέπει να είναι μικρότερη.</translation>
     </message>
+    <message>
+        <source>The maximum has to be above the minimum.</source>
+        <translation>Το μέγιστο πρέπει να είναι πάνω από το ελάχιστο.</translation>
+    </message>
+    <message>
+        <source>Give from %1 to %2 choices, one per line.</source>
+        <translation>Δώστε από %1 έως %2 επιλογές, μία ανά γραμμή.</translation>
+    </message>
+    <message>
+        <source>Choose a value of at most %1.</source>
+        <translation>Επιλέξτε τιμή έως %1.</translation>
+    </message>
 </context>
 <context>
     <name>Drivers</name>
@@ -2807,10 +2819,6 @@ Details: %2</source>
             <numerusform>Στην αρχή υπάρχουν %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>During the trials you hear a steady noise.</source>
-        <translation>Κατά τις δοκιμές ακούτε έναν σταθερό θόρυβο.</translation>
-    </message>
     <message numerus="yes">
         <source>After each part you answer %n question(s) about it.</source>
         <translation>
@@ -4718,6 +4726,21 @@ Do you want to replace it?</source>
     </message>
 </context>
 <context>
+    <name>SittingSentences</name>
+    <message>
+        <source>Pull gently and move calmly: a trial in which you pull with more than %1 N, or move faster than %2 cm per second on average, is repeated.</source>
+        <translation>Τραβάτε απαλά και κινείστε ήρεμα: μια δοκιμή στην οποία τραβάτε με πάνω από %1 N ή κινείστε κατά μέσο όρο ταχύτερα από %2 cm ανά δευτερόλεπτο επαναλαμβάνεται.</translation>
+    </message>
+    <message>
+        <source>Press gently and move calmly: a trial in which you press with more than %1 N, or move faster than %2 cm per second on average, is repeated.</source>
+        <translation>Πιέζετε απαλά και κινείστε ήρεμα: μια δοκιμή στην οποία πιέζετε με πάνω από %1 N ή κινείστε κατά μέσο όρο ταχύτερα από %2 cm ανά δευτερόλεπτο επαναλαμβάνεται.</translation>
+    </message>
+    <message>
+        <source>During the trials you hear a steady noise.</source>
+        <translation>Κατά τις δοκιμές ακούτε έναν σταθερό θόρυβο.</translation>
+    </message>
+</context>
+<context>
     <name>SoundLoader</name>
     <message>
         <source>Sound is switched off on this station. Everything that can be heard is also shown.</source>
@@ -5222,20 +5245,20 @@ Details: %2</source>
         <translation>%1 Μπορείτε επίσης να κάνετε κλικ στις απαντήσεις.</translation>
     </message>
     <message>
-        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring.</source>
-        <translation>Κατεβάστε το εργαλείο μέσα στον δακτύλιο: κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Μακριά σας ή με Page Up τραβάτε. Για να τον αφήσετε, κατεβάστε το αρκετά κάτω από τον δακτύλιο.</translation>
-    </message>
-    <message>
-        <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring.</source>
-        <translation>Κατεβάστε τη μύτη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, σπρώξτε τη αρκετά κάτω από τον δακτύλιο.</translation>
-    </message>
-    <message>
         <source>Press the number of the object: 1 or 2.</source>
         <translation>Πατήστε τον αριθμό του αντικειμένου: 1 ή 2.</translation>
     </message>
     <message>
         <source>Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.</source>
         <translation>Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· με δεύτερο Esc το πρόγραμμα ρωτά αν θέλετε διακοπή.</translation>
+    </message>
+    <message>
+        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring, then raise it.</source>
+        <translation>Κατεβάστε το εργαλείο μέσα στον δακτύλιο: κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Μακριά σας ή με Page Up τραβάτε. Για να τον αφήσετε, κατεβάστε το αρκετά κάτω από τον δακτύλιο και μετά σηκώστε το.</translation>
+    </message>
+    <message>
+        <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring, then raise it.</source>
+        <translation>Κατεβάστε τη μύτη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, σπρώξτε τη αρκετά κάτω από τον δακτύλιο και μετά σηκώστε τη.</translation>
     </message>
 </context>
 <context>
@@ -6536,10 +6559,6 @@ Details: %2</source>
         <translation>Εκτίμηση μεγέθους</translation>
     </message>
     <message>
-        <source>Three objects that differ in equal steps are put in order.</source>
-        <translation>Τρία αντικείμενα που διαφέρουν κατά ίσα βήματα μπαίνουν σε σειρά.</translation>
-    </message>
-    <message>
         <source>Which of two objects has more of the attribute?</source>
         <translation>Σε ποιο από δύο αντικείμενα είναι η ιδιότητα εντονότερη;</translation>
     </message>
@@ -6728,10 +6747,6 @@ Details: %2</source>
         <translation>Κατάταξη τριών, με ισοβαθμίες</translation>
     </message>
     <message>
-        <source>Three objects that differ in equal steps are put in order; those that feel the same may be marked as equal.</source>
-        <translation>Τρία αντικείμενα που διαφέρουν κατά ίσα βήματα μπαίνουν σε σειρά· όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
-    </message>
-    <message>
         <source>Put the three in order: each one %1 than the one before. You may mark those that feel the same as equal.</source>
         <translation>Βάλτε τα τρία σε σειρά: καθένα %1 από το προηγούμενο. Όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
     </message>
@@ -6754,6 +6769,26 @@ Details: %2</source>
     <message>
         <source>stiffer</source>
         <translation>πιο δύσκαμπτο</translation>
+    </message>
+    <message>
+        <source>The design was changed since. Undo in the study takes back one step after another.</source>
+        <translation>Το σχέδιο άλλαξε στο μεταξύ. Η «Αναίρεση» στη μελέτη αναιρεί τα βήματα ένα προς ένα.</translation>
+    </message>
+    <message>
+        <source>The study was left since, so this can no longer be undone.</source>
+        <translation>Στο μεταξύ φύγατε από τη μελέτη, γι&apos; αυτό η αναίρεση δεν είναι πλέον δυνατή.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Αναίρεση</translation>
+    </message>
+    <message>
+        <source>Three objects that differ by equal ratios are put in order.</source>
+        <translation>Τρία αντικείμενα που διαφέρουν κατά ίσους λόγους μπαίνουν σε σειρά.</translation>
+    </message>
+    <message>
+        <source>Three objects that differ by equal ratios are put in order; those that feel the same may be marked as equal.</source>
+        <translation>Τρία αντικείμενα που διαφέρουν κατά ίσους λόγους μπαίνουν σε σειρά· όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
     </message>
 </context>
 <context>
@@ -7242,10 +7277,6 @@ Administrators can make a recovery code for themselves here; with it they can se
         <translation>Ποιος διαχειρίζεται αυτό το κέντρο;</translation>
     </message>
     <message>
-        <source>The first person is an administrator, who adds people, makes backups and may train as well.</source>
-        <translation>Το πρώτο άτομο είναι διαχειριστής: προσθέτει άτομα, δημιουργεί αντίγραφα ασφαλείας και μπορεί και να εκπαιδεύεται.</translation>
-    </message>
-    <message>
         <source>Login name</source>
         <translation>Όνομα χρήστη</translation>
     </message>
@@ -7280,6 +7311,10 @@ Administrators can make a recovery code for themselves here; with it they can se
     <message>
         <source>Shown at the login, on password slips and on reports. Administrators can change it in the settings.</source>
         <translation>Εμφανίζεται στη σύνδεση, στα σημειώματα κωδικών και στις αναφορές. Οι διαχειριστές μπορούν να το αλλάξουν στις ρυθμίσεις.</translation>
+    </message>
+    <message>
+        <source>The first person is an administrator, who adds people, makes backups, and may also train, design studies and run them.</source>
+        <translation>Το πρώτο άτομο είναι διαχειριστής: προσθέτει άτομα, δημιουργεί αντίγραφα ασφαλείας και μπορεί και να εκπαιδεύεται, να σχεδιάζει μελέτες και να τις διεξάγει.</translation>
     </message>
 </context>
 <context>
@@ -8006,10 +8041,6 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <translation>Σύντομο όνομα στις εξαγωγές</translation>
     </message>
     <message>
-        <source>Lower-case letters, digits and _ only; each condition has another.</source>
-        <translation>Μόνο πεζά λατινικά γράμματα, ψηφία και _· κάθε συνθήκη έχει διαφορετικό.</translation>
-    </message>
-    <message>
         <source>Radius of the sphere</source>
         <translation>Ακτίνα της σφαίρας</translation>
     </message>
@@ -8052,6 +8083,18 @@ Each leads to its moment in the playback, or to the debrief where it is about th
     <message>
         <source>What the settings do not say, such as &quot;Put on the glove.&quot; or &quot;Use your other hand.&quot; Leave it empty if nothing is different. Whoever reads it can tell this condition from the others.</source>
         <translation>Ό,τι δεν λένε οι ρυθμίσεις, για παράδειγμα «Φορέστε το γάντι.» ή «Χρησιμοποιήστε το άλλο χέρι.» Αφήστε το κενό αν δεν αλλάζει τίποτα. Όποιος διαβάζει το κείμενο μπορεί να ξεχωρίσει αυτή τη συνθήκη από τις άλλες.</translation>
+    </message>
+    <message>
+        <source>The condition “%1” was removed.</source>
+        <translation>Η συνθήκη «%1» αφαιρέθηκε.</translation>
+    </message>
+    <message>
+        <source>Lower-case letters, digits and _ only; each condition has another. It follows the English title until somebody types another.</source>
+        <translation>Μόνο πεζά λατινικά γράμματα, ψηφία και _· κάθε συνθήκη έχει διαφορετικό. Ακολουθεί τον αγγλικό τίτλο, ώσπου να πληκτρολογηθεί άλλο.</translation>
+    </message>
+    <message>
+        <source>The last procedure of this condition was removed.</source>
+        <translation>Η τελευταία διαδικασία αυτής της συνθήκης αφαιρέθηκε.</translation>
     </message>
 </context>
 <context>
@@ -8480,10 +8523,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Τόσο μεγάλη που την αισθάνονται όλοι.</translation>
     </message>
     <message>
-        <source>How many differences there are to choose from, in even steps.</source>
-        <translation>Πόσες διαφορές υπάρχουν προς επιλογή, σε ίσα βήματα.</translation>
-    </message>
-    <message>
         <source>Differences</source>
         <translation>Διαφορές</translation>
     </message>
@@ -8498,6 +8537,18 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>Also objects with less of the attribute than the reference.</source>
         <translation>Και αντικείμενα με λιγότερο από την ιδιότητα σε σχέση με την αναφορά.</translation>
+    </message>
+    <message>
+        <source>How many differences there are to choose from. Each object is larger than the one before by the same factor.</source>
+        <translation>Πόσες διαφορές υπάρχουν προς επιλογή. Κάθε αντικείμενο είναι μεγαλύτερο από το προηγούμενο κατά τον ίδιο συντελεστή.</translation>
+    </message>
+    <message>
+        <source>How many differences there are to choose from. They are spaced geometrically: each is larger than the one before by about the same factor.</source>
+        <translation>Πόσες διαφορές υπάρχουν προς επιλογή. Κατανέμονται γεωμετρικά: καθεμία είναι μεγαλύτερη από την προηγούμενη κατά τον ίδιο περίπου συντελεστή.</translation>
+    </message>
+    <message>
+        <source>The smallest difference has to be below the largest. The table was not changed.</source>
+        <translation>Η μικρότερη διαφορά πρέπει να είναι κάτω από τη μεγαλύτερη. Ο πίνακας δεν άλλαξε.</translation>
     </message>
 </context>
 <context>
@@ -9060,6 +9111,14 @@ Each level says whether you have passed it. Choose one to see what is measured a
     <message>
         <source>%1 to %2, usually %3.</source>
         <translation>%1 έως %2, συνήθως %3.</translation>
+    </message>
+    <message>
+        <source>A number is needed here. %1 is still set.</source>
+        <translation>Εδώ χρειάζεται αριθμός. Ισχύει ακόμη %1.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: each number has to be from %2 to %3.</source>
+        <translation>Το «%1» δεν έγινε δεκτό: κάθε αριθμός πρέπει να είναι από %2 έως %3.</translation>
     </message>
 </context>
 <context>
@@ -10213,6 +10272,10 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
         <source>Difference (%)</source>
         <translation>Διαφορά (%)</translation>
     </message>
+    <message>
+        <source>A row is empty. Type a number into it, or remove the row.</source>
+        <translation>Μια γραμμή είναι κενή. Πληκτρολογήστε αριθμό ή αφαιρέστε τη γραμμή.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::LivePlot</name>
@@ -10525,14 +10588,6 @@ Forgot your password? An administrator can give you a new one. Administrators ca
 %1</translation>
     </message>
     <message>
-        <source>A simple study</source>
-        <translation>Μια απλή μελέτη</translation>
-    </message>
-    <message>
-        <source>One condition: three objects are ranked by stiffness.</source>
-        <translation>Μία συνθήκη: κατάταξη τριών αντικειμένων κατά δυσκαμψία.</translation>
-    </message>
-    <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
@@ -10597,6 +10652,14 @@ Forgot your password? An administrator can give you a new one. Administrators ca
     <message>
         <source>Another study has this title, and the two could not be told apart in lists. Choose another title.</source>
         <translation>Μια άλλη μελέτη έχει αυτόν τον τίτλο και στις λίστες οι δύο δεν θα ξεχώριζαν. Επιλέξτε άλλον τίτλο.</translation>
+    </message>
+    <message>
+        <source>A simple study: %1</source>
+        <translation>Μια απλή μελέτη: %1</translation>
+    </message>
+    <message>
+        <source>One condition, stiffness. %1</source>
+        <translation>Μία συνθήκη, δυσκαμψία. %1</translation>
     </message>
 </context>
 <context>
@@ -12031,16 +12094,16 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Η μεγαλύτερη τιμή που θεωρείται πιθανή.</translation>
     </message>
     <message>
-        <source>The largest. An imported design spaced these values unevenly; a change makes them even.</source>
-        <translation>Η μεγαλύτερη. Ένα εισηγμένο σχέδιο κατένειμε τις τιμές άνισα· μια αλλαγή τις κάνει ισαπέχουσες.</translation>
-    </message>
-    <message>
         <source>%1: steps</source>
         <translation>%1: βήματα</translation>
     </message>
     <message>
         <source>More steps are finer, and take longer to compute.</source>
         <translation>Περισσότερα βήματα είναι λεπτότερα και απαιτούν περισσότερο υπολογισμό.</translation>
+    </message>
+    <message>
+        <source>The largest. An imported design spaced these values irregularly; a change spaces them regularly.</source>
+        <translation>Η μεγαλύτερη. Ένα εισηγμένο σχέδιο κατένειμε τις τιμές ακανόνιστα· μια αλλαγή τις κατανέμει κανονικά.</translation>
     </message>
 </context>
 <context>
@@ -12586,6 +12649,14 @@ Press Tab to move from question to question, the arrow keys to move along a scal
     <message>
         <source>after each condition, about that condition</source>
         <translation>μετά από κάθε συνθήκη, για τη συνθήκη αυτή</translation>
+    </message>
+    <message>
+        <source>The questionnaire “%1” was removed.</source>
+        <translation>Το ερωτηματολόγιο «%1» αφαιρέθηκε.</translation>
+    </message>
+    <message>
+        <source>Question %1 was removed.</source>
+        <translation>Η ερώτηση %1 αφαιρέθηκε.</translation>
     </message>
 </context>
 <context>
@@ -13405,16 +13476,16 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
         <translation>Βλέπει τις συνεδρίες όλων, τις σχολιάζει και τις ακυρώνει</translation>
     </message>
     <message>
-        <source>Sees sessions by code, without names</source>
-        <translation>Βλέπει συνεδρίες με ψευδώνυμο, χωρίς ονόματα</translation>
-    </message>
-    <message>
-        <source>Manages people, storage and the station</source>
-        <translation>Διαχειρίζεται άτομα, δεδομένα και σταθμό</translation>
-    </message>
-    <message>
         <source>Roles (at least one)</source>
         <translation>Ρόλοι (τουλάχιστον ένας)</translation>
+    </message>
+    <message>
+        <source>Designs studies and runs them with participants; sees sessions by code, without names</source>
+        <translation>Σχεδιάζει μελέτες και τις διεξάγει με συμμετέχοντες· βλέπει συνεδρίες με ψευδώνυμο, χωρίς ονόματα</translation>
+    </message>
+    <message>
+        <source>Manages people, storage and the station; may also design and run studies</source>
+        <translation>Διαχειρίζεται άτομα, δεδομένα και σταθμό· μπορεί και να σχεδιάζει και να διεξάγει μελέτες</translation>
     </message>
 </context>
 <context>
@@ -13649,10 +13720,6 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
         <translation>Ήχος κάλυψης</translation>
     </message>
     <message>
-        <source>A steady noise hides the sounds of the device.</source>
-        <translation>Ένας σταθερός θόρυβος καλύπτει τους ήχους της συσκευής.</translation>
-    </message>
-    <message>
         <source>Show the objects</source>
         <translation>Εμφάνιση αντικειμένων</translation>
     </message>
@@ -13723,10 +13790,6 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
     <message>
         <source>Seed</source>
         <translation>Σπόρος</translation>
-    </message>
-    <message>
-        <source>“%1” is not a whole number.</source>
-        <translation>Το «%1» δεν είναι ακέραιος αριθμός.</translation>
     </message>
     <message>
         <source>A whole number from which orders and chance are drawn: the same number gives the same study again.</source>
@@ -13811,6 +13874,14 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
     <message>
         <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after a graze. 0: any touch counts.</source>
         <translation>Ένα αντικείμενο θεωρείται ότι το άγγιξαν μόνο όταν πιέστηκε, τραβήχτηκε ή σηκώθηκε με αυτή τη δύναμη, ώστε κανείς να μην απαντά μετά από ένα απλό άγγιγμα. 0: μετρά κάθε άγγιγμα.</translation>
+    </message>
+    <message>
+        <source>A steady noise hides the sounds of the device. Participants are told of it where it is heard.</source>
+        <translation>Ένας σταθερός θόρυβος καλύπτει τους ήχους της συσκευής. Οι συμμετέχοντες ενημερώνονται όπου ακούγεται.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: enter a whole number from 0 to %2.</source>
+        <translation>Το «%1» δεν έγινε δεκτό: πληκτρολογήστε ακέραιο αριθμό από 0 έως %2.</translation>
     </message>
 </context>
 <context>
@@ -16206,10 +16277,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Η συνθήκη ολοκληρώθηκε.</translation>
     </message>
     <message>
-        <source>All answered trials are kept. The run continues at the same trial.</source>
-        <translation>Όλες οι απαντημένες δοκιμές διατηρούνται. Η εκτέλεση συνεχίζεται από την ίδια δοκιμή.</translation>
-    </message>
-    <message>
         <source>The session could not be run</source>
         <translation>Η συνεδρία δεν εκτελέστηκε</translation>
     </message>
@@ -16284,26 +16351,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>This run was started with a different version of its procedure. A run is never continued with another version, so that all of its trials can be compared. The answers so far are kept; enrol another participant for this condition.</source>
         <translation>Αυτή η εκτέλεση άρχισε με άλλη έκδοση της διαδικασίας της. Μια εκτέλεση δεν συνεχίζεται ποτέ με άλλη έκδοση, ώστε όλες οι δοκιμές να είναι συγκρίσιμες. Οι ως τώρα απαντήσεις διατηρούνται· εγγράψτε άλλον συμμετέχοντα για αυτή τη συνθήκη.</translation>
-    </message>
-    <message>
-        <source>Here a participant explores objects and answers.
-
-Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.
-
-In practice, Backspace takes an answer back.
-
-Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session. All answered trials are kept; a stopped run continues later at the same trial.
-
-F2 is for the experimenter.</source>
-        <translation>Εδώ ένας συμμετέχων εξερευνά αντικείμενα και απαντά.
-
-Μετακινήστε το εργαλείο με τη συσκευή ή με το ποντίκι· με το ποντίκι ανεβάζετε και κατεβάζετε με τον τροχό ή με τα PageUp και PageDown. Το T ελευθερώνει τον δείκτη, ένα κλικ στη σκηνή τον δεσμεύει ξανά και δεν απαντά σε τίποτα. Απαντήστε με τα κουμπιά ή με τα πλήκτρα που αναγράφονται σε αυτά, μόλις ενεργοποιηθούν.
-
-Στην εξάσκηση, το Backspace αναιρεί μια απάντηση.
-
-Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· δεύτερο Esc ρωτά αν θα διακοπεί η συνεδρία. Όλες οι απαντημένες δοκιμές διατηρούνται· μια διακομμένη εκτέλεση συνεχίζεται αργότερα στην ίδια δοκιμή.
-
-Το F2 είναι για τον πειραματιστή.</translation>
     </message>
     <message>
         <source>This is how you explore and answer</source>
@@ -16419,10 +16466,6 @@ F2 is for the experimenter.</source>
     <message>
         <source>Pilot run</source>
         <translation>Πιλοτική δοκιμή</translation>
-    </message>
-    <message>
-        <source>To let go, lower the tool well below the ring. Touch next: %1.</source>
-        <translation>Για να αφήσετε, κατεβάστε το εργαλείο αρκετά κάτω από τον δακτύλιο. Αγγίξτε μετά: %1.</translation>
     </message>
     <message>
         <source>The free minute is over</source>
@@ -16605,6 +16648,74 @@ F2 is for the experimenter.</source>
     <message>
         <source>Apart from this, you explore and answer as in the part before.</source>
         <translation>Κατά τα άλλα εξερευνάτε και απαντάτε όπως στο προηγούμενο μέρος.</translation>
+    </message>
+    <message>
+        <source>Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session.</source>
+        <translation>Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· δεύτερο Esc ρωτά αν θα διακοπεί η συνεδρία.</translation>
+    </message>
+    <message>
+        <source>Here a participant explores objects and answers.</source>
+        <translation>Εδώ ένας συμμετέχων εξερευνά αντικείμενα και απαντά.</translation>
+    </message>
+    <message>
+        <source>Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.</source>
+        <translation>Μετακινήστε το εργαλείο με τη συσκευή ή με το ποντίκι· με το ποντίκι ανεβάζετε και κατεβάζετε με τον τροχό ή με τα PageUp και PageDown. Το T ελευθερώνει τον δείκτη, ένα κλικ στη σκηνή τον δεσμεύει ξανά και δεν απαντά σε τίποτα. Απαντήστε με τα κουμπιά ή με τα πλήκτρα που αναγράφονται σε αυτά, μόλις ενεργοποιηθούν.</translation>
+    </message>
+    <message>
+        <source>In practice, Backspace takes an answer back.</source>
+        <translation>Στην εξάσκηση, το Backspace αναιρεί μια απάντηση.</translation>
+    </message>
+    <message>
+        <source>F2 is for the experimenter.</source>
+        <translation>Το F2 είναι για τον πειραματιστή.</translation>
+    </message>
+    <message>
+        <source>What was tried in a pilot run does not count as data of the study, and a stopped pilot run is not continued.</source>
+        <translation>Όσα δοκιμάστηκαν σε πιλοτική δοκιμή δεν ανήκουν στα δεδομένα της μελέτης, και μια πιλοτική δοκιμή που διακόπηκε δεν συνεχίζεται.</translation>
+    </message>
+    <message>
+        <source>Stop this pilot run?</source>
+        <translation>Διακοπή της πιλοτικής δοκιμής;</translation>
+    </message>
+    <message>
+        <source>The pilot run reached its end.</source>
+        <translation>Η πιλοτική δοκιμή έφτασε στο τέλος της.</translation>
+    </message>
+    <message>
+        <source>The session ended by itself before all trials were done, and nothing more was presented. Check the device before you go on.</source>
+        <translation>Η συνεδρία τελείωσε από μόνη της πριν γίνουν όλες οι δοκιμές, και δεν παρουσιάστηκε τίποτε άλλο. Ελέγξτε τη συσκευή πριν συνεχίσετε.</translation>
+    </message>
+    <message>
+        <source>%1. From now on every answer counts.</source>
+        <translation>%1. Από εδώ και πέρα μετράει κάθε απάντηση.</translation>
+    </message>
+    <message>
+        <source>You let go of the object. Raise the tool.</source>
+        <translation>Αφήσατε το αντικείμενο. Σηκώστε το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>You let go of %1. Raise the tool.</source>
+        <translation>Αφήσατε το %1. Σηκώστε το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>You hold the object. Pull it up.</source>
+        <translation>Κρατάτε το αντικείμενο. Τραβήξτε το προς τα πάνω.</translation>
+    </message>
+    <message>
+        <source>You hold %1. Pull it up.</source>
+        <translation>Κρατάτε το %1. Τραβήξτε το προς τα πάνω.</translation>
+    </message>
+    <message>
+        <source>You hold the object. To let go, lower the tool well below the ring, then raise it.</source>
+        <translation>Κρατάτε το αντικείμενο. Για να το αφήσετε, κατεβάστε το εργαλείο αρκετά κάτω από τον δακτύλιο και μετά σηκώστε το.</translation>
+    </message>
+    <message>
+        <source>You hold %1. To let go, lower the tool well below its ring, then raise it.</source>
+        <translation>Κρατάτε το %1. Για να το αφήσετε, κατεβάστε το εργαλείο αρκετά κάτω από τον δακτύλιό του και μετά σηκώστε το.</translation>
+    </message>
+    <message>
+        <source>Touch next: %1.</source>
+        <translation>Αγγίξτε μετά: %1.</translation>
     </message>
 </context>
 <context>
