@@ -107,6 +107,21 @@ void TestSimulatedDevice::reopeningStartsAfresh() {
     device->close();
     QVERIFY(device->open());
     QCOMPARE(device->read(source.next(0)).counts, first);
+    device->close();
+    const auto run = [&device] { // the hand trembles: two runs differ unless its tremor begins anew, too
+        std::vector<Vec3> hand;
+        realtime::TickSource ticks;
+        for (int i = 0; i < 300; ++i) {
+            device->command(ticks.next(0), {});
+            hand.push_back(device->hand().p_D());
+        }
+        return hand;
+    };
+    QVERIFY(device->open());
+    const std::vector<Vec3> once = run();
+    device->close();
+    QVERIFY(device->open());
+    QVERIFY(run() == once);
 }
 
 void TestSimulatedDevice::cuesReachTheMindInD() {
