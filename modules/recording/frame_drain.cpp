@@ -11,11 +11,18 @@ FrameDrain::FrameDrain(CrashRing& ring, Recorder& recorder)
     : m_ring(ring), m_recorder(recorder), m_frames(kFramesAtOnce) {}
 
 core::Result<void> FrameDrain::take() {
-    while (const std::size_t count = m_ring.read(m_frames)) {
-        if (auto added = m_recorder.add(std::span<const core::HapticFrame>(m_frames).first(count)); !added)
-            return added;
+    for (;;) {
+        if (m_first == m_last) {
+            m_first = 0;
+            m_last = m_ring.read(m_frames);
+            if (m_last == 0)
+                return {};
+        }
+        const std::uint64_t before = m_recorder.framesTaken();
+        const auto added = m_recorder.add(std::span(m_frames).subspan(m_first, m_last - m_first));
+        m_first += static_cast<std::size_t>(m_recorder.framesTaken() - before);
+        CHIRON_TRY(added);
     }
-    return {};
 }
 
 // Damaged slots are not among the recorder's frames. If there are any, the mark lags by as many; it never
