@@ -50,11 +50,15 @@ bool stopped(const StopRule& rule, int trials, int reversals, std::optional<doub
 }
 
 void warnOfGridEdges(ProcedureEstimate& estimate, std::size_t most) {
-    for (std::size_t k = 0; k < std::min(most, estimate.parameters.size()); ++k)
-        if (const NamedEstimate& each = estimate.parameters[k]; each.edge != 0)
-            estimate.warnings.push_back("grid_edge: answers do not tell how " +
-                                        std::string(each.edge < 0 ? "small" : "large") + " " + each.name +
-                                        " is: its estimate and interval end with the procedure's grid");
+    for (std::size_t k = 0; k < std::min(most, estimate.parameters.size()); ++k) {
+        const NamedEstimate& each = estimate.parameters[k];
+        if (!each.cutBelow && !each.cutAbove)
+            continue;
+        const char* how = !each.cutAbove ? "small" : !each.cutBelow ? "large" : "small or how large";
+        estimate.warnings.push_back("grid_edge: answers do not tell how " + std::string(how) + " " +
+                                    each.name +
+                                    " is: its estimate and interval end with the procedure's grid");
+    }
 }
 
 } // namespace chiron::psychophysics
