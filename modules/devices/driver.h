@@ -60,7 +60,7 @@ struct DriverRequest {
     mechanisms::HandParameters hand; ///< of a scripted operator
     std::uint64_t seed = 1;          ///< seed of its tremor
     mechanisms::PolarMap map = mechanisms::PolarMap::exact; ///< how a gimbal renders force
-    /// Share of the Coulomb friction that is fed forward, 0 to 0.8.
+    /// Share of the Coulomb friction that is fed forward, 0..kMostFrictionCompensation.
     double frictionCompensation = 0.0;
     /// Tools of one hand that share an arm: tool = hand · fingersPerHand + finger.
     int fingersPerHand = 1;

@@ -50,7 +50,8 @@ void isValid(const devices::DeviceDescriptor& descriptor) {
     }
     QVERIFY(descriptor.period_us > 0);
     QVERIFY(std::isfinite(descriptor.maximumDamping_Ns_per_m) && descriptor.maximumDamping_Ns_per_m > 0.0);
-    QVERIFY(descriptor.frictionCompensation >= 0.0 && descriptor.frictionCompensation <= 1.0);
+    QVERIFY(descriptor.frictionCompensation >= 0.0 &&
+            descriptor.frictionCompensation <= devices::kMostFrictionCompensation);
     if (!descriptor.rendersForce)
         QVERIFY(descriptor.maximumForce_N == 0.0 && descriptor.maximumTorque_Nm == 0.0);
 }

@@ -174,6 +174,19 @@ void TestSimulatedDevice::refusesBadConfigurations() {
     QVERIFY(!SimulatedDevice::create(configuration, circling()));
     configuration.start_D = Vec3(0.3, 0.0, 0.0); // out of travel
     QVERIFY(!SimulatedDevice::create(configuration, circling()));
+    // More compensation than the loop gives is refused, not stated and then withheld.
+    for (const double share : {-0.01, 0.81, 1.0, std::nan("")}) {
+        SimulatedDevice::Configuration compensated;
+        compensated.frictionCompensation = share;
+        const auto refused = SimulatedDevice::create(compensated, circling());
+        QVERIFY2(!refused && refused.error().code == core::ErrorCode::badInput,
+                 qPrintable(QString::number(share)));
+    }
+    SimulatedDevice::Configuration most;
+    most.frictionCompensation = devices::kMostFrictionCompensation;
+    const auto made = SimulatedDevice::create(most, circling());
+    QVERIFY(made.has_value());
+    QCOMPARE((*made)->descriptor().frictionCompensation, 0.8);
 }
 
 namespace {
