@@ -76,7 +76,9 @@ core::Result<CommandOutput> checkFingertip(const Arguments& arguments, std::opti
     CHIRON_TRY(fingers);
     check.fingers = std::move(*fingers);
     check.friction = mechanisms::identifyFingertipFriction(plant);
-    check.arm = mechanisms::verifyFingertipArm({}, *seed);
+    auto arm = mechanisms::verifyFingertipArm({}, *seed);
+    CHIRON_TRY(arm);
+    check.arm = std::move(*arm);
     check.damping_Ns_per_m = damping.value_or(mechanisms::fingertipDamping_Ns_per_m(check.friction, plant));
     check.stiffnessCap_N_per_m = mechanisms::stiffnessCap_N_per_m(check.damping_Ns_per_m, core::kTickSeconds,
                                                                   check.verification.latency_s);
