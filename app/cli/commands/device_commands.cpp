@@ -103,7 +103,7 @@ struct MeasuredDelay {
 core::Result<MeasuredDelay> delayOf(const mechanisms::GimbalPlantParameters& plant) {
     session::SimulatedHand atRest;
     atRest.strategy = std::make_unique<mechanisms::ScriptedMotion>(devices::kHeldFrom_D);
-    atRest.gimbal = &plant;
+    atRest.plant = plant;
     auto station = session::simulatedStation(devices::kGimbalHprd, std::move(atRest));
     CHIRON_TRY(station);
     const session::StationTool& tool = station->tools.front();
