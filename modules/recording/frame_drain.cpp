@@ -32,18 +32,15 @@ void FrameDrain::commit() noexcept {
 }
 
 core::Result<void> FrameDrain::drain(std::int64_t now_ns) {
-    if (auto taken = take(); !taken)
-        return taken;
-    if (auto closed = m_recorder.closeOld(now_ns); !closed)
-        return closed;
+    CHIRON_TRY(take());
+    CHIRON_TRY(m_recorder.closeOld(now_ns));
     auto written = m_recorder.write();
     commit();
     return written;
 }
 
 core::Result<void> FrameDrain::finish() {
-    if (auto taken = take(); !taken)
-        return taken;
+    CHIRON_TRY(take());
     auto written = m_recorder.finish();
     commit();
     return written;

@@ -21,8 +21,7 @@ core::Result<void> LoggedProcedure::record(int outcome, const Stimulus& presente
         if (!std::isfinite(x))
             return fail(ErrorCode::badInput, "stimulus that is not finite: expected finite numbers");
     RecordedTrial trial{outcome, presented};
-    if (auto taken = take(trial); !taken)
-        return taken;
+    CHIRON_TRY(take(trial));
     m_log.push_back(std::move(trial));
     return {};
 }
@@ -33,8 +32,7 @@ core::Result<void> LoggedProcedure::undo() {
     m_log.pop_back();
     restart();
     for (const RecordedTrial& trial : m_log)
-        if (auto taken = take(trial); !taken)
-            return taken;
+        CHIRON_TRY(take(trial));
     return {};
 }
 
