@@ -270,8 +270,7 @@ core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, cons
           {tracked + "_channels.json", channelsJson()},
           {tracked + "_events.tsv", eventsTsv(events, *written)},
           {tracked + "_events.json", eventsJson()}})
-        if (auto done = folder.write(name, bytes); !done)
-            return done;
+        CHIRON_TRY(folder.write(name, bytes));
     return {};
 }
 

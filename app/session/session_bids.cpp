@@ -32,8 +32,7 @@ core::Result<void> exportSessionBids(SessionView& session, const std::filesystem
         }
         return {};
     });
-    if (!read)
-        return read;
+    CHIRON_TRY(read);
     std::vector<BidsEvent> events;
     for (const auto& trial : trials)
         events.push_back(trial.second);
@@ -41,16 +40,11 @@ core::Result<void> exportSessionBids(SessionView& session, const std::filesystem
                                    {},
                                    {{"participant_id", "", "the session's number"}},
                                    {{QStringLiteral("sub-") + subject}}};
-    if (auto written = made->write("dataset_description.json", QJsonDocument(description).toJson()); !written)
-        return written;
-    if (auto written = made->write("README", "One recorded session: motion of the tool with forces, its "
-                                             "trials as events. Who did it is not part of it.\n");
-        !written)
-        return written;
-    if (auto written = made->write("participants.tsv", tsvOf(participants)); !written)
-        return written;
-    if (auto written = writeBidsMotion(*made, session, recording, events); !written)
-        return written;
+    CHIRON_TRY(made->write("dataset_description.json", QJsonDocument(description).toJson()));
+    CHIRON_TRY(made->write("README", "One recorded session: motion of the tool with forces, its "
+                                     "trials as events. Who did it is not part of it.\n"));
+    CHIRON_TRY(made->write("participants.tsv", tsvOf(participants)));
+    CHIRON_TRY(writeBidsMotion(*made, session, recording, events));
     return made->commit();
 }
 

@@ -85,15 +85,13 @@ core::Result<void> storeEnd(database::WriteContext& context, const database::Act
         database::TrialRecord trial = withFate(seen.trials()[i], conclusion.state);
         if (i < conclusion.trace->trials.size())
             trial.sceneJson = truthJson(*conclusion.kind, conclusion.trace->trials[i]);
-        if (auto done = sessions.storeTrial(id, trial); !done)
-            return done;
+        CHIRON_TRY(sessions.storeTrial(id, trial));
     }
     std::vector<database::EventRecord> events = seen.events();
     events.insert(events.end(), conclusion.answers.begin(), conclusion.answers.end());
     std::stable_sort(events.begin(), events.end(),
                      [](const auto& a, const auto& b) { return a.tick < b.tick; });
-    if (auto done = sessions.storeEvents(id, events); !done)
-        return done;
+    CHIRON_TRY(sessions.storeEvents(id, events));
     database::SessionEnd end;
     end.state = conclusion.state;
     end.frames = seen.frames();

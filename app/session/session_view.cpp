@@ -42,8 +42,7 @@ core::Result<void> SessionView::eachChunk(const FrameVisitor& visit) {
     for (std::size_t i = 0; i < m_reader->chunkCount(); ++i) {
         auto frames = m_reader->framesOf(i);
         CHIRON_TRY(frames);
-        if (auto seen = visit(*frames); !seen)
-            return seen;
+        CHIRON_TRY(visit(*frames));
     }
     return {};
 }
@@ -94,8 +93,7 @@ core::Result<void> SessionView::derive(bool trace, bool track, const ReadProgres
             builder->add(frames);
         return also ? also(frames) : core::Result<void>();
     });
-    if (!done)
-        return done;
+    CHIRON_TRY(done);
     if (assembler)
         keep(*assembler, **kind);
     if (!builder)

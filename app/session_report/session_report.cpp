@@ -173,8 +173,7 @@ core::Result<ReportData> reportHeadOf(const database::SessionRecord& record,
 core::Result<ReportData> reportDataOf(session::SessionView& session, database::Connection& connection,
                                       const database::Actor& actor, const std::string& language) {
     auto head = reportHeadOf(session.record(), session.setup(), connection, actor, language);
-    if (!head)
-        return head;
+    CHIRON_TRY(head);
     ReportData data = std::move(*head);
     CHIRON_TRY(session.decode());
     const scoring::SessionTrace& trace = **session.trace();

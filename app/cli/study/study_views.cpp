@@ -118,8 +118,7 @@ core::Result<std::optional<PowerInputs>> readPower(const Arguments& arguments, c
     const auto ratio = arguments.number(QStringLiteral("ratio"), 0.01, 100.0, 1.0);
     CHIRON_TRY(participants);
     for (const auto* each : {&wanted, &alpha, &between, &ratio})
-        if (!*each)
-            return tl::unexpected(each->error());
+        CHIRON_TRY(*each);
     question.participants = static_cast<int>(*participants);
     question.alpha = *alpha;
     (question.paired ? question.effectSdLog10 : question.personSdLog10) = *between;

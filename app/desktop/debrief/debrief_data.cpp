@@ -89,8 +89,7 @@ core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection
                                                 const std::atomic<bool>& cancelled) {
     auto stored = session::SessionView::open(connection, actor, session);
     CHIRON_TRY(stored);
-    if (auto read = (*stored)->decode([&cancelled](double) { return !cancelled.load(); }); !read)
-        return tl::unexpected(read.error());
+    CHIRON_TRY((*stored)->decode([&cancelled](double) { return !cancelled.load(); }));
     const session::PlaybackTrack& track = **(*stored)->track();
     const scoring::SessionTrace& trace = **(*stored)->trace();
     DebriefDetails details;

@@ -23,8 +23,7 @@ namespace {
 core::Result<void> runDirected(Station& station, const catalogue::ExerciseLevel& level, std::uint64_t seed,
                                ITickDirector& director) {
     const auto& parameters = level.parameters.as<simulation::ComparisonParameters>();
-    if (auto opened = station.tools.front().device->open(); !opened)
-        return opened;
+    CHIRON_TRY(station.tools.front().device->open());
     haptics::LiveInputs inputs;
     director.connect(inputs);
     haptics::SafetySupervisor supervisor;

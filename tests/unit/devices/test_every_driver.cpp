@@ -2,11 +2,17 @@
 #include "core/tool_state.h"
 #include "devices/driver_catalogue.h"
 #include "devices/kinematics_catalogue.h"
+#include "mechanisms/fingertip_arm_parameters.h"
+#include "mechanisms/five_bar_plant_parameters.h"
+#include "mechanisms/gimbal_plant_parameters.h"
 #include "mechanisms/scripted_motion.h"
 
 #include <QtTest>
+#include <any>
 #include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
 
 using namespace chiron;
 
@@ -50,7 +56,8 @@ void isValid(const devices::DeviceDescriptor& descriptor) {
     }
     QVERIFY(descriptor.period_us > 0);
     QVERIFY(std::isfinite(descriptor.maximumDamping_Ns_per_m) && descriptor.maximumDamping_Ns_per_m > 0.0);
-    QVERIFY(descriptor.frictionCompensation >= 0.0 && descriptor.frictionCompensation <= 1.0);
+    QVERIFY(descriptor.frictionCompensation >= 0.0 &&
+            descriptor.frictionCompensation <= devices::kMostFrictionCompensation);
     if (!descriptor.rendersForce)
         QVERIFY(descriptor.maximumForce_N == 0.0 && descriptor.maximumTorque_Nm == 0.0);
 }
@@ -141,6 +148,40 @@ private slots:
                 QVERIFY2(opened.has_value(), opened ? "" : opened.error().message.c_str());
             QVERIFY(!device.finished());
             device.close();
+        }
+    }
+
+    /// A request may say what a simulated mechanism is truly like: each takes its own parameters, and none
+    /// those of another.
+    void mechanismsTakeTheirOwnParameters() {
+        mechanisms::GimbalPlantParameters gimbal;
+        gimbal.resolution[0] = 1e-3;
+        mechanisms::FiveBarPlantParameters fiveBar;
+        fiveBar.resolution[0] = 2e-3;
+        mechanisms::FingertipArmParameters arm;
+        arm.encoderBits = 12;
+        const std::vector<std::pair<std::string, std::any>> all{
+            {"gimbal_hprd", gimbal}, {"five_bar_spherical", fiveBar}, {"fingertip_arm", arm}};
+        const std::vector<double> resolutions{1e-3, 2e-3, arm.encoderResolution_rad()};
+        const devices::Driver& driver = *devices::findDriver("simulated");
+        QCOMPARE(driver.kinematics.size(), all.size()); // a mechanism more is asked here, too
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            for (std::size_t of = 0; of < all.size(); ++of) {
+                devices::DriverRequest request = requestFor(all[i].first);
+                request.plant = all[of].second;
+                const auto made = driver.open(std::move(request));
+                if (of == i) {
+                    QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
+                    QCOMPARE(made->front().device->descriptor().axes[0].resolution, resolutions[i]);
+                } else {
+                    QVERIFY(!made && made.error().code == core::ErrorCode::wrongUse);
+                    QVERIFY2(made.error().message.find(all[i].first) != std::string::npos,
+                             made.error().message.c_str());
+                }
+            }
+            const auto usual = driver.open(requestFor(all[i].first));
+            QVERIFY(usual.has_value());
+            QVERIFY(usual->front().device->descriptor().axes[0].resolution != resolutions[i]);
         }
     }
 

@@ -120,8 +120,7 @@ core::Result<void> UrethraInsertionKind::addMarks(const SessionSetup& setup,
         std::any_of(metrics.begin(), metrics.end(), [](const catalogue::MetricChoice& metric) {
             return metric.id == "critical_errors" && metric.version >= scoring::kCriticalSpansCountFrom;
         });
-    if (auto done = addInsertionMarks(track, *trace, setup.level.gates, traumaIsCritical); !done)
-        return done;
+    CHIRON_TRY(addInsertionMarks(track, *trace, setup.level.gates, traumaIsCritical));
     addInsertion(track, *trace);
     return {};
 }
