@@ -12,7 +12,7 @@ namespace {
 const QString kRoot = QStringLiteral(CHIRON_SOURCE_DIR);
 constexpr qsizetype kPage_words = 600;        ///< of a README
 constexpr qsizetype kTwoScreens_words = 1200; ///< of the README of the project
-constexpr qsizetype kTwoPages_words = 1150;   ///< of a guide
+constexpr qsizetype kTwoPages_words = 1100;   ///< of a guide
 
 QString textOf(const QString& file) {
     return contentOf(kRoot + QLatin1Char('/') + file);
