@@ -40,6 +40,7 @@ private slots:
     void readmesLeaveResultsToTheirPages();
     void readmesNameWhatIsThere();
     void guidesAreOnTwoPages();
+    void walksLeadThroughTheCode();
     void testsWaitWithPatience();
 };
 
@@ -199,6 +200,35 @@ void TestDocuments::guidesAreOnTwoPages() {
         if (const qsizetype words = wordCount(textOf(QStringLiteral("docs/guides/") + guide));
             words > kTwoPages_words)
             wrong << QStringLiteral("%1: %2 words, at most %3").arg(guide).arg(words).arg(kTwoPages_words);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+}
+
+/// Each step of a walk names functions: they stand in a file to which the step leads.
+void TestDocuments::walksLeadThroughTheCode() {
+    QString walks = textOf(QStringLiteral("docs/architecture.md"));
+    walks.remove(0, std::max<qsizetype>(0, walks.indexOf(QLatin1String("\n## Where to start reading"))));
+    walks.truncate(walks.indexOf(QLatin1String("\n## "), 1));
+    static const QRegularExpression step(QStringLiteral("\\n(?=[0-9]\\. )"));
+    static const QRegularExpression function(QStringLiteral("`(?:[A-Za-z]+::)?([A-Za-z]+)(?:\\(\\))?`"));
+    QStringList wrong;
+    int functions = 0;
+    for (const QString& each : walks.split(step)) {
+        QString code;
+        for (const QString& target : relativeLinks(each))
+            if (target.endsWith(QLatin1String(".cpp")) || target.endsWith(QLatin1String(".h")))
+                code += textOf(QStringLiteral("docs/") + target);
+        for (auto it = function.globalMatch(each); it.hasNext();) {
+            const auto match = it.next();
+            const QString name = match.captured(1);
+            if (!match.captured().contains(QLatin1String("::")) &&
+                !match.captured().contains(QLatin1String("()")))
+                continue; // a key, a type or a field
+            ++functions;
+            if (!code.contains(name + QLatin1Char('(')))
+                wrong << match.captured() + QStringLiteral(" in: ") + each.section(QLatin1Char('\n'), 0, 0);
+        }
+    }
+    QVERIFY(functions > 10);
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
 }
 
