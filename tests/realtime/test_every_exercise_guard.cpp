@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/catalogue.h"
+#include "core/fp_environment.h"
 #include "realtime/guarded_run.h"
 #include "session/exercise_kind.h"
 #include "session/session_setup.h"
@@ -22,6 +23,8 @@ class TestEveryExerciseGuard : public QObject {
         20'000; ///< arming takes 2 s; all touch something within 11 s
 
 private slots:
+    void initTestCase() { core::setModelFloatingPointEnvironment(); }
+
     void everyLevel_data() {
         QTest::addColumn<QString>("exercise");
         QTest::addColumn<int>("number");
