@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exercises/source_text.h"
+#include "support/source_text.h"
 
 #include <QDir>
 #include <QDirIterator>

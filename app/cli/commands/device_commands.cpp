@@ -44,10 +44,13 @@ core::Result<CommandOutput> list(const Arguments&) {
     return CommandOutput{QJsonDocument(drivers), table.toText(), 0};
 }
 
-/// Refuses every driver except the simulated one, which is the only one that the check supports.
+/// Id of the only driver that the check supports: that of the simulated mechanisms.
+std::string checkedDriver() {
+    return std::string(devices::usualDriver(devices::MovedBy::scriptedOperator).id);
+}
+
 core::Result<void> refuseOtherDrivers(const QString& driver) {
-    const std::string_view simulated = devices::usualDriver(devices::MovedBy::scriptedOperator).id;
-    if (driver.isEmpty() || driver.toStdString() == simulated)
+    if (driver.isEmpty() || driver.toStdString() == checkedDriver())
         return {};
     if (devices::findDriver(driver.toStdString()) == nullptr)
         return wrongUse(
@@ -247,7 +250,7 @@ CommandSpec checkCommand() {
          QStringLiteral(
              "fingertip_arm (default) or gimbal_hprd (friction, what is felt of it, and latency)")},
         {QStringLiteral("driver"), QStringLiteral("ID"),
-         QStringLiteral("the device's driver (default: simulated)")},
+         QStringLiteral("the device's driver (default: %1)").arg(QString::fromStdString(checkedDriver()))},
         {QStringLiteral("seed"), QStringLiteral("S"),
          QStringLiteral("of sensor noise and poses (default 1)")},
         {QStringLiteral("frequency"), QStringLiteral("HZ"),

@@ -5,7 +5,7 @@
 #include "mechanisms/fingertip_arm_parameters.h"
 #include "mechanisms/five_bar_plant_parameters.h"
 #include "mechanisms/gimbal_plant_parameters.h"
-#include "mechanisms/scripted_motion.h"
+#include "support/driver_request.h"
 
 #include <QtTest>
 #include <any>
@@ -19,20 +19,6 @@ using namespace chiron;
 namespace {
 QString text(std::string_view view) {
     return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-}
-
-/// A request that any driver can serve: one point, and whatever may move it.
-devices::DriverRequest requestFor(std::string_view mechanism) {
-    devices::DriverRequest request;
-    request.mechanism = std::string(mechanism);
-    request.endoscopeStart_W = {0.0, -0.069, 0.0};
-    devices::ToolRequest tool;
-    const core::Vec3 start =
-        mechanism == "five_bar_spherical" ? core::Vec3(0.0, -0.069, 0.0) : core::Vec3(0.0, 0.0, 0.05);
-    tool.strategy = std::make_unique<mechanisms::ScriptedMotion>(start);
-    tool.trace = {{0.0, {0.0, 0.0, 0.05}}, {1.0, {0.01, 0.0, 0.05}}};
-    request.tools.push_back(std::move(tool));
-    return request;
 }
 
 /// A request that none can serve: no such scale, no such mechanism, nobody and nothing that moves the tool.
@@ -101,11 +87,14 @@ private slots:
     }
 
     /// So that no screen falls back to words of the command line for a device that we ship.
+    void shippedOnesHaveWordsForPeople_data() { eachDriver(); }
     void shippedOnesHaveWordsForPeople() {
-        for (const devices::Driver* driver : devices::driverCatalogue().first(3)) {
-            QVERIFY2(!driver->name.empty() && !driver->readiness.empty(), std::string(driver->id).c_str());
-            QCOMPARE(devices::nameOf(*driver, "no such kinematics"), driver->name);
-        }
+        const devices::Driver& driver = current();
+        QVERIFY(!driver.name.empty() && !driver.readiness.empty());
+        QCOMPARE(devices::nameOf(driver, "no such kinematics"), driver.name);
+    }
+
+    void mechanismsHaveNamesOfTheirOwn() {
         const devices::Driver& mechanisms = *devices::findDriver("simulated");
         std::set<std::string_view> names;
         for (const devices::KinematicsEntry& kinematics : mechanisms.kinematics)
@@ -131,7 +120,7 @@ private slots:
         const devices::Driver& driver = current();
         QVERIFY(!driver.kinematics.empty());
         for (const devices::KinematicsEntry& kinematics : driver.kinematics) {
-            auto made = driver.open(requestFor(kinematics.id));
+            auto made = driver.open(tests::requestForAnyDriver(kinematics.id));
             QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
             QCOMPARE(made->size(), std::size_t(1));
             devices::IDevice& device = *made->front().device;
@@ -167,7 +156,7 @@ private slots:
         QCOMPARE(driver.kinematics.size(), all.size()); // a mechanism more is asked here, too
         for (std::size_t i = 0; i < all.size(); ++i) {
             for (std::size_t of = 0; of < all.size(); ++of) {
-                devices::DriverRequest request = requestFor(all[i].first);
+                devices::DriverRequest request = tests::requestForAnyDriver(all[i].first);
                 request.plant = all[of].second;
                 const auto made = driver.open(std::move(request));
                 if (of == i) {
@@ -179,7 +168,7 @@ private slots:
                              made.error().message.c_str());
                 }
             }
-            const auto usual = driver.open(requestFor(all[i].first));
+            const auto usual = driver.open(tests::requestForAnyDriver(all[i].first));
             QVERIFY(usual.has_value());
             QVERIFY(usual->front().device->descriptor().axes[0].resolution != resolutions[i]);
         }
