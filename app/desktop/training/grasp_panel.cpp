@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/grasp_panel.h"
 
+#include "desktop/training/felt_words.h"
 #include "desktop/training/force_bar.h"
 #include "desktop/training/info_panel.h"
 #include "desktop/training/live_plot.h"
@@ -44,7 +45,7 @@ GraspPanel::GraspPanel(const Theme& theme, const QLocale& locale, const session:
     if (cues.plots)
         addPlots();
     if (!cues.bars && !cues.numbers && !cues.plots) {
-        auto* none = kit::label(theme, InfoPanel::noCuesText(), TextStyle::body, "muted");
+        auto* none = kit::label(theme, felt_words::noMeasurements(cues.felt), TextStyle::body, "muted");
         none->setObjectName(QStringLiteral("training.no_cues"));
         m_column->addWidget(none);
     }

@@ -131,9 +131,10 @@ void TrainingScreen::connectPointer() {
         if (m_activeText)
             m_activeText->setText(m_live->activeText(tool));
     });
+    if (m_plan.ownHand())
+        m_keys->setToolKeys(handKeys());
     if (!m_hand)
-        return; // the person does not move the tool
-    m_keys->setToolKeys(handKeys());
+        return; // nobody moves the tool with mouse and keyboard
     m_pointer = std::make_unique<ScenePointer>(*m_hand, *m_scene->inputSource(), *m_scene->widget());
     connect(m_pointer.get(), &ScenePointer::marked, this, [this] { m_hand->click(); });
     connect(m_pointer.get(), &ScenePointer::captureAsked, this, [this] {
@@ -143,7 +144,9 @@ void TrainingScreen::connectPointer() {
 }
 
 std::vector<int> TrainingScreen::handKeys() const {
-    std::vector<int> keys(m_hand->keys().begin(), m_hand->keys().end());
+    std::vector<int> keys;
+    if (m_hand)
+        keys.assign(m_hand->keys().begin(), m_hand->keys().end());
     const std::vector<int> others = m_live->keys();
     keys.insert(keys.end(), others.begin(), others.end());
     return keys;

@@ -130,8 +130,7 @@ QWidget* TrainingScreen::buildFoot() {
     row->addWidget(m_keysText, 1);
     // At a larger scale the keys' text needs the whole row, and it contains this as well.
     constexpr double kRoomUpTo = 1.5;
-    if (m_plan.ownHand() && m_plan.driver->deviceClass == devices::DeviceClass::shown &&
-        theme.scale() <= kRoomUpTo) {
+    if (m_plan.byPointer() && theme.scale() <= kRoomUpTo) {
         m_pointerText = kit::label(theme, {}, TextStyle::strong);
         m_pointerText->setObjectName(QStringLiteral("training.pointer"));
         row->addWidget(m_pointerText, 0, Qt::AlignTop);
@@ -163,6 +162,7 @@ LiveSurroundings TrainingScreen::surroundings() {
             .locale = context().locale(),
             .cues = m_cues,
             .ownHand = m_plan.ownHand(),
+            .hand = m_plan.driver->hand,
             .leftHanded = m_plan.workspace.leftHanded,
             .practises = m_plan.practises(),
             .report =
@@ -181,7 +181,7 @@ InfoView* TrainingScreen::makeInfo() {
 
 QString TrainingScreen::keysText() const {
     const QString own = m_live ? m_live->keysText() : QString();
-    return own.isEmpty() ? keysInWords(m_plan.ownHand(), m_tool, m_tools) : own;
+    return own.isEmpty() ? keysInWords(m_plan.ownHand(), m_tool, m_tools, m_plan.driver->hand) : own;
 }
 
 void TrainingScreen::addPartCommands(std::vector<ScreenCommand>& list) {
@@ -272,7 +272,7 @@ void TrainingScreen::buildKeys() {
             (void)m_card->scroll(key); // only scrolls, because nothing moves while the card is read
             return;
         }
-        if (!m_hand || (down && m_live->key(key)) || (down && m_control->held()))
+        if ((down && m_live && m_live->key(key)) || !m_hand || (down && m_control->held()))
             return;
         down ? m_hand->keyDown(key) : m_hand->keyUp(key);
     });

@@ -47,7 +47,7 @@ ReadyFacts TrainingScreen::readyFacts() const {
     facts.goal = text(m_level->goal.empty() ? m_level->objective : m_level->goal);
     facts.controls = m_live ? m_live->controls() : std::vector<ControlHint>();
     if (facts.controls.empty())
-        facts.controls = controlGuide(m_tool);
+        facts.controls = controlGuide(m_tool, m_plan.driver->hand, m_tools);
     facts.keys = keysText();
     facts.limit = tr("%1. %2.").arg(limitsInWords(*m_level, context().locale()).join(QStringLiteral(". ")),
                                     deviceTitle(m_plan));
@@ -55,10 +55,11 @@ ReadyFacts TrainingScreen::readyFacts() const {
     facts.marks = markWords();
     const auto kind = session::exerciseKind(m_level->exercise);
     const int trials = kind ? (*kind)->trialCount(*m_level) : 1;
-    facts.clock = m_practised
-                      ? tr("%n trial(s). The clock starts when you press Continue.", nullptr, trials)
-                      : tr("%n trial(s). The clock starts when you press Go or move the tool with a key.",
-                           nullptr, trials);
+    facts.clock = m_practised ? tr("%n trial(s). The clock starts when you press Continue.", nullptr, trials)
+                  : m_plan.byPointer()
+                      ? tr("%n trial(s). The clock starts when you press Go or move the tool with a key.",
+                           nullptr, trials)
+                      : tr("%n trial(s). The clock starts when you press Go.", nullptr, trials);
     if (m_plan.trials > 0) {
         facts.offersPractice = false; // it is a practice itself
         facts.clock = tr("%1 Nothing counts yet.").arg(facts.clock);
@@ -76,7 +77,7 @@ ReadyFacts TrainingScreen::readyFacts() const {
 void TrainingScreen::showCard(ReadyCard::Kind kind) {
     takeCardAway();
     m_card = new ReadyCard(context().theme(), readyFacts(), kind);
-    m_card->setToolKeys(movementKeys(m_tool));
+    m_card->setToolKeys(movementKeys(m_tool, m_plan.driver->hand));
     connect(m_card, &ReadyCard::goAsked, this, &TrainingScreen::go);
     connect(m_card, &ReadyCard::practiceAsked, this, &TrainingScreen::practise);
     connect(m_card, &ReadyCard::watchAsked, this, [this] {

@@ -236,7 +236,8 @@ void TestReadyCard::aKeyOfTheScenePressesNoButton() {
     facts.offersDemonstration = true;
     facts.practised = practised ? QStringLiteral("The practice is over.") : QString();
     ReadyCard shown(bench.desktop.context.theme(), facts, static_cast<ReadyCard::Kind>(kind));
-    shown.setToolKeys(desktop::movementKeys(session::PointerTool::point));
+    shown.setToolKeys(
+        desktop::movementKeys(session::PointerTool::point, devices::HandKind::mouseAndKeyboard));
     int asked = 0;
     for (const auto signal : {&ReadyCard::goAsked, &ReadyCard::practiceAsked, &ReadyCard::watchAsked,
                               &ReadyCard::wholeAsked, &ReadyCard::helpAsked})

@@ -7,6 +7,7 @@
 #include <QtTest>
 #include <cmath>
 #include <set>
+#include <variant>
 
 using namespace chiron;
 
@@ -131,6 +132,10 @@ private slots:
             const devices::DeviceDescriptor& descriptor = device.descriptor();
             QCOMPARE(text(descriptor.driver), text(driver.id));
             QVERIFY(descriptor.deviceClass() == driver.deviceClass);
+            // Whoever moves the tools with mouse and keyboard reads how; whoever holds a handle reads that.
+            QCOMPARE(!std::holds_alternative<std::monostate>(made->front().input),
+                     driver.movedBy == devices::MovedBy::person &&
+                         driver.hand == devices::HandKind::mouseAndKeyboard);
             isValid(descriptor);
             QVERIFY(devices::makeKinematics(descriptor).has_value());
             const auto opened = device.open();
