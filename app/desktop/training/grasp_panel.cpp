@@ -155,11 +155,15 @@ void GraspPanel::addPlots() {
                            ? plot("training.tension_plot", tr("Tension (N)"), m_grasping.measuredEnd_N)
                            : plot("training.squeeze_plot", tr("Squeeze (N)"), m_grasping.measuredEnd_N,
                                   m_grasping.measuredLimit_N);
+    if (m_targetPlot)
+        addSpare(m_targetPlot);
     if (m_tools > 1 && m_cues.bars)
         return; // both hands feel the same tension, so one readable plot suffices
     m_forcePlot = plot("training.force_plot", m_tools > 1 ? tr("Force, right (N)") : tr("Force (N)"),
                        m_grasping.limits.force_N * 1.25, m_grasping.limits.force_N);
-    if (!m_cues.bars)
+    if (m_cues.bars)
+        addSpare(m_forcePlot);
+    else
         m_speedPlot = plot("training.speed_plot", tr("Speed (mm/s)"), kSpeedAxis_mm_per_s);
 }
 

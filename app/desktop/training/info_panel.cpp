@@ -98,6 +98,8 @@ void InfoPanel::addPlots() {
     m_forcePlot = new LivePlot(m_theme, m_locale, tr("Force (N)"), m_limits.force_N * 1.25, m_limits.force_N);
     m_forcePlot->setObjectName(QStringLiteral("training.force_plot"));
     m_column->addWidget(m_forcePlot, 1);
+    if (m_cues.bars)
+        addSpare(m_forcePlot);
     m_speedPlot = new LivePlot(m_theme, m_locale, tr("Speed (mm/s)"), kSpeedAxis_mm_per_s);
     m_speedPlot->setObjectName(QStringLiteral("training.speed_plot"));
     m_column->addWidget(m_speedPlot, 1);

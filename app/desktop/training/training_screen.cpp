@@ -10,6 +10,7 @@
 #include "desktop/training/key_filter.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_feed.h"
+#include "desktop/training/side_panel.h"
 #include "desktop/training/sound_sign.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/state_panel.h"
@@ -269,10 +270,11 @@ void TrainingScreen::showPointer() {
 void TrainingScreen::showControls() {
     const haptics::DisplayState& state = m_feed->state();
     const bool felt = m_feed->training().felt();
-    m_notice->show(forceWords(
-        state,
-        {felt, m_plan.ownHand(), m_control->paused(), m_control->stopped(), isEndoscope(), isGrasper()},
-        context().locale()));
+    if (m_notice->show(forceWords(
+            state,
+            {felt, m_plan.ownHand(), m_control->paused(), m_control->stopped(), isEndoscope(), isGrasper()},
+            context().locale())))
+        m_side->fit();
     const bool latched = m_control->stopped() || state.force == core::ForceState::stopped ||
                          state.force == core::ForceState::fault;
     m_controls->setMain(latched               ? ControlBar::Main::rearm
@@ -319,7 +321,7 @@ void TrainingScreen::showOutcome() {
 
 void TrainingScreen::fail(const core::Error& error) {
     m_over = true;
-    for (QWidget* part : {m_side, static_cast<QWidget*>(m_controls), m_foot})
+    for (QWidget* part : {static_cast<QWidget*>(m_side), static_cast<QWidget*>(m_controls), m_foot})
         part->hide(); // there is nothing to control or measure
     m_stage->showError(
         tr("The session could not be run"), error,

@@ -6,6 +6,7 @@
 #include "desktop/scene3d/scene_marks.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_feed.h"
+#include "desktop/training/side_panel.h"
 #include "desktop/training/training_screen.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/state_panel.h"
@@ -91,7 +92,7 @@ void TrainingScreen::showCard(ReadyCard::Kind kind) {
     m_pages->addWidget(m_card);
     m_pages->setCurrentWidget(m_card);
     m_stage->showContent();
-    for (QWidget* part : {m_side, m_foot, static_cast<QWidget*>(m_controls)})
+    for (QWidget* part : {static_cast<QWidget*>(m_side), m_foot, static_cast<QWidget*>(m_controls)})
         part->hide(); // nothing is running that could be measured or stopped, so the card gets the space
     m_card->takeFocus();
 }
@@ -109,7 +110,7 @@ void TrainingScreen::showCardAgain() {
     connect(m_card, &ReadyCard::helpAsked, this, [this] { showHelp(context().theme(), *this, window()); });
     m_pages->addWidget(m_card);
     m_pages->setCurrentWidget(m_card);
-    for (QWidget* part : {m_side, m_foot})
+    for (QWidget* part : {static_cast<QWidget*>(m_side), m_foot})
         part->hide(); // the controls stay, so that force can be stopped at any time
     m_card->takeFocus();
 }
@@ -119,7 +120,7 @@ void TrainingScreen::takeCardAway() {
         return;
     if (m_scene)
         m_pages->setCurrentWidget(m_scene->widget());
-    for (QWidget* part : {m_side, m_foot, static_cast<QWidget*>(m_controls)})
+    for (QWidget* part : {static_cast<QWidget*>(m_side), m_foot, static_cast<QWidget*>(m_controls)})
         part->show();
     m_card->hide();
     m_card->deleteLater(); // deferred, because the card itself may have requested this

@@ -161,6 +161,8 @@ void PalpationPanel::addPlots() {
     m_forcePlot = plot("training.force_plot", tools() > 1 ? tr("Force, first finger (N)") : tr("Force (N)"),
                        1.25 * m_level.maximumForce_N, m_level.maximumForce_N);
     if (m_cues.bars)
+        addSpare(m_forcePlot);
+    if (m_cues.bars)
         m_leanPlot = plot("training.lean_plot", tools() > 1 ? tr("Tilt, first finger (°)") : tr("Tilt (°)"),
                           kLeanAxis_deg, kLeanLimit_deg);
     if (m_leanPlot)

@@ -192,7 +192,9 @@ void InsertionPanel::addPlots(const simulation::UrethraInsertionParameters& para
         m_column->addWidget(row, 1);
         return row;
     };
-    pair(m_forcePlot, m_offsetPlot);
+    QWidget* first = pair(m_forcePlot, m_offsetPlot);
+    if (m_cues.bars && m_cues.numbers)
+        addSpare(first);
     addDetail(pair(m_lateralPlot, m_alignmentPlot));
 }
 
