@@ -5,6 +5,7 @@
 
 #include "core/languages.h"
 #include "desktop/exercise_face.h"
+#include "desktop/studies/difference_table.h"
 #include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/study_controls.h"
@@ -12,6 +13,7 @@
 #include "desktop/training/info_view.h"
 #include "desktop/training/training_words.h"
 #include "support/feeling_words.h"
+#include "support/made_study.h"
 
 #include <QAbstractButton>
 
@@ -127,11 +129,10 @@ void TestFeltWords::everyTaskOfAStudy() {
                 texts << desktop::studyKeys(t, a, hand);
             }
             texts << desktop::study_words::question(t, a);
-            StudyDesign design;
-            Condition& condition = design.conditions.emplace_back();
-            condition.id = "one";
-            condition.task = t;
-            condition.stimulus.attribute = a;
+            StudyDesign design = tests::smallStudy("words");
+            design.conditions.resize(1);
+            desktop::takeTask(design.conditions.front(), t);
+            design.conditions.front().stimulus.attribute = a;
             texts << desktop::participantSentences(design, language);
         }
     texts << desktop::felt_words::objects(false);
