@@ -37,6 +37,9 @@ enum class ToolShape { point, endoscope, grasper };
 /// session it is.
 enum class MovedBy { person, scriptedOperator, recording };
 
+/// What a person holds to move the tools of a driver. It determines which movements a screen explains.
+enum class HandKind { mouseAndKeyboard, handle };
+
 /// One tool of a session, as requested from its driver.
 struct ToolRequest {
     WorkspaceMapping mapping{}; ///< position of its workspace in W
@@ -119,6 +122,8 @@ struct Driver {
     std::string_view name{};
     /// A sentence on what must be present and what to do with it; marked likewise. Empty: `needs` is shown.
     std::string_view readiness{};
+    /// For MovedBy::person. Mouse and keyboard: open() returns mailboxes as input.
+    HandKind hand = HandKind::handle;
 };
 
 /// Returns the driver's kinematics with this id, or nullptr.

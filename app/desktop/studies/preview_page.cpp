@@ -368,6 +368,7 @@ QWidget* PreviewPage::plotOf(const PreviewResult& result) const {
     plot->setMinimumHeight(theme.px(260));
     plot->setTitle(tr("How the estimate converges with more trials"));
     plot->setXAxis({tr("Trials of a run"), {}, {}});
+    plot->setXWholeNumbers();
     plot->setYAxis({tr("Weber fraction (%)"), 0.0, {}});
     std::vector<double> trial, middle, low, high;
     for (const PreviewPoint& point : result.curve) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/grasp_panel.h"
 
+#include "desktop/training/felt_words.h"
 #include "desktop/training/force_bar.h"
 #include "desktop/training/info_panel.h"
 #include "desktop/training/live_plot.h"
@@ -44,7 +45,7 @@ GraspPanel::GraspPanel(const Theme& theme, const QLocale& locale, const session:
     if (cues.plots)
         addPlots();
     if (!cues.bars && !cues.numbers && !cues.plots) {
-        auto* none = kit::label(theme, InfoPanel::noCuesText(), TextStyle::body, "muted");
+        auto* none = kit::label(theme, felt_words::noMeasurements(cues.felt), TextStyle::body, "muted");
         none->setObjectName(QStringLiteral("training.no_cues"));
         m_column->addWidget(none);
     }
@@ -154,11 +155,15 @@ void GraspPanel::addPlots() {
                            ? plot("training.tension_plot", tr("Tension (N)"), m_grasping.measuredEnd_N)
                            : plot("training.squeeze_plot", tr("Squeeze (N)"), m_grasping.measuredEnd_N,
                                   m_grasping.measuredLimit_N);
+    if (m_targetPlot)
+        addSpare(m_targetPlot);
     if (m_tools > 1 && m_cues.bars)
         return; // both hands feel the same tension, so one readable plot suffices
     m_forcePlot = plot("training.force_plot", m_tools > 1 ? tr("Force, right (N)") : tr("Force (N)"),
                        m_grasping.limits.force_N * 1.25, m_grasping.limits.force_N);
-    if (!m_cues.bars)
+    if (m_cues.bars)
+        addSpare(m_forcePlot);
+    else
         m_speedPlot = plot("training.speed_plot", tr("Speed (mm/s)"), kSpeedAxis_mm_per_s);
 }
 

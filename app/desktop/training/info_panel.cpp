@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/info_panel.h"
 
+#include "desktop/training/felt_words.h"
 #include "desktop/training/force_bar.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/widgets/kit.h"
@@ -47,7 +48,7 @@ InfoPanel::InfoPanel(const Theme& theme, const QLocale& locale, const session::L
     if (cues.plots)
         addPlots();
     if (!cues.bars && !cues.numbers && !cues.plots) {
-        auto* none = kit::label(theme, noCuesText(), TextStyle::body, "muted");
+        auto* none = kit::label(theme, felt_words::noMeasurements(cues.felt), TextStyle::body, "muted");
         none->setObjectName(QStringLiteral("training.no_cues"));
         m_column->addWidget(none);
     }
@@ -97,6 +98,8 @@ void InfoPanel::addPlots() {
     m_forcePlot = new LivePlot(m_theme, m_locale, tr("Force (N)"), m_limits.force_N * 1.25, m_limits.force_N);
     m_forcePlot->setObjectName(QStringLiteral("training.force_plot"));
     m_column->addWidget(m_forcePlot, 1);
+    if (m_cues.bars)
+        addSpare(m_forcePlot);
     m_speedPlot = new LivePlot(m_theme, m_locale, tr("Speed (mm/s)"), kSpeedAxis_mm_per_s);
     m_speedPlot->setObjectName(QStringLiteral("training.speed_plot"));
     m_column->addWidget(m_speedPlot, 1);
@@ -142,11 +145,6 @@ void InfoPanel::showNumbers(const haptics::ToolDisplay& tool) {
 QString InfoPanel::elapsedText(std::int64_t second) {
     return tr("Elapsed: %1")
         .arg(QStringLiteral("%1:%2").arg(second / 60).arg(second % 60, 2, 10, QLatin1Char('0')));
-}
-
-QString InfoPanel::noCuesText() {
-    return tr("This level shows no measurements: rely on what you feel. Everything is recorded and appears "
-              "in the results.");
 }
 
 QString InfoPanel::loopText(const haptics::DisplayState& state) {

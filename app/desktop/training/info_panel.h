@@ -33,7 +33,6 @@ public:
     static QString elapsedText(std::int64_t second); ///< "Elapsed: 1:05"
     /// Whether everything is recorded, and the force on time.
     static QString loopText(const haptics::DisplayState& state);
-    static QString noCuesText(); ///< for a level that shows no measurements
 
 private:
     void addBars();

@@ -11,6 +11,13 @@ void InfoView::setDetailed(bool detailed) {
     for (QWidget* part : m_details)
         part->setVisible(detailed);
     placeLoopLine();
+    giveUp(0);
+}
+
+void InfoView::giveUp(int parts) {
+    for (std::size_t i = 0; i < m_spare.size(); ++i)
+        m_spare[i]->setVisible(static_cast<int>(i) >= parts);
+    updateGeometry(); // now: whoever asks measures the height at once
 }
 
 void InfoView::addDetail(QWidget* part) {

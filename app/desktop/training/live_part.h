@@ -33,6 +33,7 @@ struct LiveSurroundings {
     QLocale locale;
     session::LevelCues cues;
     bool ownHand = false; ///< the person's own; otherwise a demonstration is watched
+    devices::HandKind hand = devices::HandKind::mouseAndKeyboard; ///< what it holds
     bool leftHanded = false;
     bool practises = false;
     std::function<void(core::ReportField, unsigned)> report; ///< reports a finding to the running session

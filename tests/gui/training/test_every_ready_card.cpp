@@ -6,6 +6,7 @@
 #include "core/laparoscopy_cues.h"
 #include "desktop/exercise_setup/gate_words.h"
 #include "desktop/exercise_setup/level_facts.h"
+#include "desktop/scene3d/scene_marks.h"
 #include "desktop/training/grasping.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_feed.h"
@@ -13,6 +14,8 @@
 #include "report/report_text.h"
 #include "session/level_limits.h"
 #include "support/patience.h"
+
+#include <algorithm>
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -48,6 +51,17 @@ private slots:
     void goIsAlwaysInSight();
 
 private:
+    /// Whether the scene of this level, with a mouse, may draw a mark that the exercise explains.
+    bool explainsMarks(const catalogue::ExerciseLevel& level) {
+        const session::LevelCues cues = session::cuesOf(level, false);
+        const std::vector<std::string> drawn =
+            scene3d::marksOf({desktop::sceneSetupOf(level, cues, m_bench.desktop.context.theme(), false),
+                              cues.coverage, level.feedback});
+        const auto& legend = m_bench.desktop.site.catalogue().find(level.exercise)->legend;
+        return std::any_of(legend.begin(), legend.end(), [&](const catalogue::LegendLine& line) {
+            return std::find(drawn.begin(), drawn.end(), line.mark) != drawn.end();
+        });
+    }
     template <class Look> void everyLevel(Look look) {
         for (const catalogue::Exercise& exercise : m_bench.desktop.site.catalogue().exercises())
             for (const catalogue::ExerciseLevel& level : exercise.levels)
@@ -194,7 +208,8 @@ void TestEveryReadyCard::goIsAlwaysInSight_data() {
             QTest::addRow("%s, %.0f %%", language, scale * 100) << QString(QLatin1String(language)) << scale;
 }
 
-/// In the smallest window, on the card as it first comes and on the whole one.
+/// In the smallest window, on the first card, which says what counts and what the marks mean, and on the
+/// brief and the whole one.
 void TestEveryReadyCard::goIsAlwaysInSight() {
     QFETCH(QString, language);
     QFETCH(double, scale);
@@ -223,6 +238,19 @@ void TestEveryReadyCard::goIsAlwaysInSight() {
         m_bench.show({{QStringLiteral("exercise"), QString::fromStdString(level.exercise)},
                       {QStringLiteral("level"), level.number}});
         look(name);
+        const auto* gates = window.findChild<QLabel*>(QStringLiteral("training.ready.gates"));
+        QVERIFY2(gates && !gates->text().isEmpty(), qPrintable(name));
+        const auto* marks = window.findChild<QLabel*>(QStringLiteral("training.ready.marks"));
+        QVERIFY2((marks != nullptr) == explainsMarks(level), qPrintable(name));
+        const desktop::TrainingPlan plan = desktop::TrainingPlan::fromMap(
+            {{QStringLiteral("exercise"), QString::fromStdString(level.exercise)},
+             {QStringLiteral("level"), level.number}});
+        m_bench.desktop.settings.setOfPerson(m_bench.desktop.context.actor().personId(),
+                                             desktop::readyKey(plan), true);
+        m_bench.desktop.go(QStringLiteral("training"), plan.toMap());
+        look(name + QStringLiteral(", brief"));
+        m_bench.desktop.settings.setOfPerson(m_bench.desktop.context.actor().personId(),
+                                             desktop::readyKey(plan), false);
         auto* more = window.findChild<QPushButton*>(QStringLiteral("training.ready.more"));
         QVERIFY2(more, qPrintable(name));
         more->click();

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <set>
 #include <utility>
+#include <variant>
 #include <vector>
 
 using namespace chiron;
@@ -127,6 +128,10 @@ private slots:
             const devices::DeviceDescriptor& descriptor = device.descriptor();
             QCOMPARE(text(descriptor.driver), text(driver.id));
             QVERIFY(descriptor.deviceClass() == driver.deviceClass);
+            // Whoever moves the tools with mouse and keyboard reads how; whoever holds a handle reads that.
+            QCOMPARE(!std::holds_alternative<std::monostate>(made->front().input),
+                     driver.movedBy == devices::MovedBy::person &&
+                         driver.hand == devices::HandKind::mouseAndKeyboard);
             isValid(descriptor);
             QVERIFY(devices::makeKinematics(descriptor).has_value());
             const auto opened = device.open();

@@ -4,6 +4,7 @@
 #include "app/exercises/palpation/desktop/lean_dial.h"
 #include "app/exercises/palpation/desktop/palpation_words.h"
 #include "app/exercises/palpation/session_report/finger_words.h"
+#include "desktop/training/felt_words.h"
 #include "desktop/training/info_panel.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/target_bar.h"
@@ -55,7 +56,7 @@ PalpationPanel::PalpationPanel(const Theme& theme, const QLocale& locale, const 
     if (cues.plots)
         addPlots();
     if (!cues.bars && !cues.numbers && !cues.plots && !cues.coverage) {
-        auto* none = kit::label(theme, InfoPanel::noCuesText(), TextStyle::body, "muted");
+        auto* none = kit::label(theme, felt_words::noMeasurements(cues.felt), TextStyle::body, "muted");
         none->setObjectName(QStringLiteral("training.no_cues"));
         m_column->addWidget(none);
     }
@@ -159,6 +160,8 @@ LivePlot* PalpationPanel::plot(const char* name, const QString& title, double to
 void PalpationPanel::addPlots() {
     m_forcePlot = plot("training.force_plot", tools() > 1 ? tr("Force, first finger (N)") : tr("Force (N)"),
                        1.25 * m_level.maximumForce_N, m_level.maximumForce_N);
+    if (m_cues.bars)
+        addSpare(m_forcePlot);
     if (m_cues.bars)
         m_leanPlot = plot("training.lean_plot", tools() > 1 ? tr("Tilt, first finger (°)") : tr("Tilt (°)"),
                           kLeanAxis_deg, kLeanLimit_deg);

@@ -2,6 +2,7 @@
 #include "app/exercises/urethra_insertion/desktop/insertion_panel.h"
 
 #include "desktop/plots/responsive_row.h"
+#include "desktop/training/felt_words.h"
 #include "desktop/training/force_bar.h"
 #include "desktop/training/info_panel.h"
 #include "desktop/training/live_plot.h"
@@ -50,7 +51,7 @@ InsertionPanel::InsertionPanel(const Theme& theme, const QLocale& locale, const 
     if (cues.plots)
         addPlots(parameters);
     if (!cues.bars && !cues.numbers && !cues.plots) {
-        auto* none = kit::label(theme, InfoPanel::noCuesText(), TextStyle::body, "muted");
+        auto* none = kit::label(theme, felt_words::noMeasurements(cues.felt), TextStyle::body, "muted");
         none->setObjectName(QStringLiteral("training.no_cues"));
         m_column->addWidget(none);
     }
@@ -191,7 +192,9 @@ void InsertionPanel::addPlots(const simulation::UrethraInsertionParameters& para
         m_column->addWidget(row, 1);
         return row;
     };
-    pair(m_forcePlot, m_offsetPlot);
+    QWidget* first = pair(m_forcePlot, m_offsetPlot);
+    if (m_cues.bars && m_cues.numbers)
+        addSpare(first);
     addDetail(pair(m_lateralPlot, m_alignmentPlot));
 }
 

@@ -147,7 +147,7 @@ std::vector<MetricDefinition> handlingMetrics() {
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Heaviest found by chance"),
               .meaning =
-                  QT_TRANSLATE_NOOP("Metrics", "How often somebody who feels nothing would choose the "
+                  QT_TRANSLATE_NOOP("Metrics", "How often somebody who perceives nothing would choose the "
                                                "heaviest object. A share that is not larger shows no skill."),
               .definition = "weighing_correct of one who chooses without feeling: 100/n of n objects, the "
                             "mean over the trials.",

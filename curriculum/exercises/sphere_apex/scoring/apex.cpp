@@ -125,21 +125,22 @@ std::vector<MetricDefinition> apexMetrics() {
                              "trials; a miss counts as an error of R at "
                              "least.",
                .measure = measureErrorMean<missesCounted>});
-    rows.add(
-        {.id = "apex_error_mean_by_chance",
-         .unit = "% of R",
-         .direction = Direction::neutral,
-         .aggregate = Aggregate::pooled,
-         .title = QT_TRANSLATE_NOOP("Metrics", "Apex error by chance"),
-         .meaning = QT_TRANSLATE_NOOP("Metrics", "The apex error of somebody who feels nothing and always "
-                                                 "marks the same, best possible place. An error that is not "
-                                                 "smaller shows no skill."),
-         .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
-         .definition = "apex_error_mean of one who always marks the same place, the best for this session "
-                       "(the median of the apexes): what "
-                       "feeling nothing gives.",
-         .source = "our definition",
-         .measure = measureApexErrorMeanByChance});
+    rows.add({.id = "apex_error_mean_by_chance",
+              .unit = "% of R",
+              .direction = Direction::neutral,
+              .aggregate = Aggregate::pooled,
+              .title = QT_TRANSLATE_NOOP("Metrics", "Apex error by chance"),
+              .meaning =
+                  QT_TRANSLATE_NOOP("Metrics", "The apex error of somebody who perceives nothing and always "
+                                               "marks the same, best possible place. An error that is not "
+                                               "smaller shows no skill."),
+              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
+              .definition =
+                  "apex_error_mean of one who always marks the same place, the best for this session "
+                  "(the median of the apexes): what "
+                  "feeling nothing gives.",
+              .source = "our definition",
+              .measure = measureApexErrorMeanByChance});
     rows.add(
         {.id = "apex_error_sd",
          .unit = "% of R",
