@@ -401,6 +401,70 @@
         <source>Hold the left button, or G. To open it, hold Shift and the left button, or H.</source>
         <translation>Halten Sie die linke Taste oder G. Zum Öffnen halten Sie die Umschalttaste und die linke Taste oder H.</translation>
     </message>
+    <message>
+        <source>Take the handle and move it: the tool moves with it.</source>
+        <translation>Nehmen Sie den Griff und bewegen Sie ihn: Das Instrument bewegt sich mit.</translation>
+    </message>
+    <message>
+        <source>Push the handle in. To withdraw, pull it out.</source>
+        <translation>Schieben Sie den Griff hinein. Zum Zurückziehen ziehen Sie ihn heraus.</translation>
+    </message>
+    <message>
+        <source>Turn and tilt the handle.</source>
+        <translation>Drehen und neigen Sie den Griff.</translation>
+    </message>
+    <message>
+        <source>Move the handle sideways.</source>
+        <translation>Bewegen Sie den Griff seitwärts.</translation>
+    </message>
+    <message>
+        <source>Lower the handle. To raise the instrument, raise the handle.</source>
+        <translation>Senken Sie den Griff. Zum Anheben des Instruments heben Sie ihn an.</translation>
+    </message>
+    <message>
+        <source>Close the grip of the handle. To open the jaw, open the grip.</source>
+        <translation>Schließen Sie den Griff. Zum Öffnen des Mauls öffnen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>Lower the handle until the tip touches. To raise the tip, raise the handle.</source>
+        <translation>Senken Sie den Griff, bis die Spitze berührt. Zum Anheben der Spitze heben Sie ihn an.</translation>
+    </message>
+    <message>
+        <source>Press the button of the handle, or Enter, while you touch the place.</source>
+        <translation>Drücken Sie den Knopf am Griff oder Enter, während Sie die Stelle berühren.</translation>
+    </message>
+    <message>
+        <source>Change the instrument</source>
+        <translation>Instrument wechseln</translation>
+    </message>
+    <message>
+        <source>You move one instrument at a time. Press 1 for the right one, 2 for the left one.</source>
+        <translation>Sie bewegen jeweils ein Instrument. Drücken Sie 1 für das rechte, 2 für das linke.</translation>
+    </message>
+    <message>
+        <source>You move one instrument at a time. Press its number, 1 to %1.</source>
+        <translation>Sie bewegen jeweils ein Instrument. Drücken Sie seine Nummer, 1 bis %1.</translation>
+    </message>
+    <message>
+        <source>Take the handle and move it: the finger moves with it.</source>
+        <translation>Nehmen Sie den Griff und bewegen Sie ihn: Der Finger bewegt sich mit.</translation>
+    </message>
+    <message>
+        <source>Push the handle down. To raise the finger, raise the handle.</source>
+        <translation>Drücken Sie den Griff nach unten. Zum Anheben des Fingers heben Sie ihn an.</translation>
+    </message>
+    <message>
+        <source>Press the button of the handle, or Enter. When nothing is left to report, press D.</source>
+        <translation>Drücken Sie den Knopf am Griff oder Enter. Ist nichts mehr zu melden, drücken Sie D.</translation>
+    </message>
+    <message>
+        <source>Change hands</source>
+        <translation>Hand wechseln</translation>
+    </message>
+    <message>
+        <source>You move one hand at a time. Press H for the other one.</source>
+        <translation>Sie bewegen jeweils eine Hand. Drücken Sie H für die andere.</translation>
+    </message>
 </context>
 <context>
     <name>DesignFaults</name>
@@ -645,6 +709,33 @@ Einzelheiten: %2</translation>
     <message>
         <source>Close without a backup</source>
         <translation>Ohne Sicherung beenden</translation>
+    </message>
+</context>
+<context>
+    <name>FeltWords</name>
+    <message>
+        <source>%1: force felt</source>
+        <translation>%1: Kraft gefühlt</translation>
+    </message>
+    <message>
+        <source>%1: force shown, not felt</source>
+        <translation>%1: Kraft gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>This level shows no measurements: rely on what you feel. Everything is recorded and appears in the results.</source>
+        <translation>Diese Stufe zeigt keine Messwerte: Arbeiten Sie nach Gefühl. Alles wird aufgezeichnet und erscheint im Ergebnis.</translation>
+    </message>
+    <message>
+        <source>This level shows no measurements: rely on the scene. Everything is recorded and appears in the results.</source>
+        <translation>Diese Stufe zeigt keine Messwerte: Richten Sie sich nach der Szene. Alles wird aufgezeichnet und erscheint im Ergebnis.</translation>
+    </message>
+    <message>
+        <source>You feel the objects through the device.</source>
+        <translation>Sie fühlen die Objekte durch das Gerät.</translation>
+    </message>
+    <message>
+        <source>This device renders no force: the force is shown beside the scene.</source>
+        <translation>Dieses Gerät gibt keine Kraft wieder: Die Kraft wird neben der Szene gezeigt.</translation>
     </message>
 </context>
 <context>
@@ -2018,10 +2109,6 @@ Einzelheiten: %2</translation>
         <translation>Trennschärfe, Untergrenze</translation>
     </message>
     <message>
-        <source>The lower end of the 95 % interval of the sensitivity. Below 0 the session does not show that anything was felt.</source>
-        <translation>Das untere Ende des 95-%-Intervalls der Trennschärfe. Unter 0 zeigt die Sitzung nicht, dass etwas gefühlt wurde.</translation>
-    </message>
-    <message>
         <source>Sensitivity, upper bound</source>
         <translation>Trennschärfe, Obergrenze</translation>
     </message>
@@ -2082,10 +2169,6 @@ Einzelheiten: %2</translation>
         <translation>Schwerstes durch Raten gefunden</translation>
     </message>
     <message>
-        <source>How often somebody who feels nothing would choose the heaviest object. A share that is not larger shows no skill.</source>
-        <translation>Wie oft jemand, der nichts fühlt, das schwerste Objekt wählen würde. Ein Anteil, der nicht größer ist, zeigt kein Können.</translation>
-    </message>
-    <message>
         <source>Localisation error by chance</source>
         <translation>Lagefehler durch Raten</translation>
     </message>
@@ -2106,16 +2189,8 @@ Einzelheiten: %2</translation>
         <translation>Scheitelfehler durch Raten</translation>
     </message>
     <message>
-        <source>The apex error of somebody who feels nothing and always marks the same, best possible place. An error that is not smaller shows no skill.</source>
-        <translation>Der Scheitelfehler von jemandem, der nichts fühlt und immer dieselbe, bestmögliche Stelle markiert. Ein Fehler, der nicht kleiner ist, zeigt kein Können.</translation>
-    </message>
-    <message>
         <source>Size error by chance</source>
         <translation>Größenfehler durch Raten</translation>
-    </message>
-    <message>
-        <source>The size error of somebody who feels nothing and always states the middle size. A size error that is not smaller shows no skill.</source>
-        <translation>Der Größenfehler von jemandem, der nichts fühlt und immer die mittlere Größe angibt. Ein Größenfehler, der nicht kleiner ist, zeigt kein Können.</translation>
     </message>
     <message>
         <source>Hardness order</source>
@@ -2264,6 +2339,22 @@ Einzelheiten: %2</translation>
     <message>
         <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line, and a ring that guides is double. In a bend the urethra then leads on beside the middle of the picture.</source>
         <translation>Der Winkel zwischen Endoskop und Richtung der Harnröhre am Ort der Spitze; große Winkel zählen mehr. Im Bild: Die Wand nahe der Spitze ist rundum gleich breit, wenn beide in einer Linie liegen, und ein Führungsring ist doppelt. In einer Biegung führt die Harnröhre dann neben der Bildmitte weiter.</translation>
+    </message>
+    <message>
+        <source>How often somebody who perceives nothing would choose the heaviest object. A share that is not larger shows no skill.</source>
+        <translation>Wie oft jemand, der nichts wahrnimmt, das schwerste Objekt wählen würde. Ein Anteil, der nicht größer ist, zeigt kein Können.</translation>
+    </message>
+    <message>
+        <source>The lower end of the 95 % interval of the sensitivity. Below 0 the session does not show that any lump was perceived.</source>
+        <translation>Das untere Ende des 95-%-Intervalls der Trennschärfe. Unter 0 zeigt die Sitzung nicht, dass ein Knoten wahrgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>The size error of somebody who perceives nothing and always states the middle size. A size error that is not smaller shows no skill.</source>
+        <translation>Der Größenfehler von jemandem, der nichts wahrnimmt und immer die mittlere Größe angibt. Ein Größenfehler, der nicht kleiner ist, zeigt kein Können.</translation>
+    </message>
+    <message>
+        <source>The apex error of somebody who perceives nothing and always marks the same, best possible place. An error that is not smaller shows no skill.</source>
+        <translation>Der Scheitelfehler von jemandem, der nichts wahrnimmt und immer dieselbe, bestmögliche Stelle markiert. Ein Fehler, der nicht kleiner ist, zeigt kein Können.</translation>
     </message>
 </context>
 <context>
@@ -2650,16 +2741,8 @@ Einzelheiten: %2</translation>
 <context>
     <name>ParticipantSentences</name>
     <message>
-        <source>In each trial you look for the highest point of an object by touch and mark it.</source>
-        <translation>In jedem Durchgang suchen Sie tastend den höchsten Punkt eines Objekts und markieren ihn.</translation>
-    </message>
-    <message>
         <source>In each trial you explore three objects and put them in order.</source>
         <translation>In jedem Durchgang erkunden Sie drei Objekte und bringen sie in eine Reihenfolge.</translation>
-    </message>
-    <message>
-        <source>In each trial you explore three objects and put them in order; you may mark those that feel the same as equal.</source>
-        <translation>In jedem Durchgang erkunden Sie drei Objekte und bringen sie in eine Reihenfolge; was sich gleich anfühlt, dürfen Sie als gleich angeben.</translation>
     </message>
     <message>
         <source>In each trial you explore two objects and choose one of two answers.</source>
@@ -2672,10 +2755,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>In each trial you explore one object and choose one of two answers.</source>
         <translation>In jedem Durchgang erkunden Sie ein Objekt und wählen eine von zwei Antworten.</translation>
-    </message>
-    <message>
-        <source>In each trial you change one object until it feels like the other, and confirm.</source>
-        <translation>In jedem Durchgang verändern Sie ein Objekt, bis es sich wie das andere anfühlt, und bestätigen.</translation>
     </message>
     <message>
         <source>In each trial you explore one object and give it a number.</source>
@@ -2836,6 +2915,18 @@ Einzelheiten: %2</translation>
     <message>
         <source>Touch every object before you answer; a graze is not enough, and the screen says when more force is needed.</source>
         <translation>Berühren Sie jedes Objekt, bevor Sie antworten; ein Streifen genügt nicht, und der Bildschirm sagt, wenn mehr Kraft nötig ist.</translation>
+    </message>
+    <message>
+        <source>In each trial you search for the highest point of an object with the tip and mark it.</source>
+        <translation>In jedem Durchgang suchen Sie mit der Spitze den höchsten Punkt eines Objekts und markieren ihn.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore three objects and put them in order; you may mark those that seem the same as equal.</source>
+        <translation>In jedem Durchgang erkunden Sie drei Objekte und bringen sie in eine Reihenfolge; was Ihnen gleich vorkommt, dürfen Sie als gleich angeben.</translation>
+    </message>
+    <message>
+        <source>In each trial you change one object until it seems like the other, and confirm.</source>
+        <translation>In jedem Durchgang verändern Sie ein Objekt, bis es Ihnen wie das andere vorkommt, und bestätigen.</translation>
     </message>
 </context>
 <context>
@@ -5217,10 +5308,6 @@ Einzelheiten: %2</translation>
         <translation>Drücken Sie Y für Ja, N für Nein.</translation>
     </message>
     <message>
-        <source>Press + and − until both feel the same, then Enter.</source>
-        <translation>Drücken Sie + und −, bis sich beide gleich anfühlen, dann Enter.</translation>
-    </message>
-    <message>
         <source>Type a number, then press Enter.</source>
         <translation>Geben Sie eine Zahl ein und drücken Sie Enter.</translation>
     </message>
@@ -5259,6 +5346,10 @@ Einzelheiten: %2</translation>
     <message>
         <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring, then raise it.</source>
         <translation>Senken Sie die Spitze in den Ring und heben Sie dann den Griff. Zum Loslassen drücken Sie sie deutlich unter den Ring und heben sie dann.</translation>
+    </message>
+    <message>
+        <source>Press + and − until both seem the same, then Enter.</source>
+        <translation>Drücken Sie + und −, bis Ihnen beide gleich vorkommen, dann Enter.</translation>
     </message>
 </context>
 <context>
@@ -6635,14 +6726,6 @@ Einzelheiten: %2</translation>
         <translation>Ist es %1 als die Referenz?</translation>
     </message>
     <message>
-        <source>Change the right one until both feel the same.</source>
-        <translation>Verändern Sie das rechte, bis sich beide gleich anfühlen.</translation>
-    </message>
-    <message>
-        <source>Give a number to what you feel. Any positive number is allowed.</source>
-        <translation>Ordnen Sie dem, was Sie fühlen, eine Zahl zu. Jede positive Zahl ist erlaubt.</translation>
-    </message>
-    <message>
         <source>As listed</source>
         <translation>Wie aufgeführt</translation>
     </message>
@@ -6747,10 +6830,6 @@ Einzelheiten: %2</translation>
         <translation>Rangfolge von dreien, mit Gleichständen</translation>
     </message>
     <message>
-        <source>Put the three in order: each one %1 than the one before. You may mark those that feel the same as equal.</source>
-        <translation>Ordnen Sie die drei: jedes %1 als das vorige. Was sich gleich anfühlt, dürfen Sie als gleich angeben.</translation>
-    </message>
-    <message>
         <source>Taken back</source>
         <translation>Zurückgenommen</translation>
     </message>
@@ -6789,6 +6868,18 @@ Einzelheiten: %2</translation>
     <message>
         <source>Three objects that differ by equal ratios are put in order; those that feel the same may be marked as equal.</source>
         <translation>Drei Objekte, die sich um gleiche Verhältnisse unterscheiden, werden geordnet; was sich gleich anfühlt, darf als gleich angegeben werden.</translation>
+    </message>
+    <message>
+        <source>Put the three in order: each one %1 than the one before. You may mark those that seem the same as equal.</source>
+        <translation>Ordnen Sie die drei: jedes %1 als das vorige. Was Ihnen gleich vorkommt, dürfen Sie als gleich angeben.</translation>
+    </message>
+    <message>
+        <source>Change the right one until both seem the same.</source>
+        <translation>Verändern Sie das rechte, bis Ihnen beide gleich vorkommen.</translation>
+    </message>
+    <message>
+        <source>Give a number to what you perceive. Any positive number is allowed.</source>
+        <translation>Ordnen Sie dem, was Sie wahrnehmen, eine Zahl zu. Jede positive Zahl ist erlaubt.</translation>
     </message>
 </context>
 <context>
@@ -6933,12 +7024,24 @@ Einzelheiten: %2</translation>
         <translation>Vorführung (%1). %2: Kraft gezeigt, nicht gefühlt</translation>
     </message>
     <message>
-        <source>%1: force shown, not felt</source>
-        <translation>%1: Kraft gezeigt, nicht gefühlt</translation>
+        <source>Move: with the handle. Mark: button of the handle or Enter. Space: pause. Esc: stop force. F5: start again.</source>
+        <translation>Bewegen: mit dem Griff. Markieren: Knopf am Griff oder Enter. Leertaste: Pause. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
     <message>
-        <source>%1: force felt</source>
-        <translation>%1: Kraft gefühlt</translation>
+        <source>Move: with the handle. Space: pause. Esc: stop force. F5: start again.</source>
+        <translation>Bewegen: mit dem Griff. Leertaste: Pause. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+    </message>
+    <message>
+        <source>Move, press and lift: with the handle. Mark a finding: button of the handle or Enter.</source>
+        <translation>Bewegen, drücken und heben: mit dem Griff. Fund markieren: Knopf am Griff oder Enter.</translation>
+    </message>
+    <message>
+        <source>Squeeze tissue between the jaws: open the grip in the air, lower it, close it.</source>
+        <translation>Gewebe zwischen den Branchen drücken: Griff in der Luft öffnen, absenken, schließen.</translation>
+    </message>
+    <message>
+        <source>Space: pause. Esc: stop force. F5: start again.</source>
+        <translation>Leertaste: Pause. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
 </context>
 <context>
@@ -9128,10 +9231,6 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>Funde</translation>
     </message>
     <message>
-        <source>None yet. Press where you feel something, then click or press Enter.</source>
-        <translation>Noch keine. Drücken Sie, wo Sie etwas fühlen; dann Klick oder Enter.</translation>
-    </message>
-    <message>
         <source>Take back</source>
         <translation>Zurücknehmen</translation>
     </message>
@@ -9166,6 +9265,10 @@ Press again to end the trial without it.</source>
         <translation>Es fehlt noch:
 %1
 Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translation>
+    </message>
+    <message>
+        <source>None yet. Press where the tissue is firmer, then mark the place (Enter).</source>
+        <translation>Noch keine. Drücken Sie, wo das Gewebe fester ist, und markieren Sie die Stelle (Enter).</translation>
     </message>
 </context>
 <context>
@@ -9955,10 +10058,6 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
     <message>
         <source>Elapsed: %1</source>
         <translation>Verstrichen: %1</translation>
-    </message>
-    <message>
-        <source>This level shows no measurements: rely on what you feel. Everything is recorded and appears in the results.</source>
-        <translation>Diese Stufe zeigt keine Messwerte: Arbeiten Sie nach Gefühl. Alles wird aufgezeichnet und erscheint im Ergebnis.</translation>
     </message>
     <message>
         <source>Force</source>
@@ -12920,6 +13019,14 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
         <source>Not now</source>
         <translation>Nicht jetzt</translation>
     </message>
+    <message>
+        <source>Arrow keys: read on</source>
+        <translation>Pfeiltasten: weiterlesen</translation>
+    </message>
+    <message>
+        <source>Space: read on</source>
+        <translation>Leertaste: weiterlesen</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RecoveryCodeDialog</name>
@@ -14521,6 +14628,13 @@ Die Administration gibt hier auch dem Standort seinen Namen.</translation>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::SidePanel</name>
+    <message>
+        <source>Ctrl+Page Down: read on</source>
+        <translation>Strg+Bild ab: weiterlesen</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::SignedBar</name>
     <message>
         <source>%1 %2, over the limit</source>
@@ -16020,6 +16134,21 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>Click in the scene to work on</source>
         <translation>Klicken Sie in die Szene, um weiterzuarbeiten</translation>
     </message>
+    <message>
+        <source>Read on in the panel</source>
+        <translation>In der Leiste weiterlesen</translation>
+    </message>
+    <message>
+        <source>Read back in the panel</source>
+        <translation>In der Leiste zurücklesen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s). The clock starts when you press Go.</source>
+        <translation>
+            <numerusform>%n Durchgang. Die Uhr läuft, sobald Sie „Los“ drücken.</numerusform>
+            <numerusform>%n Durchgänge. Die Uhr läuft, sobald Sie „Los“ drücken.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TransportBar</name>
@@ -16317,10 +16446,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Klicken Sie am höchsten Punkt oder drücken Sie dort Enter.</translation>
     </message>
     <message>
-        <source>Feel for the sphere first.</source>
-        <translation>Ertasten Sie zuerst die Kugel.</translation>
-    </message>
-    <message>
         <source>Force is stopped</source>
         <translation>Kraft ist gestoppt</translation>
     </message>
@@ -16359,14 +16484,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Where is the highest point?</source>
         <translation>Wo ist der höchste Punkt?</translation>
-    </message>
-    <message>
-        <source>You feel the objects through the device.</source>
-        <translation>Sie fühlen die Objekte durch das Gerät.</translation>
-    </message>
-    <message>
-        <source>This device renders no force: what a hand would feel is shown beside the scene.</source>
-        <translation>Dieses Gerät gibt keine Kraft wieder: Was eine Hand fühlen würde, wird neben der Szene gezeigt.</translation>
     </message>
     <message>
         <source>First comes a free minute to try the controls. Nothing counts in it, and you can end it at any time.</source>
@@ -16458,10 +16575,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Touch first: %1.</source>
         <translation>Berühren Sie zuerst: %1.</translation>
-    </message>
-    <message>
-        <source>Feel for the highest point, and mark it.</source>
-        <translation>Ertasten Sie den höchsten Punkt und markieren Sie ihn.</translation>
     </message>
     <message>
         <source>Pilot run</source>
@@ -16574,10 +16687,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Drücken Sie etwas fester auf %1: mindestens %2 N.</translation>
     </message>
     <message>
-        <source>Not every object was felt with at least %1 N in time.</source>
-        <translation>Nicht jedes Objekt wurde rechtzeitig mit mindestens %1 N gefühlt.</translation>
-    </message>
-    <message>
         <source>Not every object was touched in time.</source>
         <translation>Nicht jedes Objekt wurde rechtzeitig berührt.</translation>
     </message>
@@ -16588,10 +16697,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>From now on every answer counts. Press Continue when you are ready.</source>
         <translation>Ab jetzt zählt jede Antwort. Drücken Sie „Weiter“, wenn Sie bereit sind.</translation>
-    </message>
-    <message>
-        <source>Several times in a row, not every object was felt with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
-        <translation>Mehrmals hintereinander wurde nicht jedes Objekt rechtzeitig mit mindestens %1 N gefühlt. Bitten Sie die Versuchsleitung zu zeigen, wie ein Objekt erkundet und losgelassen wird.</translation>
     </message>
     <message>
         <source>Continue (Enter)</source>
@@ -16716,6 +16821,22 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Touch next: %1.</source>
         <translation>Berühren Sie als Nächstes: %1.</translation>
+    </message>
+    <message>
+        <source>Not every object was explored with at least %1 N in time.</source>
+        <translation>Nicht jedes Objekt wurde rechtzeitig mit mindestens %1 N erkundet.</translation>
+    </message>
+    <message>
+        <source>Find the highest point, and mark it.</source>
+        <translation>Finden Sie den höchsten Punkt und markieren Sie ihn.</translation>
+    </message>
+    <message>
+        <source>Find the sphere first.</source>
+        <translation>Finden Sie zuerst die Kugel.</translation>
+    </message>
+    <message>
+        <source>Several times in a row, not every object was explored with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
+        <translation>Mehrmals hintereinander wurde nicht jedes Objekt rechtzeitig mit mindestens %1 N erkundet. Bitten Sie die Versuchsleitung zu zeigen, wie ein Objekt erkundet und losgelassen wird.</translation>
     </message>
 </context>
 <context>

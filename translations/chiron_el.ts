@@ -401,6 +401,70 @@
         <source>Hold the left button, or G. To open it, hold Shift and the left button, or H.</source>
         <translation>Κρατήστε το αριστερό πλήκτρο ή το G. Για άνοιγμα κρατήστε το Shift και το αριστερό πλήκτρο, ή το H.</translation>
     </message>
+    <message>
+        <source>Take the handle and move it: the tool moves with it.</source>
+        <translation>Πιάστε τη λαβή και μετακινήστε την: το εργαλείο κινείται μαζί της.</translation>
+    </message>
+    <message>
+        <source>Push the handle in. To withdraw, pull it out.</source>
+        <translation>Σπρώξτε τη λαβή προς τα μέσα. Για απόσυρση, τραβήξτε την προς τα έξω.</translation>
+    </message>
+    <message>
+        <source>Turn and tilt the handle.</source>
+        <translation>Στρέψτε και γείρετε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>Move the handle sideways.</source>
+        <translation>Μετακινήστε τη λαβή στο πλάι.</translation>
+    </message>
+    <message>
+        <source>Lower the handle. To raise the instrument, raise the handle.</source>
+        <translation>Κατεβάστε τη λαβή. Για να σηκώσετε το εργαλείο, σηκώστε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>Close the grip of the handle. To open the jaw, open the grip.</source>
+        <translation>Κλείστε τη λαβή. Για να ανοίξει η σιαγόνα, ανοίξτε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>Lower the handle until the tip touches. To raise the tip, raise the handle.</source>
+        <translation>Κατεβάστε τη λαβή μέχρι να ακουμπήσει η άκρη. Για να σηκώσετε την άκρη, σηκώστε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>Press the button of the handle, or Enter, while you touch the place.</source>
+        <translation>Πατήστε το κουμπί της λαβής ή το Enter ενώ ακουμπάτε το σημείο.</translation>
+    </message>
+    <message>
+        <source>Change the instrument</source>
+        <translation>Αλλαγή εργαλείου</translation>
+    </message>
+    <message>
+        <source>You move one instrument at a time. Press 1 for the right one, 2 for the left one.</source>
+        <translation>Κινείτε ένα εργαλείο τη φορά. Πατήστε 1 για το δεξί, 2 για το αριστερό.</translation>
+    </message>
+    <message>
+        <source>You move one instrument at a time. Press its number, 1 to %1.</source>
+        <translation>Κινείτε ένα εργαλείο τη φορά. Πατήστε τον αριθμό του, 1 έως %1.</translation>
+    </message>
+    <message>
+        <source>Take the handle and move it: the finger moves with it.</source>
+        <translation>Πιάστε τη λαβή και μετακινήστε την: το δάχτυλο κινείται μαζί της.</translation>
+    </message>
+    <message>
+        <source>Push the handle down. To raise the finger, raise the handle.</source>
+        <translation>Σπρώξτε τη λαβή προς τα κάτω. Για να σηκώσετε το δάχτυλο, σηκώστε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>Press the button of the handle, or Enter. When nothing is left to report, press D.</source>
+        <translation>Πατήστε το κουμπί της λαβής ή το Enter. Όταν δεν υπάρχει τίποτα άλλο να αναφέρετε, πατήστε D.</translation>
+    </message>
+    <message>
+        <source>Change hands</source>
+        <translation>Αλλαγή χεριού</translation>
+    </message>
+    <message>
+        <source>You move one hand at a time. Press H for the other one.</source>
+        <translation>Κινείτε ένα χέρι τη φορά. Πατήστε H για το άλλο.</translation>
+    </message>
 </context>
 <context>
     <name>DesignFaults</name>
@@ -645,6 +709,33 @@ Details: %2</source>
     <message>
         <source>Close without a backup</source>
         <translation>Κλείσιμο χωρίς αντίγραφο ασφαλείας</translation>
+    </message>
+</context>
+<context>
+    <name>FeltWords</name>
+    <message>
+        <source>%1: force felt</source>
+        <translation>%1: αισθητή δύναμη</translation>
+    </message>
+    <message>
+        <source>%1: force shown, not felt</source>
+        <translation>%1: μόνο προβολή δύναμης</translation>
+    </message>
+    <message>
+        <source>This level shows no measurements: rely on what you feel. Everything is recorded and appears in the results.</source>
+        <translation>Αυτό το επίπεδο δεν δείχνει μετρήσεις: εργαστείτε με την αφή. Όλα καταγράφονται και εμφανίζονται στα αποτελέσματα.</translation>
+    </message>
+    <message>
+        <source>This level shows no measurements: rely on the scene. Everything is recorded and appears in the results.</source>
+        <translation>Αυτό το επίπεδο δεν δείχνει μετρήσεις: καθοδηγηθείτε από τη σκηνή. Όλα καταγράφονται και εμφανίζονται στα αποτελέσματα.</translation>
+    </message>
+    <message>
+        <source>You feel the objects through the device.</source>
+        <translation>Νιώθετε τα αντικείμενα μέσω της συσκευής.</translation>
+    </message>
+    <message>
+        <source>This device renders no force: the force is shown beside the scene.</source>
+        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη: η δύναμη εμφανίζεται δίπλα στη σκηνή.</translation>
     </message>
 </context>
 <context>
@@ -2018,10 +2109,6 @@ Details: %2</source>
         <translation>Ευαισθησία, κάτω όριο</translation>
     </message>
     <message>
-        <source>The lower end of the 95 % interval of the sensitivity. Below 0 the session does not show that anything was felt.</source>
-        <translation>Το κάτω άκρο του διαστήματος 95 % της ευαισθησίας. Κάτω από 0 η συνεδρία δεν δείχνει ότι έγινε κάτι αισθητό.</translation>
-    </message>
-    <message>
         <source>Sensitivity, upper bound</source>
         <translation>Ευαισθησία, άνω όριο</translation>
     </message>
@@ -2082,10 +2169,6 @@ Details: %2</source>
         <translation>Εύρεση του βαρύτερου στην τύχη</translation>
     </message>
     <message>
-        <source>How often somebody who feels nothing would choose the heaviest object. A share that is not larger shows no skill.</source>
-        <translation>Πόσο συχνά θα επέλεγε το βαρύτερο αντικείμενο κάποιος που δεν αισθάνεται τίποτα. Ένα ποσοστό που δεν είναι μεγαλύτερο δεν δείχνει δεξιότητα.</translation>
-    </message>
-    <message>
         <source>Localisation error by chance</source>
         <translation>Σφάλμα εντοπισμού στην τύχη</translation>
     </message>
@@ -2106,16 +2189,8 @@ Details: %2</source>
         <translation>Σφάλμα κορυφής στην τύχη</translation>
     </message>
     <message>
-        <source>The apex error of somebody who feels nothing and always marks the same, best possible place. An error that is not smaller shows no skill.</source>
-        <translation>Το σφάλμα κορυφής κάποιου που δεν αισθάνεται τίποτα και σημειώνει πάντα το ίδιο, το καλύτερο δυνατό, σημείο. Ένα σφάλμα που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
-    </message>
-    <message>
         <source>Size error by chance</source>
         <translation>Σφάλμα μεγέθους στην τύχη</translation>
-    </message>
-    <message>
-        <source>The size error of somebody who feels nothing and always states the middle size. A size error that is not smaller shows no skill.</source>
-        <translation>Το σφάλμα μεγέθους κάποιου που δεν αισθάνεται τίποτα και δηλώνει πάντα το μεσαίο μέγεθος. Ένα σφάλμα που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
     </message>
     <message>
         <source>Hardness order</source>
@@ -2264,6 +2339,22 @@ Details: %2</source>
     <message>
         <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line, and a ring that guides is double. In a bend the urethra then leads on beside the middle of the picture.</source>
         <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και τη διεύθυνση της ουρήθρας εκεί που ήταν η άκρη του· οι μεγάλες γωνίες βαραίνουν περισσότερο. Στην εικόνα: το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα όταν τα δύο ευθυγραμμίζονται, και ο δακτύλιος που καθοδηγεί είναι διπλός. Σε μια καμπή η ουρήθρα συνεχίζει τότε δίπλα στο κέντρο της εικόνας.</translation>
+    </message>
+    <message>
+        <source>How often somebody who perceives nothing would choose the heaviest object. A share that is not larger shows no skill.</source>
+        <translation>Πόσο συχνά θα επέλεγε το βαρύτερο αντικείμενο κάποιος που δεν αντιλαμβάνεται τίποτα. Ένα ποσοστό που δεν είναι μεγαλύτερο δεν δείχνει δεξιότητα.</translation>
+    </message>
+    <message>
+        <source>The lower end of the 95 % interval of the sensitivity. Below 0 the session does not show that any lump was perceived.</source>
+        <translation>Το κάτω άκρο του διαστήματος 95 % της ευαισθησίας. Κάτω από 0 η συνεδρία δεν δείχνει ότι έγινε αντιληπτός κάποιος όζος.</translation>
+    </message>
+    <message>
+        <source>The size error of somebody who perceives nothing and always states the middle size. A size error that is not smaller shows no skill.</source>
+        <translation>Το σφάλμα μεγέθους κάποιου που δεν αντιλαμβάνεται τίποτα και δηλώνει πάντα το μεσαίο μέγεθος. Ένα σφάλμα μεγέθους που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
+    </message>
+    <message>
+        <source>The apex error of somebody who perceives nothing and always marks the same, best possible place. An error that is not smaller shows no skill.</source>
+        <translation>Το σφάλμα κορυφής κάποιου που δεν αντιλαμβάνεται τίποτα και σημειώνει πάντα το ίδιο, το καλύτερο δυνατό, σημείο. Ένα σφάλμα που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
     </message>
 </context>
 <context>
@@ -2650,16 +2741,8 @@ Details: %2</source>
 <context>
     <name>ParticipantSentences</name>
     <message>
-        <source>In each trial you look for the highest point of an object by touch and mark it.</source>
-        <translation>Σε κάθε δοκιμή αναζητάτε με την αφή το ψηλότερο σημείο ενός αντικειμένου και το σημειώνετε.</translation>
-    </message>
-    <message>
         <source>In each trial you explore three objects and put them in order.</source>
         <translation>Σε κάθε δοκιμή εξερευνάτε τρία αντικείμενα και τα βάζετε σε σειρά.</translation>
-    </message>
-    <message>
-        <source>In each trial you explore three objects and put them in order; you may mark those that feel the same as equal.</source>
-        <translation>Σε κάθε δοκιμή εξερευνάτε τρία αντικείμενα και τα βάζετε σε σειρά· όσα νιώθετε ίδια μπορείτε να τα δηλώσετε ως ίσα.</translation>
     </message>
     <message>
         <source>In each trial you explore two objects and choose one of two answers.</source>
@@ -2672,10 +2755,6 @@ Details: %2</source>
     <message>
         <source>In each trial you explore one object and choose one of two answers.</source>
         <translation>Σε κάθε δοκιμή εξερευνάτε ένα αντικείμενο και επιλέγετε μία από δύο απαντήσεις.</translation>
-    </message>
-    <message>
-        <source>In each trial you change one object until it feels like the other, and confirm.</source>
-        <translation>Σε κάθε δοκιμή μεταβάλλετε ένα αντικείμενο ώσπου να το νιώθετε όπως το άλλο και επιβεβαιώνετε.</translation>
     </message>
     <message>
         <source>In each trial you explore one object and give it a number.</source>
@@ -2836,6 +2915,18 @@ Details: %2</source>
     <message>
         <source>Touch every object before you answer; a graze is not enough, and the screen says when more force is needed.</source>
         <translation>Αγγίξτε κάθε αντικείμενο πριν απαντήσετε· ένα ελαφρύ άγγιγμα δεν αρκεί, και η οθόνη λέει πότε χρειάζεται περισσότερη δύναμη.</translation>
+    </message>
+    <message>
+        <source>In each trial you search for the highest point of an object with the tip and mark it.</source>
+        <translation>Σε κάθε δοκιμή αναζητάτε με την άκρη το ψηλότερο σημείο ενός αντικειμένου και το σημειώνετε.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore three objects and put them in order; you may mark those that seem the same as equal.</source>
+        <translation>Σε κάθε δοκιμή εξερευνάτε τρία αντικείμενα και τα βάζετε σε σειρά· όσα σας μοιάζουν ίδια μπορείτε να τα δηλώσετε ως ίσα.</translation>
+    </message>
+    <message>
+        <source>In each trial you change one object until it seems like the other, and confirm.</source>
+        <translation>Σε κάθε δοκιμή μεταβάλλετε ένα αντικείμενο ώσπου να σας μοιάζει με το άλλο και επιβεβαιώνετε.</translation>
     </message>
 </context>
 <context>
@@ -5217,10 +5308,6 @@ Details: %2</source>
         <translation>Πατήστε Y για ναι, N για όχι.</translation>
     </message>
     <message>
-        <source>Press + and − until both feel the same, then Enter.</source>
-        <translation>Πατήστε + και − μέχρι να νιώθετε και τα δύο ίδια, και μετά Enter.</translation>
-    </message>
-    <message>
         <source>Type a number, then press Enter.</source>
         <translation>Πληκτρολογήστε έναν αριθμό και πατήστε Enter.</translation>
     </message>
@@ -5259,6 +5346,10 @@ Details: %2</source>
     <message>
         <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring, then raise it.</source>
         <translation>Κατεβάστε τη μύτη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, σπρώξτε τη αρκετά κάτω από τον δακτύλιο και μετά σηκώστε τη.</translation>
+    </message>
+    <message>
+        <source>Press + and − until both seem the same, then Enter.</source>
+        <translation>Πατήστε + και − μέχρι να σας μοιάζουν και τα δύο ίδια, και μετά Enter.</translation>
     </message>
 </context>
 <context>
@@ -6635,14 +6726,6 @@ Details: %2</source>
         <translation>Είναι %1 από την αναφορά;</translation>
     </message>
     <message>
-        <source>Change the right one until both feel the same.</source>
-        <translation>Αλλάξτε το δεξί ώσπου τα δύο να μοιάζουν ίδια στην αφή.</translation>
-    </message>
-    <message>
-        <source>Give a number to what you feel. Any positive number is allowed.</source>
-        <translation>Δώστε έναν αριθμό σε αυτό που νιώθετε. Επιτρέπεται κάθε θετικός αριθμός.</translation>
-    </message>
-    <message>
         <source>As listed</source>
         <translation>Όπως αναγράφεται</translation>
     </message>
@@ -6747,10 +6830,6 @@ Details: %2</source>
         <translation>Κατάταξη τριών, με ισοβαθμίες</translation>
     </message>
     <message>
-        <source>Put the three in order: each one %1 than the one before. You may mark those that feel the same as equal.</source>
-        <translation>Βάλτε τα τρία σε σειρά: καθένα %1 από το προηγούμενο. Όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
-    </message>
-    <message>
         <source>Taken back</source>
         <translation>Αναιρέθηκε</translation>
     </message>
@@ -6789,6 +6868,18 @@ Details: %2</source>
     <message>
         <source>Three objects that differ by equal ratios are put in order; those that feel the same may be marked as equal.</source>
         <translation>Τρία αντικείμενα που διαφέρουν κατά ίσους λόγους μπαίνουν σε σειρά· όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
+    </message>
+    <message>
+        <source>Put the three in order: each one %1 than the one before. You may mark those that seem the same as equal.</source>
+        <translation>Βάλτε τα τρία σε σειρά: καθένα %1 από το προηγούμενο. Όσα σας μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
+    </message>
+    <message>
+        <source>Change the right one until both seem the same.</source>
+        <translation>Αλλάξτε το δεξί ώσπου τα δύο να σας μοιάζουν ίδια.</translation>
+    </message>
+    <message>
+        <source>Give a number to what you perceive. Any positive number is allowed.</source>
+        <translation>Δώστε έναν αριθμό σε αυτό που αντιλαμβάνεστε. Επιτρέπεται κάθε θετικός αριθμός.</translation>
     </message>
 </context>
 <context>
@@ -6933,12 +7024,24 @@ Details: %2</source>
         <translation>Επίδειξη (%1). %2: μόνο προβολή δύναμης</translation>
     </message>
     <message>
-        <source>%1: force shown, not felt</source>
-        <translation>%1: μόνο προβολή δύναμης</translation>
+        <source>Move: with the handle. Mark: button of the handle or Enter. Space: pause. Esc: stop force. F5: start again.</source>
+        <translation>Κίνηση: με τη λαβή. Σημείωση: κουμπί της λαβής ή Enter. Διάστημα: παύση. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
-        <source>%1: force felt</source>
-        <translation>%1: αισθητή δύναμη</translation>
+        <source>Move: with the handle. Space: pause. Esc: stop force. F5: start again.</source>
+        <translation>Κίνηση: με τη λαβή. Διάστημα: παύση. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+    </message>
+    <message>
+        <source>Move, press and lift: with the handle. Mark a finding: button of the handle or Enter.</source>
+        <translation>Κίνηση, πίεση και ανύψωση: με τη λαβή. Σημείωση ευρήματος: κουμπί της λαβής ή Enter.</translation>
+    </message>
+    <message>
+        <source>Squeeze tissue between the jaws: open the grip in the air, lower it, close it.</source>
+        <translation>Σύσφιγξη ιστού ανάμεσα στα σκέλη της λαβίδας: ανοίξτε τη λαβή στον αέρα, κατεβάστε την, κλείστε την.</translation>
+    </message>
+    <message>
+        <source>Space: pause. Esc: stop force. F5: start again.</source>
+        <translation>Διάστημα: παύση. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
 </context>
 <context>
@@ -9128,10 +9231,6 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>Ευρήματα</translation>
     </message>
     <message>
-        <source>None yet. Press where you feel something, then click or press Enter.</source>
-        <translation>Κανένα ακόμη. Πιέστε όπου νιώθετε κάτι και κάντε κλικ ή πατήστε Enter.</translation>
-    </message>
-    <message>
         <source>Take back</source>
         <translation>Αφαίρεση</translation>
     </message>
@@ -9166,6 +9265,10 @@ Press again to end the trial without it.</source>
         <translation>Λείπουν ακόμη:
 %1
 Πατήστε ξανά για να τελειώσει η δοκιμή χωρίς αυτά.</translation>
+    </message>
+    <message>
+        <source>None yet. Press where the tissue is firmer, then mark the place (Enter).</source>
+        <translation>Κανένα ακόμη. Πιέστε όπου ο ιστός είναι πιο σκληρός και σημειώστε τη θέση (Enter).</translation>
     </message>
 </context>
 <context>
@@ -9955,10 +10058,6 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     <message>
         <source>Elapsed: %1</source>
         <translation>Χρόνος: %1</translation>
-    </message>
-    <message>
-        <source>This level shows no measurements: rely on what you feel. Everything is recorded and appears in the results.</source>
-        <translation>Αυτό το επίπεδο δεν δείχνει μετρήσεις: εργαστείτε με την αφή. Όλα καταγράφονται και εμφανίζονται στα αποτελέσματα.</translation>
     </message>
     <message>
         <source>Force</source>
@@ -12920,6 +13019,14 @@ Press Tab to move from question to question, the arrow keys to move along a scal
         <source>Not now</source>
         <translation>Όχι τώρα</translation>
     </message>
+    <message>
+        <source>Arrow keys: read on</source>
+        <translation>Βέλη: συνέχεια ανάγνωσης</translation>
+    </message>
+    <message>
+        <source>Space: read on</source>
+        <translation>Διάστημα: συνέχεια ανάγνωσης</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RecoveryCodeDialog</name>
@@ -14521,6 +14628,13 @@ Administrators also give the site its name here.</source>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::SidePanel</name>
+    <message>
+        <source>Ctrl+Page Down: read on</source>
+        <translation>Ctrl+Page Down: συνέχεια ανάγνωσης</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::SignedBar</name>
     <message>
         <source>%1 %2, over the limit</source>
@@ -16020,6 +16134,21 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>Click in the scene to work on</source>
         <translation>Κάντε κλικ στη σκηνή για να συνεχίσετε</translation>
     </message>
+    <message>
+        <source>Read on in the panel</source>
+        <translation>Συνέχεια ανάγνωσης στον πίνακα</translation>
+    </message>
+    <message>
+        <source>Read back in the panel</source>
+        <translation>Επιστροφή στην ανάγνωση του πίνακα</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s). The clock starts when you press Go.</source>
+        <translation>
+            <numerusform>%n δοκιμή. Το χρονόμετρο ξεκινά όταν πατήσετε «Έναρξη».</numerusform>
+            <numerusform>%n δοκιμές. Το χρονόμετρο ξεκινά όταν πατήσετε «Έναρξη».</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TransportBar</name>
@@ -16317,10 +16446,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Κάντε κλικ ή πατήστε Enter στο ψηλότερο σημείο.</translation>
     </message>
     <message>
-        <source>Feel for the sphere first.</source>
-        <translation>Ψηλαφήστε πρώτα τη σφαίρα.</translation>
-    </message>
-    <message>
         <source>Force is stopped</source>
         <translation>Η δύναμη σταμάτησε</translation>
     </message>
@@ -16359,14 +16484,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Where is the highest point?</source>
         <translation>Πού είναι το υψηλότερο σημείο;</translation>
-    </message>
-    <message>
-        <source>You feel the objects through the device.</source>
-        <translation>Νιώθετε τα αντικείμενα μέσω της συσκευής.</translation>
-    </message>
-    <message>
-        <source>This device renders no force: what a hand would feel is shown beside the scene.</source>
-        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη: ό,τι θα ένιωθε ένα χέρι εμφανίζεται δίπλα στη σκηνή.</translation>
     </message>
     <message>
         <source>First comes a free minute to try the controls. Nothing counts in it, and you can end it at any time.</source>
@@ -16458,10 +16575,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Touch first: %1.</source>
         <translation>Αγγίξτε πρώτα: %1.</translation>
-    </message>
-    <message>
-        <source>Feel for the highest point, and mark it.</source>
-        <translation>Ψηλαφήστε για το υψηλότερο σημείο και σημειώστε το.</translation>
     </message>
     <message>
         <source>Pilot run</source>
@@ -16574,10 +16687,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Πιέστε λίγο πιο δυνατά το %1: τουλάχιστον %2 N.</translation>
     </message>
     <message>
-        <source>Not every object was felt with at least %1 N in time.</source>
-        <translation>Δεν έγιναν όλα τα αντικείμενα αισθητά εγκαίρως με τουλάχιστον %1 N.</translation>
-    </message>
-    <message>
         <source>Not every object was touched in time.</source>
         <translation>Δεν αγγίξατε εγκαίρως όλα τα αντικείμενα.</translation>
     </message>
@@ -16588,10 +16697,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>From now on every answer counts. Press Continue when you are ready.</source>
         <translation>Από εδώ και πέρα μετράει κάθε απάντηση. Πατήστε «Συνέχεια» όταν είστε έτοιμοι.</translation>
-    </message>
-    <message>
-        <source>Several times in a row, not every object was felt with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
-        <translation>Αρκετές φορές στη σειρά δεν έγιναν όλα τα αντικείμενα αισθητά εγκαίρως με τουλάχιστον %1 N. Ζητήστε από τον πειραματιστή να σας δείξει πώς εξερευνάτε και πώς αφήνετε ένα αντικείμενο.</translation>
     </message>
     <message>
         <source>Continue (Enter)</source>
@@ -16716,6 +16821,22 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Touch next: %1.</source>
         <translation>Αγγίξτε μετά: %1.</translation>
+    </message>
+    <message>
+        <source>Not every object was explored with at least %1 N in time.</source>
+        <translation>Δεν εξερευνήθηκαν όλα τα αντικείμενα εγκαίρως με τουλάχιστον %1 N.</translation>
+    </message>
+    <message>
+        <source>Find the highest point, and mark it.</source>
+        <translation>Βρείτε το υψηλότερο σημείο και σημειώστε το.</translation>
+    </message>
+    <message>
+        <source>Find the sphere first.</source>
+        <translation>Βρείτε πρώτα τη σφαίρα.</translation>
+    </message>
+    <message>
+        <source>Several times in a row, not every object was explored with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
+        <translation>Αρκετές φορές στη σειρά δεν εξερευνήθηκαν όλα τα αντικείμενα εγκαίρως με τουλάχιστον %1 N. Ζητήστε από τον πειραματιστή να σας δείξει πώς εξερευνάτε και πώς αφήνετε ένα αντικείμενο.</translation>
     </message>
 </context>
 <context>
