@@ -86,6 +86,9 @@ public:
     virtual ~ExerciseKind() = default;
 
     virtual std::string_view id() const noexcept = 0;
+    /// True if only studies present it: it is in no catalogue and has no levels among which a person could
+    /// choose.
+    virtual bool onlyInStudies() const noexcept { return false; }
     /// The simulated mechanism that a scripted operator holds: kinematics id "gimbal_hprd" (P2),
     /// "five_bar_spherical" (P1) or "fingertip_arm" (P3).
     virtual std::string_view mechanism() const noexcept { return kUsualMechanism; }
@@ -222,5 +225,8 @@ std::string idsOfKinds(bool (*holds)(const ExerciseKind&));
 /// The exercise with this id.
 /// Errors: notFound naming the exercises that exist.
 core::Result<const ExerciseKind*> exerciseKind(std::string_view id);
+
+/// ExerciseKind::onlyInStudies of the exercise with this id; false for an unknown exercise.
+bool isOnlyInStudies(std::string_view exercise) noexcept;
 
 } // namespace chiron::session

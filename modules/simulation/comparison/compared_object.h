@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 #include "simulation/objects/object_contact.h"
 #include "simulation/tube/tube_law.h"
 

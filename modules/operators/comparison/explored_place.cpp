@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modules/exercises/comparison/operators/explored_place.h"
+#include "operators/comparison/explored_place.h"
 
 #include "core/units.h"
 

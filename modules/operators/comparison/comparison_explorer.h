@@ -4,9 +4,9 @@
 #include "core/result.h"
 #include "mechanisms/hand_parameters.h"
 #include "mechanisms/hand_strategy.h"
-#include "modules/exercises/comparison/operators/explored_place.h"
-#include "modules/exercises/comparison/operators/participant_mind.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "operators/comparison/explored_place.h"
+#include "operators/comparison/participant_mind.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <array>
 #include <memory>

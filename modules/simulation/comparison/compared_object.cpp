@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modules/exercises/comparison/simulation/compared_object.h"
+#include "simulation/comparison/compared_object.h"
 
 #include "core/units.h"
 #include "simulation/attributes/contact_damping.h"

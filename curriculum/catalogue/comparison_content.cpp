@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
+#include "catalogue/comparison_content.h"
 
 #include "catalogue/resolved_level.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "simulation/attributes/object_attributes.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/exercises/comparison/session/comparison_kind.h"
+#include "session/study/comparison_kind.h"
 
-#include "modules/exercises/comparison/operators/comparison_explorer.h"
-#include "modules/exercises/comparison/simulation/comparison_scene.h"
+#include "operators/comparison/comparison_explorer.h"
 #include "session/session_setup.h"
+#include "simulation/comparison/comparison_scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/scene_marks.h"
 #include "desktop/scene3d/scene_setup.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <QCoreApplication>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/exercises/comparison/desktop/comparison_face.h"
+#include "desktop/study_run/comparison_face.h"
 
 namespace chiron::desktop {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/presentation_word.h"
-#include "modules/exercises/comparison/simulation/compared_object.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/comparison/compared_object.h"
+#include "simulation/comparison/comparison_parameters.h"
 #include "simulation/scene.h"
 
 #include <array>

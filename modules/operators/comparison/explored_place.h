@@ -3,8 +3,8 @@
 
 #include "core/geometry.h"
 #include "core/least_squares.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "operators/hand/instrument_feel.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <array>
 #include <cstddef>

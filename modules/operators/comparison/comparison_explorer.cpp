@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modules/exercises/comparison/operators/comparison_explorer.h"
+#include "operators/comparison/comparison_explorer.h"
 
 #include "core/units.h"
 

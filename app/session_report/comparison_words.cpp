@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/exercises/comparison/session_report/comparison_words.h"
+#include "session_report/comparison_words.h"
 
 namespace chiron::session_report {
 

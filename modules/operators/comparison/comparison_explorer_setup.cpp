@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes participants. This allocates, so it is kept apart from the code of the tick.
-#include "modules/exercises/comparison/operators/comparison_explorer.h"
+#include "operators/comparison/comparison_explorer.h"
 
 #include <cmath>
 

@@ -11,6 +11,7 @@ namespace chiron::session {
 class ComparisonKind final : public ExerciseKind {
 public:
     std::string_view id() const noexcept override { return "comparison"; }
+    bool onlyInStudies() const noexcept override { return true; }
     bool traceEndIsMark() const noexcept override { return false; }
     /// In the order of simulation::comparison_quantity.
     std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override;

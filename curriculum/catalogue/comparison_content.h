@@ -2,9 +2,9 @@
 #pragma once
 
 #include "catalogue/object_reader.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "psychophysics/study/study_design.h"
 #include "simulation/attributes/object_attributes.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <map>
 #include <string>

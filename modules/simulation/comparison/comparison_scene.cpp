@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modules/exercises/comparison/simulation/comparison_scene.h"
+#include "simulation/comparison/comparison_scene.h"
 
 #include "core/laparoscopy_cues.h"
 #include "core/units.h"
