@@ -119,6 +119,7 @@ private slots:
     void codeIsReadWithoutComments();
     void whatAFileDoesIsFound();
     void nothingElseNamesAnExercise();
+    void nothingElseNamesAMetricOfOneExercise();
     void noSceneOrOperatorKnowsAnotherExercise();
     void everyExerciseIsOnEachFloor();
     void everyFolderIsBuilt();
@@ -172,6 +173,29 @@ void TestExerciseSlices::nothingElseNamesAnExercise() {
                          .arg(path, does);
     }
     QVERIFY(read > 500);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+/// What belongs to one metric of one exercise (a limit, a benchmark, where it was worst) stands in the
+/// metric's row or in the exercise's folder. Ids of one word are also words for other things.
+void TestExerciseSlices::nothingElseNamesAMetricOfOneExercise() {
+    static const QRegularExpression row(QStringLiteral("\\.id = \"([a-z0-9]+_[a-z0-9_]+)\""));
+    QStringList metrics, wrong;
+    for (const QString& id : exercises())
+        for (QDirIterator it(kRoot + QStringLiteral("/curriculum/exercises/%1/scoring").arg(id),
+                             {QStringLiteral("*.cpp")}, QDir::Files);
+             it.hasNext();)
+            for (auto found = row.globalMatch(contentOf(QDir(kRoot).relativeFilePath(it.next())));
+                 found.hasNext();)
+                metrics << found.next().captured(1);
+    QVERIFY(metrics.size() > 40 && metrics.contains(QStringLiteral("apex_error_mean")));
+    for (const QString& path : productSources()) {
+        if (!path.startsWith(QStringLiteral("app/")) || mayNameExercises(path))
+            continue;
+        for (const QString& literal : readSource(contentOf(path)).literals)
+            if (metrics.contains(literal))
+                wrong << QStringLiteral("%1: names the metric %2").arg(path, literal);
+    }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
 }
 

@@ -4,6 +4,7 @@
 #include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_plan.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_scene.h"
+#include "session/laparoscopy_steps.h"
 #include "session/moment_rule.h"
 #include "session/session_setup.h"
 
@@ -126,6 +127,10 @@ double ElasticTubeKind::forceLimit_N(const catalogue::ExerciseLevel& level) cons
     return parametersOf(level).maximumForce_N;
 }
 
+std::vector<LimitedMetric> ElasticTubeKind::limitedMetrics(const catalogue::ExerciseLevel&) const {
+    return {{.metric = "retraction_max"}};
+}
+
 std::uint64_t ElasticTubeKind::tickLimit(const catalogue::ExerciseLevel& level) const {
     const auto& p = parametersOf(level);
     return static_cast<std::uint64_t>(
@@ -173,10 +178,17 @@ Demonstration ElasticTubeKind::demonstration() const {
                       "times it was let go\n"};
 }
 
+core::Result<void> ElasticTubeKind::addMarks(const SessionSetup&, const scoring::SessionTrace*,
+                                             PlaybackTrack& track) const {
+    nameSteps(track);
+    return {};
+}
+
 std::vector<MomentRule> ElasticTubeKind::momentRules() const {
     using enum PlaybackMarkKind;
     return {{.metric = "over_stretches", .marks = {damaged, failed}},
-            {.metric = "drops", .marks = {slipped}}};
+            {.metric = "drops", .marks = {slipped}},
+            {.metric = "procedure_completed", .marks = {failed}, .spread = true}}; // where it tore
 }
 
 } // namespace chiron::session

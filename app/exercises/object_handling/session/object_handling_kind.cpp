@@ -4,6 +4,7 @@
 #include "modules/exercises/object_handling/operators/object_handling_operator.h"
 #include "modules/exercises/object_handling/simulation/object_handling_plan.h"
 #include "modules/exercises/object_handling/simulation/object_handling_scene.h"
+#include "session/laparoscopy_steps.h"
 #include "session/level_cues.h"
 #include "session/moment_rule.h"
 #include "session/session_setup.h"
@@ -110,9 +111,9 @@ double ObjectHandlingKind::forceLimit_N(const catalogue::ExerciseLevel& level) c
     return parametersOf(level).maximumForce_N;
 }
 
-std::vector<std::pair<std::string_view, double>>
-ObjectHandlingKind::otherLimits_N(const catalogue::ExerciseLevel& level) const {
-    return {{"squeeze_max", parametersOf(level).squeezeLimit_N}};
+std::vector<LimitedMetric> ObjectHandlingKind::limitedMetrics(const catalogue::ExerciseLevel& level) const {
+    return {{.metric = "squeeze_max", .own = parametersOf(level).squeezeLimit_N},
+            {.metric = "placement_error"}};
 }
 
 std::uint64_t ObjectHandlingKind::tickLimit(const catalogue::ExerciseLevel& level) const {
@@ -154,6 +155,12 @@ Demonstration ObjectHandlingKind::demonstration() const {
             .legend = "squeeze: the largest; too hard: time over the squeeze that the object bears; placed: "
                       "mean distance from the middle of the\n"
                       "target; weighed: weighings that were answered rightly\n"};
+}
+
+core::Result<void> ObjectHandlingKind::addMarks(const SessionSetup&, const scoring::SessionTrace*,
+                                                PlaybackTrack& track) const {
+    nameSteps(track);
+    return {};
 }
 
 std::vector<MomentRule> ObjectHandlingKind::momentRules() const {

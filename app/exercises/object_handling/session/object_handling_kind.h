@@ -24,8 +24,7 @@ public:
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
-    std::vector<std::pair<std::string_view, double>>
-    otherLimits_N(const catalogue::ExerciseLevel& level) const override;
+    std::vector<LimitedMetric> limitedMetrics(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
     /// target_x_m, target_y_m, target_radius_m, squeeze_limit_N, task (simulation::HandlingTask), objects,
     /// heaviest (object number, from 0) and mass_<i>_kg of each object.
@@ -36,6 +35,9 @@ public:
                                                 std::uint64_t seed) const override;
     Demonstration demonstration() const override;
     std::vector<MomentRule> momentRules() const override;
+    /// The steps of the task name its changes of stage.
+    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace,
+                                PlaybackTrack& track) const override;
 };
 
 } // namespace chiron::session
