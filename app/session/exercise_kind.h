@@ -76,8 +76,8 @@ struct FingersOfHand {
 /// A metric whose value a level limits: by a pass mark, and by a limit of the level itself if it has one.
 struct LimitedMetric {
     std::string_view metric; ///< id
-    std::optional<double>
-        own{}; ///< the level's own limit, in the metric's unit; empty: only a pass mark limits it
+    /// The level's own limit, in the metric's unit; empty: only a pass mark limits it.
+    std::optional<double> own{};
 };
 
 /// Kinematics id of the mechanism used where no other is requested: P2's gimbal.
@@ -186,8 +186,8 @@ public:
     virtual bool marksFromTrace() const noexcept { return false; }
     /// Adds to a track the marks that need the whole trial: outcomes of answers, and events that the scores
     /// count; names the stages that the track's marks begin. Uses the same judgement as the scores. Marks
-    /// stay in the order of time. `trace` is null unless marksFromTrace(). Errors: a trace that cannot be
-    /// scored.
+    /// stay in the order of time. `trace` is null unless marksFromTrace().
+    /// Errors: a trace that cannot be scored.
     virtual core::Result<void> addMarks(const SessionSetup&, const scoring::SessionTrace* /*trace*/,
                                         PlaybackTrack&) const {
         return {};

@@ -62,7 +62,8 @@ public:
     core::Result<std::vector<Truth>>
         truths(core::Result<Truth> (*read)(std::span<const scoring::NamedValue>));
     /// Events, trials and end of the session by its recording; concludeSession() stores them. Derives the
-    /// trace in the same pass, because outcomes of answers need it. Errors: those of the reader.
+    /// trace in the same pass, because outcomes of answers need it.
+    /// Errors: those of the reader.
     core::Result<std::shared_ptr<const SessionEvents>> events();
     /// The session for playback, with all events as marks.
     /// Errors: those of decode().
