@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/haptic_frame.h"
 #include "core/result.h"
 #include "session/new_folder.h"
 #include "session/session_view.h"
@@ -10,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <vector>
 
 namespace chiron::session {
 
@@ -34,6 +36,28 @@ struct BidsEvent {
     QString value; ///< number of the presentation
 };
 
+/// A span of the recording as an events file lists it, in seconds since the first sample.
+struct BidsSpan {
+    double onset_s = 0.0;
+    double end_s = 0.0;
+    QString type;
+    QString value;
+};
+
+/// Finds the spans of an events file while the samples of a recording are written, so that it is decoded
+/// once.
+class BidsSpans {
+public:
+    BidsSpans() = default;
+    BidsSpans(const BidsSpans&) = delete;
+    BidsSpans& operator=(const BidsSpans&) = delete;
+    virtual ~BidsSpans() = default;
+    /// Call it for each frame, in order; `t_s`: since the first one.
+    virtual void add(const core::HapticFrame& frame, double t_s) = 0;
+    /// The spans that began within the recording.
+    virtual std::vector<BidsSpan> take() = 0;
+};
+
 /// The letters and digits of a word; "x" if it has none.
 QString bidsLabel(const QString& words);
 /// Assigns a unique label to each word. Labels that differ only in case count as equal, because file systems
@@ -47,6 +71,9 @@ std::map<QString, QString> bidsLabels(QStringList words);
 /// the workspace's frame, time since the first tick, and tissue, commanded and measured force as MISC
 /// channels.
 /// Errors: those of the reader, storage.
+core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording,
+                                   BidsSpans& spans);
+/// The same with events whose ticks are known.
 core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording,
                                    const std::vector<BidsEvent>& events);
 

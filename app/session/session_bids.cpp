@@ -9,6 +9,29 @@
 
 namespace chiron::session {
 
+namespace {
+
+/// The trials by their numbers, each from its first frame to its last.
+class TrialSpans final : public BidsSpans {
+public:
+    void add(const core::HapticFrame& frame, double t_s) override {
+        const int trial = frame.header.trial;
+        m_spans.try_emplace(trial, BidsSpan{t_s, t_s, "trial", QString::number(trial)}).first->second.end_s =
+            t_s;
+    }
+    std::vector<BidsSpan> take() override {
+        std::vector<BidsSpan> spans;
+        for (auto& [trial, span] : m_spans)
+            spans.push_back(std::move(span));
+        return spans;
+    }
+
+private:
+    std::map<int, BidsSpan> m_spans;
+};
+
+} // namespace
+
 core::Result<void> exportSessionBids(SessionView& session, const std::filesystem::path& folder) {
     auto made = NewFolder::begin(folder);
     CHIRON_TRY(made);
@@ -21,21 +44,7 @@ core::Result<void> exportSessionBids(SessionView& session, const std::filesystem
                                   {"Authors", QJsonArray{"n/a"}},
                                   {"GeneratedBy", QJsonArray{QJsonObject{{"Name", "Chiron"}}}}};
     const BidsRecording recording{subject, bidsLabel(exercise), {}, 1, exercise, {}};
-    std::map<int, BidsEvent> trials;
-    auto read = session.eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
-        for (const core::HapticFrame& frame : frames) {
-            auto& event = trials
-                              .try_emplace(frame.header.trial, BidsEvent{frame.header.index, 0, "trial",
-                                                                         QString::number(frame.header.trial)})
-                              .first->second;
-            event.lastTick = frame.header.index;
-        }
-        return {};
-    });
-    CHIRON_TRY(read);
-    std::vector<BidsEvent> events;
-    for (const auto& trial : trials)
-        events.push_back(trial.second);
+    TrialSpans trials;
     const ExportTable participants{"participants",
                                    {},
                                    {{"participant_id", "", "the session's number"}},
@@ -44,7 +53,7 @@ core::Result<void> exportSessionBids(SessionView& session, const std::filesystem
     CHIRON_TRY(made->write("README", "One recorded session: motion of the tool with forces, its "
                                      "trials as events. Who did it is not part of it.\n"));
     CHIRON_TRY(made->write("participants.tsv", tsvOf(participants)));
-    CHIRON_TRY(writeBidsMotion(*made, session, recording, events));
+    CHIRON_TRY(writeBidsMotion(*made, session, recording, trials));
     return made->commit();
 }
 

@@ -53,6 +53,7 @@ private slots:
     void initTestCase();
     void samplesAreTheFrames();
     void oneReadingForAll();
+    void eventsAreThoseThatTheEndStored();
     void proxyIsTheFeltSurface();
     void nothingHoldsAToolThatIsThrough();
     void lookUpByTime();
@@ -309,13 +310,44 @@ void TestPlaybackTrack::oneReadingForAll() {
     QCOMPARE((*ownTrack)->marks.size(), (*track)->marks.size());
     QCOMPARE((*ownTrack)->duration_s, (*track)->duration_s);
     std::size_t frames = 0;
-    QVERIFY(together.session->trace([&frames](std::span<const core::HapticFrame> seen) -> core::Result<void> {
-        frames += seen.size();
-        return {};
-    }));
+    QVERIFY(
+        together.session->eachChunk([&frames](std::span<const core::HapticFrame> seen) -> core::Result<void> {
+            frames += seen.size();
+            return {};
+        }));
     QCOMPARE(frames,
              static_cast<std::size_t>(
                  together.session->record().summary.frames)); // who wants to see frames sees all of them
+}
+
+/// What a session's end stored is what its recording says: events with the outcomes of answers, and trials.
+void TestPlaybackTrack::eventsAreThoseThatTheEndStored() {
+    for (const database::SessionId id : {m_expert, m_unsafe}) {
+        OpenStored stored(*m_site.database, id);
+        const auto events = stored.session->events();
+        QVERIFY(events);
+        QVERIFY(stored.session->trace()); // answers were judged by it, so it came along
+        QCOMPARE(stored.session->decodings(), 1);
+        QVERIFY(events->get() == stored.session->events()->get());
+        auto reader = m_site.database->openReader();
+        QVERIFY(reader);
+        database::SessionReader rows(**reader, database::Actor::simulated());
+        const auto storedEvents = rows.events(id);
+        const auto storedTrials = rows.trials(id);
+        QVERIFY(storedEvents && storedTrials && !storedEvents->empty());
+        QCOMPARE((*events)->events.size(), storedEvents->size());
+        for (std::size_t i = 0; i < storedEvents->size(); ++i) {
+            const database::EventRecord& derived = (*events)->events[i];
+            QCOMPARE(derived.tick, (*storedEvents)[i].tick);
+            QCOMPARE(derived.kind, (*storedEvents)[i].kind);
+            QCOMPARE(derived.tool, (*storedEvents)[i].tool);
+            QCOMPARE(derived.detailJson, (*storedEvents)[i].detailJson);
+        }
+        QCOMPARE((*events)->trials.size(), storedTrials->size());
+        QCOMPARE((*events)->frames, stored.session->record().summary.frames);
+        QCOMPARE((*events)->finished,
+                 stored.session->record().summary.state == database::SessionState::completed);
+    }
 }
 
 void TestPlaybackTrack::canBeStopped() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/study_run/study_controls.h"
 
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <QCoreApplication>
 

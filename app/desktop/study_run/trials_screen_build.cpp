@@ -18,7 +18,7 @@
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <QApplication>
 #include <QCheckBox>

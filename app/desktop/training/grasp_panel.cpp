@@ -93,7 +93,7 @@ void GraspPanel::addBars() {
             new TargetBar(m_theme, m_locale, {tr("Pull on the fold"), tr("N"), m_grasping.retractionEnd_N, 2},
                           m_cues.numbers);
         m_retraction->setObjectName(QStringLiteral("training.retraction_bar"));
-        m_retraction->setLimit(m_grasping.limits.retraction_N.value_or(0.0));
+        m_retraction->setLimit(m_grasping.retractionLimit_N);
         m_column->addWidget(m_retraction);
     }
     for (int i = 0; i < m_tools; ++i) {
@@ -102,7 +102,7 @@ void GraspPanel::addBars() {
                              : i == 1     ? tr("Force, left")
                                           : tr("Force, instrument %1").arg(i + 1);
         auto* bar =
-            new ForceBar(m_theme, m_locale, {name, tr("N"), m_grasping.limits.force_N, 2}, m_cues.numbers);
+            new ForceBar(m_theme, m_locale, {name, tr("N"), m_grasping.forceLimit_N, 2}, m_cues.numbers);
         bar->setObjectName(QStringLiteral("training.force_bar_%1").arg(i));
         m_column->addWidget(bar);
         m_force.push_back(bar);
@@ -160,7 +160,7 @@ void GraspPanel::addPlots() {
     if (m_tools > 1 && m_cues.bars)
         return; // both hands feel the same tension, so one readable plot suffices
     m_forcePlot = plot("training.force_plot", m_tools > 1 ? tr("Force, right (N)") : tr("Force (N)"),
-                       m_grasping.limits.force_N * 1.25, m_grasping.limits.force_N);
+                       m_grasping.forceLimit_N * 1.25, m_grasping.forceLimit_N);
     if (m_cues.bars)
         addSpare(m_forcePlot);
     else

@@ -6,11 +6,11 @@
 #include "core/random.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/scene_exchange.h"
-#include "modules/exercises/comparison/simulation/comparison_scene.h"
 #include "realtime/periodic_runner.h"
 #include "session/study/study_director.h"
 #include "session/study/study_setup.h"
 #include "session/training_run.h"
+#include "simulation/comparison/comparison_scene.h"
 
 #include <atomic>
 #include <cmath>

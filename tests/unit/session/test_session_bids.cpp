@@ -75,6 +75,7 @@ void TestSessionBids::trialsLastToTheirLastTick() {
     const QString folder = QString::fromStdString(m_fixture.folder()) + "/whole";
     const auto done = session::exportSessionBids(*stored.session, folder.toStdString());
     QVERIFY2(done, done ? "" : done.error().message.c_str());
+    QCOMPARE(stored.session->decodings(), 1); // samples and trials come from one reading
     QCOMPARE(static_cast<std::size_t>(linesOf(folder, "_motion.tsv").size()), m_made.frames.size());
     const auto spans = trialsOf(m_made.frames);
     QVERIFY(spans.size() >= 2);

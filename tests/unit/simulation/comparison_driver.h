@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/comparison/simulation/comparison_scene.h"
+#include "simulation/comparison/comparison_scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -99,6 +99,10 @@ Measurement measureApexMisses(std::span<const PreparedTrial> trials) {
         std::count_if(all.answers.begin(), all.answers.end(), [](const ApexAnswer& a) { return a.miss; })));
 }
 
+/// P2, "Preliminary Validation": 14.2 % mean, SD 11.3, five subjects with ten hemispheres each.
+constexpr PublishedBand kFivePeople{14.2 - 11.3, 14.2 + 11.3,
+                                    QT_TRANSLATE_NOOP("Metrics", "published, 5 subjects × 10")};
+
 } // namespace
 
 std::vector<MetricDefinition> apexMetrics() {
@@ -120,6 +124,7 @@ std::vector<MetricDefinition> apexMetrics() {
          .definition = "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all trials, "
                        "misses included.",
          .source = "models.md §2.3; P2, Preliminary Validation",
+         .published = kFivePeople, // the next version counts misses differently
          .measure = measureErrorMean<asMarked>});
     rows.next({.definition = "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all "
                              "trials; a miss counts as an error of R at "
