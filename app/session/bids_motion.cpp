@@ -182,33 +182,60 @@ QByteArray sidecar(const SessionView& session, const BidsRecording& recording, c
     return QJsonDocument(json).toJson();
 }
 
+/// The columns of a place are there only where an event has one.
+bool havePlaces(const std::vector<BidsEvent>& events) {
+    return std::any_of(events.begin(), events.end(),
+                       [](const BidsEvent& event) { return event.p_W.has_value(); });
+}
+
+constexpr std::array kPlaceColumns{"position_x", "position_y", "position_z"};
+
 QByteArray eventsTsv(const std::vector<BidsEvent>& events, const Written& written) {
     ExportTable table{
         "events",
         {},
         {{"onset", "s", ""}, {"duration", "s", ""}, {"trial_type", "", ""}, {"ordinal", "1", ""}},
         {}};
-    for (std::size_t i = 0; i < events.size(); ++i)
-        if (written.onset_s[i] >= 0.0)
-            table.rows.push_back({exportNumber(written.onset_s[i]),
-                                  exportNumber(std::max(0.0, written.end_s[i] - written.onset_s[i])),
-                                  events[i].type, events[i].value});
+    const bool places = havePlaces(events);
+    for (const char* column : kPlaceColumns)
+        if (places)
+            table.columns.push_back({column, "m", ""});
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        if (written.onset_s[i] < 0.0)
+            continue;
+        QStringList row{exportNumber(written.onset_s[i]),
+                        exportNumber(std::max(0.0, written.end_s[i] - written.onset_s[i])), events[i].type,
+                        events[i].value};
+        for (int axis = 0; places && axis < 3; ++axis)
+            row << (events[i].p_W ? exportNumber((*events[i].p_W)[axis]) : kNotAvailable);
+        table.rows.push_back(row);
+    }
     return tsvOf(table);
 }
 
-QByteArray eventsJson() {
-    const QJsonObject levels{{"trial", "scored presentation"},
-                             {"practice", "practice, never scored"},
-                             {"spoiled", "presentation that does not count"}};
-    return QJsonDocument(
-               QJsonObject{
-                   {"onset", QJsonObject{{"Description", "begin, since the first sample of the motion file"},
-                                         {"Units", "s"}}},
-                   {"duration", QJsonObject{{"Description", "until the answer"}, {"Units", "s"}}},
-                   {"trial_type", QJsonObject{{"Description", "what was presented"}, {"Levels", levels}}},
-                   {"ordinal",
-                    QJsonObject{{"Description", "presentation within the run, as in the beh file"}}}})
-        .toJson();
+QByteArray eventsJson(const std::vector<BidsEvent>& events) {
+    QJsonObject levels{{"trial", "scored presentation"},
+                       {"practice", "practice, never scored"},
+                       {"spoiled", "presentation that does not count"}};
+    const bool yields = std::any_of(events.begin(), events.end(), [](const BidsEvent& event) {
+        return event.type == QLatin1String(kTissueYielded);
+    });
+    if (yields)
+        levels.insert(QLatin1String(kTissueYielded),
+                      "tissue gave way under the tool; its ordinal is that of the trial");
+    QJsonObject json{
+        {"onset",
+         QJsonObject{{"Description", "begin, since the first sample of the motion file"}, {"Units", "s"}}},
+        {"duration", QJsonObject{{"Description", "until the answer"}, {"Units", "s"}}},
+        {"trial_type", QJsonObject{{"Description", "what was presented"}, {"Levels", levels}}},
+        {"ordinal", QJsonObject{{"Description", "presentation within the run, as in the beh file"}}}};
+    if (havePlaces(events))
+        for (const char* column : kPlaceColumns)
+            json.insert(QLatin1String(column),
+                        QJsonObject{{"Description", "tip of the tool where tissue gave way, in the frame of "
+                                                    "the motion file; n/a for other events"},
+                                    {"Units", "m"}});
+    return QJsonDocument(json).toJson();
 }
 
 } // namespace
@@ -269,7 +296,7 @@ core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, cons
           {tracked + "_channels.tsv", channelsTsv()},
           {tracked + "_channels.json", channelsJson()},
           {tracked + "_events.tsv", eventsTsv(events, *written)},
-          {tracked + "_events.json", eventsJson()}})
+          {tracked + "_events.json", eventsJson(events)}})
         if (auto done = folder.write(name, bytes); !done)
             return done;
     return {};

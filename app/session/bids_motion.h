@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry.h"
 #include "core/result.h"
 #include "session/new_folder.h"
 #include "session/session_view.h"
@@ -10,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 
 namespace chiron::session {
 
@@ -27,11 +29,15 @@ struct BidsRecording {
     QString tail() const; ///< "_acq-sitting1_run-1"
 };
 
+/// The type of an event at which tissue gave way.
+inline constexpr const char* kTissueYielded = "tissue_yielded";
+
 /// A span of ticks that an events file lists.
 struct BidsEvent {
     std::uint64_t firstTick = 0, lastTick = 0;
-    QString type;  ///< "trial", "practice", "spoiled"
-    QString value; ///< number of the presentation
+    QString type;                                 ///< "trial", "practice", "spoiled", kTissueYielded
+    QString value;                                ///< number of the presentation
+    std::optional<core::Vec3> p_W = std::nullopt; ///< where it happened, m, W; of tissue that gave way
 };
 
 /// The letters and digits of a word; "x" if it has none.
@@ -50,7 +56,8 @@ std::map<QString, QString> bidsLabels(QStringList words);
 core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording,
                                    const std::vector<BidsEvent>& events);
 
-/// Writes `folder` as a BIDS dataset of this session only, with its trials as events.
+/// Writes `folder` as a BIDS dataset of this session only, with its trials, and the moments at which tissue
+/// gave way, as events.
 /// Errors: badInput if the folder exists; storage; those of the reader.
 core::Result<void> exportSessionBids(SessionView& session, const std::filesystem::path& folder);
 

@@ -1,13 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact_bits.h"
 #include "session/bids_motion.h"
 #include "session/study_export_table.h"
+#include "session/yield_cause.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <map>
 
 namespace chiron::session {
+
+namespace {
+
+/// The tools under which tissue gave way in this frame.
+void addYields(const core::HapticFrame& frame, const ToolPositions& positions,
+               std::vector<BidsEvent>& events) {
+    for (int tool = 0; tool < positions.tools(); ++tool) {
+        const core::ToolFrame& sample = frame.tool[static_cast<std::size_t>(tool)];
+        if (core::contactOfStatus(sample.status) & core::contact_bits::kYielded)
+            events.push_back({frame.header.index, frame.header.index, kTissueYielded,
+                              QString::number(frame.header.trial), yieldPlaceOf(&positions, tool, sample)});
+    }
+}
+
+} // namespace
 
 core::Result<void> exportSessionBids(SessionView& session, const std::filesystem::path& folder) {
     auto made = NewFolder::begin(folder);
@@ -22,6 +40,7 @@ core::Result<void> exportSessionBids(SessionView& session, const std::filesystem
                                   {"GeneratedBy", QJsonArray{QJsonObject{{"Name", "Chiron"}}}}};
     const BidsRecording recording{subject, bidsLabel(exercise), {}, 1, exercise, {}};
     std::map<int, BidsEvent> trials;
+    std::vector<BidsEvent> events;
     auto read = session.eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
         for (const core::HapticFrame& frame : frames) {
             auto& event = trials
@@ -29,14 +48,16 @@ core::Result<void> exportSessionBids(SessionView& session, const std::filesystem
                                                                          QString::number(frame.header.trial)})
                               .first->second;
             event.lastTick = frame.header.index;
+            addYields(frame, session.positions(), events);
         }
         return {};
     });
     if (!read)
         return read;
-    std::vector<BidsEvent> events;
     for (const auto& trial : trials)
         events.push_back(trial.second);
+    std::stable_sort(events.begin(), events.end(),
+                     [](const BidsEvent& a, const BidsEvent& b) { return a.firstTick < b.firstTick; });
     const ExportTable participants{"participants",
                                    {},
                                    {{"participant_id", "", "the session's number"}},

@@ -61,7 +61,8 @@ struct Conclusion {
 core::Result<Conclusion> conclude(SessionView& stored, const RunEnding& ending) {
     const auto kind = exerciseKind(stored.setup().level.exercise);
     CHIRON_TRY(kind);
-    EventExtractor seen(stored.record().setup.forceLimit_N, stored.setup().seed, stored.positions().tools());
+    EventExtractor seen(stored.record().setup.forceLimit_N, stored.setup().seed, stored.positions().tools(),
+                        &stored.positions());
     std::vector<FrameTime> times;
     DeviceTime time;
     auto trace = stored.trace([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
