@@ -47,6 +47,8 @@ Unit unitOf(psychophysics::Attribute attribute);
 QString value(double si, psychophysics::Attribute attribute, const QLocale& locale);
 /// A number with `digits` significant digits; a dash if it is not a number.
 QString number(double value, const QLocale& locale, int digits = 3);
+/// "0.81 ± 0.02": a number and the error of it, to two digits.
+QString withError(double value, double error, const QLocale& locale);
 QString plainNumber(double value, const QLocale& locale); ///< as people write it: 4, 3.5
 /// A ratio in per cent ("12.5 %"); a dash if it is not a number.
 QString percent(double ratio, const QLocale& locale);
