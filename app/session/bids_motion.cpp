@@ -196,31 +196,56 @@ QByteArray sidecar(const SessionView& session, const BidsRecording& recording, c
     return QJsonDocument(json).toJson();
 }
 
+/// The columns of a place are there only where an event has one.
+bool havePlaces(const std::vector<BidsSpan>& spans) {
+    return std::any_of(spans.begin(), spans.end(), [](const BidsSpan& span) { return span.p_W.has_value(); });
+}
+
+constexpr std::array kPlaceColumns{"position_x", "position_y", "position_z"};
+
 QByteArray eventsTsv(const std::vector<BidsSpan>& spans) {
     ExportTable table{
         "events",
         {},
         {{"onset", "s", ""}, {"duration", "s", ""}, {"trial_type", "", ""}, {"ordinal", "1", ""}},
         {}};
-    for (const BidsSpan& span : spans)
-        table.rows.push_back({exportNumber(span.onset_s),
-                              exportNumber(std::max(0.0, span.end_s - span.onset_s)), span.type, span.value});
+    const bool places = havePlaces(spans);
+    for (const char* column : kPlaceColumns)
+        if (places)
+            table.columns.push_back({column, "m", ""});
+    for (const BidsSpan& span : spans) {
+        QStringList row{exportNumber(span.onset_s), exportNumber(std::max(0.0, span.end_s - span.onset_s)),
+                        span.type, span.value};
+        for (int axis = 0; places && axis < 3; ++axis)
+            row << (span.p_W ? exportNumber((*span.p_W)[axis]) : kNotAvailable);
+        table.rows.push_back(row);
+    }
     return tsvOf(table);
 }
 
-QByteArray eventsJson() {
-    const QJsonObject levels{{"trial", "scored presentation"},
-                             {"practice", "practice, never scored"},
-                             {"spoiled", "presentation that does not count"}};
-    return QJsonDocument(
-               QJsonObject{
-                   {"onset", QJsonObject{{"Description", "begin, since the first sample of the motion file"},
-                                         {"Units", "s"}}},
-                   {"duration", QJsonObject{{"Description", "until the answer"}, {"Units", "s"}}},
-                   {"trial_type", QJsonObject{{"Description", "what was presented"}, {"Levels", levels}}},
-                   {"ordinal",
-                    QJsonObject{{"Description", "presentation within the run, as in the beh file"}}}})
-        .toJson();
+QByteArray eventsJson(const std::vector<BidsSpan>& spans) {
+    QJsonObject levels{{"trial", "scored presentation"},
+                       {"practice", "practice, never scored"},
+                       {"spoiled", "presentation that does not count"}};
+    const bool yields = std::any_of(spans.begin(), spans.end(), [](const BidsSpan& span) {
+        return span.type == QLatin1String(kTissueYielded);
+    });
+    if (yields)
+        levels.insert(QLatin1String(kTissueYielded),
+                      "tissue gave way under the tool; its ordinal is that of the trial");
+    QJsonObject json{
+        {"onset",
+         QJsonObject{{"Description", "begin, since the first sample of the motion file"}, {"Units", "s"}}},
+        {"duration", QJsonObject{{"Description", "until the answer"}, {"Units", "s"}}},
+        {"trial_type", QJsonObject{{"Description", "what was presented"}, {"Levels", levels}}},
+        {"ordinal", QJsonObject{{"Description", "presentation within the run, as in the beh file"}}}};
+    if (havePlaces(spans))
+        for (const char* column : kPlaceColumns)
+            json.insert(QLatin1String(column),
+                        QJsonObject{{"Description", "tip of the tool where tissue gave way, in the frame of "
+                                                    "the motion file; n/a for other events"},
+                                    {"Units", "m"}});
+    return QJsonDocument(json).toJson();
 }
 
 } // namespace
@@ -282,12 +307,13 @@ core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, cons
                           (*path + ": cannot be written: " + file.errorString()).toStdString());
     const auto written = writeSamples(file, session, spans);
     CHIRON_TRY(written);
+    const std::vector<BidsSpan> found = spans.take();
     for (const auto& [name, bytes] :
          {std::pair{tracked + "_motion.json", sidecar(session, recording, *written)},
           {tracked + "_channels.tsv", channelsTsv()},
           {tracked + "_channels.json", channelsJson()},
-          {tracked + "_events.tsv", eventsTsv(spans.take())},
-          {tracked + "_events.json", eventsJson()}})
+          {tracked + "_events.tsv", eventsTsv(found)},
+          {tracked + "_events.json", eventsJson(found)}})
         CHIRON_TRY(folder.write(name, bytes));
     return {};
 }

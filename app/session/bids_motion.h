@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry.h"
 #include "core/haptic_frame.h"
 #include "core/result.h"
 #include "session/new_folder.h"
@@ -11,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace chiron::session {
@@ -29,6 +31,9 @@ struct BidsRecording {
     QString tail() const; ///< "_acq-sitting1_run-1"
 };
 
+/// The type of an event at which tissue gave way.
+inline constexpr const char* kTissueYielded = "tissue_yielded";
+
 /// A span of ticks that an events file lists.
 struct BidsEvent {
     std::uint64_t firstTick = 0, lastTick = 0;
@@ -40,8 +45,9 @@ struct BidsEvent {
 struct BidsSpan {
     double onset_s = 0.0;
     double end_s = 0.0;
-    QString type;
-    QString value;
+    QString type;                                 ///< as in BidsEvent, or kTissueYielded
+    QString value;                                ///< number of the presentation
+    std::optional<core::Vec3> p_W = std::nullopt; ///< where tissue gave way; m, W
 };
 
 /// Finds the spans of an events file while the samples of a recording are written, so that it is decoded
@@ -77,7 +83,8 @@ core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, cons
 core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording,
                                    const std::vector<BidsEvent>& events);
 
-/// Writes `folder` as a BIDS dataset of this session only, with its trials as events.
+/// Writes `folder` as a BIDS dataset of this session only, with its trials, and the moments at which tissue
+/// gave way, as events.
 /// Errors: badInput if the folder exists; storage; those of the reader.
 core::Result<void> exportSessionBids(SessionView& session, const std::filesystem::path& folder);
 

@@ -1,33 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact_bits.h"
 #include "session/bids_motion.h"
 #include "session/study_export_table.h"
+#include "session/yield_cause.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <map>
 
 namespace chiron::session {
 
 namespace {
 
-/// The trials by their numbers, each from its first frame to its last.
-class TrialSpans final : public BidsSpans {
+/// The trials, each from its first frame to its last, and the moments at which tissue gave way.
+class SessionSpans final : public BidsSpans {
 public:
+    explicit SessionSpans(const ToolPositions& positions) : m_positions(positions) {}
     void add(const core::HapticFrame& frame, double t_s) override {
-        const int trial = frame.header.trial;
-        m_spans.try_emplace(trial, BidsSpan{t_s, t_s, "trial", QString::number(trial)}).first->second.end_s =
+        const QString trial = QString::number(frame.header.trial);
+        m_trials.try_emplace(frame.header.trial, BidsSpan{t_s, t_s, "trial", trial}).first->second.end_s =
             t_s;
+        for (int tool = 0; tool < m_positions.tools(); ++tool) {
+            const core::ToolFrame& sample = frame.tool[static_cast<std::size_t>(tool)];
+            if (core::contactOfStatus(sample.status) & core::contact_bits::kYielded)
+                m_yields.push_back(
+                    {t_s, t_s, kTissueYielded, trial, yieldPlaceOf(&m_positions, tool, sample)});
+        }
     }
     std::vector<BidsSpan> take() override {
-        std::vector<BidsSpan> spans;
-        for (auto& [trial, span] : m_spans)
+        std::vector<BidsSpan> spans = std::move(m_yields);
+        for (auto& [number, span] : m_trials)
             spans.push_back(std::move(span));
+        std::stable_sort(spans.begin(), spans.end(),
+                         [](const BidsSpan& a, const BidsSpan& b) { return a.onset_s < b.onset_s; });
         return spans;
     }
 
 private:
-    std::map<int, BidsSpan> m_spans;
+    const ToolPositions& m_positions;
+    std::map<int, BidsSpan> m_trials;
+    std::vector<BidsSpan> m_yields;
 };
 
 } // namespace
@@ -44,7 +58,7 @@ core::Result<void> exportSessionBids(SessionView& session, const std::filesystem
                                   {"Authors", QJsonArray{"n/a"}},
                                   {"GeneratedBy", QJsonArray{QJsonObject{{"Name", "Chiron"}}}}};
     const BidsRecording recording{subject, bidsLabel(exercise), {}, 1, exercise, {}};
-    TrialSpans trials;
+    SessionSpans spans(session.positions());
     const ExportTable participants{"participants",
                                    {},
                                    {{"participant_id", "", "the session's number"}},
@@ -53,7 +67,7 @@ core::Result<void> exportSessionBids(SessionView& session, const std::filesystem
     CHIRON_TRY(made->write("README", "One recorded session: motion of the tool with forces, its "
                                      "trials as events. Who did it is not part of it.\n"));
     CHIRON_TRY(made->write("participants.tsv", tsvOf(participants)));
-    CHIRON_TRY(writeBidsMotion(*made, session, recording, trials));
+    CHIRON_TRY(writeBidsMotion(*made, session, recording, spans));
     return made->commit();
 }
 

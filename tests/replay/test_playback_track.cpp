@@ -6,6 +6,9 @@
 #include "support/looked_back.h"
 #include "support/made_session.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QtTest>
 #include <sqlite3.h>
 
@@ -56,6 +59,7 @@ private slots:
     void eventsAreThoseThatTheEndStored();
     void proxyIsTheFeltSurface();
     void nothingHoldsAToolThatIsThrough();
+    void tissueThatGaveWayIsPlaced();
     void lookUpByTime();
     void trialsAndMarks();
     void completedTrials();
@@ -146,6 +150,38 @@ void TestPlaybackTrack::nothingHoldsAToolThatIsThrough() {
         QVERIFY(track->tool(i, 0).p_WProxy == track->tool(i, 0).p_WT);
     }
     QVERIFY(through > 50);
+}
+
+// The mark, the stored event and the recording agree on where the tip was.
+void TestPlaybackTrack::tissueThatGaveWayIsPlaced() {
+    OpenStored stored(*m_site.database, m_unsafe);
+    auto frames = stored.session->reader().allFrames();
+    auto track = tests::trackOf(*stored.session);
+    auto connection = m_site.database->openReader();
+    auto events = database::SessionReader(**connection, database::Actor::simulated()).events(m_unsafe);
+    QVERIFY(frames && track && events);
+    QVERIFY(count(*track, PlaybackMarkKind::yielded) > 0);
+    QCOMPARE(count(*track, PlaybackMarkKind::yielded),
+             eventsOf(*m_site.database, m_unsafe, "tissue_yielded"));
+    for (const session::PlaybackMark& mark : track->marks) {
+        if (mark.kind != PlaybackMarkKind::yielded)
+            continue;
+        const auto frame = std::find_if(frames->begin(), frames->end(), [&](const core::HapticFrame& each) {
+            return each.header.index == mark.tick;
+        });
+        QVERIFY(frame != frames->end() && mark.p_W);
+        QVERIFY(*mark.p_W == stored.session->positions().p_WT_m(mark.tool, frame->tool[0]));
+        const auto event = std::find_if(events->begin(), events->end(), [&](const auto& each) {
+            return each.kind == "tissue_yielded" && each.tick == mark.tick && each.tool == mark.tool;
+        });
+        QVERIFY(event != events->end());
+        const QJsonArray told = QJsonDocument::fromJson(QByteArray::fromStdString(event->detailJson))
+                                    .object()["position_m"]
+                                    .toArray();
+        QCOMPARE(told.size(), qsizetype{3});
+        for (int axis = 0; axis < 3; ++axis)
+            QVERIFY(std::abs(told[axis].toDouble() - (*mark.p_W)[axis]) <= 0.5e-6 + 1e-12);
+    }
 }
 
 void TestPlaybackTrack::lookUpByTime() {

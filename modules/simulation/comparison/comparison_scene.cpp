@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/comparison/comparison_scene.h"
 
+#include "core/contact_bits.h"
 #include "core/laparoscopy_cues.h"
 #include "core/units.h"
 
@@ -222,6 +223,8 @@ ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double
         out.tissue.tools[0].force += response.force;
         out.storedEnergy_J += response.energy_J;
         out.contactStiffness_N_per_m = std::max(out.contactStiffness_N_per_m, response.stiffness_N_per_m);
+        if (response.touching && response.depth_m > kCheckedContactDepth_m)
+            out.contact[0] |= core::contact_bits::kBeyondChecked;
         const double force_N = response.force.norm();
         if (!(response.touching || response.held) || force_N <= most_N)
             continue;

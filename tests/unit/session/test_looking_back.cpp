@@ -249,6 +249,13 @@ private slots:
         QCOMPARE(byTorque.detail, std::string(kByTorque));
         QCOMPARE(byTorque.value, std::optional(0.213));
         PlaybackTrack track = quietEnd();
+        QVERIFY(!byTorque.p_W); // nobody said where the tools were
+        const tests::MillimetreCounts positions{};
+        MarkExtractor placed(4.0, 1, false, law, &positions);
+        for (const core::HapticFrame& frame : frames)
+            placed.add(frame, 1e-3 * static_cast<double>(frame.header.index));
+        const PlaybackMark there = ofKind(placed.take(0.011), PlaybackMarkKind::yielded).at(0);
+        QVERIFY(there.p_W && (*there.p_W - core::Vec3(0.005, 0.0, 0.0)).norm() < 1e-12);
         track.marks = {byTorque};
         const std::vector<scoring::Gate> gates{{"critical_errors", {}, 0.0}};
         const auto worst = worstMoment(track, failed({{"critical_errors", 1.0}}), gates);
