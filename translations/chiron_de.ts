@@ -158,6 +158,14 @@
         <source>Not counted: mark while you touch the sphere</source>
         <translation>Zählt nicht: Markieren Sie, während Sie die Kugel berühren</translation>
     </message>
+    <message>
+        <source>Too hard: the tissue gave way. Draw back until you are out of it</source>
+        <translation>Zu fest: Das Gewebe hat nachgegeben. Ziehen Sie zurück, bis Sie wieder draußen sind</translation>
+    </message>
+    <message>
+        <source>The tissue gave way</source>
+        <translation>Das Gewebe hat nachgegeben</translation>
+    </message>
 </context>
 <context>
     <name>AskedSitting</name>
@@ -11920,6 +11928,10 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <source>Session %1 is still void; nothing was changed.</source>
         <translation>Sitzung %1 ist weiterhin ungültig; es wurde nichts geändert.</translation>
     </message>
+    <message>
+        <source>A cross in the scene shows where tissue gave way.</source>
+        <translation>Ein Kreuz in der Szene zeigt, wo Gewebe nachgegeben hat.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PreviewPage</name>
@@ -12112,6 +12124,10 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
             <numerusform>Standardfehler der Abweichung von %n Person, falls sie sich nicht unterscheiden</numerusform>
             <numerusform>Standardfehler der Abweichung von %n Personen, falls sie sich nicht unterscheiden</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>± one standard error</source>
+        <translation>± ein Standardfehler</translation>
     </message>
 </context>
 <context>

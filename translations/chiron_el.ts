@@ -158,6 +158,14 @@
         <source>Not counted: mark while you touch the sphere</source>
         <translation>Δεν μετράει: σημειώστε ενώ αγγίζετε τη σφαίρα</translation>
     </message>
+    <message>
+        <source>Too hard: the tissue gave way. Draw back until you are out of it</source>
+        <translation>Πολύ δυνατά: ο ιστός υποχώρησε. Αποσυρθείτε μέχρι να βγείτε από αυτόν</translation>
+    </message>
+    <message>
+        <source>The tissue gave way</source>
+        <translation>Ο ιστός υποχώρησε</translation>
+    </message>
 </context>
 <context>
     <name>AskedSitting</name>
@@ -11920,6 +11928,10 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <source>Session %1 is still void; nothing was changed.</source>
         <translation>Η συνεδρία %1 παραμένει ακυρωμένη· δεν άλλαξε τίποτα.</translation>
     </message>
+    <message>
+        <source>A cross in the scene shows where tissue gave way.</source>
+        <translation>Ένας σταυρός στη σκηνή δείχνει πού υποχώρησε ιστός.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PreviewPage</name>
@@ -12112,6 +12124,10 @@ Choose a second session to see it beside this one: each of its trials starts tog
             <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμου, αν δεν διαφέρουν</numerusform>
             <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμων, αν δεν διαφέρουν</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>± one standard error</source>
+        <translation>± ένα τυπικό σφάλμα</translation>
     </message>
 </context>
 <context>
