@@ -10,6 +10,7 @@
 #include "report/report_writer.h"
 #include "report/session_plots.h"
 #include "review_sessions.h"
+#include "support/languages.h"
 #include "support/patience.h"
 
 #include <QAbstractButton>
@@ -280,7 +281,9 @@ void TestEveryDebrief::speaksOfItsOwnExercise() {
     made.ending.stopped = wanted == Ending::stopped || wanted == Ending::nothing;
     const database::SessionId session = tests::store(m_site->database(), *m_tina, made);
     // One language a row, by turns; all of them where all levels are walked.
-    QStringList languages{QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")};
+    QStringList languages;
+    for (const char* language : tests::languageIds())
+        languages << QLatin1String(language);
     if (qEnvironmentVariableIntValue("CHIRON_EVERY_LEVEL") == 0)
         languages = {languages[m_row++ % languages.size()]};
     for (const QString& language : languages) {
