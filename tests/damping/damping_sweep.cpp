@@ -4,10 +4,20 @@
 #include "damping/damping_bench.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 
 using namespace chiron::tests;
+
+namespace {
+
+void printCell(double force_N) {
+    std::printf(" %s%.3f%s |", force_N > 0.1 ? "**" : "", force_N, force_N > 0.1 ? "**" : "");
+    std::fflush(stdout);
+}
+
+} // namespace
 
 int main(int argc, char** argv) {
     const int seeds = argc > 1 ? std::atoi(argv[1]) : 2;
@@ -25,20 +35,27 @@ int main(int argc, char** argv) {
     const std::vector<std::string> mechanisms =
         argc > 3 ? std::vector<std::string>{argv[3]} : benchMechanisms();
     for (const std::string& mechanism : mechanisms)
-        for (const std::string& hand : benchHands())
+        for (const std::string& hand : benchHands()) {
+            std::array<double, std::size(dampings)> worstOfAll{};
             for (const BenchLoad load : benchLoads()) {
                 std::printf("| %s | %s | %s |", mechanism.c_str(), hand.c_str(), nameOf(load).c_str());
-                for (const double b : dampings) {
+                for (std::size_t i = 0; i < std::size(dampings); ++i) {
+                    const double b = dampings[i];
                     double worst = 0.0;
                     for (int seed = 1; seed <= seeds; ++seed)
                         for (int pose = 0; pose < kBenchPoses; ++pose)
                             worst = std::max(worst, runBench({mechanism, hand, load, pose, b, b,
                                                               static_cast<std::uint64_t>(seed), seconds})
                                                         .fast_N);
-                    std::printf(" %s%.3f%s |", worst > 0.1 ? "**" : "", worst, worst > 0.1 ? "**" : "");
-                    std::fflush(stdout);
+                    worstOfAll[i] = std::max(worstOfAll[i], worst);
+                    printCell(worst);
                 }
                 std::printf("\n");
             }
+            std::printf("| %s | %s | the worst of all |", mechanism.c_str(), hand.c_str());
+            for (const double worst : worstOfAll)
+                printCell(worst);
+            std::printf("\n");
+        }
     return 0;
 }

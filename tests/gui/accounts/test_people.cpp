@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "people_hands.h"
 
+#include "core/languages.h"
 #include "database/access/access_table.h"
 #include "database/privacy/erasure.h"
 #include "database/repositories/session_reader.h"
@@ -660,9 +661,12 @@ void TestPeople::otherFilesAreNamed() {
 void TestPeople::templateCanBeImported_data() {
     QTest::addColumn<QString>("language");
     QTest::addColumn<char>("separator");
-    QTest::newRow("English") << "en" << ',';
-    QTest::newRow("German") << "de" << ';';
-    QTest::newRow("Greek") << "el" << ';';
+    for (const core::Language& language : core::kLanguages) {
+        const QString id = QString::fromStdString(std::string(language.id));
+        const QLocale locale(QString::fromStdString(std::string(language.locale)));
+        // As spreadsheets of that language save lists.
+        QTest::newRow(qPrintable(id)) << id << (locale.decimalPoint() == QLatin1String(",") ? ';' : ',');
+    }
 }
 
 void TestPeople::templateCanBeImported() {

@@ -37,6 +37,7 @@
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 #include "support/kept_text.h"
+#include "support/languages.h"
 
 #include <QtTest>
 
@@ -301,7 +302,7 @@ private slots:
         for (const char* utc : {"2026-11-19T23:30:00.000Z", "not a time", ""})
             say({moment(utc, m_locale)});
         say({shortSha("0123456789abcdef0123456789abcdef"), shortSha("01")});
-        for (const char* language : {"en", "de", "el"})
+        for (const char* language : tests::languageIds())
             say({text({{"en", "a stone"}, {"de", "ein Stein"}}, QLatin1String(language)),
                  text({}, QLatin1String(language))});
         say({listText({0.5, 2.0, 0.125}, m_locale), listText({}, m_locale),

@@ -13,6 +13,7 @@
 #include "desktop/widgets/state_panel.h"
 #include "gui/lists/many_sessions.h"
 #include "support/desktop_fixture.h"
+#include "support/languages.h"
 #include "support/patience.h"
 
 #include <QAbstractItemView>
@@ -220,9 +221,9 @@ private slots:
 
     /// What a small window has no room for goes whole, and what matters stays.
     void nothingIsCutInASmallWindow() {
-        for (const QString& language : {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")}) {
+        for (const char* language : tests::languageIds()) {
             DesktopFixture desktop;
-            desktop.context.settings().setLanguage(language);
+            desktop.context.settings().setLanguage(QLatin1String(language));
             desktop.context.applyAppearance();
             tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 30);
             desktop.window->resize(1280, 720);

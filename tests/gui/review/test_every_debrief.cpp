@@ -12,6 +12,7 @@
 #include "review_sessions.h"
 #include "session/session_view.h"
 #include "session/station.h"
+#include "support/languages.h"
 #include "support/patience.h"
 #include "support/pdf_text.h"
 
@@ -320,7 +321,9 @@ void TestEveryDebrief::speaksOfItsOwnExercise() {
     if (wanted == Ending::unmarked)
         isUnmarked(session);
     // One language a row, by turns; all of them where all levels are walked.
-    QStringList languages{QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")};
+    QStringList languages;
+    for (const char* language : tests::languageIds())
+        languages << QLatin1String(language);
     if (qEnvironmentVariableIntValue("CHIRON_EVERY_LEVEL") == 0)
         languages = {languages[m_row++ % languages.size()]};
     for (const QString& language : languages) {

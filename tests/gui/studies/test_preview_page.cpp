@@ -6,6 +6,7 @@
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
 #include "support/every_place.h"
+#include "support/languages.h"
 #include "support/made_study.h"
 #include "support/patience.h"
 #include "support/settled.h"
@@ -198,7 +199,11 @@ void TestPreviewPage::oneConditionComparesNothing() {
 
 void TestPreviewPage::itsWordsFit() {
     QStringList findings;
-    for (const auto& [language, scale] : {std::pair{"de", 2.0}, std::pair{"el", 2.0}, std::pair{"de", 1.0}}) {
+    std::vector<std::pair<const char*, double>> looks;
+    for (const char* language : tests::otherLanguages())
+        looks.emplace_back(language, 2.0);
+    looks.emplace_back("de", 1.0);
+    for (const auto& [language, scale] : looks) {
         m_site->settings.setLanguage(QLatin1String(language));
         m_site->settings.setScale(scale);
         m_site->context.applyAppearance();

@@ -7,6 +7,7 @@
 #include "desktop/study_data/study_data_screen.h"
 #include "desktop/widgets/state_panel.h"
 #include "support/every_place.h"
+#include "support/languages.h"
 #include "support/patience.h"
 
 #include <QCheckBox>
@@ -617,7 +618,7 @@ void TestStudyScreens::theNextParticipantIsEnrolledWhereTheyAreRun() {
 /// Nothing is cut off or scrolled to at 1280 pixels, in any language; every heading says what it means.
 void TestStudyScreens::theTableOfTrialsFits() {
     constexpr int kReadable_px = 120; // "Zählt", "Practice" and the beginning of a reason
-    for (const char* language : {"de", "el", "en"}) {
+    for (const char* language : tests::languagesEnglishLast()) {
         m_site->settings.setLanguage(QLatin1String(language));
         go("study_data", {{QStringLiteral("study"), qlonglong(m_data)},
                           {QStringLiteral("tab"), desktop::StudyDataScreen::trialsTab}});

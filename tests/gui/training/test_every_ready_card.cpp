@@ -14,6 +14,7 @@
 #include "report/report_text.h"
 #include "scoring/metric_catalogue.h"
 #include "session/level_limits.h"
+#include "support/languages.h"
 #include "support/patience.h"
 
 #include <algorithm>
@@ -207,7 +208,7 @@ void TestEveryReadyCard::theTargetHasOneName() {
 void TestEveryReadyCard::goIsAlwaysInSight_data() {
     QTest::addColumn<QString>("language");
     QTest::addColumn<double>("scale");
-    for (const char* language : {"en", "de", "el"})
+    for (const char* language : tests::languageIds())
         for (const double scale : {1.0, 2.0})
             QTest::addRow("%s, %.0f %%", language, scale * 100) << QString(QLatin1String(language)) << scale;
 }

@@ -10,6 +10,7 @@
 #include "desktop/training/scene_feed.h"
 #include "desktop/training/training_words.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
+#include "support/languages.h"
 #include "support/patience.h"
 
 #include <QDialog>
@@ -151,7 +152,7 @@ void TestReadyCard::everyLevelHasAGoal() {
     TrainingBench bench;
     for (const catalogue::Exercise& exercise : bench.desktop.site.catalogue().exercises())
         for (const catalogue::ExerciseLevel& level : exercise.levels)
-            for (const char* language : {"en", "de", "el"}) {
+            for (const char* language : tests::languageIds()) {
                 const auto goal = level.goal.find(language);
                 QVERIFY2(goal != level.goal.end(),
                          qPrintable(QString::fromStdString(exercise.id + " " + level.id)));
