@@ -62,7 +62,7 @@ QString goodBlock(const QString& command) {
 
 } // namespace
 
-class TestResults : public QObject {
+class TestResultsPages : public QObject {
     Q_OBJECT
 private slots:
     void everyPageSaysWhatMadeIt();
@@ -74,14 +74,14 @@ private slots:
     void aRunThatFailsLeavesThePage();
 };
 
-void TestResults::everyPageSaysWhatMadeIt() {
+void TestResultsPages::everyPageSaysWhatMadeIt() {
     const Ran ran = results({QStringLiteral("--check")});
     QVERIFY2(ran.status == 0, qPrintable(ran.error));
     static const QRegularExpression pages(QStringLiteral("^results: ([0-9]+) pages"));
     QVERIFY2(pages.match(ran.out).captured(1).toInt() > 20, qPrintable(ran.out));
 }
 
-void TestResults::whatAPageLeavesOutIsNamed_data() {
+void TestResultsPages::whatAPageLeavesOutIsNamed_data() {
     QTest::addColumn<QString>("page");
     QTest::addColumn<QString>("said");
     const QString command = QStringLiteral("scripts/results --help");
@@ -112,7 +112,7 @@ void TestResults::whatAPageLeavesOutIsNamed_data() {
         "modules/gone: there is no such folder");
 }
 
-void TestResults::whatAPageLeavesOutIsNamed() {
+void TestResultsPages::whatAPageLeavesOutIsNamed() {
     QFETCH(QString, page);
     QFETCH(QString, said);
     const Ran ran = Pages(page).run({QStringLiteral("--check")});
@@ -122,7 +122,7 @@ void TestResults::whatAPageLeavesOutIsNamed() {
 }
 
 /// Tables as they are printed, other words in a fence; what people wrote stays.
-void TestResults::aPageIsMadeAnew() {
+void TestResultsPages::aPageIsMadeAnew() {
     const QString two = QStringLiteral("scripts/results --{help,check}");
     const Pages pages(QStringLiteral("# x\n") + kMeasures + QStringLiteral("before\n") +
                       goodBlock(QStringLiteral("scripts/results --list")) + QStringLiteral("between\n") +
@@ -151,7 +151,7 @@ void TestResults::aPageIsMadeAnew() {
     QCOMPARE(pages.run({QStringLiteral("--check")}).status, 0);
 }
 
-void TestResults::oneBlockIsMadeAnew() {
+void TestResultsPages::oneBlockIsMadeAnew() {
     const QString first = goodBlock(QStringLiteral("scripts/results --list"));
     const Pages pages(kMeasures + first + goodBlock(QStringLiteral("scripts/results --check")));
     const Ran ran = pages.run({QStringLiteral("x:2")});
@@ -162,7 +162,7 @@ void TestResults::oneBlockIsMadeAnew() {
              qPrintable(pages.text()));
 }
 
-void TestResults::aRunThatFailsLeavesThePage_data() {
+void TestResultsPages::aRunThatFailsLeavesThePage_data() {
     QTest::addColumn<QString>("command");
     QTest::addColumn<QString>("asked");
     QTest::newRow("a wrong option") << QStringLiteral("scripts/results --nothing") << QStringLiteral("x");
@@ -173,7 +173,7 @@ void TestResults::aRunThatFailsLeavesThePage_data() {
     QTest::newRow("no such block") << QStringLiteral("scripts/results --help") << QStringLiteral("x:2");
 }
 
-void TestResults::aRunThatFailsLeavesThePage() {
+void TestResultsPages::aRunThatFailsLeavesThePage() {
     QFETCH(QString, command);
     QFETCH(QString, asked);
     const QString before = kMeasures + goodBlock(command);
@@ -183,5 +183,5 @@ void TestResults::aRunThatFailsLeavesThePage() {
     QCOMPARE(pages.text(), before);
 }
 
-QTEST_GUILESS_MAIN(TestResults)
-#include "test_results.moc"
+QTEST_GUILESS_MAIN(TestResultsPages)
+#include "test_results_pages.moc"
