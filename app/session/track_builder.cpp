@@ -2,7 +2,7 @@
 #include "session/track_builder.h"
 
 #include "core/contact_bits.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "session/level_limits.h"
 #include "session/session_view.h"
 #include "session/trace_mark.h"

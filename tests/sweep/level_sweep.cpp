@@ -2,7 +2,7 @@
 #include "sweep/level_sweep.h"
 
 #include "core/contact_bits.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 #include "session/exercise_kind.h"

@@ -294,7 +294,7 @@ private slots:
         PlaybackTrack track = quietEnd();
         PalpationOutcome record{0, true, false, {}};
         record.answer.truth.lumps.resize(2);
-        const auto report = [](double t_s, core::ReportField field, int finding) {
+        const auto report = [](double t_s, simulation::ReportField field, int finding) {
             scoring::TimedReport made;
             made.t_s = t_s;
             made.field = field;
@@ -302,8 +302,8 @@ private slots:
             return made;
         };
         record.answer.reports = {
-            report(1.0, core::ReportField::found, 0), report(2.0, core::ReportField::found, 1),
-            report(3.0, core::ReportField::remove, 1), report(4.0, core::ReportField::found, 1)};
+            report(1.0, simulation::ReportField::found, 0), report(2.0, simulation::ReportField::found, 1),
+            report(3.0, simulation::ReportField::remove, 1), report(4.0, simulation::ReportField::found, 1)};
         scoring::FindingMatch hit;
         hit.finding = 0;
         hit.lump = 1;

@@ -78,7 +78,7 @@ void TestUrethraScene::idealPathWalksThroughTheStages() {
             ++changed;
             stages.push_back(d.out.cues.exercise.of<simulation::EndoscopeCues>().stage);
         }
-        seen += (d.out.events & bits::kLandmarkSeen) != 0;
+        seen += (d.out.events & core::procedure_bits::kLandmarkSeen) != 0;
         deepest_m = std::max(deepest_m, d.out.cues.exercise.of<simulation::EndoscopeCues>().depth_m);
         QCOMPARE(d.out.phase, TrialPhase::running);
     }

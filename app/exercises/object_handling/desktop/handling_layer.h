@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/playback/playback_layer.h"
 #include "modules/exercises/object_handling/simulation/object_handling_plan.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/comparison/simulation/comparison_scene.h"
 
-#include "core/laparoscopy_cues.h"
 #include "core/units.h"
+#include "cues/laparoscopy_cues.h"
 
 #include <algorithm>
 

@@ -8,8 +8,6 @@
 
 namespace chiron::simulation {
 
-using core::ReportField;
-
 void PalpationScene::takeReports(const SceneInput& in) noexcept {
     for (std::size_t i = 0; i < m_fingers.size(); ++i) {
         if (m_buttons.marked(i))
@@ -43,8 +41,8 @@ void PalpationScene::mark(const Finger& finger) noexcept {
 }
 
 void PalpationScene::report(std::uint16_t word) noexcept {
-    if (core::reportField(word) != ReportField::found) // a mark needs a position
-        m_waiting.put({core::reportField(word), core::reportValue(word), core::Vec3::Zero()});
+    if (reportField(word) != ReportField::found) // a mark needs a position
+        m_waiting.put({reportField(word), reportValue(word), core::Vec3::Zero()});
 }
 
 int PalpationScene::enter(const PalpationReport& report) noexcept {
