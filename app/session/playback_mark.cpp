@@ -179,6 +179,7 @@ void MarkExtractor::noteYield(const core::HapticFrame& frame, double t_s, int to
     if (byTorque)
         mark.detail = kByTorque;
     mark.critical = frame.header.phase == core::TrialPhase::running && frame.header.paused == 0;
+    mark.p_W = yieldPlaceOf(m_positions, tool, frame.tool[i]);
 }
 
 void MarkExtractor::addLimited(const core::HapticFrame& frame, double t_s, int tool) {

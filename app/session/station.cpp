@@ -256,7 +256,7 @@ core::Result<Station> simulatedStation(std::string_view mechanism, SimulatedHand
     request.hand = hand.hand;
     request.seed = hand.seed;
     request.frictionCompensation = hand.frictionCompensation;
-    request.gimbal = hand.gimbal;
+    request.plant = std::move(hand.plant);
     request.tools.push_back({{}, {}, std::move(hand.strategy), {}});
     return stationOf(devices::usualDriver(devices::MovedBy::scriptedOperator), std::move(request));
 }

@@ -10,6 +10,7 @@
 #include "scoring/trace_rows.h"
 #include "session/exercise_kind.h"
 
+#include <any>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -48,7 +49,7 @@ struct SimulatedHand {
     mechanisms::HandParameters hand;
     std::uint64_t seed = 1; ///< seed of its tremor
     double frictionCompensation = 0.0;
-    const mechanisms::GimbalPlantParameters* gimbal = nullptr; ///< DriverRequest::gimbal
+    std::any plant{}; ///< DriverRequest::plant
 };
 
 /// Makes a station with one tool of the simulated mechanism with this kinematics id.

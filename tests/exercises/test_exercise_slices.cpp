@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exercises/source_text.h"
+#include "support/source_text.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -50,38 +50,35 @@ bool mayNameExercises(const QString& path) {
     return own.match(path).hasMatch() || catalogue.match(path).hasMatch();
 }
 
-/// The psychophysics laboratory presents its objects as sessions of `comparison`, which is made for it alone.
-bool isOfTheLaboratory(const QString& path) {
-    return path.startsWith(QStringLiteral("app/session/study/")) ||
-           path.startsWith(QStringLiteral("app/desktop/study_run/"));
+/// The id of the task that studies present side by side. It is no exercise (no folder, no levels), but its
+/// sessions are stored under this id, which shared code must not ask for either.
+const QString kStudyTask = QStringLiteral("comparison");
+
+/// The task's own files.
+bool isOfTheStudyTask(const QString& path) {
+    static const QRegularExpression own(QStringLiteral("/comparison_(kind|face|content)\\.(h|cpp)$"));
+    return own.match(path).hasMatch();
 }
 
-bool includesAnExercise(const SourceText& source, bool butComparison) {
+bool includesAnExercise(const SourceText& source) {
     static const QRegularExpression include(
         QStringLiteral("^[ \\t]*#[ \\t]*include[ \\t]*\"([^\"]*/)?exercises/%1/").arg(anyExercise()),
         QRegularExpression::MultilineOption);
-    for (auto each = include.globalMatch(source.code); each.hasNext();)
-        if (const auto match = each.next();
-            !butComparison || match.captured(2) != QStringLiteral("comparison"))
-            return true;
-    return false;
+    return include.match(source.code).hasMatch();
 }
 
-bool namesAnExercise(const SourceText& source) {
-    static const QStringList ids = [] {
-        QStringList named = exercises();
-        named.removeAll(QStringLiteral("comparison")); // also a word for other things
-        return named;
-    }();
+bool namesAnExercise(const SourceText& source, bool ofTheStudyTask) {
+    static const QStringList ids = exercises();
     return std::any_of(source.literals.begin(), source.literals.end(),
-                       [](const QString& literal) { return ids.contains(literal); });
+                       [ofTheStudyTask](const QString& literal) {
+                           return ids.contains(literal) || (!ofTheStudyTask && literal == kStudyTask);
+                       });
 }
 
 /// "includes", "names", "both", or empty.
 QString whatItDoes(const QString& text, const QString& path = {}) {
     const SourceText source = readSource(text);
-    const bool includes = includesAnExercise(source, isOfTheLaboratory(path)),
-               names = namesAnExercise(source);
+    const bool includes = includesAnExercise(source), names = namesAnExercise(source, isOfTheStudyTask(path));
     if (includes && names)
         return QStringLiteral("both");
     return includes ? QStringLiteral("includes") : names ? QStringLiteral("names") : QString();
@@ -122,6 +119,7 @@ private slots:
     void codeIsReadWithoutComments();
     void whatAFileDoesIsFound();
     void nothingElseNamesAnExercise();
+    void nothingElseNamesAMetricOfOneExercise();
     void noSceneOrOperatorKnowsAnotherExercise();
     void nothingBelowTheScenesKnowsAnExercise();
     void everyExerciseIsOnEachFloor();
@@ -147,12 +145,15 @@ void TestExerciseSlices::whatAFileDoesIsFound() {
     QCOMPARE(whatItDoes(QStringLiteral("#include \"operators/laparoscopy/a.h\"\n")), QString());
     QCOMPARE(whatItDoes(QStringLiteral("// ") + include), QString());
     QCOMPARE(whatItDoes(QStringLiteral("id == \"palpation\"")), QStringLiteral("names"));
-    QCOMPARE(whatItDoes(QStringLiteral("// \"palpation\"\n\"palpation_hits\" \"comparison\"")), QString());
-    const QString comparison = QStringLiteral("#include \"modules/exercises/comparison/simulation/a.h\"\n"),
-                  laboratory = QStringLiteral("app/session/study/a.cpp");
-    QCOMPARE(whatItDoes(comparison), QStringLiteral("includes"));
-    QCOMPARE(whatItDoes(comparison, laboratory), QString());
-    QCOMPARE(whatItDoes(comparison + include, laboratory), QStringLiteral("includes"));
+    QCOMPARE(whatItDoes(QStringLiteral("// \"palpation\"\n\"palpation_hits\" \"comparisons\"")), QString());
+    // No folder may know an exercise, and the studies' task has its id in its own files alone.
+    const QString laboratory = QStringLiteral("app/session/study/a.cpp"),
+                  task = QStringLiteral("id == \"comparison\"");
+    QCOMPARE(whatItDoes(include, laboratory), QStringLiteral("includes"));
+    QCOMPARE(whatItDoes(task, laboratory), QStringLiteral("names"));
+    QCOMPARE(whatItDoes(task, QStringLiteral("app/desktop/sessions/session_words.cpp")),
+             QStringLiteral("names"));
+    QCOMPARE(whatItDoes(task, QStringLiteral("app/session/study/comparison_kind.h")), QString());
     QCOMPARE(whatItDoes(include + QStringLiteral("QStringLiteral(\"sphere_apex\")")), QStringLiteral("both"));
     QVERIFY(mayNameExercises("modules/exercises/palpation/operators/a.cpp") &&
             mayNameExercises("app/exercises/flat_catalogue.cpp"));
@@ -173,6 +174,29 @@ void TestExerciseSlices::nothingElseNamesAnExercise() {
                          .arg(path, does);
     }
     QVERIFY(read > 500);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+/// What belongs to one metric of one exercise (a limit, a benchmark, where it was worst) stands in the
+/// metric's row or in the exercise's folder. Ids of one word are also words for other things.
+void TestExerciseSlices::nothingElseNamesAMetricOfOneExercise() {
+    static const QRegularExpression row(QStringLiteral("\\.id = \"([a-z0-9]+_[a-z0-9_]+)\""));
+    QStringList metrics, wrong;
+    for (const QString& id : exercises())
+        for (QDirIterator it(kRoot + QStringLiteral("/curriculum/exercises/%1/scoring").arg(id),
+                             {QStringLiteral("*.cpp")}, QDir::Files);
+             it.hasNext();)
+            for (auto found = row.globalMatch(contentOf(QDir(kRoot).relativeFilePath(it.next())));
+                 found.hasNext();)
+                metrics << found.next().captured(1);
+    QVERIFY(metrics.size() > 40 && metrics.contains(QStringLiteral("apex_error_mean")));
+    for (const QString& path : productSources()) {
+        if (!path.startsWith(QStringLiteral("app/")) || mayNameExercises(path))
+            continue;
+        for (const QString& literal : readSource(contentOf(path)).literals)
+            if (metrics.contains(literal))
+                wrong << QStringLiteral("%1: names the metric %2").arg(path, literal);
+    }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
 }
 

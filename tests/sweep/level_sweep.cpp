@@ -3,15 +3,12 @@
 
 #include "core/contact_bits.h"
 #include "cues/laparoscopy_cues.h"
-#include "modules/exercises/palpation/simulation/palpation_parameters.h"
-#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 #include "session/exercise_kind.h"
 #include "session/session_setup.h"
 #include "session/station.h"
-#include "simulation/geometry/urethra/urethra_anatomy.h"
-#include "simulation/geometry/urethra/urethra_centreline.h"
 #include "simulation/scene.h"
 #include "sweep/hand_path.h"
+#include "sweep/sweep_facts.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -24,8 +21,6 @@ namespace chiron::tests {
 namespace {
 
 using core::Vec3;
-
-constexpr double kSteepest = 1.5; ///< of a smoothstep, in its middle
 
 /// The largest number of that name anywhere in the level's content; nothing if it has none.
 std::optional<double> inContent(const QJsonValue& value, const QString& key) {
@@ -46,44 +41,16 @@ std::optional<double> inContent(const QJsonValue& value, const QString& key) {
     return found;
 }
 
-struct ContentNumbers {
-    double yield_N = 0.0;  ///< 0: never
-    double yield_Nm = 0.0; ///< 0: never
-    double fall_ms = 20.0;
-    double bristle_N_per_m = 0.0;   ///< stick of friction: a stiffness across, which a scene does not report
-    double largest_Ns_per_m = 50.0; ///< b_max: with a change of speed a force may change by that much
-    double damping_Ns_per_m = 0.0;  ///< faded in with depth: at a speed v a stiffness of b v / fade_m at most
-    double fade_m = 0.0005;
-    double turn_Nm_per_rad = 0.0; ///< how stiff the tissue turns the tool back; 0: not at all
-    double turn_Nm_per_m =
-        0.0; ///< the same for a way: the canal turns along it, the pivot's lever, and it gets stiffer
-    double shaft_m = 0.0; ///< radius: at which forces turn the tool
-};
-
-ContentNumbers numbersOf(const catalogue::ExerciseLevel& level) {
+LevelNumbers numbersOf(const catalogue::ExerciseLevel& level) {
     const QJsonObject all = QJsonDocument::fromJson(QByteArray::fromStdString(level.resolvedJson)).object();
-    ContentNumbers numbers;
+    LevelNumbers numbers;
     numbers.yield_N = inContent(all, QStringLiteral("yield_force_N")).value_or(0.0);
     numbers.yield_Nm = inContent(all, QStringLiteral("yield_torque_mN_m")).value_or(0.0) / 1000.0;
     numbers.fall_ms = inContent(all, QStringLiteral("yield_fall_ms")).value_or(numbers.fall_ms);
     numbers.bristle_N_per_m = inContent(all, QStringLiteral("bristle_stiffness_N_per_m")).value_or(0.0);
     numbers.damping_Ns_per_m = inContent(all, QStringLiteral("damping_N_s_per_m")).value_or(0.0) +
                                inContent(all, QStringLiteral("viscosity_N_s_per_m")).value_or(0.0);
-    if (const auto* palpation = level.parameters.find<simulation::PalpationParameters>()) {
-        numbers.damping_Ns_per_m = palpation->tissue.damping_Ns_per_m.maxCoeff();
-        numbers.fade_m = palpation->tissue.dampingDepth_m / kSteepest; // a smoothstep
-    }
-    if (const auto* urethra = level.parameters.find<simulation::UrethraInsertionParameters>()) {
-        constexpr double kMostTwist_rad = 1.5;
-        const simulation::UrethraAnatomy& anatomy = urethra->anatomy;
-        const double span_m = anatomy.pivotSpan_m,
-                     turning_m = simulation::UrethraCentreline(anatomy).length_m() - anatomy.straight_m;
-        numbers.turn_Nm_per_rad = anatomy.angularStiffness_Nm_per_rad;
-        numbers.turn_Nm_per_m =
-            numbers.turn_Nm_per_rad * (2.0 * anatomy.curvature_per_m + (span_m > 0.0 ? 0.5 / span_m : 0.0) +
-                                       kMostTwist_rad / turning_m);
-        numbers.shaft_m = urethra->endoscope.radius_m;
-    }
+    SweepFacts::complete(level, numbers);
     return numbers;
 }
 
@@ -114,11 +81,8 @@ public:
         }
         m_result.level = level.exercise + "/" + std::to_string(level.number) + " " + level.id;
         m_result.limit_N = m_kind->forceLimit_N(level);
+        m_result.limit_Nm = m_kind->torqueLimit_Nm(level);
         m_result.yieldStated = m_numbers.yield_N > 0.0;
-        if (const auto* urethra = level.parameters.find<simulation::UrethraInsertionParameters>()) {
-            wayInto(*urethra);
-            m_result.limit_Nm = urethra->maximumTorque_Nm;
-        }
         if (m_result.yieldStated)
             m_result.yieldForce_N = m_numbers.yield_N;
         m_result.yieldTorque_Nm = m_numbers.yield_Nm;
@@ -134,14 +98,6 @@ public:
     }
 
 private:
-    /// Nobody meets a meatus by chance: along the canal and out again.
-    void wayInto(const simulation::UrethraInsertionParameters& p) {
-        const simulation::UrethraCentreline line(p.anatomy);
-        for (const double s_m : {-0.012, -0.004, 0.010, 0.030, 0.050, 0.070, 0.090, 0.110, line.length_m(),
-                                 line.length_m() + 0.015})
-            m_wayIn.push_back(p.pose.pointToW(line.at(s_m).p_A));
-    }
-
     void appear(int path) {
         m_wayAt = 0;
         m_setup.seed = m_settings.seed + static_cast<std::uint64_t>(path);
@@ -215,11 +171,10 @@ private:
     std::optional<Vec3> lure(std::size_t tool) {
         if ((m_out.contact[tool] & core::contact_bits::kThrough) != 0)
             return m_clear[tool];
-        if (!m_wayIn
-                 .empty()) { // from before the entrance to as deep as there is something, a stretch at a time
-            if ((m_in.tools.tools[tool].p_WT - m_wayIn[m_wayAt]).norm() < 0.001)
-                m_wayAt = (m_wayAt + 1) % m_wayIn.size();
-            return m_wayIn[m_wayAt];
+        if (const std::vector<Vec3>& way = m_numbers.way_W; !way.empty()) { // a stretch at a time
+            if ((m_in.tools.tools[tool].p_WT - way[m_wayAt]).norm() < 0.001)
+                m_wayAt = (m_wayAt + 1) % way.size();
+            return way[m_wayAt];
         }
         const core::LaparoscopyCues& cues = m_out.cues.exercise.of<core::LaparoscopyCues>();
         if (cues.bodies > 0)
@@ -292,6 +247,7 @@ private:
                                      (std::max(tool.v_WT.norm(), before.v.norm()) + others.speed_m_per_s) /
                                      m_numbers.fade_m;
                 const double allowed =
+                    m_numbers.breaks_N_per_ms +
                     m_numbers.largest_Ns_per_m * ((tool.v_WT - before.v).norm() + others.sped_m_per_s) +
                     (stiffest + m_numbers.bristle_N_per_m + faded) * (moved.norm() + escaped + others.way_m);
                 const double change = (force - before.force).norm();
@@ -376,7 +332,7 @@ private:
     }
 
     SweepSettings m_settings;
-    ContentNumbers m_numbers;
+    LevelNumbers m_numbers;
     const session::ExerciseKind* m_kind = nullptr;
     session::SessionSetup m_setup;
     std::vector<ToolReach> m_reach;
@@ -393,7 +349,6 @@ private:
                                                                  Vec3::Zero()};
     std::array<std::optional<Vec3>, core::kMaxTools> m_met; ///< where each last touched tissue that was whole
     core::Random m_guess = core::Random::stream(0, "sweep guess");
-    std::vector<Vec3> m_wayIn;
     std::size_t m_wayAt = 0;
     double m_stiffnessBefore = 0.0;
     core::TrialPhase m_phaseBefore = core::TrialPhase::idle;

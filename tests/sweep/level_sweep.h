@@ -29,7 +29,7 @@ struct SweepResult {
     double yieldForce_N = std::numeric_limits<double>::infinity(); ///< that force
     double yieldTorque_Nm = 0.0; ///< and the torque; 0: nothing of the level turns the tool
     double limit_N = 0.0;        ///< the level's limit
-    double limit_Nm = 0.0;       ///< and of torque, where it has one
+    double limit_Nm = 0.0;       ///< and of torque
     std::uint64_t ticks = 0, touching = 0, beyondChecked = 0, yields = 0;
     bool finite = true;
     Worst force;  ///< N, of one tool

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/sessions/session_table_model.h"
 
+#include "session/exercise_kind.h"
+
 #include <algorithm>
 #include <compare>
 
@@ -97,8 +99,8 @@ QString SessionTableModel::text(const SessionRow& row, int column) const {
     case exercise:
         return row.exercise;
     case level:
-        return session.exercise == SessionWords::kComparison ? QStringLiteral("–")
-                                                             : m_locale.toString(session.level);
+        return session::isOnlyInStudies(session.exercise) ? QStringLiteral("–")
+                                                          : m_locale.toString(session.level);
     case attempt:
         return session.attempt > 0 ? m_locale.toString(session.attempt) : QString();
     case operatorName:

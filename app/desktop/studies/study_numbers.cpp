@@ -68,6 +68,10 @@ QString number(double value, const QLocale& locale, int digits) {
     return locale.toString(value, 'f', std::max(0, digits - whole));
 }
 
+QString withError(double value, double error, const QLocale& locale) {
+    return QStringLiteral("%1 ± %2").arg(number(value, locale), number(error, locale, 2));
+}
+
 QString plainNumber(double value, const QLocale& locale) {
     constexpr int kDigits = 6;
     return std::isfinite(value) ? locale.toString(value, 'g', kDigits) : dash();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/study_run/study_controls.h"
 
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <QCoreApplication>
 
@@ -60,7 +60,7 @@ QString answerHow(Task task, Attribute attribute, const StudyHand& hand) {
     case Task::yesNo:
         return Words::tr("Press Y for yes, N for no.");
     case Task::adjustment:
-        return Words::tr("Press + and − until both feel the same, then Enter.");
+        return Words::tr("Press + and − until both seem the same, then Enter.");
     case Task::magnitude:
         return Words::tr("Type a number, then press Enter.");
     default:
@@ -100,7 +100,8 @@ QString studyKeys(Task, Attribute, const StudyHand& hand) {
 }
 
 std::vector<int> studyMovementKeys(const StudyHand& hand) {
-    return hand.pointer ? movementKeys(session::PointerTool::point) : std::vector<int>();
+    return movementKeys(session::PointerTool::point,
+                        hand.pointer ? devices::HandKind::mouseAndKeyboard : devices::HandKind::handle);
 }
 
 } // namespace chiron::desktop

@@ -14,6 +14,7 @@
 #include "desktop/study_run/places_view.h"
 #include "desktop/study_run/sitting_sentences.h"
 #include "desktop/study_run/study_controls.h"
+#include "desktop/training/felt_words.h"
 #include "desktop/training/key_filter.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/widgets/state_panel.h"
@@ -197,9 +198,7 @@ void TrialsScreen::showCard() {
                         : study_words::question(condition.task, condition.stimulus.attribute);
     facts.controls = studyControls(condition.task, condition.stimulus.attribute, hand);
     facts.keys = studyKeys(condition.task, condition.stimulus.attribute, hand);
-    facts.limit = hand.felt
-                      ? tr("You feel the objects through the device.")
-                      : tr("This device renders no force: what a hand would feel is shown beside the scene.");
+    facts.limit = felt_words::objects(hand.felt);
     facts.clock = m_live->view().tryLeft_s > 0.0 ? tr("First comes a free minute to try the controls. "
                                                       "Nothing counts in it, and you can end it at any time.")
                                                  : tr("The trials go on where they were interrupted.");

@@ -18,7 +18,7 @@
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -301,7 +301,9 @@ void TrialsScreen::toolKey(int key, bool down) {
             key == Qt::Key_T ? freePointer() : toggleExperimenter();
         return;
     }
-    if (m_card) { // the first movement starts
+    if (m_card) { // the first movement starts, unless there is more to read
+        if (down && m_card->scroll(key))
+            return;
         const std::vector<int> movements =
             studyMovementKeys({m_live->training().pointer() != nullptr, m_live->training().felt()});
         if (down && std::find(movements.begin(), movements.end(), key) != movements.end())

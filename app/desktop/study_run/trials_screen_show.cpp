@@ -179,7 +179,7 @@ static QString holdWords(const session::LiveStudyView& view) {
 }
 
 static QString untouchedWords(double probe_N, const QLocale& locale) {
-    return probe_N > 0.0 ? TrialsScreen::tr("Not every object was felt with at least %1 N in time.")
+    return probe_N > 0.0 ? TrialsScreen::tr("Not every object was explored with at least %1 N in time.")
                                .arg(study_words::plainNumber(probe_N, locale))
                          : TrialsScreen::tr("Not every object was touched in time.");
 }
@@ -270,7 +270,7 @@ QString TrialsScreen::exploringWords(const session::LiveStudyView& view) const {
 QString TrialsScreen::apexWords(const session::LiveStudyView& view) const {
     switch (view.state) {
     case State::trying:
-        return tr("Feel for the highest point, and mark it.");
+        return tr("Find the highest point, and mark it.");
     case State::coming:
         return tr("The next sphere is coming. Lift the tool off.");
     case State::feedback:
@@ -278,7 +278,7 @@ QString TrialsScreen::apexWords(const session::LiveStudyView& view) const {
             .arg(study_words::number(1e3 * view.beside_m.value_or(0.0), context().locale(), 2));
     case State::exploring:
         return view.canAnswer ? tr("Click or press Enter at the highest point.")
-                              : tr("Feel for the sphere first.");
+                              : tr("Find the sphere first.");
     default:
         return whyNoAnswer(view);
     }
@@ -348,8 +348,8 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
         m_break->say(
             tr("Please ask the experimenter"),
             view.again && view.probe_N > 0.0
-                ? tr("Several times in a row, not every object was felt with at least %1 N in time. Ask the "
-                     "experimenter to show how an object is explored and let go.")
+                ? tr("Several times in a row, not every object was explored with at least %1 N in time. Ask "
+                     "the experimenter to show how an object is explored and let go.")
                       .arg(study_words::plainNumber(view.probe_N, context().locale()))
             : view.again
                 ? tr("Several times in a row, not every object was touched in time. Ask the experimenter to "

@@ -38,7 +38,7 @@ GraspPanel::GraspPanel(const Theme& theme, const QLocale& locale, const session:
         addNumbers();
     if (cues.plots)
         addPlots();
-    addFoot(cues.bars || cues.numbers || cues.plots, cues.plots);
+    addFoot(cues, cues.bars || cues.numbers || cues.plots);
 }
 
 void GraspPanel::addTask() {
@@ -74,7 +74,7 @@ void GraspPanel::addBars() {
             new TargetBar(m_theme, m_locale, {tr("Pull on the fold"), tr("N"), m_grasping.retractionEnd_N, 2},
                           m_cues.numbers);
         m_retraction->setObjectName(QStringLiteral("training.retraction_bar"));
-        m_retraction->setLimit(m_grasping.limits.retraction_N.value_or(0.0));
+        m_retraction->setLimit(m_grasping.retractionLimit_N);
         parts().addWidget(m_retraction);
     }
     for (int i = 0; i < m_tools; ++i) {
@@ -83,7 +83,7 @@ void GraspPanel::addBars() {
                              : i == 1     ? tr("Force, left")
                                           : tr("Force, instrument %1").arg(i + 1);
         auto* bar =
-            new ForceBar(m_theme, m_locale, {name, tr("N"), m_grasping.limits.force_N, 2}, m_cues.numbers);
+            new ForceBar(m_theme, m_locale, {name, tr("N"), m_grasping.forceLimit_N, 2}, m_cues.numbers);
         bar->setObjectName(QStringLiteral("training.force_bar_%1").arg(i));
         parts().addWidget(bar);
         m_force.push_back(bar);
@@ -136,11 +136,15 @@ void GraspPanel::addPlots() {
                            ? plot("training.tension_plot", tr("Tension (N)"), m_grasping.measuredEnd_N)
                            : plot("training.squeeze_plot", tr("Squeeze (N)"), m_grasping.measuredEnd_N,
                                   m_grasping.measuredLimit_N);
+    if (m_targetPlot)
+        addSpare(m_targetPlot);
     if (m_tools > 1 && m_cues.bars)
         return; // both hands feel the same tension, so one readable plot suffices
     m_forcePlot = plot("training.force_plot", m_tools > 1 ? tr("Force, right (N)") : tr("Force (N)"),
-                       m_grasping.limits.force_N * 1.25, m_grasping.limits.force_N);
-    if (!m_cues.bars)
+                       m_grasping.forceLimit_N * 1.25, m_grasping.forceLimit_N);
+    if (m_cues.bars)
+        addSpare(m_forcePlot);
+    else
         m_speedPlot = plot("training.speed_plot", tr("Speed (mm/s)"), kSpeedAxis_mm_per_s);
 }
 

@@ -31,7 +31,7 @@ InfoPanel::InfoPanel(const Theme& theme, const QLocale& locale, const session::L
         addNumbers();
     if (cues.plots)
         addPlots();
-    addFoot(cues.bars || cues.numbers || cues.plots, cues.plots);
+    addFoot(cues, cues.bars || cues.numbers || cues.plots);
 }
 
 void InfoPanel::addBars() {
@@ -75,6 +75,8 @@ void InfoPanel::addPlots() {
     m_forcePlot = new LivePlot(m_theme, m_locale, tr("Force (N)"), m_limits.force_N * 1.25, m_limits.force_N);
     m_forcePlot->setObjectName(QStringLiteral("training.force_plot"));
     parts().addWidget(m_forcePlot, 1);
+    if (m_cues.bars)
+        addSpare(m_forcePlot);
     m_speedPlot = new LivePlot(m_theme, m_locale, tr("Speed (mm/s)"), kSpeedAxis_mm_per_s);
     m_speedPlot->setObjectName(QStringLiteral("training.speed_plot"));
     parts().addWidget(m_speedPlot, 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/info_view.h"
 
+#include "desktop/training/felt_words.h"
 #include "desktop/widgets/kit.h"
 
 #include <QCoreApplication>
@@ -61,16 +62,13 @@ void InfoView::addHead(QLabel* words) {
     m_column->addLayout(head);
 }
 
-void InfoView::addFoot(bool measures, bool fills) {
+void InfoView::addFoot(const session::LevelCues& cues, bool measures) {
     if (!measures) {
-        auto* none = kit::label(m_theme,
-                                InfoTexts::tr("This level shows no measurements: rely on what you feel. "
-                                              "Everything is recorded and appears in the results."),
-                                TextStyle::body, "muted");
+        auto* none = kit::label(m_theme, felt_words::noMeasurements(cues.felt), TextStyle::body, "muted");
         none->setObjectName(QStringLiteral("training.no_cues"));
         m_column->addWidget(none);
     }
-    if (!fills)
+    if (!cues.plots)
         m_column->addStretch();
     m_loop = kit::label(m_theme, {}, TextStyle::small, "muted");
     m_loop->setObjectName(QStringLiteral("training.loop"));
@@ -94,6 +92,13 @@ void InfoView::setDetailed(bool detailed) {
     for (QWidget* part : m_details)
         part->setVisible(detailed);
     placeLoopLine();
+    giveUp(0);
+}
+
+void InfoView::giveUp(int parts) {
+    for (std::size_t i = 0; i < m_spare.size(); ++i)
+        m_spare[i]->setVisible(static_cast<int>(i) >= parts);
+    updateGeometry(); // now: whoever asks measures the height at once
 }
 
 void InfoView::addDetail(QWidget* part) {

@@ -31,6 +31,11 @@ public:
     void setDetailed(bool detailed);
     bool detailed() const noexcept { return m_detailed; }
 
+    /// The number of parts that it can do without, because another part shows the same (a plot beside a bar).
+    /// None with the details, which a person has asked for.
+    int mayGiveUp() const { return m_detailed ? 0 : static_cast<int>(m_spare.size()); }
+    /// Hides the first `parts` of them and shows the others. Hidden parts continue to be measured.
+    void giveUp(int parts);
     /// Whether everything is recorded, and the force on time.
     static QString loopText(const haptics::DisplayState& state);
 
@@ -49,10 +54,12 @@ protected:
     /// Begins the column with `words` and the elapsed time beside them.
     void addHead(QLabel* words);
     /// Ends the column. `measures`: the panel shows measurements; otherwise it says that there are none.
-    /// `fills`: plots fill the column; otherwise its parts stay together at the top.
-    void addFoot(bool measures, bool fills);
+    /// Where no plots fill the column, its parts stay together at the top.
+    void addFoot(const session::LevelCues& cues, bool measures);
     /// Registers `part` as a detail. A panel starts without its details.
     void addDetail(QWidget* part);
+    /// Registers `part` as one of those that it can do without; the first registered is the first hidden.
+    void addSpare(QWidget* part) { m_spare.push_back(part); }
 
     /// Shows what moves: called in every frame.
     virtual void showMoving(const haptics::DisplayState& state,
@@ -70,6 +77,7 @@ private:
     std::int64_t m_worked_ms = 0; ///< since the first trial, without pauses
     int m_frame = 0;
     std::vector<QWidget*> m_details;
+    std::vector<QWidget*> m_spare;
     bool m_detailed = false;
     QLabel* m_loop = nullptr;
     bool m_lost = false; ///< samples were lost; shown with or without details

@@ -32,6 +32,7 @@ struct LiveSurroundings {
     QLocale locale;
     session::LevelCues cues;
     bool ownHand = false; ///< the person's own; otherwise a demonstration is watched
+    devices::HandKind hand = devices::HandKind::mouseAndKeyboard; ///< what it holds
     bool leftHanded = false;
     bool practises = false;
     /// Sends a report to the running session: a word whose meaning the exercise defines.

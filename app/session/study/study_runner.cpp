@@ -99,8 +99,7 @@ core::Result<database::SessionId> runMarks(const MarkSessions& marks, Sitting& s
                        sitting.request.observer.trainee, seed, std::min(wanted, most),
                        sitting.request.ringFolder, sitting.request.cancel,
                        [&](database::StudyTrial trial) { return sitting.store(std::move(trial)); }});
-        if (!session)
-            return session;
+        CHIRON_TRY(session);
         last = *session;
         // Without progress, another session would be stuck as well; runConducted() says so.
         if (!sitting.stored || sitting.presented == before)
@@ -239,8 +238,7 @@ core::Result<StudyRunSummary> runConducted(database::Database& database, const d
         CHIRON_TRY(session);
         summary.session = *session;
     }
-    if (!sitting.stored)
-        return tl::unexpected(sitting.stored.error());
+    CHIRON_TRY(sitting.stored);
     CHIRON_TRY(wentOn(sitting));
     summary.scored = run->progress.scored();
     summary.spoiled = run->progress.spoiledTrials();

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "database/database.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "psychophysics/observers/observer_spec.h"
 #include "session/study/study_limits.h"
 #include "session/study/study_progress.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <atomic>
 #include <filesystem>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/study_setup.h"
 
+#include "catalogue/comparison_content.h"
 #include "core/random.h"
-#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
-#include "modules/exercises/comparison/operators/comparison_explorer.h"
+#include "operators/comparison/comparison_explorer.h"
 #include "session/exercise_kind.h"
 
 #include <algorithm>

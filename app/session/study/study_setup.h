@@ -3,10 +3,10 @@
 
 #include "catalogue/exercise.h"
 #include "core/result.h"
-#include "modules/exercises/comparison/operators/participant_mind.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "operators/comparison/participant_mind.h"
 #include "psychophysics/study/study_design.h"
 #include "session/station.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <cstdint>
 #include <string>

@@ -435,12 +435,17 @@ private slots:
     void training() {
         for (const char* name : {"expert", "intermediate", "novice", "hesitant", "unsafe", "somebody"})
             say({operatorTitle(name)});
-        for (const char* exercise : {"sphere_apex", "urethra_insertion", "elastic_tube", "object_handling",
-                                     "palpation", "of_another"})
+        const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+        QVERIFY(catalogue);
+        QStringList exercises;
+        for (const catalogue::Exercise& exercise : catalogue->exercises())
+            exercises << QString::fromStdString(exercise.id);
+        exercises << QStringLiteral("of_another");
+        for (const QString& exercise : exercises)
             for (const devices::MovedBy mover : {devices::MovedBy::person, devices::MovedBy::scriptedOperator,
                                                  devices::MovedBy::recording}) {
                 TrainingPlan plan;
-                plan.exercise = QLatin1String(exercise);
+                plan.exercise = exercise;
                 plan.driver = &devices::usualDriver(mover);
                 plan.operatorName = QStringLiteral("novice");
                 plan.traceFile = QStringLiteral("/a/folder/hand.csv");

@@ -9,6 +9,7 @@
 #include "desktop/playback/scrubber.h"
 #include "desktop/widgets/scroll_page.h"
 #include "review_sessions.h"
+#include "support/grasp_session.h"
 #include "support/looked_back.h"
 #include "support/patience.h"
 
@@ -38,6 +39,8 @@ private slots:
     void opensAtAMoment();
     void aMomentIsPlayedToAndStops();
     void aTickIsPlayedTo();
+    void energyIsForExperts_data();
+    void energyIsForExperts();
     void aTrainerMarksASessionAsReviewed();
     void cursorsAndScrubberAgree();
     void keysStepAndSeek();
@@ -70,6 +73,7 @@ private:
     std::optional<database::Actor> m_tina;
     database::SessionId m_good = 0;
     database::SessionId m_bad = 0;
+    database::SessionId m_tube = 0; ///< of an exercise whose energy is recorded
 };
 
 void TestPlayback::initTestCase() {
@@ -138,6 +142,29 @@ void TestPlayback::aTickIsPlayedTo() {
     const double moment_s = clock.position_s();
     QVERIFY2(moment_s > 8.5, qPrintable(QString::number(moment_s)));
     QVERIFY(screen()->captionAt(moment_s - 1.0).title.isEmpty());
+}
+
+void TestPlayback::energyIsForExperts_data() {
+    QTest::addColumn<QString>("person");
+    QTest::addColumn<bool>("shown");
+    QTest::newRow("trainee") << QStringLiteral("tina") << false;
+    QTest::newRow("trainer") << QStringLiteral("tom") << true;
+    QTest::newRow("researcher") << QStringLiteral("rhea") << true;
+    QTest::newRow("administrator") << QStringLiteral("ada") << true;
+}
+
+/// The balance of energy tells whether the simulation is sound, which is nothing that a trainee can change.
+void TestPlayback::energyIsForExperts() {
+    QFETCH(QString, person);
+    QFETCH(bool, shown);
+    if (m_tube == 0)
+        m_tube = tests::addGrasping(*m_site, "tina", "elastic_tube");
+    QVERIFY(m_tube != 0);
+    m_site->logIn(person.toStdString());
+    open(m_tube);
+    QVERIFY(find<QWidget>("playback.grasp_plot")); // the plots of the exercise are there
+    QCOMPARE(find<QWidget>("playback.energy_plot") != nullptr, shown);
+    m_site->context.logIn(*m_tina);
 }
 
 void TestPlayback::aTrainerMarksASessionAsReviewed() {

@@ -149,6 +149,9 @@ void TestGroupWords::whyARunIsNotUsed() {
         Presence::guessing);
     QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::priorEdgeLow}}), true),
              Presence::unbounded);
+    QCOMPARE(session::presenceOf(
+                 estimateWith(0.1, {{WarningKind::priorEdgeLow}, {WarningKind::priorEdgeHigh}}), true),
+             Presence::unbounded); // neither small nor large is ruled out: that is not guessing
     QCOMPARE(session::presenceOf(estimateWith(std::nan(""), {}), true), Presence::noValue);
     psychophysics::RunEstimate none;
     QCOMPARE(session::presenceOf(none, true), Presence::noAnswers);

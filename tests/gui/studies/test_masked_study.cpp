@@ -197,7 +197,7 @@ void TestMaskedStudy::sealedSittingsAreToldAsSuch() {
             return table->model()->index(table->currentIndex().row(), column).data().toString();
         };
         QCOMPARE(cell(desktop::SessionTableModel::exercise),
-                 desktop::SessionWords::comparison()); // and not its token
+                 desktop::SessionWords::study()); // and not its token
         QCOMPARE(cell(desktop::SessionTableModel::length), desktop::SessionTableModel::tr("sealed"));
         // Nobody is led to what stays closed: neither by a button nor by Enter.
         for (const char* button : {"sessions.open", "sessions.play"})

@@ -18,6 +18,8 @@
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTemporaryDir>
 #include <cmath>
 
@@ -44,6 +46,7 @@ private slots:
     void whatIsMissingIsNamed();
     void aTooLightTouchIsTold();
     void theCardAndTheFreeMinuteComeFirst();
+    void aLongCardIsReadBeforeItBegins();
     void aFurtherPartIsShort();
     void aClickInTheSceneAnswersNothing();
     void practiceIsTakenBack();
@@ -235,6 +238,29 @@ void TestParticipantPage::aTooLightTouchIsTold() {
     QVERIFY(reach(-0.04, 0.045)); // straight up through the ring, which takes no hold again
     QTRY_COMPARE_WITH_TIMEOUT(why->text(), letGo, kPatience_ms);
     QCOMPARE(live.view().place, -1);
+}
+
+/// A key that moves the tool reads on while there is more to read, and begins nothing.
+void TestParticipantPage::aLongCardIsReadBeforeItBegins() {
+    prepare("long_card");
+    m_site->window->resize(1280, 720);
+    m_site->settings.setScale(2.0);
+    m_site->context.applyAppearance();
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen);
+    tests::sittingButton(screen, "break.button")->click();
+    const auto* card = page(screen)->findChild<desktop::ReadyCard*>();
+    QVERIFY(card && card->isVisible());
+    const QScrollBar& bar =
+        *card->findChild<QScrollArea*>(QStringLiteral("training.ready.page"))->verticalScrollBar();
+    QTRY_VERIFY_WITH_TIMEOUT(bar.maximum() > 0, kPatience_ms);
+    for (int presses = 0; presses < 50 && bar.value() < bar.maximum(); ++presses)
+        press(Qt::Key_PageDown);
+    QCOMPARE(bar.value(), bar.maximum());
+    QCOMPARE(screen->live()->view().state, State::paused);
+    QVERIFY(tests::stopSitting(*m_site, screen));
+    m_site->settings.setScale(1.0);
+    m_site->context.applyAppearance();
 }
 
 /// Whoever has done a part has read the instructions: the next one begins with a short page, and all of it is

@@ -4,6 +4,7 @@
 #include "desktop/studies/preview_page.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
+#include "report/plot_view.h"
 #include "support/every_place.h"
 #include "support/made_study.h"
 #include "support/patience.h"
@@ -43,6 +44,7 @@ private slots:
     void cleanupTestCase() { m_site.reset(); }
     void aComparisonHasItsAssumptions();
     void whatIsAssumedDecidesWhatIsFound();
+    void theCurveHasItsErrors();
     void oneConditionComparesNothing();
     void itsWordsFit();
 
@@ -70,8 +72,9 @@ private:
             all << label->text();
         return all;
     }
-    QString ratioText(double ratio) const {
-        return QStringLiteral("× %1").arg(desktop::study_words::number(ratio, m_site->context.locale()));
+    QString ratioText(double ratio, double error) const {
+        return QStringLiteral("× %1").arg(
+            desktop::study_words::withError(ratio, error, m_site->context.locale()));
     }
 
     std::unique_ptr<tests::DesktopFixture> m_site;
@@ -107,12 +110,13 @@ void TestPreviewPage::whatIsAssumedDecidesWhatIsFound() {
     QCOMPARE(m_page->findChildren<QFrame*>(QStringLiteral("preview.result")).size(), 2);
     const QList<QLabel*> labels = detectable();
     QCOMPARE(labels.size(), 2);
-    std::vector<double> runSd; // the same runs, asked for without the screen
+    std::vector<double> runSd, runSdError; // the same runs, asked for without the screen
     for (std::size_t i = 0; i < design.conditions.size(); ++i) {
         const auto result = desktop::previewCondition(design, i, {.weber = 0.1, .lapse = 0.02}, kRuns,
                                                       [](double) { return true; });
         QVERIFY2(result, result ? "" : result.error().message.c_str());
         runSd.push_back(result->plan.sdLog10);
+        runSdError.push_back(result->plan.sdError);
     }
     psychophysics::PowerQuestion question;
     question.participants = 6;
@@ -120,9 +124,13 @@ void TestPreviewPage::whatIsAssumedDecidesWhatIsFound() {
     const auto told = [&] {
         for (std::size_t i = 0; i < runSd.size(); ++i) {
             question.runSdLog10 = runSd[i];
-            const double ratio = psychophysics::detectableRatio(question, wanted);
+            const auto smallest = [&](const psychophysics::PowerQuestion& asked) {
+                return psychophysics::detectableRatio(asked, wanted);
+            };
+            const double ratio = smallest(question);
+            const double error = psychophysics::figureError(question, runSdError[i], smallest);
             if (labels[static_cast<int>(i)]->text() !=
-                (std::isfinite(ratio) ? ratioText(ratio) : QStringLiteral("none up to × 10")))
+                (std::isfinite(ratio) ? ratioText(ratio, error) : QStringLiteral("none up to × 10")))
                 return QStringLiteral("%1 instead of %2").arg(labels[static_cast<int>(i)]->text()).arg(ratio);
         }
         return QString();
@@ -130,6 +138,7 @@ void TestPreviewPage::whatIsAssumedDecidesWhatIsFound() {
     QCOMPARE(told(), QString());
     const auto after = [&](const char* field, double value) { find<QDoubleSpinBox>(field)->setValue(value); };
     const QString before = labels[0]->text();
+    QVERIFY2(before.contains(QStringLiteral(" ± ")), qPrintable(before));
     after("preview.alpha", 0.1);
     question.alpha = 0.001;
     QCOMPARE(told(), QString());
@@ -157,6 +166,23 @@ void TestPreviewPage::whatIsAssumedDecidesWhatIsFound() {
         errors += text.contains(QStringLiteral(" ± ")) ? 1 : 0;
     QCOMPARE(errors, 2 * 5);
     QVERIFY(!texts().filter(QStringLiteral("±: one standard error")).isEmpty());
+}
+
+/// Of the curve, too: of its middle and of both ends of its band, at every number of trials.
+void TestPreviewPage::theCurveHasItsErrors() {
+    const psychophysics::StudyDesign design = twoConditions();
+    const auto result = desktop::previewCondition(design, 0, {.weber = 0.1, .lapse = 0.02}, kRuns,
+                                                  [](double) { return true; });
+    QVERIFY2(result, result ? "" : result.error().message.c_str());
+    QVERIFY(result->curve.size() >= 3);
+    for (const desktop::PreviewPoint& point : result->curve)
+        QVERIFY(point.weberError > 0.0 && point.lowError > 0.0 && point.highError > 0.0);
+    show(design);
+    preview();
+    // A plot has no meta-object of its own.
+    const auto* plot = dynamic_cast<report::PlotView*>(find<QWidget>("preview.plot"));
+    QVERIFY(plot && plot->legendTexts().contains(QStringLiteral("± one standard error")));
+    QCOMPARE(plot->legendTexts().filter(QStringLiteral("standard error")).size(), 1);
 }
 
 void TestPreviewPage::oneConditionComparesNothing() {

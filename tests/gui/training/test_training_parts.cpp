@@ -29,7 +29,7 @@ class BarePanel final : public InfoView {
 public:
     BarePanel(const Theme& theme, bool measures) : InfoView(theme, {}, nullptr) {
         addHead(kit::label(theme, QStringLiteral("words")));
-        addFoot(measures, false);
+        addFoot({}, measures);
     }
     QString text(const char* name) const {
         const auto* label = findChild<QLabel*>(QLatin1String(name));

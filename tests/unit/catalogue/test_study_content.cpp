@@ -2,11 +2,11 @@
 #include "study_samples.h"
 
 #include "catalogue/canonical_json.h"
+#include "catalogue/comparison_content.h"
 #include "catalogue/schema.h"
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
-#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>

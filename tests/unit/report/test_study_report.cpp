@@ -4,13 +4,12 @@
 #include "database/repositories/study_repository.h"
 #include "session/study/study_runner.h"
 #include "session_report/study_report.h"
+#include "support/pdf_text.h"
 #include "support/session_fixture.h"
 #include "support/study_designs.h"
 
 #include <QDir>
-#include <QProcess>
 #include <QRegularExpression>
-#include <QStandardPaths>
 #include <QtTest>
 
 using namespace chiron;
@@ -53,10 +52,7 @@ psychophysics::StudyDesign designOf(const std::string& id, bool blind) {
 /// One word after another, however lines were broken. Punctuation between capitals may be missing: the font
 /// has glyphs of its own for it.
 QString textOf(const QString& pdf) {
-    QProcess reader;
-    reader.start(QStringLiteral("pdftotext"), {QStringLiteral("-layout"), pdf, QStringLiteral("-")});
-    reader.waitForFinished();
-    return QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+    return tests::pdfText(pdf).simplified();
 }
 
 } // namespace
@@ -64,10 +60,6 @@ QString textOf(const QString& pdf) {
 class TestStudyReport : public QObject {
     Q_OBJECT
 private slots:
-    void initTestCase() {
-        if (QStandardPaths::findExecutable(QStringLiteral("pdftotext")).isEmpty())
-            QSKIP("pdftotext is not installed");
-    }
     void refusesDraft();
     void tellsAll();
     void blindUntilUnblinded();

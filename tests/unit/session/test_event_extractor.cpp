@@ -47,6 +47,7 @@ private slots:
     void overForceOfEachTool();
     void overForceWhilePaused();
     void tissueThatGaveWay();
+    void tissueThatGaveWayHasAPlace();
     void trials();
     void procedures();
     void states();
@@ -155,6 +156,33 @@ void TestEventExtractor::tissueThatGaveWay() {
             QCOMPARE(event.detailJson, std::string("{\"trial\":0,\"force_mN\":7500}"));
         }
     QCOMPARE(found, 1);
+}
+
+// Where the tip was, of the tool that broke it; to a micrometre, and in no language's decimals. A packet that
+// cannot be trusted says nothing about a place.
+void TestEventExtractor::tissueThatGaveWayHasAPlace() {
+    const tests::MillimetreCounts positions{};
+    auto frames = someFrames(12, 0, 2);
+    const auto yield = [&](std::size_t at, std::size_t tool) {
+        frames[at].tool[tool].counts = {};
+        frames[at].tool[tool].counts[0] = 12;
+        frames[at].tool[tool].counts[1] = -4;
+        frames[at].tool[tool].status |= core::contactStatus(core::contact_bits::kYielded);
+    };
+    yield(3, 0);
+    yield(5, 1);
+    yield(8, 0);
+    frames[8].tool[0].status |= core::sample_status::kRefused;
+    session::EventExtractor extractor(kLimit_N, kSeed, 2, &positions);
+    extractor.add(frames);
+    std::vector<std::string> details;
+    for (const database::EventRecord& event : extractor.events())
+        if (event.kind == "tissue_yielded")
+            details.push_back(event.detailJson);
+    QCOMPARE(details,
+             (std::vector<std::string>{"{\"trial\":0,\"force_mN\":0,\"position_m\":[0.012,-0.004,0]}",
+                                       "{\"trial\":0,\"force_mN\":0,\"position_m\":[0.112,-0.004,0]}",
+                                       "{\"trial\":0,\"force_mN\":0}"}));
 }
 
 void TestEventExtractor::trials() {

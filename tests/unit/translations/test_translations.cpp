@@ -2,6 +2,7 @@
 // Every text that a person reads is translated, whole and in the form that the program relies on; none can be
 // forgotten, because lupdate reads the sources again here.
 #include "core/languages.h"
+#include "support/feeling_words.h"
 #include "unit/translations/text_rules.h"
 
 #include <QDirIterator>
@@ -36,6 +37,27 @@ TsMessage text(const char* source, const char* translation) {
     message.finished = true;
     return message;
 }
+
+/// The contexts, without namespaces, of what people read while they work: training and studies.
+const QStringList kAtWork{QStringLiteral("AnswerNote"),    QStringLiteral("AnswerPanel"),
+                          QStringLiteral("ApexStage"),     QStringLiteral("BreakPanel"),
+                          QStringLiteral("ControlBar"),    QStringLiteral("ControlGuide"),
+                          QStringLiteral("ForceBar"),      QStringLiteral("ForceGauge"),
+                          QStringLiteral("ForceWords"),    QStringLiteral("GateWords"),
+                          QStringLiteral("GraspNote"),     QStringLiteral("GraspPanel"),
+                          QStringLiteral("GraspWords"),    QStringLiteral("HeaderBar"),
+                          QStringLiteral("InfoPanel"),     QStringLiteral("InsertionPanel"),
+                          QStringLiteral("LevelFacts"),    QStringLiteral("LivePlot"),
+                          QStringLiteral("Metrics"),       QStringLiteral("ParticipantSentences"),
+                          QStringLiteral("PlacesView"),    QStringLiteral("ReadyCard"),
+                          QStringLiteral("SidePanel"),     QStringLiteral("SoundSign"),
+                          QStringLiteral("StageWords"),    QStringLiteral("StudyControls"),
+                          QStringLiteral("TargetBar"),     QStringLiteral("TrainingScreen"),
+                          QStringLiteral("TrainingWords"), QStringLiteral("TrialsScreen")};
+/// Those of the exercise in which palpating is the name of the task.
+const QStringList kOfPalpation{QStringLiteral("FindingsBox"),    QStringLiteral("FlatFingers"),
+                               QStringLiteral("LeanDial"),       QStringLiteral("MapLegend"),
+                               QStringLiteral("PalpationPanel"), QStringLiteral("PalpationWords")};
 
 /// The bare names of the QObject classes of the desktop that live in a namespace.
 QSet<QString> namespacedClasses() {
@@ -192,6 +214,35 @@ private slots:
         }
         QVERIFY2(others.isEmpty(), qPrintable(report(others)));
         QVERIFY(checked > 20);
+    }
+
+    /// Where force is shown and not felt, no text at work may speak of feeling. The pairs that differ between
+    /// the two stand in FeltWords, which says nothing but the one that fits.
+    void textsAtWorkDoNotSpeakOfFeeling_data() { eachLocale(); }
+    void textsAtWorkDoNotSpeakOfFeeling() {
+        QFETCH(QString, locale);
+        // English texts are the sources in the catalogue of another language.
+        const auto messages =
+            readTs(catalogue(locale == QLatin1String("en") ? QStringLiteral("de") : locale));
+        QVERIFY(messages.has_value());
+        QSet<QString> seen;
+        QStringList found;
+        for (const TsMessage& message : *messages) {
+            const QString context = message.context.section(QStringLiteral("::"), -1);
+            const bool palpation = kOfPalpation.contains(context);
+            if (!palpation && !kAtWork.contains(context))
+                continue;
+            seen << context;
+            QStringList texts = message.translations;
+            if (locale == QLatin1String("en"))
+                texts = {message.source};
+            for (const QString& text : texts)
+                if (const QString words = chiron::tests::feelingIn(text, locale, palpation); !words.isEmpty())
+                    found << message.key() + QStringLiteral(" -- ") + words;
+        }
+        QVERIFY2(found.isEmpty(), qPrintable(report(found)));
+        for (const QString& context : kAtWork + kOfPalpation)
+            QVERIFY2(seen.contains(context), qPrintable(context)); // a renamed screen would not be looked at
     }
 
     /// A text that lupdate does not see, because it is in a folder that it does not read, could never be

@@ -57,7 +57,7 @@ FindingsBox::FindingsBox(const Theme& theme, const QLocale& locale, const simula
 void FindingsBox::addFindings(const Theme& theme) {
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->addWidget(kit::label(theme, tr("Findings"), TextStyle::strong));
-    m_none = kit::label(theme, tr("None yet. Press where you feel something, then click or press Enter."),
+    m_none = kit::label(theme, tr("None yet. Press where the tissue is firmer, then mark the place (Enter)."),
                         TextStyle::small, "muted");
     m_none->setObjectName(QStringLiteral("training.no_findings"));
     column->addWidget(m_none);

@@ -49,7 +49,7 @@ PalpationPanel::PalpationPanel(const Theme& theme, const QLocale& locale, const 
         addNumbers();
     if (cues.plots)
         addPlots();
-    addFoot(cues.bars || cues.numbers || cues.plots || cues.coverage, cues.plots);
+    addFoot(cues, cues.bars || cues.numbers || cues.plots || cues.coverage);
 }
 
 void PalpationPanel::addBars() {
@@ -141,6 +141,8 @@ LivePlot* PalpationPanel::plot(const char* name, const QString& title, double to
 void PalpationPanel::addPlots() {
     m_forcePlot = plot("training.force_plot", tools() > 1 ? tr("Force, first finger (N)") : tr("Force (N)"),
                        1.25 * m_level.maximumForce_N, m_level.maximumForce_N);
+    if (m_cues.bars)
+        addSpare(m_forcePlot);
     if (m_cues.bars)
         m_leanPlot = plot("training.lean_plot", tools() > 1 ? tr("Tilt, first finger (°)") : tr("Tilt (°)"),
                           kLeanAxis_deg, kLeanLimit_deg);

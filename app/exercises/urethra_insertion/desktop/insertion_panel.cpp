@@ -44,7 +44,7 @@ InsertionPanel::InsertionPanel(const Theme& theme, const QLocale& locale, const 
         addNumbers();
     if (cues.plots)
         addPlots(parameters);
-    addFoot(cues.bars || cues.numbers || cues.plots, cues.plots);
+    addFoot(cues, cues.bars || cues.numbers || cues.plots);
 }
 
 void InsertionPanel::addStage() {
@@ -173,7 +173,9 @@ void InsertionPanel::addPlots(const simulation::UrethraInsertionParameters& para
         parts().addWidget(row, 1);
         return row;
     };
-    pair(m_forcePlot, m_offsetPlot);
+    QWidget* first = pair(m_forcePlot, m_offsetPlot);
+    if (m_cues.bars && m_cues.numbers)
+        addSpare(first);
     addDetail(pair(m_lateralPlot, m_alignmentPlot));
 }
 

@@ -81,6 +81,15 @@ double ElasticTubeScene::tornShare() const noexcept {
     return fallen(static_cast<double>(m_tornTicks) * core::kTickSeconds / m_parameters.yield.fall_s);
 }
 
+/// The flags of a tool that holds the tube or the fold.
+std::uint8_t ElasticTubeScene::contactOf(bool fold, bool beyondChecked) const noexcept {
+    namespace contact = core::contact_bits;
+    const bool torn = !fold && m_task.torn();
+    return static_cast<std::uint8_t>((torn ? contact::kThrough : 0) |
+                                     (torn && m_tornTicks == 1 ? contact::kYielded : 0) |
+                                     (torn || beyondChecked ? contact::kBeyondChecked : 0));
+}
+
 /// The pull on a tool. It continues for a short time after the tool lets go, while the tube slides out of its
 /// jaws.
 core::Vec3 ElasticTubeScene::slipping(std::size_t tool, const core::Vec3& pull, bool holds) noexcept {
@@ -158,7 +167,6 @@ void ElasticTubeScene::runTask(SceneOutput& out) noexcept {
 }
 
 void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noexcept {
-    namespace contact = core::contact_bits;
     if (m_task.torn())
         ++m_tornTicks;
     const int count = std::clamp(tools.count, 0, core::kMaxTools);
@@ -183,15 +191,14 @@ void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noe
         core::Vec3 pull = holds ? core::Vec3(share * answer.force[static_cast<std::size_t>(node)])
                                 : core::Vec3::Zero().eval();
         // No more than the tube bears, also in tasks without a tear limit
-        if (pull.norm() > m_parameters.yield.force_N)
+        const bool tooMuch = pull.norm() > m_parameters.yield.force_N;
+        if (tooMuch)
             pull *= m_parameters.yield.force_N / pull.norm();
         out.tissue.tools[i].force = used ? slipping(i, pull, holds) : core::Vec3::Zero().eval();
         if (!holds && out.tissue.tools[i].force != core::Vec3::Zero()) // friction still holds what slides
             stiffest = std::max(stiffest, m_slips[i].share * first_N_per_m);
-        if (holds && !fold && m_task.torn())
-            out.contact[i] =
-                static_cast<std::uint8_t>(contact::kThrough | (m_tornTicks == 1 ? contact::kYielded : 0));
         if (holds) {
+            out.contact[i] = contactOf(fold, tooMuch || answer.beyondLimit[static_cast<std::size_t>(node)]);
             stiffest = std::max(stiffest, share * answer.stiffness_N_per_m[static_cast<std::size_t>(node)]);
             out.damping_Ns_per_m[i] = share * answer.damping_Ns_per_m[static_cast<std::size_t>(node)];
         }

@@ -47,6 +47,8 @@ enum class TubeQuantity : std::uint8_t {
 /// - After a trial the tube's pull fades within 0.3 s, so that no hand is let go with a jerk. A tube that
 ///   tears gives way within parameters.yield.fall_s, which core::contact_bits of the tools that hold it
 ///   report. A tube that is let go of slides out of the jaws within 0.1 s.
+/// - The checked range (kBeyondChecked outside it) is a tube or fold that is whole, stretched up to the limit
+///   of its law, and pulls with no more than the yield force.
 /// - During a pause the clocks and the task stand still, and the tube follows the hands (the supervisor ramps
 ///   the force).
 /// - Where the level has a fold of tissue over the tube, the last tool takes hold of its edge and draws it
@@ -75,6 +77,7 @@ private:
     void pull(const SceneInput& in, SceneOutput& out) noexcept;
     void feel(const core::ToolStates& tools, SceneOutput& out) noexcept;
     double tornShare() const noexcept;
+    std::uint8_t contactOf(bool fold, bool beyondChecked) const noexcept;
     core::Vec3 slipping(std::size_t tool, const core::Vec3& pull, bool holds) noexcept;
     bool tubePresent() const noexcept;
     double fade() const noexcept;   ///< share of the tube's pull that is left

@@ -79,9 +79,12 @@ ContactResponse SphereApexScene::touchExact(std::size_t tool, const core::ToolSt
     ContactYield& yield = m_yields[tool];
     if (response.inContact)
         response.stiffness_N_per_m = steepest(response, state.p_WT);
-    const bool breached = yield.everYields() && response.depth_m > kDeepestShare * m_parameters.radius_m;
-    scale(response, yield.step(response.force.norm(), !response.inContact, breached, core::kTickSeconds));
+    const bool tooDeep = response.depth_m > kDeepestShare * m_parameters.radius_m;
+    scale(response, yield.step(response.force.norm(), !response.inContact, yield.everYields() && tooDeep,
+                               core::kTickSeconds));
     response.bits = yield.bits();
+    if (tooDeep) // earlier content has no yield force, and its dome never gives way
+        response.bits |= core::contact_bits::kBeyondChecked;
     return response;
 }
 
