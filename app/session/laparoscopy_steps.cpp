@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/laparoscopy_steps.h"
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "session/playback_track.h"
 
 #include <algorithm>

@@ -121,6 +121,7 @@ private slots:
     void nothingElseNamesAnExercise();
     void nothingElseNamesAMetricOfOneExercise();
     void noSceneOrOperatorKnowsAnotherExercise();
+    void nothingBelowTheScenesKnowsAnExercise();
     void everyExerciseIsOnEachFloor();
     void everyFolderIsBuilt();
     void everyExerciseIsInTheLists();
@@ -215,6 +216,26 @@ void TestExerciseSlices::noSceneOrOperatorKnowsAnotherExercise() {
         for (auto found = include.globalMatch(readSource(contentOf(path)).code); found.hasNext();)
             if (const QString other = found.next().captured(1); other != of.captured(1))
                 wrong << QStringLiteral("%1: includes a header of %2").arg(path, other);
+    }
+    QVERIFY(read > 100);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+/// What every session runs through knows neither an exercise nor a family of exercises, and says nothing of
+/// one.
+void TestExerciseSlices::nothingBelowTheScenesKnowsAnExercise() {
+    static const QRegularExpression below(
+        QStringLiteral("^modules/(core|realtime|devices|mechanisms|haptics|recording)/"));
+    const QRegularExpression known(
+        QStringLiteral("#[ \\t]*include[ \\t]*\"cues/|exercises/%1/").arg(anyExercise()));
+    QStringList wrong;
+    int read = 0;
+    for (const QString& path : productSources()) {
+        if (!path.contains(below))
+            continue;
+        ++read;
+        if (const auto found = known.match(contentOf(path)); found.hasMatch())
+            wrong << QStringLiteral("%1: %2").arg(path, found.captured());
     }
     QVERIFY(read > 100);
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));

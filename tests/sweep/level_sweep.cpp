@@ -2,7 +2,7 @@
 #include "sweep/level_sweep.h"
 
 #include "core/contact_bits.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "session/exercise_kind.h"
 #include "session/session_setup.h"
 #include "session/station.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene2d/flat_comparison.h"
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/scene2d/laparoscopy/flat_floor.h"
 #include "simulation/comparison/comparison_parameters.h"
 

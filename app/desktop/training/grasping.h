@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "haptics/display_state.h"
 #include "session/level_limits.h"
 

@@ -173,9 +173,9 @@ LiveSurroundings TrainingScreen::surroundings() {
             .leftHanded = m_plan.workspace.leftHanded,
             .practises = m_plan.practises(),
             .report =
-                [this](core::ReportField field, unsigned value) {
+                [this](std::uint16_t word) {
                     if (running() && !m_storing)
-                        m_control->report(field, value);
+                        m_control->report(word);
                 },
             .freePointer = [this] { hold(); }};
 }

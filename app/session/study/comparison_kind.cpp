@@ -2,10 +2,12 @@
 #include "session/study/comparison_kind.h"
 
 #include "operators/comparison/comparison_explorer.h"
+#include "operators/settings/operator_table.h"
 #include "session/session_setup.h"
 #include "simulation/comparison/comparison_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace chiron::session {
@@ -15,6 +17,8 @@ namespace {
 const simulation::ComparisonParameters& parametersOf(const catalogue::ExerciseLevel& level) {
     return level.parameters.as<simulation::ComparisonParameters>();
 }
+
+constexpr std::array<std::string_view, 1> kOperators{"participant"};
 
 /// A single object at the middle position. The felt values are in the recorded quantities.
 class ComparisonSurfaces final : public TrialSurfaces {
@@ -58,11 +62,14 @@ std::unique_ptr<simulation::IScene> ComparisonKind::makeScene(const SessionSetup
     return std::make_unique<simulation::ComparisonScene>(parametersOf(setup.level), setup.seed);
 }
 
+std::vector<std::string> ComparisonKind::operatorNames() const {
+    return {kOperators.begin(), kOperators.end()};
+}
+
 core::Result<ScriptedTrainee> ComparisonKind::makeOperator(const catalogue::ExerciseLevel& level,
                                                            const std::string& name, std::uint64_t) const {
-    if (name != "participant")
-        return core::fail(core::ErrorCode::notFound,
-                          "operator '" + name + "' is unknown; expected participant");
+    if (name != kOperators[0])
+        return operators::unknownOperator(name, kOperators);
     auto explorer = operators::makeComparisonExplorer(operators::comparisonBriefing(parametersOf(level)));
     CHIRON_TRY(explorer);
     return oneHanded(std::move(*explorer), operators::comparisonHand());

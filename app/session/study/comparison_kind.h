@@ -21,7 +21,7 @@ public:
     /// study's runner.
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                std::uint64_t seed) const override;
-    std::vector<std::string> operatorNames() const override { return {"participant"}; }
+    std::vector<std::string> operatorNames() const override;
     /// One per trial that the study presents.
     int trialCount(const catalogue::ExerciseLevel&) const override { return 1; }
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;

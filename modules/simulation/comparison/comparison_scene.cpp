@@ -2,8 +2,8 @@
 #include "simulation/comparison/comparison_scene.h"
 
 #include "core/contact_bits.h"
-#include "core/laparoscopy_cues.h"
 #include "core/units.h"
+#include "cues/laparoscopy_cues.h"
 
 #include <algorithm>
 
@@ -18,9 +18,8 @@ void ComparisonScene::respond(const realtime::HapticTick&, const SceneInput& in,
     hear(in);
     advance(in, out);
     touch(in, out);
-    out.trial = static_cast<std::uint16_t>(m_trial);
-    out.phase = m_phase;
-    fillCues(in, out);
+    m_course.write(in, out);
+    fillCues(out);
 }
 
 /// Called in every tick, also while paused, so that no command is lost.
@@ -31,7 +30,7 @@ void ComparisonScene::hear(const SceneInput& in) noexcept {
     }
     if (in.answer && in.answered == kAnswerFinish)
         m_finish = true;
-    else if (in.answer && m_phase == TrialPhase::running) {
+    else if (in.answer && m_course.phase() == TrialPhase::running) {
         m_answering = true;
         m_answerWord = in.answered;
     }
@@ -39,59 +38,31 @@ void ComparisonScene::hear(const SceneInput& in) noexcept {
 
 void ComparisonScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
     const int pressed = buttonAnswer(in);
-    if (in.paused)
-        return;
-    if (pressed >= 0 && m_phase == TrialPhase::running && !m_answering) {
+    if (pressed >= 0 && !in.paused && m_course.phase() == TrialPhase::running && !m_answering) {
         m_answering = true;
         m_answerWord = static_cast<std::uint16_t>(pressed);
     }
-    switch (m_phase) {
-    case TrialPhase::idle:
-    case TrialPhase::between:
-        ++m_clock;
-        if (m_finish) {
-            m_phase = TrialPhase::finished;
-            out.events |= bits::kFinished;
-        } else if (m_pending && (!m_begun || m_clock > m_betweenTicks)) {
-            enterReady(out);
-        }
-        break;
-    case TrialPhase::ready:
-        if (in.forceReady) {
-            m_phase = TrialPhase::running;
-            m_clock = 0;
-            out.events |= bits::kTrialStarted;
-            run(in, out);
-        } else if (m_finish) {
-            leaveTrial(out);
-        }
-        break;
-    case TrialPhase::running:
-        if (m_trialOver)
-            leaveTrial(out);
-        else
-            run(in, out);
-        break;
-    case TrialPhase::finished:
-        break;
-    }
+    const TrialCourse::Signals signals{
+        .paused = in.paused, .forceReady = in.forceReady, .next = m_pending, .stop = m_finish};
+    const TrialCourse::Turn turn = m_course.advance(signals, out);
+    if (turn == TrialCourse::Turn::prepares)
+        prepare();
+    else if (turn == TrialCourse::Turn::runs)
+        run(out);
+    else if (turn == TrialCourse::Turn::leaves)
+        leave();
 }
 
-void ComparisonScene::enterReady(SceneOutput& out) noexcept {
-    m_phase = TrialPhase::ready;
-    m_clock = 0;
-    m_trial += m_begun ? 1 : 0;
+void ComparisonScene::prepare() noexcept {
     m_begun = true;
-    m_pending = m_trialOver = m_answering = false;
+    m_pending = m_answering = false;
     m_answered = -1;
     m_touched = 0;
     m_word = m_next;
     setPlaces(false);
-    out.events |= bits::kSceneChanged;
 }
 
-void ComparisonScene::run(const SceneInput&, SceneOutput& out) noexcept {
-    ++m_clock;
+void ComparisonScene::run(SceneOutput& out) noexcept {
     if (m_pending && m_parameters.adjusts) {
         m_word = m_next;
         m_pending = false;
@@ -100,26 +71,18 @@ void ComparisonScene::run(const SceneInput&, SceneOutput& out) noexcept {
         setPlaces(true);
     if (m_answering && m_answerWord != kAnswerSpoiled) {
         m_answered = m_answerWord;
-        out.events |= bits::kCompleted;
+        m_course.end(bits::kCompleted, out);
     } else if (m_answering || m_finish) {
-        out.events |= bits::kFailed;
-    } else if (!freely() && m_exploreTicks > 0 && m_answerTicks > 0 &&
-               m_clock >= m_exploreTicks + m_answerTicks) {
-        out.events |= bits::kTimedOut;
-    } else {
-        return;
+        m_course.end(bits::kFailed, out);
+    } else if (!freely() && m_course.timeIsUp()) {
+        m_course.end(bits::kTimedOut, out);
     }
-    m_trialOver = true;
 }
 
-void ComparisonScene::leaveTrial(SceneOutput& out) noexcept {
-    m_clock = 1; // this tick is the first of the interval
-    m_answering = m_trialOver = false;
+void ComparisonScene::leave() noexcept {
+    m_answering = false;
     for (ComparedObject& object : m_objects)
         object.clear();
-    m_phase = m_finish ? TrialPhase::finished : TrialPhase::between;
-    if (m_finish)
-        out.events |= bits::kFinished;
 }
 
 /// Sets the objects at all places. `onlyChanged`: sets only places whose word has changed and that nobody
@@ -131,7 +94,7 @@ void ComparisonScene::setPlaces(bool onlyChanged) noexcept {
         if (onlyChanged && (m_set[i] == m_word || !m_objects[i].free()))
             continue;
         m_set[i] = m_word;
-        const std::uint64_t seed = m_seed + kOdd * (static_cast<std::uint64_t>(m_trial) * 4 + i + 1);
+        const std::uint64_t seed = m_seed + kOdd * (static_cast<std::uint64_t>(m_course.trial()) * 4 + i + 1);
         if (const auto value = valueAt(m_word, static_cast<int>(i)))
             m_objects[i].set(m_parameters, static_cast<int>(i), *value, seed);
         else
@@ -160,12 +123,13 @@ std::optional<double> ComparisonScene::valueAt(const core::PresentationWord& wor
 
 /// Whether the present objects are those on which the controls are tried.
 bool ComparisonScene::freely() const noexcept {
-    return m_parameters.freeFirst && m_trial == 0;
+    return m_parameters.freeFirst && m_course.trial() == 0;
 }
 
 bool ComparisonScene::exploring() const noexcept {
-    return m_phase == TrialPhase::ready ||
-           (m_phase == TrialPhase::running && (m_exploreTicks == 0 || m_clock <= m_exploreTicks || freely()));
+    return m_course.phase() == TrialPhase::ready ||
+           (m_course.phase() == TrialPhase::running &&
+            (m_exploreTicks == 0 || m_course.clock() <= m_exploreTicks || freely()));
 }
 
 /// Returns the place that the mark button answers; −1: none.
@@ -205,7 +169,7 @@ void ComparisonScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
 /// A graze does not count: where the study asks for a force, the force has to be reached while forces are
 /// rendered.
 bool ComparisonScene::countsAsTouched(const ComparedResponse& response) const noexcept {
-    if (!response.touching || m_phase != TrialPhase::running)
+    if (!response.touching || m_course.phase() != TrialPhase::running)
         return false;
     return m_parameters.probeAtLeast_N <= 0.0 ||
            (!m_paused && response.force.norm() >= m_parameters.probeAtLeast_N);
@@ -255,18 +219,15 @@ void ComparisonScene::fillQuantities(const ComparedResponse& felt, const core::T
         out.quantities[q::kVelocity + axis] = tool.v_WT[static_cast<Eigen::Index>(axis)];
 }
 
-void ComparisonScene::fillCues(const SceneInput& in, SceneOutput& out) const noexcept {
+void ComparisonScene::fillCues(SceneOutput& out) const noexcept {
     core::VisibleCues& cues = out.cues;
     core::LaparoscopyCues& own = cues.exercise.own<core::LaparoscopyCues>();
-    cues.trial = static_cast<std::uint16_t>(m_trial);
-    cues.phase = m_phase;
-    cues.force = in.force;
     own.present = true;
-    if (m_phase != TrialPhase::ready && m_phase != TrialPhase::running)
+    if (!m_course.present())
         return;
-    if (m_phase == TrialPhase::running && m_exploreTicks > 0 && !freely())
-        cues.timeLeft_s =
-            static_cast<double>(m_exploreTicks - std::min(m_clock, m_exploreTicks)) * core::kTickSeconds;
+    if (m_course.phase() == TrialPhase::running && m_exploreTicks > 0 && !freely())
+        cues.timeLeft_s = static_cast<double>(m_exploreTicks - std::min(m_course.clock(), m_exploreTicks)) *
+                          core::kTickSeconds;
     if (!m_showsObjects || !exploring())
         return;
     own.objectShown = true;

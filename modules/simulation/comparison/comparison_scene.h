@@ -5,6 +5,7 @@
 #include "simulation/comparison/compared_object.h"
 #include "simulation/comparison/comparison_parameters.h"
 #include "simulation/scene.h"
+#include "simulation/trial_course.h"
 
 #include <array>
 #include <cstdint>
@@ -26,21 +27,15 @@ inline constexpr std::size_t kVelocity = 7;     ///< x, y, z of the tool, m/s, a
 inline constexpr std::size_t kCount = 10;
 } // namespace comparison_quantity
 
-/// Objects side by side that are presented and answered one trial after the other (P2's studies). The task
-/// moves through these states:
-///
-///   idle --present--> ready --forceReady--> running --answer or limits--> between --present,
-///   betweenTrials_s--> ready ... finished
-///
-/// The events are as in the other scenes. kSceneChanged comes with the first tick of `ready`, so that force
-/// is armed again. kTrialStarted comes with the first running tick. kCompleted (answered), kTimedOut or
-/// kFailed (spoiled) comes with the last one, which still has the objects. kFinished comes with the first
-/// tick of `finished` (after an `answer` of kAnswerFinish). In idle, between and finished there are no
-/// objects and force is zero. The same holds between the two limits of a trial, while the scene waits for an
-/// answer. With `freeFirst`, neither limit applies to the first presentation of the session; only the runner
-/// ends it. A `present` that comes early waits until it is due. With `adjusts`, a `present` in a running
-/// trial changes the objects; each place changes as soon as it is not touched, so that nobody feels a step.
-/// Tool 0 explores. While paused the clocks stand still; contact still produces forces.
+/// Objects side by side that are presented and answered one trial after the other (P2's studies). The trials
+/// follow the course of TrialCourse, but are not planned: each begins when a word has been presented, and the
+/// session ends after an `answer` of kAnswerFinish. kCompleted (answered), kTimedOut or kFailed (spoiled)
+/// ends a trial. In idle, between and finished there are no objects and force is zero. The same holds between
+/// the two limits of a trial, while the scene waits for an answer. With `freeFirst`, neither limit applies to
+/// the first presentation of the session; only the runner ends it. A `present` that comes early waits until
+/// it is due. With `adjusts`, a `present` in a running trial changes the objects; each place changes as soon
+/// as it is not touched, so that nobody feels a step. Tool 0 explores. While paused the clocks stand still;
+/// contact still produces forces.
 ///
 /// Deterministic: values follow from the parameters and the presented word, micro-heights from session seed,
 /// trial and place.
@@ -61,9 +56,9 @@ public:
 private:
     void hear(const SceneInput& in) noexcept;
     void advance(const SceneInput& in, SceneOutput& out) noexcept;
-    void enterReady(SceneOutput& out) noexcept;
-    void run(const SceneInput& in, SceneOutput& out) noexcept;
-    void leaveTrial(SceneOutput& out) noexcept;
+    void prepare() noexcept;
+    void run(SceneOutput& out) noexcept;
+    void leave() noexcept;
     void setPlaces(bool onlyChanged) noexcept;
     bool known(const core::PresentationWord& word) const noexcept;
     bool freely() const noexcept;
@@ -75,20 +70,15 @@ private:
                                 SceneOutput& out) noexcept;
     void fillQuantities(const ComparedResponse& felt, const core::ToolState& tool,
                         SceneOutput& out) const noexcept;
-    void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
+    void fillCues(SceneOutput& out) const noexcept;
 
     ComparisonParameters m_parameters;
     std::uint64_t m_seed;
     std::uint64_t m_exploreTicks; ///< 0: no limit
-    std::uint64_t m_answerTicks;
-    std::uint64_t m_betweenTicks;
+    TrialCourse m_course;
     bool m_showsObjects;
 
-    core::TrialPhase m_phase = core::TrialPhase::idle;
-    std::size_t m_trial = 0;
-    std::uint64_t m_clock = 0;
     bool m_begun = false; ///< a trial was presented before
-    bool m_trialOver = false;
     bool m_finish = false;
     bool m_pending = false; ///< a word is waiting
     core::PresentationWord m_next;

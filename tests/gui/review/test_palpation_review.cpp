@@ -202,7 +202,7 @@ private slots:
 
     /// Each lump with the finding that found it and what was stated of it, then each finding that found none.
     void eachLumpIsToldWithItsFinding() {
-        using core::ReportField;
+        using simulation::ReportField;
         session::PalpationTrialRecord record;
         record.answer.truth.lumps = {{core::Vec3::Zero(), 0.012, 0.0075, 5},
                                      {core::Vec3::Zero(), 0.010, 0.005, 3}};

@@ -5,7 +5,7 @@
 // scene looked at: scene_pictures and its siblings): CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen
 // build/release/tests/gui/scene3d/test_kept_outlines
 #include "app/exercises/palpation/scene/palpation_overlay.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/scene3d/scene_plugin.h"
 #include "gui/scene3d/picture_states.h"

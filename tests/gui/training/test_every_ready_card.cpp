@@ -3,7 +3,7 @@
 #include "gui/training/training_bench.h"
 
 #include "app/exercises/object_handling/desktop/handling_grasping.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/exercise_setup/gate_words.h"
 #include "desktop/exercise_setup/level_facts.h"
 #include "desktop/scene3d/scene_marks.h"

@@ -6,14 +6,14 @@
 #include "core/exercise_parameters.h"
 #include "core/fp_environment.h"
 #include "core/haptic_frame.h"
-#include "core/laparoscopy_cues.h"
 #include "core/least_squares.h"
 #include "core/normal_distribution.h"
 #include "core/presentation_word.h"
-#include "core/procedure_stage.h"
 #include "core/random.h"
 #include "core/units.h"
 #include "core/visible_cues.h"
+#include "cues/laparoscopy_cues.h"
+#include "cues/procedure_stage.h"
 #include "modules/exercises/palpation/cues/findings_book.h"
 #include "support/cue_numbers.h"
 
@@ -33,6 +33,10 @@ using chiron::simulation::Finding;
 using chiron::simulation::FindingsBook;
 using chiron::simulation::kMaxFindings;
 using chiron::simulation::kMaxShownLumps;
+using chiron::simulation::ReportField;
+using chiron::simulation::reportField;
+using chiron::simulation::reportValue;
+using chiron::simulation::reportWord;
 
 class TestCore : public QObject {
     Q_OBJECT
@@ -243,8 +247,8 @@ void TestCore::numbersOfTheRecording() {
     {
         using namespace event_bits;
         bits({kSceneChanged, kTrialStarted, kMarked, kTimedOut, kContactBegan, kContactEnded, kFinished,
-              kCompleted, kStageChanged, kLandmarkSeen, kGrasped, kReleased, kSlipped, kDamaged, kFailed,
-              kSlowApplied});
+              kCompleted, kStageChanged, procedure_bits::kLandmarkSeen, kGrasped, kReleased, kSlipped,
+              kDamaged, kFailed, kSlowApplied});
     }
     {
         using namespace sample_status;

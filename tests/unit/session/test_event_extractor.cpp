@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/contact_bits.h"
+#include "cues/procedure_stage.h"
 #include "frames.h"
 #include "session/event_extractor.h"
 
@@ -216,8 +217,9 @@ void TestEventExtractor::procedures() {
     auto frames = someFrames(20);
     frames[2].header.events = bits::kTrialStarted;
     frames[4].header.events = bits::kStageChanged;
-    frames[7].header.events = bits::kLandmarkSeen;
-    frames[9].header.events = bits::kLandmarkSeen | bits::kStageChanged; // the last one begins the withdrawal
+    frames[7].header.events = core::procedure_bits::kLandmarkSeen;
+    frames[9].header.events =
+        core::procedure_bits::kLandmarkSeen | bits::kStageChanged; // the last one begins the withdrawal
     frames[15].header.events = bits::kCompleted | bits::kStageChanged;
     const auto extractor = extracted(frames);
     QCOMPARE(named(extractor), (Named{{"trial_started", 2},

@@ -2,8 +2,8 @@
 // What a recording is said to tell: stops, limits, misses, the worst moment, what was felt.
 #include "app/exercises/palpation/session/palpation_marks.h"
 #include "core/contact_bits.h"
-#include "core/laparoscopy_cues.h"
 #include "core/random.h"
+#include "cues/laparoscopy_cues.h"
 #include "frames.h"
 #include "scoring/force_facts.h"
 #include "session/exercise_kind.h"
@@ -355,7 +355,7 @@ private slots:
         PlaybackTrack track = quietEnd();
         PalpationOutcome record{0, true, false, {}};
         record.answer.truth.lumps.resize(2);
-        const auto report = [](double t_s, core::ReportField field, int finding) {
+        const auto report = [](double t_s, simulation::ReportField field, int finding) {
             scoring::TimedReport made;
             made.t_s = t_s;
             made.field = field;
@@ -363,8 +363,8 @@ private slots:
             return made;
         };
         record.answer.reports = {
-            report(1.0, core::ReportField::found, 0), report(2.0, core::ReportField::found, 1),
-            report(3.0, core::ReportField::remove, 1), report(4.0, core::ReportField::found, 1)};
+            report(1.0, simulation::ReportField::found, 0), report(2.0, simulation::ReportField::found, 1),
+            report(3.0, simulation::ReportField::remove, 1), report(4.0, simulation::ReportField::found, 1)};
         scoring::FindingMatch hit;
         hit.finding = 0;
         hit.lump = 1;

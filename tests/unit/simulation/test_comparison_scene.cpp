@@ -2,8 +2,8 @@
 #include "comparison_driver.h"
 
 #include "core/fp_environment.h"
-#include "core/laparoscopy_cues.h"
 #include "core/units.h"
+#include "cues/laparoscopy_cues.h"
 
 #include <QtTest>
 
@@ -378,8 +378,8 @@ void TestComparisonScene::theFreePresentationHasNoLimit() {
     QVERIFY((d.events & bits::kTimedOut) != 0);
 }
 
-/// Whoever lets go of a tube below its ring and raises the tip holds nothing; from above they take hold again.
-/// In sessions of earlier versions the raised tip took hold.
+/// Whoever lets go of a tube below its ring and raises the tip holds nothing; from above they take hold
+/// again. In sessions of earlier versions the raised tip took hold.
 void TestComparisonScene::whoHasLetGoMustLeaveFirst() {
     for (const bool leaves : {false, true}) {
         ComparisonParameters p = lossless(ComparedAttribute::stiffness);

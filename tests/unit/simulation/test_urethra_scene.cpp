@@ -83,7 +83,7 @@ void TestUrethraScene::idealPathWalksThroughTheStages() {
             ++changed;
             stages.push_back(d.out.cues.exercise.of<simulation::EndoscopeCues>().stage);
         }
-        seen += (d.out.events & bits::kLandmarkSeen) != 0;
+        seen += (d.out.events & core::procedure_bits::kLandmarkSeen) != 0;
         deepest_m = std::max(deepest_m, d.out.cues.exercise.of<simulation::EndoscopeCues>().depth_m);
         QCOMPARE(d.out.phase, TrialPhase::running);
     }
@@ -197,9 +197,9 @@ void TestUrethraScene::theGateIsPassedThroughTheMeatus() {
 
 void TestUrethraScene::aPoseSeenFirstIsInWithinReach() {
     MeatusGate gate(0.005, 0.010);
-    QVERIFY(gate.step(0.050, core::kCanalReach_m));
+    QVERIFY(gate.step(0.050, kCanalReach_m));
     gate.forget();
-    QVERIFY(!gate.step(0.050, 1.01 * core::kCanalReach_m));
+    QVERIFY(!gate.step(0.050, 1.01 * kCanalReach_m));
     QVERIFY(!gate.step(0.050, 0.0)); // no longer the first
     gate.forget();
     QVERIFY(!gate.step(-0.010, 0.0));

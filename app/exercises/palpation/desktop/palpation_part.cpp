@@ -5,6 +5,7 @@
 #include "app/exercises/palpation/desktop/palpation_words.h"
 #include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "desktop/training/finger_control.h"
+#include "modules/exercises/palpation/cues/report_word.h"
 
 namespace chiron::desktop {
 
@@ -29,9 +30,10 @@ PalpationPart::PalpationPart(const simulation::PalpationParameters& level, LiveS
 InfoView* PalpationPart::makePanel() {
     m_panel = new PalpationPanel(around().theme, around().locale, around().cues, m_level);
     m_panel->findings().setEnabled(around().ownHand); // a person who only watches reports nothing
-    QObject::connect(
-        &m_panel->findings(), &FindingsBox::reported, m_panel,
-        [report = around().report](core::ReportField field, unsigned value) { report(field, value); });
+    QObject::connect(&m_panel->findings(), &FindingsBox::reported, m_panel,
+                     [report = around().report](simulation::ReportField field, unsigned value) {
+                         report(simulation::reportWord(field, value));
+                     });
     return m_panel;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/exercises/elastic_tube/scoring/tube_metrics.h"
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "curriculum/exercises/elastic_tube/scoring/tube_truth.h"
 #include "scoring/metric.h"
 #include "scoring/metrics/metric_rows.h"

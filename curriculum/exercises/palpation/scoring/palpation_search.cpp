@@ -77,7 +77,7 @@ Measurement measurePressingTime(std::span<const PreparedTrial> trials) {
 
 double doneAt_s(const std::vector<TimedReport>& reports) {
     for (const TimedReport& report : reports)
-        if (report.field == core::ReportField::done)
+        if (report.field == simulation::ReportField::done)
             return report.t_s;
     return std::numeric_limits<double>::infinity();
 }

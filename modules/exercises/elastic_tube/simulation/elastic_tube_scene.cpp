@@ -8,7 +8,6 @@
 
 namespace chiron::simulation {
 
-using core::TrialPhase;
 namespace bits = core::event_bits;
 
 namespace {
@@ -29,56 +28,21 @@ double fallen(double x) noexcept {
 
 void ElasticTubeScene::respond(const realtime::HapticTick&, const SceneInput& in, SceneOutput& out) noexcept {
     out = SceneOutput{};
-    advance(in, out);
+    const TrialCourse::Turn turn = m_course.advance(in, out);
+    if (turn == TrialCourse::Turn::prepares)
+        prepare();
     pull(in, out);
-    if (m_phase == TrialPhase::running && !in.paused)
+    if (turn == TrialCourse::Turn::runs)
         runTask(out);
     feel(in.tools, out);
-    out.trial = static_cast<std::uint16_t>(m_trial);
-    out.phase = m_phase;
+    m_course.write(in, out);
     fillQuantities(out);
-    fillCues(in, out.cues);
+    fillCues(out.cues);
 }
 
-void ElasticTubeScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
-    if (in.paused)
-        return;
-    switch (m_phase) {
-    case TrialPhase::idle:
-        if (in.started)
-            enterReady(out);
-        break;
-    case TrialPhase::ready:
-        if (in.forceReady) {
-            m_phase = TrialPhase::running;
-            m_clock = 0;
-            out.events |= bits::kTrialStarted;
-        }
-        break;
-    case TrialPhase::running:
-        if (m_trialOver)
-            leaveTrial(out);
-        break;
-    case TrialPhase::between:
-        if (m_clock >= m_betweenTicks) {
-            ++m_trial;
-            enterReady(out);
-        } else {
-            ++m_clock;
-        }
-        break;
-    case TrialPhase::finished:
-        m_clock = std::min(m_clock + 1, kFadeTicks);
-        break;
-    }
-}
-
-void ElasticTubeScene::enterReady(SceneOutput& out) noexcept {
-    m_phase = TrialPhase::ready;
-    m_clock = 0;
-    m_trialOver = false;
+void ElasticTubeScene::prepare() noexcept {
     const ElasticTubeParameters& p = m_parameters;
-    const ElasticTubeTrial& trial = m_trials[m_trial];
+    const ElasticTubeTrial& trial = m_trials[m_course.trial()];
     m_tube = TubeChain(elasticTubeShape(p, trial));
     m_grips.reset({p.graspReach_m, p.graspAngle_rad, p.releaseAngle_rad});
     m_fold = p.hasFold() ? TubeChain(tissueFoldShape(p, trial)) : TubeChain();
@@ -99,17 +63,6 @@ void ElasticTubeScene::enterReady(SceneOutput& out) noexcept {
     goal.fold = p.hasFold();
     m_task.begin(goal);
     m_tornTicks = 0;
-    out.events |= bits::kSceneChanged;
-}
-
-void ElasticTubeScene::leaveTrial(SceneOutput& out) noexcept {
-    m_clock = 1; // this tick is the first of the interval
-    if (m_trial + 1 < m_trials.size()) {
-        m_phase = TrialPhase::between;
-        return;
-    }
-    m_phase = TrialPhase::finished;
-    out.events |= bits::kFinished;
 }
 
 double ElasticTubeScene::fade() const noexcept {
@@ -117,11 +70,11 @@ double ElasticTubeScene::fade() const noexcept {
 }
 
 double ElasticTubeScene::ending() const noexcept {
-    if (m_phase == TrialPhase::ready || m_phase == TrialPhase::running)
+    if (m_course.present())
         return 1.0;
-    if (m_phase == TrialPhase::idle || m_clock >= kFadeTicks)
+    if (m_course.phase() == core::TrialPhase::idle || m_course.clock() >= kFadeTicks)
         return 0.0;
-    return 1.0 - static_cast<double>(m_clock) / static_cast<double>(kFadeTicks);
+    return 1.0 - static_cast<double>(m_course.clock()) / static_cast<double>(kFadeTicks);
 }
 
 double ElasticTubeScene::tornShare() const noexcept {
@@ -152,8 +105,7 @@ core::Vec3 ElasticTubeScene::slipping(std::size_t tool, const core::Vec3& pull, 
 }
 
 bool ElasticTubeScene::tubePresent() const noexcept {
-    return m_phase == TrialPhase::ready || m_phase == TrialPhase::running || fade() > 0.0 ||
-           (m_parameters.hasFold() && ending() > 0.0);
+    return m_course.present() || fade() > 0.0 || (m_parameters.hasFold() && ending() > 0.0);
 }
 
 void ElasticTubeScene::pull(const SceneInput& in, SceneOutput& out) noexcept {
@@ -202,22 +154,16 @@ TubeTaskSample ElasticTubeScene::sample() const noexcept {
 }
 
 void ElasticTubeScene::runTask(SceneOutput& out) noexcept {
-    if (m_trialOver)
-        return;
-    ++m_clock;
     const TubeTaskTracker::Change change = m_task.advance(sample());
     out.events |= change.moved ? bits::kStageChanged : 0;
     out.events |= change.dropped ? bits::kSlipped : 0;
     out.events |= change.damaged ? bits::kDamaged : 0;
     if (change.completed)
-        out.events |= bits::kCompleted;
+        m_course.end(bits::kCompleted, out);
     else if (change.torn)
-        out.events |= bits::kFailed;
-    else if (m_clock >= m_limitTicks)
-        out.events |= bits::kTimedOut;
-    else
-        return;
-    m_trialOver = true;
+        m_course.end(bits::kFailed, out);
+    else if (m_course.timeIsUp())
+        m_course.end(bits::kTimedOut, out);
 }
 
 void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noexcept {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tool_state.h"
-
 #include <cstdint>
 
-namespace chiron::core {
+namespace chiron::simulation {
 
 /// A part of a person's report about a finding. The numbers are part of the recording's format.
 enum class ReportField : std::uint8_t {
@@ -18,9 +16,8 @@ enum class ReportField : std::uint8_t {
     done = 6,       ///< nothing more to report: ends the trial
 };
 
-/// Encoding of one report: the argument of CommandKind::report, and the upper 16 bits of a tool's buttons
-/// while kButtonReport is pressed (a device with a keypad, a scripted hand, a trace file). The field is in
-/// the upper 4 bits.
+/// Encoding of one report: the argument of core::CommandKind::report and the word of core::kButtonReport. The
+/// field is in the upper 4 bits.
 inline constexpr std::uint16_t kReportValueMask = 0x0fff;
 constexpr std::uint16_t reportWord(ReportField field, unsigned value) noexcept {
     return static_cast<std::uint16_t>((static_cast<unsigned>(field) << 12) | (value & kReportValueMask));
@@ -31,9 +28,5 @@ constexpr ReportField reportField(std::uint16_t word) noexcept {
 constexpr unsigned reportValue(std::uint16_t word) noexcept {
     return word & kReportValueMask;
 }
-/// Returns the button state that sends `word`; the loop takes it at the rising edge of kButtonReport.
-constexpr std::uint32_t reportButtons(std::uint16_t word) noexcept {
-    return kButtonReport | (static_cast<std::uint32_t>(word) << 16);
-}
 
-} // namespace chiron::core
+} // namespace chiron::simulation
