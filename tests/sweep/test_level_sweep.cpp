@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tool pushed, dragged and lifted through every level of every exercise: no force without bound, none that
-// jumps, none in free air.
+// A tool pushed, dragged and lifted through every level of every exercise, and through the objects of every
+// study: no force without bound, none that jumps, none in free air, and no energy that nobody put in.
+#include "catalogue/study_catalogue.h"
+#include "modules/exercises/object_handling/simulation/object_handling_scene.h"
+#include "modules/exercises/palpation/simulation/palpation_scene.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
+#include "session/study/study_setup.h"
 #include "sweep/level_sweep.h"
 
 #include <QtTest>
@@ -15,6 +20,8 @@ namespace {
 constexpr double kChange_N = 0.1; ///< in a tick, above stiffness times way: what is allowed for rounding and
                                   ///< for what a scene's bound leaves out
 constexpr double kChange_Nm = 0.001; ///< likewise: 0.1 N over a lever of 10 mm, which is as long as the beak
+constexpr double kMade_J = 1e-6;     ///< models.md §0: what a law with a potential may make in one contact
+constexpr std::uint64_t kFastSeed = 4711;
 
 #ifdef CHIRON_LONG_SWEEP
 constexpr bool kLong = true;
@@ -23,11 +30,13 @@ constexpr bool kLong = false;
 #endif
 
 std::uint64_t seedOfRun() {
-    if (!kLong)
-        return 4711;
     bool given = false;
     const std::uint64_t seed = qEnvironmentVariable("CHIRON_SWEEP_SEED").toULongLong(&given);
-    return given ? seed : std::random_device{}();
+    return given ? seed : (kLong ? std::random_device{}() : kFastSeed);
+}
+
+int pathsOfRun() {
+    return kLong ? 200 * std::max(1, qEnvironmentVariableIntValue("CHIRON_SOAK")) : 12;
 }
 
 } // namespace
@@ -35,43 +44,118 @@ std::uint64_t seedOfRun() {
 class TestLevelSweep : public QObject {
     Q_OBJECT
 private slots:
+    void initTestCase();
     void everyLevel_data();
     void everyLevel();
+    void everyLevelIsGuarded_data();
+    void everyLevelIsGuarded();
+    void everyStudy_data();
+    void everyStudy();
+    void everyStudyIsGuarded_data();
+    void everyStudyIsGuarded();
     void formerJumps_data();
     void formerJumps();
+    void aSceneTellsWhetherItsLawHasAPotential();
 
 private:
+    void levels();
+    void conditions();
+    catalogue::ExerciseLevel conditionLevel() const;
+    SweepResult swept(const catalogue::ExerciseLevel& level, bool guarded) const;
+    void judgeLaw(const SweepResult& result) const;
+    void judgeGuard(const SweepResult& result) const;
+
     catalogue::Catalogue m_catalogue = *catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+    catalogue::StudyCatalogue m_studies =
+        *catalogue::StudyCatalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+    std::uint64_t m_seed = seedOfRun();
 };
 
-void TestLevelSweep::everyLevel_data() {
+void TestLevelSweep::initTestCase() {
+    std::printf("seed of all paths: %llu (CHIRON_SWEEP_SEED repeats it)\n",
+                static_cast<unsigned long long>(m_seed));
+}
+
+void TestLevelSweep::levels() {
     QTest::addColumn<QString>("exercise");
     QTest::addColumn<int>("number");
-    std::printf("%s\n", SweepResult::heading().c_str());
     for (const catalogue::Exercise& exercise : m_catalogue.exercises())
         for (const catalogue::ExerciseLevel& level : exercise.levels)
             QTest::newRow((exercise.id + "_" + std::to_string(level.number)).c_str())
                 << QString::fromStdString(exercise.id) << level.number;
 }
 
+/// What is felt side by side in a study. Those that look for the apex are a level of sphere_apex.
+void TestLevelSweep::conditions() {
+    QTest::addColumn<QString>("study");
+    QTest::addColumn<QString>("condition");
+    for (const psychophysics::StudyDesign& design : m_studies.studies())
+        for (const psychophysics::Condition& condition : design.conditions)
+            if (condition.stimulus.attribute != psychophysics::Attribute::apex)
+                QTest::newRow((design.id + "_" + condition.id).c_str())
+                    << QString::fromStdString(design.id) << QString::fromStdString(condition.id);
+}
+
+catalogue::ExerciseLevel TestLevelSweep::conditionLevel() const {
+    QFETCH(QString, study);
+    QFETCH(QString, condition);
+    const psychophysics::StudyDesign& design = *m_studies.find(study.toStdString());
+    auto level = session::studyLevel(design, *session::conditionOf(design, condition.toStdString()));
+    if (!level)
+        qFatal("%s", level.error().message.c_str());
+    return *level;
+}
+
+SweepResult TestLevelSweep::swept(const catalogue::ExerciseLevel& level, bool guarded) const {
+    tests::SweepSettings settings;
+    settings.seed = m_seed;
+    settings.paths = pathsOfRun();
+    settings.guarded = guarded;
+    const SweepResult result = tests::sweepLevel(level, settings);
+    std::printf("%s\n", (guarded ? result.guardedLine() : result.line()).c_str());
+    std::fflush(stdout);
+    return result;
+}
+
+/// What is asked of every law, whether its tissue gives way or not.
+void TestLevelSweep::judgeLaw(const SweepResult& result) const {
+    QVERIFY(result.finite);
+    QVERIFY2(result.measured, "tests/sweep/true_contact.cpp does not know where this exercise's objects are");
+    QVERIFY2(!(result.inAir.value > 0.0), "force where nothing is touched, by true distances");
+    QVERIFY2(!(result.inAirAsTold.value > 0.0), "force where the scene itself says that nothing is touched");
+    QVERIFY2(!(result.change.value > kChange_N), "the force jumps");
+    if (result.conservative)
+        QVERIFY2(!(result.made.value > kMade_J), "a law that has a potential makes energy");
+    if (kLong)
+        QVERIFY2(result.touching > 0 && result.closed > 0, "no contact was followed from beginning to end");
+}
+
+void TestLevelSweep::judgeGuard(const SweepResult& result) const {
+    QVERIFY2(result.commanded.value <= result.cap_N * (1.0 + 1e-9), "more force than the cap");
+    QVERIFY2(!(result.overReturned.value > 0.0),
+             "a contact gave the hand more energy than the passivity controller allows");
+    if (kLong)
+        QVERIFY2(result.commanded.value > 0.0, "nothing was felt");
+}
+
+void TestLevelSweep::everyLevel_data() {
+    std::printf("%s\n", SweepResult::heading().c_str());
+    levels();
+}
+
 void TestLevelSweep::everyLevel() {
     QFETCH(QString, exercise);
     QFETCH(int, number);
-    tests::SweepSettings settings;
-    settings.seed = seedOfRun();
-    settings.paths = kLong ? 200 * std::max(1, qEnvironmentVariableIntValue("CHIRON_SOAK")) : 12;
-    const SweepResult result = tests::sweepLevel(*m_catalogue.find(exercise.toStdString(), number), settings);
-    std::printf("%s   seed %llu\n", result.line().c_str(), static_cast<unsigned long long>(settings.seed));
-    std::fflush(stdout);
+    const SweepResult result = swept(*m_catalogue.find(exercise.toStdString(), number), false);
     if (!kLong && !result.yieldStated)
         QSKIP("the content does not say at which force the tissue gives way: only the long test fails for "
               "that");
-    QVERIFY(result.finite);
+    judgeLaw(result);
+    if (QTest::currentTestFailed())
+        return;
     QVERIFY2(result.yieldStated, "the content does not say at which force the tissue gives way");
     QVERIFY2(result.yieldForce_N <= 3.0 * result.limit_N, "yields only beyond three times the level's limit");
     QVERIFY2(result.force.value <= result.yieldForce_N * (1.0 + 1e-9), "more force than the tissue bears");
-    QVERIFY2(!(result.inAir.value > 0.0), "force where nothing is touched");
-    QVERIFY2(!(result.change.value > kChange_N), "the force jumps");
     QVERIFY2(!(result.fall.value > kChange_N), "tissue that gives way falls faster than its curve");
     if (result.yieldTorque_Nm == 0.0) {
         QVERIFY2(!(result.torque.value > 0.0),
@@ -85,6 +169,39 @@ void TestLevelSweep::everyLevel() {
     QVERIFY2(!(result.torqueChange.value > kChange_Nm), "the torque jumps");
     QVERIFY2(!(result.torqueFall.value > kChange_Nm),
              "the torque of tissue that gives way falls faster than its curve");
+}
+
+void TestLevelSweep::everyLevelIsGuarded_data() {
+    std::printf("%s\n", SweepResult::guardedHeading().c_str());
+    levels();
+}
+
+/// The same paths behind the supervisor: a contact gives the hand no more than 1 mJ that nobody put in, at
+/// any time, whatever its law makes.
+void TestLevelSweep::everyLevelIsGuarded() {
+    QFETCH(QString, exercise);
+    QFETCH(int, number);
+    judgeGuard(swept(*m_catalogue.find(exercise.toStdString(), number), true));
+}
+
+void TestLevelSweep::everyStudy_data() {
+    std::printf("%s\n", SweepResult::heading().c_str());
+    conditions();
+}
+
+/// The objects of a study never give way: their forces are bounded by where the mechanism reaches, and what
+/// is felt by the cap (everyStudyIsGuarded).
+void TestLevelSweep::everyStudy() {
+    judgeLaw(swept(conditionLevel(), false));
+}
+
+void TestLevelSweep::everyStudyIsGuarded_data() {
+    std::printf("%s\n", SweepResult::guardedHeading().c_str());
+    conditions();
+}
+
+void TestLevelSweep::everyStudyIsGuarded() {
+    judgeGuard(swept(conditionLevel(), true));
 }
 
 void TestLevelSweep::formerJumps_data() {
@@ -112,6 +229,31 @@ void TestLevelSweep::formerJumps() {
     const SweepResult result = tests::sweepLevel(*m_catalogue.find("sphere_apex", 6), settings);
     QVERIFY(result.touching > 0);
     QVERIFY2(!(result.change.value > kChange_N), result.line().c_str());
+}
+
+// What everyLevel() judges by: a law says of itself that it has no potential, whatever level renders it.
+void TestLevelSweep::aSceneTellsWhetherItsLawHasAPotential() {
+    using namespace simulation;
+    for (const ApexSurface surface : {ApexSurface::exact, ApexSurface::mesh, ApexSurface::organ}) {
+        SphereApexParameters dome;
+        dome.surface = surface;
+        dome.meshEdge_m = 0.004;
+        dome.trials = 1;
+        QCOMPARE(SphereApexScene(dome, 1).conservative(), surface == ApexSurface::exact);
+    }
+    for (const TissueContactLaw contact : {TissueContactLaw::anchored, TissueContactLaw::p3Recast})
+        for (const LumpLaw lumps :
+             {LumpLaw::inclusion, LumpLaw::secondSurface, LumpLaw::stiffnessTimesDepth}) {
+            PalpationParameters palpation;
+            palpation.tissue.contact = contact;
+            palpation.tissue.lumps = lumps;
+            QCOMPARE(PalpationScene(palpation, 1).conservative(),
+                     contact == TissueContactLaw::anchored && lumps != LumpLaw::stiffnessTimesDepth);
+        }
+    for (const catalogue::ExerciseLevel& level : m_catalogue.find("object_handling")->levels) {
+        const auto& handling = level.parameters.as<ObjectHandlingParameters>();
+        QCOMPARE(ObjectHandlingScene(handling, 1).conservative(), !handling.organBed);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestLevelSweep)
