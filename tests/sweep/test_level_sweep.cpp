@@ -2,13 +2,17 @@
 // A tool pushed, dragged and lifted through every level of every exercise, and through the objects of every
 // study: no force without bound, none that jumps, none in free air, and no energy that nobody put in.
 #include "catalogue/study_catalogue.h"
+#include "core/random.h"
 #include "modules/exercises/object_handling/simulation/object_handling_scene.h"
 #include "modules/exercises/palpation/simulation/palpation_scene.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 #include "session/study/study_setup.h"
+#include "simulation/geometry/mesh/make_mesh.h"
 #include "sweep/level_sweep.h"
+#include "sweep/triangle_distance.h"
 
 #include <QtTest>
+#include <cmath>
 #include <cstdio>
 #include <random>
 
@@ -56,6 +60,7 @@ private slots:
     void formerJumps_data();
     void formerJumps();
     void aSceneTellsWhetherItsLawHasAPotential();
+    void distancesFromTriangles();
 
 private:
     void levels();
@@ -253,6 +258,23 @@ void TestLevelSweep::aSceneTellsWhetherItsLawHasAPotential() {
     for (const catalogue::ExerciseLevel& level : m_catalogue.find("object_handling")->levels) {
         const auto& handling = level.parameters.as<ObjectHandlingParameters>();
         QCOMPARE(ObjectHandlingScene(handling, 1).conservative(), !handling.organBed);
+    }
+}
+
+/// What tells where a mesh is, against a ball: its triangles lie within 0.03 mm of it.
+void TestLevelSweep::distancesFromTriangles() {
+    simulation::MeshSource source;
+    source.shape = simulation::MeshSource::Shape::ellipsoid;
+    const auto mesh = simulation::makeMesh(source); // 20 mm
+    QVERIFY2(mesh.has_value(), mesh ? "" : mesh.error().message.c_str());
+    core::Random random(5);
+    for (int n = 0; n < 200; ++n) {
+        const core::Vec3 p(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03),
+                           random.uniform(-0.03, 0.03));
+        const double distance_m = tests::signedDistance_m(
+            mesh->triangles(), [&mesh](std::uint32_t vertex) { return mesh->position(vertex); }, p,
+            mesh->longestEdge_m());
+        QVERIFY(std::abs(distance_m - (p.norm() - 0.02)) < 5e-5);
     }
 }
 

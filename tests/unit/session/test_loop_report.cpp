@@ -64,13 +64,18 @@ void TestLoopReport::punctualityIsTheStatistics() {
 }
 
 void TestLoopReport::everyFieldIsItsOwn() {
-    session::LoopReport report{
-        11,        22,
-        33,        0.5,
-        0.25,      0.125,
-        true,      true,
-        "round robin, \"90\"", 1.0 / 3.0,
-        session::LatenessBins{}, 2.0 / 3.0};
+    session::LoopReport report{11,
+                               22,
+                               33,
+                               0.5,
+                               0.25,
+                               0.125,
+                               true,
+                               true,
+                               "round robin, \"90\"",
+                               1.0 / 3.0,
+                               session::LatenessBins{},
+                               2.0 / 3.0};
     for (std::size_t i = 0; i < report.lateness->counts.size(); ++i)
         report.lateness->counts[i] = 100 + i;
     const auto back = session::loopReportFrom(session::loopJson(report));
