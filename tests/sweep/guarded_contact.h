@@ -50,9 +50,11 @@ public:
     bool counts() const { return m_counts; }
     /// Energy that the open contact has given the hand beyond what the hand had put into it, J.
     double returned_J() const { return -m_rig.out.energySupplied_J; }
-    /// The same over what the controller allows (passivity_controller.h): 1 mJ for each body, and what one
-    /// tick brings, which is seen only after it; where bodies are rendered softer, 1 mJ that is forgiven in
-    /// each contact and half a millijoule that is made while the share falls (as in test_two_hands).
+    double grown_J() const { return m_grown_J; } ///< the most that one tick of the open contact has brought
+    /// What was returned, over what the controller allows (passivity_controller.h): 1 mJ for each body, and
+    /// what one tick brings, which is seen only after it; where bodies are rendered softer, 1 mJ that is
+    /// forgiven in each contact and half a millijoule that is made while the share falls (as in
+    /// test_two_hands).
     double over_J(const simulation::SceneOutput& scene) const {
         constexpr double kFalling_J = 0.0005;
         const double body_J = scene.energyByBody

@@ -118,11 +118,12 @@ private:
             beginAnywhere();
         m_true.reset(); // before its scene
         m_scene = m_kind->makeScene(m_setup);
-        m_true = trueContactOf(m_setup, *m_scene);
         m_result.conservative = m_scene->conservative();
-        m_result.measured = m_true != nullptr;
         if (m_settings.guarded)
             enterGuard();
+        else
+            m_true = trueContactOf(m_setup, *m_scene);
+        m_result.measured = m_true != nullptr;
         m_out = {};
         m_met.fill(std::nullopt);
         m_presented = false;
@@ -360,6 +361,7 @@ private:
         if (!m_guard->counts())
             return;
         keep(m_result.returned, m_guard->returned_J(), path, tick, 0, m_in.tools.tools[0].p_WT);
+        keep(m_result.brought, m_guard->grown_J(), path, tick, 0, m_in.tools.tools[0].p_WT);
         keep(m_result.overReturned, m_guard->over_J(m_out), path, tick, 0, m_in.tools.tools[0].p_WT);
     }
 

@@ -26,7 +26,7 @@ struct Worst {
 struct SweepResult {
     std::string level;         ///< "exercise/number id"
     bool conservative = false; ///< the scene says that its law has a potential
-    bool measured = false;     ///< there is geometry of true_contact.h for this exercise
+    bool measured = false;     ///< there is geometry of true_contact.h for this exercise; not with a guard
     bool yieldStated = false;  ///< the level's content says at which force its tissue gives way
     double yieldForce_N = std::numeric_limits<double>::infinity(); ///< that force
     double yieldTorque_Nm = 0.0; ///< and the torque; 0: nothing of the level turns the tool
@@ -60,6 +60,7 @@ struct SweepResult {
     Worst commanded;          ///< N
     double cap_N = 0.0;       ///< that the supervisor keeps
     Worst returned;     ///< J that a contact gave the hand beyond what the hand had put into it, at any time
+    Worst brought;      ///< J, the most that one tick has brought without anybody's work
     Worst overReturned; ///< J, over what the controller allows (GuardedContact::over_J)
 
     std::string line() const;        ///< for people

@@ -272,7 +272,8 @@ void TestLevelSweep::distancesFromTriangles() {
         const core::Vec3 p(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03),
                            random.uniform(-0.03, 0.03));
         const double distance_m = tests::signedDistance_m(
-            mesh->triangles(), [&mesh](std::uint32_t vertex) { return mesh->position(vertex); }, p,
+            mesh->triangles(),
+            [&mesh](std::uint32_t vertex) -> const core::Vec3& { return mesh->position(vertex); }, p,
             mesh->longestEdge_m());
         QVERIFY(std::abs(distance_m - (p.norm() - 0.02)) < 5e-5);
     }

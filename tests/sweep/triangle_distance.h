@@ -40,19 +40,20 @@ inline core::Vec3 nearestOnTriangle(const core::Vec3& a, const core::Vec3& b, co
     return a + (vb / (va + vb + vc)) * ab + (vc / (va + vb + vc)) * ac;
 }
 
-/// Distance of p from a closed surface, negative within. `position` gives a vertex of it; no edge is longer
-/// than `longest_m`. Where edge or corner is nearest, the triangle that p faces most squarely tells the side.
+/// Distance of p from a closed surface, negative within. `position` gives a vertex of it, which stays where
+/// it is; no edge is longer than `longest_m`. Where edge or corner is nearest, the triangle that p faces most
+/// squarely tells the side.
 template <class Position>
 double signedDistance_m(std::span<const simulation::SurfaceTriangle> triangles, Position&& position,
                         const core::Vec3& p, double longest_m) {
     constexpr double kTie_m = 1e-12;
     double nearest_m = std::numeric_limits<double>::infinity(), squarest = 0.0;
     for (const simulation::SurfaceTriangle& triangle : triangles) {
-        const core::Vec3 a = position(triangle.vertex[0]);
+        const core::Vec3& a = position(triangle.vertex[0]);
         const double most_m = nearest_m + longest_m;
         if ((p - a).squaredNorm() > most_m * most_m)
             continue;
-        const core::Vec3 b = position(triangle.vertex[1]), c = position(triangle.vertex[2]);
+        const core::Vec3 &b = position(triangle.vertex[1]), &c = position(triangle.vertex[2]);
         const core::Vec3 away = p - nearestOnTriangle(a, b, c, p);
         const double distance_m = away.norm();
         if (distance_m > nearest_m + kTie_m)

@@ -48,8 +48,12 @@ const simulation::DeformableOrgan* organOf(simulation::IScene& scene) {
 /// Signed distance from the surface of an organ as it is shown in this tick, in its mesh's frame.
 double distanceFrom(const simulation::DeformableOrgan& organ, const Vec3& p) {
     const simulation::TriangleMesh& rest = organ.restMesh();
+    std::vector<Vec3> places; // once each: they are blended anew whenever they are asked for
+    places.reserve(rest.vertices().size());
+    for (std::uint32_t vertex = 0; vertex < rest.vertices().size(); ++vertex)
+        places.push_back(organ.position(vertex));
     return signedDistance_m(
-        rest.triangles(), [&organ](std::uint32_t vertex) { return organ.position(vertex); }, p,
+        rest.triangles(), [&places](std::uint32_t vertex) -> const Vec3& { return places[vertex]; }, p,
         rest.longestEdge_m() + 2.0 * organ.largestDisplacement_m());
 }
 
@@ -88,7 +92,8 @@ private:
         if (m_organ != nullptr)
             return distanceFrom(*m_organ, p);
         return signedDistance_m(
-            m_mesh->triangles(), [this](std::uint32_t vertex) { return m_mesh->position(vertex); }, p,
+            m_mesh->triangles(),
+            [this](std::uint32_t vertex) -> const Vec3& { return m_mesh->position(vertex); }, p,
             m_mesh->longestEdge_m());
     }
     simulation::SphereApexParameters m_p;
