@@ -509,19 +509,21 @@ std::string SweepResult::line() const {
 }
 
 std::string SweepResult::guardedHeading() {
-    return "level                                    law  made uJ (law)  returned mJ  over what is allowed "
-           "mJ  "
-           "commanded N  cap N  acted %  withheld mJ";
+    return "level                                    law  made uJ (law)  returned mJ  in a tick mJ  over "
+           "what "
+           "is allowed mJ  commanded N  cap N  acted %  withheld mJ";
 }
 
 std::string SweepResult::guardedLine() const {
     char text[320];
     const double all = static_cast<double>(std::max<std::uint64_t>(1, ticks));
-    std::snprintf(text, sizeof text, "%-40s %3s  %13.3f  %11.4f  %23.4f  %11.3f  %5.2f  %7.2f  %11.3f",
-                  level.c_str(), conservative ? "-dU" : "no", shown(made, 1e6), shown(returned, 1e3),
+    std::snprintf(text, sizeof text,
+                  "%-40s %3s  %13.3f  %11.4f  %12.4f  %23.4f  %11.3f  %5.2f  %7.2f  %11.3f", level.c_str(),
+                  conservative ? "-dU" : "no", shown(made, 1e6), shown(returned, 1e3), shown(brought, 1e3),
                   shown(overReturned, 1e3), shown(commanded), cap_N,
                   100.0 * static_cast<double>(damped) / all, 1e3 * withheld_J);
-    return std::string(text) + "\n    returned" + at(returned) + "  over" + at(overReturned);
+    return std::string(text) + "\n    returned" + at(returned) + "  in a tick" + at(brought) + "  over" +
+           at(overReturned);
 }
 
 } // namespace chiron::tests
