@@ -41,8 +41,8 @@ RosterColumn columnOf(const std::string& heading) {
         QHash<QString, RosterColumn> words;
         for (const catalogue::LanguageWords& language : catalogue::languageWords()) {
             for (const auto& [key, column] : kColumns) {
-                for (const QString& heading : language.roster.headings.at(QString::fromLatin1(key))) {
-                    words.insert(plain(heading), column);
+                for (const QString& word : language.roster.headings.at(QString::fromLatin1(key))) {
+                    words.insert(plain(word), column);
                 }
             }
         }

@@ -89,6 +89,11 @@ public:
     /// owns the model.
     /// Thread: set-up.
     virtual ISlowModel* slowModel() noexcept { return nullptr; }
+    /// Says whether the elastic part of its force is minus the gradient of a potential (models.md §0). No way
+    /// through such a scene makes energy: friction, viscosity and damping only take some. A scene whose law
+    /// has no potential says false. tests/sweep judges every level by this.
+    /// Thread: set-up.
+    virtual bool conservative() const noexcept { return true; }
 };
 
 } // namespace chiron::simulation

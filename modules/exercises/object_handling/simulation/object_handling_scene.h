@@ -4,6 +4,7 @@
 #include "modules/exercises/object_handling/simulation/handling_progress.h"
 #include "modules/exercises/object_handling/simulation/handling_world.h"
 #include "modules/exercises/object_handling/simulation/object_handling_plan.h"
+#include "simulation/geometry/mesh/mesh_contact.h"
 #include "simulation/scene.h"
 #include "simulation/trial_course.h"
 
@@ -46,6 +47,9 @@ public:
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
     ISlowModel* slowModel() noexcept override { return m_softBed ? &m_softBed->organ() : nullptr; }
+    bool conservative() const noexcept override {
+        return !m_parameters.organBed || MeshContact::kConservative;
+    }
 
     /// The truth, for scoring.
     const std::vector<ObjectHandlingTrial>& trials() const noexcept { return m_trials; }

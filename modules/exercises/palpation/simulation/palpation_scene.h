@@ -55,6 +55,7 @@ public:
     PalpationScene& operator=(const PalpationScene&) = delete;
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
+    bool conservative() const noexcept override { return m_parameters.tissue.conservative(); }
 
     /// The truth, for scoring.
     const std::vector<PalpationTrial>& trials() const noexcept { return m_trials; }

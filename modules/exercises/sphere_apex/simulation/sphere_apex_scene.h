@@ -5,6 +5,7 @@
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
 #include "modules/exercises/sphere_apex/simulation/touched_dome.h"
+#include "simulation/geometry/mesh/mesh_contact.h"
 #include "simulation/objects/contact_yield.h"
 #include "simulation/scene.h"
 #include "simulation/trial_course.h"
@@ -50,6 +51,9 @@ public:
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
     ISlowModel* slowModel() noexcept override { return m_dome ? m_dome->organ() : nullptr; }
+    bool conservative() const noexcept override {
+        return m_parameters.surface == ApexSurface::exact || MeshContact::kConservative;
+    }
 
     /// The truth, for scoring.
     const std::vector<SphereApexTrial>& trials() const noexcept { return m_trials; }
