@@ -216,9 +216,10 @@ void PreviewPage::showPower() {
         };
         const double ratio = smallest(question);
         const double error = psychophysics::figureError(question, labels.runSdError, smallest);
-        labels.value->setText(std::isfinite(ratio)
-                                  ? QStringLiteral("× %1").arg(study_words::withError(ratio, error, locale))
-                                  : tr("none up to × 10"));
+        const QString written = std::isfinite(error) ? study_words::withError(ratio, error, locale)
+                                                     : study_words::number(ratio, locale);
+        labels.value->setText(std::isfinite(ratio) ? QStringLiteral("× %1").arg(written)
+                                                   : tr("none up to × 10"));
         labels.name->setText(
             (m_power.paired
                  ? tr("smallest ratio detectable with %1 power by %2 participants who do both conditions")

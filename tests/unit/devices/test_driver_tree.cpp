@@ -29,7 +29,7 @@ struct Exception {
 };
 constexpr Exception kExceptions[]{
     {"modules/devices/driver.h", "gimbal_hprd", 1,
-     "a request can give this mechanism's true parameters (DriverRequest::gimbal), so that it can be "
+     "a request can give this mechanism's true parameters (DriverRequest::plant), so that it can be "
      "measured"},
     {"app/exercises/palpation/session/palpation_kind.h", "fingertip_arm", 2,
      "an exercise says in its own folder on which mechanisms its operators know how to work"},

@@ -133,7 +133,7 @@ void HandlingWorld::touchBody(Body& body, const HandlingTool& tool, HandlingAnsw
     const bool pierced = body.yield.everYields() && place.depth_m > kPiercedShare * radius;
     const double holds = body.yield.step(touch.force.norm(), !touch.inContact, pierced, kT);
     answer.contact |= body.yield.bits();
-    if (touch.inContact)
+    if (touch.inContact && holds > 0.0)
         checkRange(place.depth_m, answer);
     scale(touch, holds);
     body.tipEnergy_J = touch.energy_J;
@@ -192,7 +192,7 @@ void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) n
     const double holds =
         m_bedYield.step(touch.force.norm(), !touch.inContact && !m_bedYield.through(), out, kT);
     answer.contact |= m_bedYield.bits();
-    if (touch.inContact)
+    if (touch.inContact && holds > 0.0)
         checkRange(m_soft != nullptr ? m_soft->deepest_m(SoftBed::kTip) : place.depth_m, answer);
     scale(touch, holds);
     touch.inContact = touch.inContact && holds > 0.0;

@@ -80,10 +80,11 @@ ContactResponse SphereApexScene::touchExact(std::size_t tool, const core::ToolSt
     if (response.inContact)
         response.stiffness_N_per_m = steepest(response, state.p_WT);
     const bool tooDeep = response.depth_m > kDeepestShare * m_parameters.radius_m;
-    scale(response, yield.step(response.force.norm(), !response.inContact, yield.everYields() && tooDeep,
-                               core::kTickSeconds));
+    const double holds = yield.step(response.force.norm(), !response.inContact, yield.everYields() && tooDeep,
+                                    core::kTickSeconds);
+    scale(response, holds);
     response.bits = yield.bits();
-    if (tooDeep) // earlier content has no yield force, and its dome never gives way
+    if (tooDeep && holds > 0.0) // earlier content has no yield force, and its dome never gives way
         response.bits |= core::contact_bits::kBeyondChecked;
     return response;
 }
