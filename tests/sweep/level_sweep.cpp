@@ -235,9 +235,9 @@ private:
             const std::uint8_t bits = m_out.contact[i];
             m_result.beyondChecked += (bits & core::contact_bits::kBeyondChecked) != 0 ? 1 : 0;
             m_result.yields += (bits & core::contact_bits::kYielded) != 0 ? 1 : 0;
-            if (size == 0.0 && (bits & core::contact_bits::kThrough) == 0)
+            if (size == 0.0 && bits == 0)
                 m_clear[i] = tool.p_WT;
-            if (size > 0.0 && (bits & core::contact_bits::kThrough) == 0)
+            if (size > 0.0 && bits == 0)
                 m_met[i] = tool.p_WT;
             Before& before = m_before[i];
             if (before.known && !appeared) {
