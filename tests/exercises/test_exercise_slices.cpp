@@ -56,7 +56,7 @@ const QString kStudyTask = QStringLiteral("comparison");
 
 /// The task's own files.
 bool isOfTheStudyTask(const QString& path) {
-    static const QRegularExpression own(QStringLiteral("/comparison_(kind|face|content)\\.(h|cpp)$"));
+    static const QRegularExpression own(QStringLiteral("/comparison_(kind|face|content|facts)\\.(h|cpp)$"));
     return own.match(path).hasMatch();
 }
 
@@ -84,14 +84,19 @@ QString whatItDoes(const QString& text, const QString& path = {}) {
     return includes ? QStringLiteral("includes") : names ? QStringLiteral("names") : QString();
 }
 
+QStringList sourcesIn(const QString& folder) {
+    QStringList files;
+    for (QDirIterator it(kRoot + u'/' + folder, {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                         QDirIterator::Subdirectories);
+         it.hasNext();)
+        files << QDir(kRoot).relativeFilePath(it.next());
+    return files;
+}
+
 QStringList productSources() {
     QStringList files;
     for (const char* floor : {"app", "modules", "curriculum", "database"})
-        for (QDirIterator it(kRoot + u'/' + QLatin1String(floor),
-                             {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
-                             QDirIterator::Subdirectories);
-             it.hasNext();)
-            files << QDir(kRoot).relativeFilePath(it.next());
+        files << sourcesIn(QLatin1String(floor));
     return files;
 }
 
@@ -119,6 +124,7 @@ private slots:
     void codeIsReadWithoutComments();
     void whatAFileDoesIsFound();
     void nothingElseNamesAnExercise();
+    void theSweepNamesNoExercise();
     void nothingElseNamesAMetricOfOneExercise();
     void noSceneOrOperatorKnowsAnotherExercise();
     void nothingBelowTheScenesKnowsAnExercise();
@@ -174,6 +180,17 @@ void TestExerciseSlices::nothingElseNamesAnExercise() {
                          .arg(path, does);
     }
     QVERIFY(read > 500);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+/// What the sweep must know of one exercise stands in tests/exercises/<id>/sweep_facts.cpp.
+void TestExerciseSlices::theSweepNamesNoExercise() {
+    QStringList wrong;
+    const QStringList files = sourcesIn(QStringLiteral("tests/sweep"));
+    for (const QString& path : files)
+        if (const QString does = whatItDoes(contentOf(path), path); !does.isEmpty())
+            wrong << QStringLiteral("%1: %2").arg(path, does);
+    QVERIFY(files.contains(QStringLiteral("tests/sweep/level_sweep.cpp")));
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
 }
 

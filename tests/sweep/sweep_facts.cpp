@@ -1,25 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sweep/sweep_facts.h"
 
-#include <map>
+#include <utility>
 
 namespace chiron::tests {
 
 namespace {
 /// Filled before main() by the objects of the exercises' own files.
-std::map<std::string_view, SweepFacts::Complete>& known() {
-    static std::map<std::string_view, SweepFacts::Complete> facts;
+SweepFacts::ByExercise& known() {
+    static SweepFacts::ByExercise facts;
     return facts;
 }
 } // namespace
 
-SweepFacts::SweepFacts(std::string_view exercise, Complete completes) {
-    known().emplace(exercise, completes);
+SweepFacts::SweepFacts(std::string exercise) {
+    known().emplace(std::move(exercise), this);
 }
 
-void SweepFacts::complete(const catalogue::ExerciseLevel& level, LevelNumbers& numbers) {
-    if (const auto found = known().find(level.exercise); found != known().end())
-        found->second(level, numbers);
+const SweepFacts::ByExercise& SweepFacts::all() {
+    return known();
+}
+
+const SweepFacts* SweepFacts::of(std::string_view exercise) {
+    const auto found = known().find(exercise);
+    return found != known().end() ? found->second : nullptr;
 }
 
 } // namespace chiron::tests
